@@ -32,8 +32,8 @@ only_news := sed -u -e '/no work to do/d' -e '/Re-checking globbed/d' -e '/Enter
 build: configure ## build the program, build/release/berm (some minutes the first time)
 	@ninja -C $(release) berm | $(only_news)
 
-# A case file's name is its run folder's name; claims.toml, expected.toml and study.toml are no cases.
-probe_cases = $(filter-out %/claims.toml %/expected.toml %/study.toml,$(wildcard examples/probe_test/*.toml))
+# A case file's name is its run folder's name; expected.toml and study.toml are no cases.
+probe_cases = $(filter-out %/expected.toml %/study.toml,$(wildcard examples/probe_test/*.toml))
 probe_runs = $(patsubst examples/%.toml,out/%,$(probe_cases))
 probe: build ## run every case of examples/probe_test; results go to out/probe_test, and the page of them all is report.html there
 	@test -n '$(probe_cases)' || { echo 'make probe: examples/probe_test holds no case' >&2; exit 1; }

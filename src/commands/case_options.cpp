@@ -81,7 +81,7 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
     auto [settings, places] = structures::read_case(file, options.overrides);
-    all.push_back({std::move(settings), file, folder, false, std::move(places)});
+    all.push_back({std::move(settings), file, folder, false, std::move(places), {}, options.overrides});
   }
   return all;
 }

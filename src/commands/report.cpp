@@ -3,6 +3,7 @@
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "core/error.hpp"
 
 #include <fmt/format.h>
 
@@ -14,10 +15,13 @@ Command add_report(CLI::App& program)
   CLI::App* app = program.add_subcommand("report", "write one page, report.html, that shows what runs found");
   app->add_option("DIR", request->folders, "run folders, or folders that hold run folders")->required();
   app->add_option("-o,--output", request->output, "the page's file (default: report.html in the folder that holds the runs)");
-  app->add_option("--claims", request->claims, "claims of a test to compare with (default: claims.toml in each run folder)");
+  app->add_option("--expected", request->expected, "what the runs should give (default: expected.toml in each run folder)");
+  const auto former = std::make_shared<std::string>();
+  app->add_option("--claims", *former)->group("");
   app->add_flag("--pdf", request->pdf, "also print the page to report.pdf beside it, by an installed Chromium or Google Chrome");
   app->add_flag("--figures", request->figures, "also draw the curves and mechanisms as SVG and PNG, in report_figures beside the page");
-  return {app, [request] {
+  return {app, [request, former] {
+            if (!former->empty()) throw InputError("--claims is --expected now, and names an expected.toml: docs/how_to/report.md");
             messages_to_stderr();
             for (const std::filesystem::path& file : write_report(*request)) fmt::print("{}\n", std::filesystem::proximate(file).string());
             return 0;

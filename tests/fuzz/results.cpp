@@ -5,14 +5,13 @@
 
 #include "core/error.hpp"
 #include "jobs/jobs.hpp"
-#include "report/claims/claims.hpp"
+#include "report/expectations/expectations_section.hpp"
 #include "report/page/page_data.hpp"
 #include "report/quality/quality_section.hpp"
 #include "report/results/results_section.hpp"
 #include "run_folder/frame_reader.hpp"
 #include "run_folder/history_schema.hpp"
 #include "structures/structures.hpp"
-#include "verification/observable.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -73,30 +72,38 @@ void may_be_refused(const Work& work)
 /// The numbers that `berm study` and `berm verify` take.
 void take_numbers(const fs::path& folder)
 {
-  verification::Observable observable;
+  expectations::Observable observable;
   observable.quantity = "energy_error";
   may_be_refused([&] { evaluate(observable, folder); });
   observable.quantity.clear();
   observable.column = "w_m";
-  for (const verification::Measure measure :
-       {verification::Measure::slope, verification::Measure::acceleration, verification::Measure::period}) {
+  for (const expectations::Measure measure :
+       {expectations::Measure::slope, expectations::Measure::acceleration, expectations::Measure::period}) {
     observable.measure = measure;
     may_be_refused([&] { evaluate(observable, folder); });
   }
 }
 
-constexpr const char* published = R"(source = "nobody"
-test = {geometry = "plane_strain"}
-[[claim]]
+constexpr const char* expected = R"(requirement = "it holds"
+derived = "there"
+[run.any]
+[[expect]]
+run = "any"
+quantity = "V_at_w_0.1D"
+least = 1
+source = "s"
+why = "w"
+[published]
+source = "nobody"
+[[published.claim]]
 statement = "V, H, w and heave"
 where = "1"
-why = "between {V least} and {H most}"
-[[claim.finding]]
-words = "{V} {H} {w} {heave}"
-value = [{name = "V", observable = "V_at_w", at = 0.1, published = 1000},
-         {name = "H", observable = "H_at_part", at = 0.5, per = 10, without = "none", least = 1},
-         {name = "w", observable = "sinking_after_u", at = 0.3, without = "none", most = 0.1, otherwise = "partly"},
-         {name = "heave", observable = "berm_at_end", without = "none"}]
+runs = ["any"]
+expect = [{label = "V", quantity = "V_at_w_0.1D", exact = 1000, tolerance = 0.1, partly = 0.4},
+          {label = "H", quantity = "H_at_part", at = 0.5, over_number = {quantity = "H_at_part", at = 1}, least = 1},
+          {label = "w", quantity = "sinking_after_u", at = 0.3, most = 0.1, partly = "always"},
+          {label = "heave", quantity = "berm_at_end"}]
+why = "so"
 )";
 
 /// A schema that fits a header without quotes.
@@ -111,13 +118,16 @@ std::vector<run_folder::Column> columns_in_header(const std::string& text)
 
 void write_sections(const fs::path& folder)
 {
-  static const report::ClaimSheets claims = {report::read_claims_text("claims.toml", published)};
+  static const report::ExpectationSheets sheets = {expectations::read_expectations_text("expected.toml", expected)};
   may_be_refused([&] {
-    const std::vector<record::RunRecord> runs = {structures::read_run(folder)};
+    std::vector<record::RunRecord> runs = {structures::read_run(folder)};
+    runs[0].origin = run_folder::Origin{{}, {}, "case.toml", {}};
+    runs[0].end = record::RunEnd::finished;
     report::run_data(runs[0]);
     report::results_section(runs);
     report::quality_section(runs);
-    report::claims_section(runs, claims);
+    report::expectations_section(runs, sheets);
+    report::claims_section(runs, sheets);
   });
 }
 

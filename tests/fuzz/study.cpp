@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A study.toml of `berm study`, and the same text as an expected.toml of `berm verify` and a claims.toml of `berm report`.
+// A study.toml of `berm study`, and the same text as an expected.toml of `berm verify` and `berm report`.
 #include "target.hpp"
 
 #include "core/error.hpp"
-#include "input/reader.hpp"
-#include "report/claims/claim_sheet.hpp"
+#include "expectations/expectation.hpp"
 #include "study/study_settings.hpp"
-#include "verification/expectation.hpp"
 
 using namespace berm;
 
@@ -32,14 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     promise_one_line(error.what());
   }
   try {
-    input::Document document = input::parse_text("expected.toml", text_of(data, size));
-    verification::Expectations all;
-    read(document, all);
-  } catch (const InputError& error) {
-    promise_one_line(error.what());
-  }
-  try {
-    report::read_claims_text("claims.toml", text_of(data, size));
+    expectations::read_expectations_text("expected.toml", text_of(data, size));
   } catch (const InputError& error) {
     promise_one_line(error.what());
   }

@@ -24,6 +24,7 @@ struct PaperRun {
   {
     record::RunRecord run;
     run.name = name;
+    run.origin = run_folder::Origin{{}, {}, file, overrides};
     run.settings = input::read_case(std::string(BERM_SOURCE_DIR) + "/examples/probe_test/" + file, overrides);
     run.history.columns = columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"});
     run.history.values.resize(5);

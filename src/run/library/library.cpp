@@ -28,7 +28,7 @@ fs::path folder_for(const RunOptions& options, const io::ScratchFolder& scratch)
 simulation::RunRequest request_for(const std::string& case_file, const RunOptions& options, const io::ScratchFolder& scratch)
 {
   auto [settings, places] = structures::read_case(case_file, options.set);
-  return {std::move(settings), case_file, folder_for(options, scratch), false, std::move(places), options.laws};
+  return {std::move(settings), case_file, folder_for(options, scratch), false, std::move(places), options.laws, options.set};
 }
 
 simulation::RunRequest request_to_resume(const std::string& folder, const RunOptions& options)

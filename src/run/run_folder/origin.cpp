@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* origin_name = "origin.json";
 constexpr const char* not_recorded = "not recorded";
-constexpr const char* input_names[] = {"case.toml", "resolved.toml", "mesh.msh", "claims.toml"};
+constexpr const char* input_names[] = {"case.toml", "resolved.toml", "mesh.msh", "expected.toml"};
 
 #ifdef __OPTIMIZE__
 constexpr const char* optimized = "optimized";
@@ -63,7 +63,7 @@ FileHashes hashes_in(const Json& json)
 
 void write(const fs::path& run_folder, const Origin& origin)
 {
-  Json json = {{"input_sha256", json_of(origin.input)}, {"sessions", Json::array()}};
+  Json json = {{"case", origin.case_file}, {"set", origin.set}, {"input_sha256", json_of(origin.input)}, {"sessions", Json::array()}};
   for (const RunSession& session : origin.sessions)
     json["sessions"].push_back({{"begun", session.begun},
                                 {"resumption", session.resumption},
@@ -81,7 +81,7 @@ RunSession this_session()
           fmt::format("{}, compiler {}, vector unit {}", optimized, __VERSION__, vector_unit()), hashes_of(io::program_files("libberm"))};
 }
 
-void note_origin(const fs::path& run_folder, const FileHashes& libraries)
+void note_origin(const fs::path& run_folder, const std::string& case_file, const std::vector<std::string>& set, const FileHashes& libraries)
 {
   std::vector<fs::path> inputs;
   std::error_code error;
@@ -89,7 +89,7 @@ void note_origin(const fs::path& run_folder, const FileHashes& libraries)
     if (const fs::path file = run_folder / name; fs::exists(file, error)) inputs.push_back(file);
   FileHashes hashes = hashes_of(inputs);
   hashes.insert(hashes.end(), libraries.begin(), libraries.end());
-  write(run_folder, {hashes, {this_session()}});
+  write(run_folder, {hashes, {this_session()}, case_file, set});
 }
 
 void note_resumption(const fs::path& run_folder)
@@ -112,7 +112,7 @@ std::optional<Origin> read_origin(const fs::path& run_folder)
   if (!fs::exists(file, error)) return std::nullopt;
   try {
     const Json json = Json::parse(io::read_text_file(file));
-    Origin origin{hashes_in(json.at("input_sha256")), {}};
+    Origin origin{hashes_in(json.at("input_sha256")), {}, json.value("case", ""), json.value("set", std::vector<std::string>())};
     for (const Json& session : json.at("sessions"))
       origin.sessions.push_back({session.at("begun").get<std::string>(), session.at("version").get<std::string>(),
                                  session.at("build").get<std::string>(), hashes_in(session.at("program_sha256")),

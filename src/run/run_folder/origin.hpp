@@ -25,6 +25,8 @@ struct RunSession {
 struct Origin {
   FileHashes input;
   std::vector<RunSession> sessions;
+  std::string case_file{};         ///< its name; "" in a run of an earlier version
+  std::vector<std::string> set{};  ///< what was changed in it, each KEY=VALUE
 
   /// Whether the session is known that began the run.
   bool begins() const { return !sessions.empty() && !sessions.front().resumption; }
@@ -33,9 +35,11 @@ struct Origin {
 /// The present program, now.
 RunSession this_session();
 
-/// Notes in origin.json what the run in the folder is made from: SHA-256 of its case.toml, resolved.toml, mesh.msh and claims.toml as they are there, of the
-/// libraries with laws (by their paths), and this session; of a resumed run only another session, also where its origin.json is missing or damaged. Throws RunError where it cannot be written.
-void note_origin(const std::filesystem::path& run_folder, const FileHashes& libraries = {});
+/// Notes in origin.json what the run in the folder is made from: the name of the case file and what was changed in it, SHA-256 of its case.toml, resolved.toml, mesh.msh
+/// and expected.toml as they are there, of the libraries with laws (by their paths), and this session; of a resumed run only another session, also where its origin.json
+/// is missing or damaged. Throws RunError where it cannot be written.
+void note_origin(const std::filesystem::path& run_folder, const std::string& case_file, const std::vector<std::string>& set,
+                 const FileHashes& libraries = {});
 void note_resumption(const std::filesystem::path& run_folder);
 
 /// What origin.json of a run says; empty where it is not there (a run of an earlier version). Throws RunError where it is damaged.

@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 // All that a run writes but its pictures of the soil. resolved.toml goes last: until then the folder is known as one of a run, so that an interrupted removal can be repeated.
 constexpr const char* own_files[] = {
     "history.csv",     "history.schema.json", "summary.json",       "origin.json",        "run.log",
-    "case.toml",       "claims.toml",         "mesh.geo",           "mesh.msh",           "mesh.log",
+    "case.toml",       "expected.toml",       "mesh.geo",           "mesh.msh",           "mesh.log",
     "ground.csv",      "report.html",         "report.pdf",         "curves.png",         "plots/curves.dat",
     "plots/curves.gp", "plots/band_V_w.dat",  "plots/band_H_u.dat", "plots/band_w_u.dat", "frames",
-    "uncertainty",     "checkpoint",          "resolved.toml"};
+    "uncertainty",     "checkpoint",          "claims.toml",        "resolved.toml"};  // claims.toml: of earlier versions
 
 /// Removes the pictures of the soil with their scripts and data: soil, soil_increment, and one for each field that the method or the law has for itself.
 void remove_soil_pictures(const fs::path& folder)

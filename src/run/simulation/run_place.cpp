@@ -27,9 +27,9 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const io::Scratc
   scratch.move_files_to(folder.path());
   io::copy_atomically(request.case_file, folder.file("case.toml"));
   std::error_code error;
-  if (const fs::path claims = request.case_file.parent_path() / "claims.toml"; fs::exists(claims, error))
-    io::copy_atomically(claims, folder.file("claims.toml"));
-  run_folder::note_origin(folder.path(), user_law::library_hashes(request.settings));
+  if (const fs::path expected = request.case_file.parent_path() / "expected.toml"; fs::exists(expected, error))
+    io::copy_atomically(expected, folder.file("expected.toml"));
+  run_folder::note_origin(folder.path(), request.case_file.filename().string(), request.set, user_law::library_hashes(request.settings));
   note_warnings(folder, warnings);
   note_case_file(folder, request.case_file);
   return folder;

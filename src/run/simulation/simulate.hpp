@@ -14,10 +14,11 @@ namespace berm::simulation {
 struct RunRequest {
   problem::Case settings;
   std::filesystem::path case_file;
-  std::filesystem::path folder;   ///< the run folder
-  bool resume = false;            ///< from the last checkpoint in the run folder, or from the start where there is none yet
-  input::Places places = {};      ///< where the keys of the case were written, for messages
-  user_law::GivenLaws laws = {};  ///< of the caller's own, in place of libraries that the case names
+  std::filesystem::path folder;       ///< the run folder
+  bool resume = false;                ///< from the last checkpoint in the run folder, or from the start where there is none yet
+  input::Places places = {};          ///< where the keys of the case were written, for messages
+  user_law::GivenLaws laws = {};      ///< of the caller's own, in place of libraries that the case names
+  std::vector<std::string> set = {};  ///< what was changed in the case file, each KEY=VALUE: noted in origin.json
 };
 
 // All of them refuse a case that makes no sense (sanity/questions.hpp), with InputError; what is doubtful is a warning.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/report/claims/claim_sheet_test.cpp
+// Tests: tests/unit/expectations/expectation_test.cpp
 #include "structures/base/published_point.hpp"
 
 namespace berm::base {

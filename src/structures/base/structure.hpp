@@ -5,9 +5,9 @@
 #include "run_folder/run_folder.hpp"
 #include "structures/base/display_units.hpp"
 #include "structures/base/kind.hpp"
-#include "structures/base/observable.hpp"
 #include "structures/base/published_envelope.hpp"
 #include "structures/base/published_point.hpp"
+#include "structures/base/run_details.hpp"
 #include "structures/base/trust_measure.hpp"
 
 #include <memory>
@@ -90,9 +90,8 @@ public:
   }
   virtual std::vector<std::string> draw_report_soil(const Runs&, const std::filesystem::path&) const { return {}; }
 
-  /// What claims may be about, and a run, which must outlive it, as they look at it; null where nothing can be claimed.
-  virtual Observables observables() const { return {}; }
-  virtual std::unique_ptr<ObservedRun> observed(const record::RunRecord&) const { return nullptr; }
+  /// Further numbers of a run, which must outlive them; null where there are none.
+  virtual std::unique_ptr<RunDetails> details(const record::RunRecord&) const { return nullptr; }
 
   /// How the structure lies before the first stage, for its envelope. Throws InputError where a case has none.
   virtual EmbeddedBody embedded(const problem::Case& c) const;

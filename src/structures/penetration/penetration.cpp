@@ -16,38 +16,12 @@
 namespace berm::penetration {
 namespace {
 
-constexpr const char *factor_at_z = "factor_at_z", *factor_of_end = "factor_of_end", *z_of_end = "z_of_end";
-
 PenetrationRuns penetration_runs(const base::Runs& runs, const Reading& reading)
 {
   PenetrationRuns all;
   for (const auto& [record, number] : runs) all.emplace_back(*record, reading, number);
   return all;
 }
-
-/// The observables of any driven body, and those of its log.
-class ObservedPenetration : public base::ObservedRun {
-public:
-  ObservedPenetration(std::unique_ptr<base::ObservedRun> driven, const record::RunRecord& run, const Reading& reading)
-      : driven_(std::move(driven)),
-        run_(run, reading)
-  {
-  }
-
-  Real value(const std::string& word, std::optional<Real> at) const override
-  {
-    if (word == factor_at_z) return at ? run_.factor_at(*at * run_.body.width) : nan;
-    if (word == factor_of_end) return run_.last().factor;
-    if (word == z_of_end) return run_.z_end() / run_.body.width;
-    return driven_->value(word, at);
-  }
-  std::optional<Real> begin_of_drag() const override { return driven_->begin_of_drag(); }
-  bool drag_reaches(Real displacement) const override { return driven_->drag_reaches(displacement); }
-
-private:
-  std::unique_ptr<base::ObservedRun> driven_;
-  PenetrationRun run_;
-};
 
 }  // namespace
 
@@ -134,21 +108,6 @@ std::vector<std::string> Penetration::draw_report_curves(const base::Runs& runs,
                      plot::draw(folder, name, record::panels_width, record::panels_height, script, plot::PlotFormat::svg);
   if (whole) drawn.push_back(name);
   return drawn;
-}
-
-base::Observables Penetration::observables() const
-{
-  using Unit = base::ObservableUnit;
-  base::Observables all = Pipe::observables();
-  all.push_back({factor_at_z, Unit::number, Unit::length, true});
-  all.push_back({factor_of_end, Unit::number, Unit::none, false});
-  all.push_back({z_of_end, Unit::length, Unit::none, false});
-  return all;
-}
-
-std::unique_ptr<base::ObservedRun> Penetration::observed(const record::RunRecord& run) const
-{
-  return std::make_unique<ObservedPenetration>(Pipe::observed(run), run, reading_);
 }
 
 }  // namespace berm::penetration

@@ -25,8 +25,6 @@ public:
   std::string quality_note(const base::Runs& runs) const override;
   std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                               const std::filesystem::path& folder) const override;
-  base::Observables observables() const override;
-  std::unique_ptr<base::ObservedRun> observed(const record::RunRecord& run) const override;
 
 private:
   const Reading& reading_;

@@ -10,12 +10,12 @@
 #include "structures/pipe/report/in_words.hpp"
 #include "structures/pipe/report/key_results.hpp"
 #include "structures/pipe/report/pipe_measures.hpp"
-#include "structures/pipe/report/pipe_observables.hpp"
 #include "structures/pipe/report/published_table.hpp"
 #include "structures/pipe/report/soil_figures.hpp"
 #include "structures/pipe/results/axial_results.hpp"
 #include "structures/pipe/results/mechanism.hpp"
 #include "structures/pipe/results/moments_in_space.hpp"
+#include "structures/pipe/results/pipe_details.hpp"
 #include "structures/pipe/results/prescribed.hpp"
 
 #include <algorithm>
@@ -130,14 +130,9 @@ std::vector<std::string> Pipe::draw_report_soil(const base::Runs& runs, const st
   return draw_soil_figures(pipe_runs(runs), folder);
 }
 
-base::Observables Pipe::observables() const
+std::unique_ptr<base::RunDetails> Pipe::details(const record::RunRecord& run) const
 {
-  return pipe_observables();
-}
-
-std::unique_ptr<base::ObservedRun> Pipe::observed(const record::RunRecord& run) const
-{
-  return observed_pipe(run);
+  return pipe_details(run);
 }
 
 base::EmbeddedBody Pipe::embedded(const problem::Case& c) const

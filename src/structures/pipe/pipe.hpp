@@ -24,8 +24,7 @@ public:
   std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                               const std::filesystem::path& folder) const override;
   std::vector<std::string> draw_report_soil(const base::Runs& runs, const std::filesystem::path& folder) const override;
-  base::Observables observables() const override;
-  std::unique_ptr<base::ObservedRun> observed(const record::RunRecord& run) const override;
+  std::unique_ptr<base::RunDetails> details(const record::RunRecord& run) const override;
   base::EmbeddedBody embedded(const problem::Case& c) const override;
   base::PublishedEnvelope published_envelope(const problem::Case& c, const base::EnvelopeEnds& ends) const override;
 };

@@ -88,7 +88,7 @@ void take_numbers(StudyRow& row, Study& study, std::vector<std::string>& told)
     const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
     if (row.end.kind != jobs::JobEnd::Kind::finished || !wanted) continue;
     try {
-      const verification::Reading reading = evaluate(measure.observable, row.job.folder);
+      const expectations::Reading reading = evaluate(measure.observable, row.job.folder);
       row.numbers.back() = measure.scale * reading.value;
       if (measure.unit.empty()) measure.unit = reading.unit;
     } catch (const std::exception& error) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "expectations/observable.hpp"
 #include "study/sample.hpp"
-#include "verification/observable.hpp"
 
 namespace berm::study {
 
@@ -26,7 +26,7 @@ struct StudySkip {
 /// A column of the table.
 struct StudyMeasure {
   std::string name;  ///< its heading
-  verification::Observable observable;
+  expectations::Observable observable;
   std::string unit;                ///< as it is shown, after scaling; "": the SI unit of the first number
   Real scale = 1;                  ///< shown number over the SI number
   std::vector<std::string> cases;  ///< only for these; empty = all

@@ -12,6 +12,11 @@
 namespace berm::verification {
 namespace {
 
+using expectations::Measure;
+using expectations::measure_words;
+using expectations::Observable;
+using expectations::Rows;
+
 constexpr const char* of_berm = "lines lw 2 lc rgb '#1764ab'";
 constexpr const char* of_exact = "lines lw 2 lc rgb '#c8452f' dt '-'";
 constexpr const char* of_bound = "lines lw 1.5 lc rgb '#2f8f4e' dt '-'";
@@ -143,7 +148,7 @@ bool draw_finding(const std::filesystem::path& folder, const std::string& name, 
 {
   if (finding.values.empty()) return false;
   if (!e.runs.empty()) return !std::isnan(finding.number) && draw_figure(folder, name, order_figure(e, finding));
-  if (e.observable.column.empty() || !e.over.empty()) return false;
+  if (e.observable.column.empty() || is_pure(e)) return false;
   return plot::draw_figure(folder, name, column_figure(e, run_folder::read_history(run_folder / "history.csv")));
 }
 

@@ -4,7 +4,6 @@
 
 #include "core/error.hpp"
 #include "input/message_text.hpp"
-#include "input/reader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,13 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* expected_file = "expected.toml";
+using expectations::expected_file;
 
 Example read_example(const fs::path& folder)
 {
-  input::Document document = input::parse_file(folder / expected_file);
-  Expectations all;
-  read(document, all);
+  const expectations::Expectations all = expectations::read_expectations(folder / expected_file);
   const fs::path clean = fs::absolute(folder / "").lexically_normal();
   return {clean.parent_path().filename().string(), folder, all.run, all.expect};
 }

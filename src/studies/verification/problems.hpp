@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "verification/expectation.hpp"
+#include "expectations/expectation.hpp"
 
 namespace berm::verification {
+
+using expectations::Expectation;
+using expectations::VerificationRun;
 
 /// An example of the verification book, or the part of it that was asked for.
 struct Example {

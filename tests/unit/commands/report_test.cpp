@@ -12,17 +12,25 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// Of a test that the small case is one of.
-const std::string claims = R"(source = "A test"
-[test]
-"rigid.*.shape" = "circle"
-[[claim]]
+/// What is expected of the small case, and claimed of it.
+const std::string expected = R"(requirement = "It ends."
+derived = "there"
+[run.a]
+case = "a.toml"
+[[expect]]
+run = "a"
+quantity = "finished"
+least = 1
+source = "s"
+why = "w"
+[published]
+source = "A test"
+[[published.claim]]
 statement = "The pipe is dragged"
 where = "1"
 why = "It counts as far as it comes."
-[[claim.finding]]
-words = "to {u}"
-value = [{name = "u", observable = "u_at_part", at = 1, least = 0}]
+runs = ["a"]
+expect = [{label = "H", quantity = "H_at_part", at = 1, least = "0 N/m"}]
 )";
 
 /// A folder with two runs of the small case, out/a and out/b, made once for all tests, and a copy of it for each.
@@ -33,7 +41,7 @@ protected:
     made_ = new TemporaryFolder;
     made_->write("a.toml", test::small_case);
     made_->write("b.toml", test::small_case);
-    made_->write("claims.toml", claims);
+    made_->write("expected.toml", expected);
     const Ended ended = run_program(made_->path(), {"run", "a.toml", "b.toml", "-o", "out", "--threads", "1"});
     ASSERT_EQ(ended.status, 0) << ended.err;
   }
@@ -68,20 +76,26 @@ TEST_F(Report, of_one_run_lies_in_its_folder_and_of_several_beside_them)
   EXPECT_EQ(text("page.html"), text("out/report.html"));
 }
 
-TEST_F(Report, reads_the_claims_that_the_run_took_along_or_those_that_are_named)
+TEST_F(Report, reads_what_is_expected_where_the_run_took_it_along_or_where_it_is_named)
 {
-  ASSERT_EQ(text("out/a/claims.toml"), claims);
+  ASSERT_EQ(text("out/a/expected.toml"), expected);
   ASSERT_EQ(berm({"report", "out/a"}).status, 0);
   EXPECT_NE(text("out/a/report.html").find("The pipe is dragged"), std::string::npos);
+  EXPECT_NE(text("out/a/report.html").find("id=\"expected-table\""), std::string::npos);
+  ASSERT_EQ(berm({"report", "out/b"}).status, 0);
+  EXPECT_EQ(text("out/b/report.html").find("The pipe is dragged"), std::string::npos) << "nothing is expected of b.toml";
 
-  std::ofstream(file("other.toml")) << claims << "missing = 3\n";
-  const Ended wrong = berm({"report", "out/a", "--claims", "other.toml"});
+  std::ofstream(file("other.toml")) << "missing = 3\n" << expected;
+  const Ended wrong = berm({"report", "out/a", "--expected", "other.toml"});
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_NE(wrong.err.find("other.toml:11: "), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("other.toml:1: "), std::string::npos) << wrong.err;
+  const Ended former = berm({"report", "out/a", "--claims", "other.toml"});
+  EXPECT_EQ(former.status, 2);
+  EXPECT_NE(former.err.find("--expected"), std::string::npos) << former.err;
 
-  std::ofstream(file("out/a/claims.toml")) << "source = 3\n";
-  EXPECT_EQ(berm({"report", "out/a"}).status, 0) << "a run whose claims are damaged is shown without them";
-  EXPECT_NE(text("out/a/report.html").find("its claims are left out"), std::string::npos);
+  std::ofstream(file("out/a/expected.toml")) << "run = 3\n";
+  EXPECT_EQ(berm({"report", "out/a"}).status, 0) << "a run whose expected.toml is damaged is shown without it";
+  EXPECT_NE(text("out/a/report.html").find("what is expected of it is left out"), std::string::npos);
 }
 
 TEST_F(Report, passes_over_what_an_earlier_report_wrote)

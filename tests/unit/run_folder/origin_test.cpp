@@ -18,9 +18,11 @@ TEST(origin, holds_the_digests_of_the_input_that_is_there_and_the_program)
   run.write("case.toml", "abc");
   run.write("resolved.toml", "title = \"x\"\n");
   run.write("history.csv", "no input");
-  note_origin(run.path());
+  note_origin(run.path(), "a.toml", {"title=\"b\""});
   const std::optional<Origin> origin = read_origin(run.path());
   ASSERT_TRUE(origin);
+  EXPECT_EQ(origin->case_file, "a.toml");
+  EXPECT_EQ(origin->set, (std::vector<std::string>{"title=\"b\""}));
   ASSERT_EQ(origin->input.size(), 2u);
   EXPECT_EQ(origin->input[0], (std::pair<std::string, std::string>("case.toml", io::sha256_of_file(run / "case.toml"))));
   EXPECT_EQ(origin->input[1].first, "resolved.toml");
@@ -38,7 +40,7 @@ TEST(origin, of_a_resumed_run_has_a_session_more_and_the_same_input)
 {
   const TemporaryFolder run;
   run.write("case.toml", "abc");
-  note_origin(run.path());
+  note_origin(run.path(), "case.toml", {});
   const FileHashes input = read_origin(run.path())->input;
   run.write("case.toml", "changed since");
   note_resumption(run.path());

@@ -99,7 +99,7 @@ std::vector<fs::path> all_examples()
   for (const auto& entry : fs::recursive_directory_iterator(examples)) {
     const std::string name = entry.path().filename().string();
     const bool of_tests = entry.path().parent_path().filename() == "element";
-    const bool other = of_tests || name == "claims.toml" || name == "expected.toml" || name == "study.toml";
+    const bool other = of_tests || name == "expected.toml" || name == "study.toml";
     if (entry.path().extension() == ".toml" && !other) cases.push_back(fs::relative(entry.path(), examples));
   }
   std::sort(cases.begin(), cases.end());

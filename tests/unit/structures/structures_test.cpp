@@ -143,8 +143,7 @@ TEST(Structures, without_a_driven_body_have_the_measures_of_any_run)
   for (const base::TrustMeasure& measure : structure_of(c).measures(c)) what.push_back(measure.what);
   EXPECT_EQ(what.size(), 9u);
   EXPECT_EQ(std::count(what.begin(), what.end(), "momentum that does not balance"), 1);
-  EXPECT_TRUE(structure_of(c).observables().empty());
-  EXPECT_EQ(structure_of(c).observed(MadeRun{}.record()), nullptr);
+  EXPECT_EQ(structure_of(c).details(MadeRun{}.record()), nullptr);
 }
 
 TEST(Structures, have_no_envelope_where_they_know_none)

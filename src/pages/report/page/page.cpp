@@ -32,10 +32,10 @@ std::string script_json(const Json& json)
   return text;
 }
 
-Json published_json(const std::vector<record::RunRecord>& runs, const ClaimSheets& claims)
+Json published_json(const std::vector<record::RunRecord>& runs, const ExpectationSheets& expected)
 {
   Json points = Json::array();
-  for (const base::PublishedPoint& p : published_points(runs, claims))
+  for (const base::PublishedPoint& p : published_points(runs, expected))
     points.push_back({{"chart", word_of(p.chart)}, {"x", p.x ? Json(*p.x) : Json(nullptr)}, {"y", p.y}, {"label", p.label}});
   return points;
 }
@@ -93,16 +93,16 @@ std::string faults_of(const std::vector<record::RunRecord>& runs, const std::vec
 
 }  // namespace
 
-std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& claims, const std::vector<std::string>& left_out)
+std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSheets& expected, const std::vector<std::string>& left_out)
 {
-  Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"published", published_json(runs, claims)}};
+  Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"published", published_json(runs, expected)}};
   std::string blocks;
   std::size_t left = max_film_bytes;
   for (std::size_t k = runs.size(); k-- > 0;) {  // the smaller runs first: what they leave is the larger ones'
     Film film = make_film(runs[k], fmt::format("film-{}", k), left / (k + 1));
     runs[k].faults.insert(runs[k].faults.end(), film.faults.begin(), film.faults.end());
     Json run = run_data(runs[k]);
-    run["of_test"] = is_of_a_test(runs[k], claims);
+    run["of_test"] = is_of_a_test(runs[k], expected);
     run["film"] = film.json;
     data["runs"].insert(data["runs"].begin(), run);
     for (const FilmBlock& block : film.blocks) {
@@ -111,9 +111,10 @@ std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& 
     }
   }
 
-  const std::string what_is_claimed = claims_section(runs, claims);
+  const std::string what_is_expected = expectations_section(runs, expected), what_is_claimed = claims_section(runs, expected);
   std::vector<std::pair<std::string, std::string>> sections = {
       {"answer", "Answer"}, {"model", "Model"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
+  if (!what_is_expected.empty()) sections.emplace_back("expected", "Expected");
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
   sections.emplace_back("record", "Record");
 
@@ -125,7 +126,7 @@ std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& 
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
-  page += quality_section(runs) + what_is_claimed + origin_section(runs) + "</main>\n";
+  page += quality_section(runs) + what_is_expected + what_is_claimed + origin_section(runs) + "</main>\n";
   page += blocks;
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
   page += page_script;

@@ -126,20 +126,20 @@ std::vector<record::RunRecord> read_runs(const std::vector<fs::path>& folders, s
   return runs;
 }
 
-/// The claims that were asked for, else those that stand in the run folders: each once. A run whose own cannot be read says so.
-ClaimSheets claims_of(const ReportRequest& request, std::vector<record::RunRecord>& runs)
+/// What is expected by the file that was asked for, else by those in the run folders: each once. A run whose own cannot be read says so.
+ExpectationSheets expected_of(const ReportRequest& request, std::vector<record::RunRecord>& runs)
 {
-  if (!request.claims.empty()) return {read_claims(request.claims)};
-  ClaimSheets sheets;
+  if (!request.expected.empty()) return {expectations::read_expectations(request.expected)};
+  ExpectationSheets sheets;
   std::set<std::string> known;
   for (record::RunRecord& run : runs) try {
-      const fs::path file = run.folder / claims_file;
+      const fs::path file = run.folder / expectations::expected_file;
       std::error_code error;
       if (!fs::exists(file, error)) continue;
       const std::string text = io::read_text_file(file);
-      if (known.insert(text).second) sheets.push_back(read_claims_text(file.string(), text));
+      if (known.insert(text).second) sheets.push_back(expectations::read_expectations_text(file.string(), text));
     } catch (const std::runtime_error& error) {
-      run.faults.push_back(fmt::format("its claims are left out: {}", error.what()));
+      run.faults.push_back(fmt::format("what is expected of it is left out: {}", error.what()));
     }
   return sheets;
 }
@@ -167,14 +167,14 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   const fs::path browser = request.pdf ? printing_browser() : fs::path();  // or an error before there is work
   std::vector<std::string> left_out;
   std::vector<record::RunRecord> runs = read_runs(folders, left_out);
-  const ClaimSheets claims = claims_of(request, runs);
+  const ExpectationSheets expected = expected_of(request, runs);
 
-  io::write_atomically(page, report_page(runs, claims, left_out));
+  io::write_atomically(page, report_page(runs, expected, left_out));
   std::vector<fs::path> written = {page};
   if (request.pdf) print_pdf(browser, page, written.emplace_back(fs::path(page).replace_extension("pdf")));
   if (request.figures) {
     const fs::path figures = page.parent_path() / figures_name;
-    for (const std::string& name : draw_report_figures(runs, published_points(runs, claims), figures)) written.push_back(figures / name);
+    for (const std::string& name : draw_report_figures(runs, published_points(runs, expected), figures)) written.push_back(figures / name);
   }
   return written;
 }

@@ -11,7 +11,7 @@ namespace berm::report {
 struct ReportRequest {
   std::vector<std::string> folders;  ///< run folders, or folders that hold run folders
   std::string output;                ///< file; "": report.html in the run folder, of several in the folder that holds them
-  std::string claims;                ///< file of the claims of a test; "": claims.toml of each run folder
+  std::string expected;              ///< file of what the runs should give; "": expected.toml of each run folder
   bool pdf = false;                  ///< also printed, to a file of the page's name with the ending pdf
   bool figures = false;              ///< also SVG and PNG, in the folder report_figures beside the page
 };

@@ -236,16 +236,6 @@ TEST(Penetration, measures_steadiness_and_the_room_around)
   EXPECT_NEAR(value("soil below the probe at the end, over D"), 10, 1e-6);
 }
 
-TEST(Penetration, can_be_claimed)
-{
-  const record::RunRecord run = clay_cone().record();
-  const std::unique_ptr<base::ObservedRun> observed = structure_of(run).observed(run);
-  EXPECT_NEAR(observed->value("factor_at_z", 8), 10, 1e-6);
-  EXPECT_NEAR(observed->value("factor_of_end", {}), 10, 1e-6);
-  EXPECT_NEAR(observed->value("z_of_end", {}), (2 - 0.1 * std::sqrt(3.)) / 0.2, 1e-9);
-  EXPECT_FALSE(structure_of(run).observables().empty());
-}
-
 TEST(Penetration, of_a_run_without_rows_says_nothing)
 {
   record::RunRecord run = clay_cone().record();

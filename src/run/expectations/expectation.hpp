@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "verification/observable.hpp"
+#include "expectations/observable.hpp"
+#include "structures/base/published_point.hpp"
 
-namespace berm::verification {
+namespace berm::expectations {
 
 /// One problem of the verification book: one run of berm.
 struct VerificationRun {
@@ -21,10 +22,11 @@ inline const std::vector<const char*> held_words = {"not asked", "yes", "no"};
 
 /// One number that a run is expected to give; or the order of convergence of runs whose cells are half as large each time.
 struct Expectation {
-  std::string run;                ///< which run; or
-  std::string over;               ///< run by whose number that of `run` is divided; "": none
-  std::vector<std::string> runs;  ///< from the coarsest to the finest, with
-  std::optional<Real> limit;      ///< SI units: what the number tends to
+  std::string run;                        ///< which run; or
+  std::string over;                       ///< run by whose number that of `run` is divided; "": none
+  std::optional<Observable> over_number;  ///< what it is divided by, of that run or of the same; empty: the same observable
+  std::vector<std::string> runs;          ///< from the coarsest to the finest, with
+  std::optional<Real> limit;              ///< SI units: what the number tends to
   Observable observable;
   std::optional<Real> exact, min, max;                ///< of the number in SI units, or of the order; either exact or bounds
   std::optional<Real> tolerance, absolute_tolerance;  ///< of exact: relative, or in its unit
@@ -32,6 +34,22 @@ struct Expectation {
   std::string unit;  ///< SI, of these and of limit as they are written; "" where they have none
   std::string source, why;
   std::string requirement, derived;  ///< what the user may rely on, and where that is derived
+  std::string label;                 ///< of a claim: what the number is, in words
+  std::optional<Real> partly;        ///< of a claim: how far off, relative, it still holds in part
+};
+
+/// What is claimed of a test: numbers of runs that would prove it. Nothing is expected of a run that has no bounds; such a number is told beside the others.
+struct Claim {
+  std::string statement, where, why;
+  std::vector<std::string> runs;  ///< of each number that names none
+  std::vector<Expectation> expect;
+};
+
+/// What others published of the test: to compare with, whether or not berm gives the same.
+struct Published {
+  std::string title = "Published claims", source;
+  base::PublishedPoints points;
+  std::vector<Claim> claims;
 };
 
 /// expected.toml: what an example should give.
@@ -39,15 +57,32 @@ struct Expectations {
   std::string requirement, derived;  ///< of every number that has none of its own
   std::vector<std::pair<std::string, VerificationRun>> run;
   std::vector<Expectation> expect;
+  std::optional<Published> published;
 };
+
+/// The file, in the folder of an example and in that of each of its runs.
+constexpr const char* expected_file = "expected.toml";
+
+/// Read it, or its text. Throw InputError with file, line and key.
+Expectations read_expectations(const std::filesystem::path& file);
+Expectations read_expectations_text(const std::string& file, const std::string& text);
+
+/// The name that a run has there: that of the same case file with the same changes; "" where there is none, or where the run did not come to its end.
+std::string name_of(const record::RunRecord& run, const Expectations& all);
 
 /// exact, least, most and absolute_tolerance may have any unit, which must be of the dimension of what the run gives (compare_with_expectation).
 void describe(Describe& d, VerificationRun& run);
 void describe(Describe& d, Expectation& e);
+void describe(Describe& d, Claim& claim);
+void describe(Describe& d, Published& published);
 void describe(Describe& d, Expectations& all);
 
-/// The runs that an expectation needs.
+/// The runs that an expectation needs, and what is read of the k-th of them.
 std::vector<std::string> runs_of(const Expectation& e);
+const Observable& observable_of(const Expectation& e, std::size_t k);
+
+/// Whether a number has something to meet.
+bool is_judged(const Expectation& e);
 
 /// What is expected: words_of its reading, over that of another run, or "order of " it.
 std::string words_of(const Expectation& e);
@@ -65,4 +100,4 @@ Real error_of(const Expectation& e, Real number);
 /// Whether a number is as expected; NaN never is.
 bool is_met(const Expectation& e, Real number);
 
-}  // namespace berm::verification
+}  // namespace berm::expectations

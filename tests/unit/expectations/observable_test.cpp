@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verification/observable.hpp"
+#include "expectations/observable.hpp"
 
 #include "core/error.hpp"
 #include "samples/history_columns.hpp"
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::verification::this_file {
+namespace berm::expectations::this_file {
 namespace {
 
 /// Rows of one column, 0.013 s apart: no multiple of it is a period.
@@ -120,4 +120,4 @@ TEST(Observable, of_a_summary_that_is_damaged_is_refused)
 }
 
 }  // namespace
-}  // namespace berm::verification::this_file
+}  // namespace berm::expectations::this_file

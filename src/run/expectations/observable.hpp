@@ -2,11 +2,10 @@
 #pragma once
 
 #include "core/describe.hpp"
-#include "run_folder/history.hpp"
+#include "record/run_record.hpp"
+#include "structures/base/run_details.hpp"
 
-#include <filesystem>
-
-namespace berm::verification {
+namespace berm::expectations {
 
 /// The one number that is taken from a column of a history over a window of time.
 enum class Measure {
@@ -25,8 +24,10 @@ inline const std::vector<const char*> measure_words = {"end", "mean", "largest",
 
 /// Which number of a run's results is meant.
 struct Observable {
-  std::string quantity;  ///< of summary.json: a quantity, else a check, else one of the timing; or
-  std::string column;    ///< of history.csv, with
+  std::string
+      quantity;  ///< of summary.json: a quantity, else a check, else one of the timing; else one of the details of the run's structure,
+  std::optional<Real> at;  ///< taken here; or
+  std::string column;      ///< of history.csv, with
   Measure measure = Measure::end;
   std::optional<Real> from, to;  ///< s, ends of the window
 };
@@ -64,8 +65,9 @@ struct Reading {
   std::string label;  ///< of the column, or the quantity
 };
 
-/// The number, from summary.json or history.csv of a run folder; true is 1, false 0, and what was not finite NaN. Throws InputError where there is
-/// no such quantity or column, RunError where there is no such file.
+/// The number, from the files of a run folder, or from what was read of it with the details of its structure (or null); true is 1, false 0, and what was not finite
+/// NaN. Throw InputError where there is no such quantity or column, RunError where there is no such file or a frame is damaged.
 Reading evaluate(const Observable& observable, const std::filesystem::path& run_folder);
+Reading evaluate(const Observable& observable, const record::RunRecord& run, const base::RunDetails* details);
 
-}  // namespace berm::verification
+}  // namespace berm::expectations

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verification/observable.hpp"
+#include "expectations/observable.hpp"
 
 #include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "run_folder/summary_file.hpp"
+#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <numeric>
 
-namespace berm::verification {
+namespace berm::expectations {
 namespace {
 
 /// The coefficient of t^degree in the least-squares polynomial of that degree through the rows: that of the last of the polynomials
@@ -48,11 +49,44 @@ Real period_of(const Rows& rows)
   return (crossings[n - 1] + crossings[n - 2] - crossings[1] - crossings[0]) / static_cast<Real>(n - 2);
 }
 
+Reading reading_of(const run_folder::Quantity& number)
+{
+  return {number.value, number.unit == "1" ? "" : number.unit, number.name};
+}
+
+/// One of these quantities, of checks and timing of a summary, or of the details; both may be null.
+Reading quantity_of(const Observable& observable, std::vector<run_folder::Quantity> numbers, const run_folder::RunSummary* summary,
+                    const base::RunDetails* details)
+{
+  if (summary != nullptr) {
+    for (const auto& [name, value] : summary->checks) numbers.push_back({name, value, "1"});
+    for (const auto& [name, value] : summary->timing) numbers.push_back({name, value, run_folder::unit_of_timing(name)});
+  }
+  std::vector<std::string> known;
+  for (const run_folder::Quantity& number : numbers) {
+    if (number.name == observable.quantity) return reading_of(number);
+    known.push_back(number.name);
+  }
+  if (details != nullptr) {
+    if (const auto found = details->find(observable.quantity, observable.at)) return reading_of(*found);
+    for (const std::string& name : details->names()) known.push_back(name);
+  }
+  throw InputError(input::one_line(fmt::format("summary.json has no quantity {}{}", input::in_quotes(observable.quantity),
+                                               input::suggestion(observable.quantity, known))));
+}
+
+Reading reading_of_column(const Observable& observable, const run_folder::History& history)
+{
+  const Real value = evaluate(observable, history);
+  return {value, unit_of(observable, history), history.column(observable.column).label};
+}
+
 }  // namespace
 
 void describe(Describe& d, Observable& observable)
 {
   d.value("quantity", observable.quantity, {.meaning = "quantity of summary.json"});
+  d.value("at", observable.at, {.meaning = "where a quantity is taken that has a place: a length over D, a force in N/m"});
   d.value("column", observable.column, {.meaning = "column of history.csv, instead of a quantity"});
   d.choice("measure", observable.measure, measure_words, {.meaning = "number that is taken from the column"});
   d.value("from", observable.from, {.meaning = "begin of the window in time; absent = first row", .unit = "s"});
@@ -63,12 +97,13 @@ void check(Describe& d, const std::string& path, const Observable& r)
 {
   d.check(r.quantity.empty() != r.column.empty(), path, "needs either a quantity of summary.json or a column of history.csv, and not both");
   d.check(r.column.empty() ? !r.from && !r.to : true, path + (r.from ? ".from" : ".to"), "only a column has a window in time");
+  d.check(r.column.empty() || !r.at, path + ".at", "only a quantity is taken at a place");
   d.check(!r.from || !r.to || *r.from < *r.to, path + ".to", "must be later than from");
 }
 
 std::string words_of(const Observable& observable)
 {
-  if (observable.column.empty()) return observable.quantity;
+  if (observable.column.empty()) return observable.quantity + (observable.at ? fmt::format(" {:g}", *observable.at) : "");
   return fmt::format("{} {}", observable.column, measure_words[static_cast<std::size_t>(observable.measure)]);
 }
 
@@ -133,23 +168,20 @@ Real evaluate(const Observable& observable, const run_folder::History& history)
 
 Reading evaluate(const Observable& observable, const std::filesystem::path& run_folder)
 {
-  if (!observable.column.empty()) {
-    const run_folder::History history = run_folder::read_history(run_folder / "history.csv");
-    const Real value = evaluate(observable, history);
-    return {value, unit_of(observable, history), history.column(observable.column).label};
-  }
+  if (!observable.column.empty()) return reading_of_column(observable, run_folder::read_history(run_folder / "history.csv"));
   const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(run_folder);
   if (!summary) throw RunError(fmt::format("there is no {}", (run_folder / "summary.json").string()));
-  std::vector<run_folder::Quantity> numbers = summary->quantities;
-  for (const auto& [name, value] : summary->checks) numbers.push_back({name, value, "1"});
-  for (const auto& [name, value] : summary->timing) numbers.push_back({name, value, run_folder::unit_of_timing(name)});
-  std::vector<std::string> names;
-  for (const run_folder::Quantity& number : numbers) {
-    if (number.name == observable.quantity) return {number.value, number.unit == "1" ? "" : number.unit, number.name};
-    names.push_back(number.name);
-  }
-  throw InputError(input::one_line(fmt::format("summary.json has no quantity {}{}", input::in_quotes(observable.quantity),
-                                               input::suggestion(observable.quantity, names))));
+  const bool known = std::any_of(summary->quantities.begin(), summary->quantities.end(),
+                                 [&](const run_folder::Quantity& q) { return q.name == observable.quantity; });
+  if (known || !record::is_run_folder(run_folder)) return quantity_of(observable, summary->quantities, &*summary, nullptr);
+  const record::RunRecord run = structures::read_run(run_folder);
+  return evaluate(observable, run, structures::structure_of(run.settings).details(run).get());
 }
 
-}  // namespace berm::verification
+Reading evaluate(const Observable& observable, const record::RunRecord& run, const base::RunDetails* details)
+{
+  if (!observable.column.empty()) return reading_of_column(observable, run.history);
+  return quantity_of(observable, run.quantities, run.summary ? &*run.summary : nullptr, details);
+}
+
+}  // namespace berm::expectations

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verification/expectation.hpp"
+#include "expectations/expectation.hpp"
+
+#include "input/reader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm::verification {
+namespace berm::expectations {
 namespace {
+
+bool is_ratio(const Expectation& e)
+{
+  return !e.over.empty() || e.over_number;
+}
 
 std::vector<std::string> names_of(const std::vector<std::pair<std::string, VerificationRun>>& runs)
 {
@@ -21,6 +28,7 @@ void check_runs(Describe& d, const std::string& path, const Expectation& e, cons
   d.check(e.run.empty() || is_known(e.run), path + ".run", "there is no such [run.NAME]", known);
   d.check(e.over.empty() || is_known(e.over), path + ".over", "there is no such [run.NAME]", known);
   d.check(e.over.empty() || (!e.run.empty() && e.over != e.run), path + ".over", "needs a run, and another one");
+  d.check(!e.over_number || !e.run.empty(), path + ".over_number", "needs a run");
   d.check(std::all_of(e.runs.begin(), e.runs.end(), is_known), path + ".runs", "there is no such [run.NAME]", known);
   d.check(e.runs.empty() || e.runs.size() > 1, path + ".runs", "an order of convergence needs two runs at least");
   std::vector<std::string> sorted = e.runs;
@@ -33,13 +41,14 @@ void check_runs(Describe& d, const std::string& path, const Expectation& e, cons
 void check(Describe& d, const std::string& path, const Expectation& e)
 {
   check(d, path, e.observable);
+  if (e.over_number) check(d, path + ".over_number", *e.over_number);
   const bool bounded = e.min || e.max;
-  d.check(e.exact.has_value() != bounded, path, "needs either exact, or least and most or one of them");
+  d.check(!e.exact || !bounded, path, "needs either exact, or least and most or one of them");
   d.check(!e.min || !e.max || *e.min <= *e.max, path + ".most", "must not be less than least");
   const int tolerances = e.tolerance.has_value() + e.absolute_tolerance.has_value();
-  d.check(tolerances == (bounded || e.held != Held::not_asked ? 0 : 1), path,
+  d.check(tolerances == (e.exact && e.held == Held::not_asked ? 1 : 0), path,
           "exact needs a tolerance, an absolute_tolerance or held, and one of them; bounds need none, or held");
-  d.check(e.held == Held::not_asked || (!e.observable.quantity.empty() && e.over.empty() && e.runs.empty()), path + ".held",
+  d.check(e.held == Held::not_asked || (!e.observable.quantity.empty() && !is_pure(e)), path + ".held",
           "only a quantity of one run has a band");
   d.check(!e.tolerance || e.exact != 0., path + ".tolerance", "zero needs an absolute_tolerance");
 }
@@ -60,13 +69,51 @@ void check_element(Describe& d, const std::string& path, const Expectation& e, c
   d.check(!of_tests || e.observable.column.empty(), path + ".column", "a run with element = true has quantities alone");
 }
 
-/// A number of which nobody says what it is for proves nothing.
+/// A number of which nobody says what it is for, and where it is from, proves nothing.
 void take_promise(Describe& d, const std::string& path, Expectation& e, const Expectations& all)
 {
+  d.check(is_judged(e), path, "needs either exact, or least and most or one of them");
+  d.check(!e.source.empty(), path, "needs source, where the expected value comes from");
+  d.check(!e.why.empty(), path, "needs why, a reason for the tolerance or the bounds");
+  d.check(!e.partly, path + ".partly", "only a claim holds in part");
   if (e.requirement.empty()) e.requirement = all.requirement;
   if (e.derived.empty()) e.derived = all.derived;
   d.check(!e.requirement.empty(), path, "needs a requirement, what the user may rely on, here or at the top of the file");
   d.check(!e.derived.empty(), path, "needs derived, where its requirement is derived, here or at the top of the file");
+}
+
+/// A number of a claim for each of its runs.
+std::vector<Expectation> for_each_run(const Claim& claim)
+{
+  std::vector<Expectation> all;
+  for (const Expectation& e : claim.expect) {
+    if (!e.run.empty()) all.push_back(e);
+    for (const std::string& run : e.run.empty() ? claim.runs : std::vector<std::string>()) all.emplace_back(e).run = run;
+  }
+  return all;
+}
+
+void check_claim(Describe& d, const std::string& path, const Claim& claim, const std::vector<std::string>& names)
+{
+  for (std::size_t k = 0; k < claim.expect.size(); ++k) {
+    const Expectation& e = claim.expect[k];
+    const std::string own = fmt::format("{}.expect[{}]", path, k);
+    d.check(!e.run.empty() || !claim.runs.empty(), own, "needs a run, here or as one of the claim's runs");
+    d.check(e.runs.empty(), own + ".runs", "a claim has no orders of convergence");
+    d.check(!e.label.empty(), own, "needs a label, which says what the number is");
+    d.check(!e.partly || is_judged(e), own + ".partly", "needs exact or bounds");
+  }
+  for (const Expectation& e : for_each_run(claim)) {
+    check_runs(d, path, e, names);
+    check(d, path, e);
+  }
+}
+
+Expectations read_document(input::Document document)
+{
+  Expectations all;
+  read(document, all);
+  return all;
 }
 
 }  // namespace
@@ -85,6 +132,8 @@ void describe(Describe& d, Expectation& e)
 {
   d.value("run", e.run, {.meaning = "name of the run that is to give the number"});
   d.value("over", e.over, {.meaning = "name of a run by whose number it is divided: the number to expect is the ratio"});
+  d.optional_table("over_number", e.over_number,
+                   {.meaning = "number that it is divided by, of the run over or of the same run; absent: the same number"});
   d.value("runs", e.runs,
           {.meaning = "instead of run: names of runs with cells half as large each time, whose order of convergence is meant"});
   describe(d, e.observable);
@@ -98,10 +147,32 @@ void describe(Describe& d, Expectation& e)
                 "instead of a tolerance, of a quantity of a run with uncertainty: whether its band holds exact, or meets least and most"});
   d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .any_unit = unit});
   d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .any_unit = unit});
-  d.value("source", e.source, {.meaning = "where the expected value comes from", .required = true});
-  d.value("why", e.why, {.meaning = "why the tolerance or the bounds are what they are", .required = true});
+  d.value("partly", e.partly,
+          {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound over it, with which it holds in part",
+           .range = positive,
+           .words = {{"always", infinity}}});
+  d.value("label", e.label, {.meaning = "of a claim: what the number is"});
+  d.value("source", e.source, {.meaning = "where the expected value comes from"});
+  d.value("why", e.why, {.meaning = "why the tolerance or the bounds are what they are"});
   d.value("requirement", e.requirement, {.meaning = "what the user may rely on, in a sentence; absent: that at the top of the file"});
   d.value("derived", e.derived, {.meaning = "where that is derived; absent: as at the top of the file"});
+}
+
+void describe(Describe& d, Claim& claim)
+{
+  d.value("statement", claim.statement, {.meaning = "what is claimed", .required = true});
+  d.value("where", claim.where, {.meaning = "section or figure where it is", .required = true});
+  d.value("why", claim.why, {.meaning = "how it is judged", .required = true});
+  d.value("runs", claim.runs, {.meaning = "runs of each number that names none"});
+  d.array("expect", claim.expect, {.meaning = "numbers that would prove it; without exact or bounds: told beside them", .required = true});
+}
+
+void describe(Describe& d, Published& published)
+{
+  d.value("title", published.title, {.meaning = "heading of the claims"});
+  d.value("source", published.source, {.meaning = "where they are published", .required = true});
+  d.array("point", published.points, {.meaning = "published numbers in the charts of a report"});
+  d.array("claim", published.claims, {.meaning = "what is claimed"});
 }
 
 void describe(Describe& d, Expectations& all)
@@ -110,6 +181,7 @@ void describe(Describe& d, Expectations& all)
   d.value("derived", all.derived, {.meaning = "where that is derived, where an [[expect]] does not say it"});
   d.named_tables("run", all.run, {.meaning = "problems, each one run of berm", .required = true});
   d.array("expect", all.expect, {.meaning = "numbers to expect", .required = true});
+  d.optional_table("published", all.published, {.meaning = "what others published of the test, for its report"});
   const std::vector<std::string> names = names_of(all.run);
   for (const auto& [name, run] : all.run)
     d.check(!run.element || !run.uncertainty, "run." + name + ".uncertainty", "element tests have no bands");
@@ -123,29 +195,68 @@ void describe(Describe& d, Expectations& all)
     take_promise(d, path, all.expect[k], all);
     for (const std::string& run : runs_of(all.expect[k])) needed.push_back(run);
   }
+  for (std::size_t k = 0; all.published && k < all.published->claims.size(); ++k) {
+    Claim& claim = all.published->claims[k];
+    check_claim(d, fmt::format("published.claim[{}]", k), claim, names);
+    claim.expect = for_each_run(claim);
+  }
   for (const std::string& name : names)
     d.check(std::find(needed.begin(), needed.end(), name) != needed.end(), "run." + name, "no [[expect]] is about this run");
+}
+
+Expectations read_expectations(const std::filesystem::path& file)
+{
+  return read_document(input::parse_file(file));
+}
+
+Expectations read_expectations_text(const std::string& file, const std::string& text)
+{
+  return read_document(input::parse_text(file, text));
+}
+
+std::string name_of(const record::RunRecord& run, const Expectations& all)
+{
+  if (!run.origin || run.end != record::RunEnd::finished) return "";
+  const auto found = std::find_if(all.run.begin(), all.run.end(), [&](const auto& entry) {
+    return entry.second.case_file == run.origin->case_file && entry.second.set == run.origin->set;
+  });
+  return found == all.run.end() ? "" : found->first;
 }
 
 std::vector<std::string> runs_of(const Expectation& e)
 {
   if (!e.runs.empty()) return e.runs;
-  return e.over.empty() ? std::vector<std::string>{e.run} : std::vector<std::string>{e.run, e.over};
+  if (!is_ratio(e)) return {e.run};
+  return {e.run, e.over.empty() ? e.run : e.over};
+}
+
+const Observable& observable_of(const Expectation& e, std::size_t k)
+{
+  return k == 1 && e.over_number ? *e.over_number : e.observable;
+}
+
+bool is_judged(const Expectation& e)
+{
+  return e.exact || e.min || e.max;
 }
 
 std::string words_of(const Expectation& e)
 {
-  return (e.runs.empty() ? "" : "order of ") + words_of(e.observable) + (e.over.empty() ? "" : " over that of " + e.over);
+  if (!e.label.empty()) return e.label;
+  const std::string words = (e.runs.empty() ? "" : "order of ") + words_of(e.observable);
+  if (!is_ratio(e)) return words;
+  const std::string divisor = e.over_number ? words_of(*e.over_number) : "that";
+  return fmt::format("{} over {}{}", words, divisor, e.over.empty() ? "" : " of " + e.over);
 }
 
 bool is_pure(const Expectation& e)
 {
-  return !e.runs.empty() || !e.over.empty();
+  return !e.runs.empty() || is_ratio(e);
 }
 
 Real number_of(const Expectation& e, const std::vector<Real>& values)
 {
-  if (!e.over.empty()) return values.at(0) / values.at(1);
+  if (is_ratio(e)) return values.at(0) / values.at(1);
   if (e.runs.empty()) return values.at(0);
   const Real middle = (static_cast<Real>(values.size()) - 1) / 2;
   Real product = 0, squares = 0;
@@ -171,4 +282,4 @@ bool is_met(const Expectation& e, Real number)
   return std::abs(error_of(e, number)) <= (e.exact ? e.tolerance ? *e.tolerance : *e.absolute_tolerance : 0);
 }
 
-}  // namespace berm::verification
+}  // namespace berm::expectations

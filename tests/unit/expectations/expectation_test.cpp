@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verification/expectation.hpp"
+#include "expectations/expectation.hpp"
 
 #include "core/error.hpp"
 #include "input/reader.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm::verification::this_file {
+namespace berm::expectations::this_file {
 namespace {
 
 /// What reading an expected.toml complains of, or "".
@@ -168,5 +168,41 @@ TEST(Expectation, says_what_is_promised_or_the_file_does)
   EXPECT_EQ(all.expect[1].derived, "there");
 }
 
+TEST(Expectation, may_be_over_another_number_of_its_run)
+{
+  const std::string ratio =
+      one_run + "[[expect]]\nrun = \"a\"\nquantity = \"H\"\nat = 1\nover_number = {quantity = \"V\"}\nleast = 1\n" + words;
+  EXPECT_EQ(complaint(ratio), "");
+  const Expectations all = read_expectations_text("expected.toml", ratio);
+  EXPECT_EQ(runs_of(all.expect[0]), (std::vector<std::string>{"a", "a"}));
+  EXPECT_EQ(words_of(all.expect[0]), "H 1 over V");
+  EXPECT_EQ(observable_of(all.expect[0], 1).quantity, "V");
+  EXPECT_EQ(number_of(all.expect[0], {3, 2}), 1.5);
+  EXPECT_NE(complaint(one_run + "[[expect]]\nrun = \"a\"\ncolumn = \"w_m\"\nat = 1\nleast = 1\n" + words).find("only a quantity"),
+            std::string::npos);
+}
+
+TEST(Expectation, of_a_claim_needs_a_label_and_a_run_of_its_own_or_of_the_claim)
+{
+  const std::string head = one_run + "[[expect]]\nrun = \"a\"\nquantity = \"V\"\nleast = 1\n" + words;
+  const auto claim = [&](const std::string& runs, const std::string& number) {
+    return head + "[published]\nsource = \"s\"\n[[published.claim]]\nstatement = \"it is\"\nwhere = \"1\"\nwhy = \"so\"\n" + runs +
+           "expect = [{" + number + "}]\n";
+  };
+  const std::string number = "label = \"V\", quantity = \"V\"";
+  EXPECT_EQ(complaint(claim("runs = [\"a\"]\n", number)), "");
+  EXPECT_EQ(complaint(claim("", "run = \"a\", " + number)), "");
+  EXPECT_EQ(complaint(claim("runs = [\"a\"]\n", number + ", exact = \"4 kN/m\", tolerance = 0.1, partly = \"always\"")), "");
+  const std::vector<std::pair<std::string, const char*>> wrong = {
+      {claim("", number), "needs a run"},
+      {claim("runs = [\"b\"]\n", number), "there is no such [run.NAME]"},
+      {claim("runs = [\"a\"]\n", "quantity = \"V\""), "needs a label"},
+      {claim("runs = [\"a\"]\n", number + ", partly = 1"), "needs exact or bounds"},
+      {claim("runs = [\"a\"]\n", number + ", exact = 1"), "tolerance"},
+      {claim("runs = [\"a\"]\n", number + ", colour = 1"), "colour"},
+      {head + "partly = 1\n", "only a claim holds in part"}};
+  for (const auto& [text, said] : wrong) EXPECT_NE(complaint(text).find(said), std::string::npos) << complaint(text);
+}
+
 }  // namespace
-}  // namespace berm::verification::this_file
+}  // namespace berm::expectations::this_file
