@@ -219,7 +219,7 @@ void mesh_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
   };
   const auto [bottom, top] = left_wall(model.ground);
   const std::optional<Real> level = level_at(model, low[0]);
-  if (level && scale.length(top - *level) > 30 && scale.length(*level - bottom) > 30) {
+  if (level && scale.length(top - *level) > 14 && scale.length(*level - bottom) > 14) {
     height(bottom, *level);
     height(*level, top);
   } else {
