@@ -47,11 +47,12 @@ const std::string mesh_look = stroke("#a0a0a880"), pipe_look = "fill=\"#9aa1ab\"
                   fine_look = stroke(fine_color), later_look = stroke(rim_color) + " stroke-width=\"1.3\"";
 constexpr Real tolerance = 0.03;  // pixels: numbers are rounded to 0.01
 
-/// Around its sides.
+/// Around its sides in the first drawing, the whole.
 Extent extent_of_mesh(const std::string& svg)
 {
   Points corners;
-  for (const Points& side : shapes_of(svg, mesh_look)) corners.insert(corners.end(), side.begin(), side.end());
+  for (const Points& side : shapes_of(svg.substr(0, svg.find("<svg xmlns", 1)), mesh_look))
+    corners.insert(corners.end(), side.begin(), side.end());
   return corners.empty() ? Extent{Vec<2>::Zero(), Vec<2>::Zero()} : extent_of(CornersOutline{corners});
 }
 
@@ -101,7 +102,7 @@ TEST(ModelPicture_on_a_page, shows_the_surface_of_a_slope)
   EXPECT_NEAR(-way[1] / way[0], std::tan(0.1763), 1e-3) << "it ascends along x";
   EXPECT_FALSE(shapes_of(svg, soil_color(0)).empty());
   EXPECT_NE(svg.find(">surface<"), std::string::npos);
-  const std::vector<Points> mesh = shapes_of(svg, mesh_look);
+  const std::vector<Points> mesh = shapes_of(svg.substr(0, svg.find("<svg xmlns", 1)), mesh_look);
   EXPECT_EQ(std::count_if(mesh.begin(), mesh.end(), [](const Points& side) { return (side[1] - side[0]).cwiseAbs().minCoeff() > 10; }), 2)
       << "base and top of the mesh ascend too";
 }
