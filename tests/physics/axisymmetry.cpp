@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Around an axis: strain, force and their work, masses and areas, the axis itself, and Lamé's tube.
+#include "mpm/internal_forces.hpp"
 #include "mpm/move.hpp"
 #include "mpm/quadrature.hpp"
 #include "pipe_in_sand.hpp"

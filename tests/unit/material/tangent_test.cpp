@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/tangent.hpp"
 
-#include "material/material.hpp"
+#include "material/linear_elastic.hpp"
 #include "mohr_coulomb_cases.hpp"
 
 #include <gtest/gtest.h>

@@ -186,7 +186,7 @@ TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
       parts->steps(3);
       ASSERT_EQ(test::differences(all_of(whole), all_of(*parts)), "") << "after step " << whole.problem.state.step;
       // What a later step may do depends on these, too.
-      ASSERT_EQ(whole.work->contact_points[0].near_cells, parts->work->contact_points[0].near_cells);
+      ASSERT_EQ(whole.workspace->contact_points[0].near_cells, parts->workspace->contact_points[0].near_cells);
     }
   }
 }
