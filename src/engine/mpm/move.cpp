@@ -2,6 +2,7 @@
 #include "mpm/move.hpp"
 
 #include "mpm/body_laws.hpp"
+#include "mpm/diagnose.hpp"
 #include "mpm/moments.hpp"
 #include "mpm/move_by_law.hpp"
 #include "mpm/particle_motion.hpp"
@@ -33,6 +34,10 @@ void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& stat
 template <int dim>
 void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
+  const BodyGrid<dim>& grid = workspace.grids[body];
+  const Real velocities =
+      sum_of<Real>("velocities that strain", grid.chunks, [&](Index n) { return Real(grid.mapped_velocity[grid.nodes[n]].sum()); });
+  if (!std::isfinite(velocities)) throw_not_finite(model, state, body);
   pass_over_particles(0, model, state, workspace, body);
 }
 

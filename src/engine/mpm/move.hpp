@@ -13,7 +13,8 @@ template <int dim>
 void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 
 /// Its parts for update stress first: steps 10 and 11 (strain, stress, volume), which is the same pass without motion, and steps 5 and 9 (velocity, position),
-/// which need no law. Each leaves the moments so, too.
+/// which need no law. Each leaves the moments so, too. Straining throws RunError
+/// where a velocity is not finite, before anything has changed: 0 times it would be none.
 template <int dim>
 void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 template <int dim>

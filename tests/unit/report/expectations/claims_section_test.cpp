@@ -80,7 +80,7 @@ TEST(Claims, the_force_of_the_push_is_judged_by_its_distance_from_the_papers)
   PaperRun low;
   low.V = [](double w) { return 7840 * w; };
   const std::string row = row_with(claims_section({low.record("case")}, paper()), "A push to w = 0.1 D");
-  EXPECT_NE(row.find("V at w = 0.1 D: 0.784 kN/m (39.20 kN/m in the prototype), 0.2 times the 4 kN/m that is published; w/D where V "
+  EXPECT_NE(row.find("V at w = 0.1 D: 0.784 kN/m (39.2 kN/m in the prototype), 0.2 times the 4 kN/m that is published; w/D where V "
                      "reaches 4 kN/m: none"),
             std::string::npos)
       << row;
