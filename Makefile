@@ -9,7 +9,7 @@ cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
 
 help: ## this list
-	@sed -nE 's/^([a-z-]+):.*## (.*)/make \1|\2/p' Makefile | while IFS='|' read -r what does; do printf '  %-12s %s\n' "$$what" "$$does"; done
+	@sed -nE 's/^([a-z-]+):.*## (.*)/make \1|\2/p' Makefile | while IFS='|' read -r what does; do printf '  %-14s %s\n' "$$what" "$$does"; done
 
 setup: ## install the packages that are missing
 	@scripts/setup
@@ -52,7 +52,7 @@ test: configure_tests ## build and run the quick tests, which a change must pass
 # What reads files that may be damaged is tested with sanitizers, too.
 sanitized = core mesh input
 
-test-all: configure_tests ## all tests, some of them with sanitizers once more, and the program without optimization: before a release, and where the change is to what `make test` leaves out
+test-all: configure_tests ## all tests, with sanitizers and without optimization too: before a release, and for what `make test` leaves out
 	@PATH=$$PATH:/usr/sbin scripts/setup slurm || echo 'make test-all: Slurm is not installed; the test that needs it is skipped'
 	@ninja -C $(release) | $(only_news)
 	@$(ctest)
