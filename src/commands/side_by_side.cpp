@@ -30,7 +30,7 @@ jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& reques
   std::vector<jobs::Job> jobs;
   std::vector<simulation::RunRequest> of_job;
   for (const simulation::RunRequest& request : requests) {
-    const jobs::Job job{request.case_file, options.overrides, request.folder, false, options.uncertainty && !local};
+    const jobs::Job job{request.case_file, options.overrides, request.folder, nan, options.uncertainty && !local};
     if (!local && !options.force && has_result(job)) {
       fmt::print(stderr, "{} has its result already and is not run again\n", request.folder.string());
       print_results(request);

@@ -6,6 +6,8 @@
 #include "commands/command.hpp"
 #include "core/interrupt.hpp"
 
+#include <fmt/ranges.h>
+
 namespace berm::commands {
 
 Command add_verify(CLI::App& program)
@@ -20,7 +22,11 @@ Command add_verify(CLI::App& program)
   app->add_option("NAME", options->problems.names, "examples, problems (EXAMPLE/RUN) or folders that hold an expected.toml (default: all)");
   app->add_flag("--list", options->list, "list the problems and run nothing");
   app->add_flag("--requirements", options->requirements, "print what the problems promise and how their last runs went, and run nothing");
-  app->add_flag("--fast", options->problems.fast, "fast problems only");
+  CLI::Option* fast = app->add_flag("--fast", options->problems.fast, "fast problems only");
+  app->add_flag("--long", options->problems.with_long, "long problems, too, which run else where they are named")->excludes(fast);
+  app->add_option("--chapter", options->problems.chapter,
+                  fmt::format("one chapter of the book: {}", fmt::join(expectations::chapter_words, ", ")));
+  app->add_flag("--force", options->force, "run anew what has its result already");
   app->add_option("--examples", options->problems.examples, "folder of the examples (default: examples)");
   app->add_option("-o,--output", options->output, "folder for the book and its runs (default: out/verification)");
   options->take_jobs(*app);
@@ -30,7 +36,7 @@ Command add_verify(CLI::App& program)
             if (options->requirements) return list_requirements(options->problems, options->output), 0;
             catch_interrupts();
             messages_to_stderr();
-            return status_of(verification::verify({options->problems, options->output, options->runner()}));
+            return status_of(verification::verify({options->problems, options->output, options->runner(), options->force}));
           }};
 }
 

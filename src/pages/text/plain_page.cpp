@@ -20,7 +20,7 @@ p.quiet, .quiet { color: var(--quiet); }
 table { border-collapse: collapse; margin: .8em 0 1.2em; font-size: .92em; }
 th, td { text-align: left; padding: 5px 14px 5px 0; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { color: var(--quiet); font-weight: 600; } td.number, th.number { text-align: right; white-space: nowrap; }
-tr.chapter td { padding-top: 1.3em; font-weight: 600; font-size: 1.05em; }
+tr.example td { padding-top: 1.3em; font-weight: 600; font-size: 1.05em; }
 code, pre { font: .9em/1.45 'DejaVu Sans Mono', monospace; } pre { background: #f5f7f9; padding: 12px 14px; overflow-x: auto; }
 pre, .tex { border-radius: 4px; } .tex { background: #f5f7f9; padding: 1px 5px; }
 math[display=block] { margin: 1em 0; font-size: 1.1em; }

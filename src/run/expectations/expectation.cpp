@@ -126,6 +126,7 @@ void describe(Describe& d, VerificationRun& run)
   d.value("element", run.element, {.meaning = "whether the case is an input of element tests (berm element)"});
   d.value("uncertainty", run.uncertainty, {.meaning = "whether the bands of its results are found, too (berm run --uncertainty)"});
   d.value("fast", run.fast, {.meaning = "whether the run takes a few seconds and belongs to the tests"});
+  d.value("long", run.is_long, {.meaning = "whether the run takes ten minutes or more and is left out of the whole book"});
 }
 
 void describe(Describe& d, Expectation& e)
@@ -177,12 +178,14 @@ void describe(Describe& d, Published& published)
 
 void describe(Describe& d, Expectations& all)
 {
+  d.choice("chapter", all.chapter, chapter_words, {.meaning = "chapter of the verification book"});
   d.value("requirement", all.requirement, {.meaning = "what the user may rely on, in a sentence, where an [[expect]] does not say it"});
   d.value("derived", all.derived, {.meaning = "where that is derived, where an [[expect]] does not say it"});
   d.named_tables("run", all.run, {.meaning = "problems, each one run of berm", .required = true});
   d.array("expect", all.expect, {.meaning = "numbers to expect", .required = true});
   d.optional_table("published", all.published, {.meaning = "what others published of the test, for its report"});
   const std::vector<std::string> names = names_of(all.run);
+  for (const auto& [name, run] : all.run) d.check(!run.fast || !run.is_long, "run." + name + ".long", "the run is fast");
   for (const auto& [name, run] : all.run)
     d.check(!run.element || !run.uncertainty, "run." + name + ".uncertainty", "element tests have no bands");
   std::vector<std::string> needed;

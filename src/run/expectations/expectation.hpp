@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "expectations/chapter.hpp"
 #include "expectations/observable.hpp"
 #include "structures/base/published_point.hpp"
 
@@ -12,6 +13,7 @@ struct VerificationRun {
   std::string case_file = "case.toml";  ///< in the example's folder
   std::vector<std::string> set;         ///< overrides KEY=VALUE
   bool fast = false;                    ///< a few seconds: part of the tests
+  bool is_long = false;                 ///< ten minutes or more: only where it is asked for
   bool element = false;                 ///< element tests (berm element) instead of a run
   bool uncertainty = false;             ///< run with the bands of its results
 };
@@ -54,6 +56,7 @@ struct Published {
 
 /// expected.toml: what an example should give.
 struct Expectations {
+  Chapter chapter = Chapter::other;
   std::string requirement, derived;  ///< of every number that has none of its own
   std::vector<std::pair<std::string, VerificationRun>> run;
   std::vector<Expectation> expect;

@@ -59,9 +59,14 @@ std::vector<std::pair<std::string, std::string>> this_build()
 
 bool by_this_build(const RunSummary& summary, problem::Method method)
 {
-  const std::string unit = vector_unit_of(summary), engine = entry(summary, engine_entry), program = entry(summary, program_entry);
+  const std::string unit = vector_unit_of(summary), engine = entry(summary, engine_entry);
   if (entry(summary, "version") != BERM_VERSION || unit.empty() || engine.empty() || engine != engine_build_for(unit)) return false;
-  return method != problem::Method::fem || program == program_build();
+  return method != problem::Method::fem || recorded_by_this_program(summary);
+}
+
+bool recorded_by_this_program(const RunSummary& summary)
+{
+  return entry(summary, program_entry) == program_build();
 }
 
 std::string vector_unit_of(const RunSummary& summary)

@@ -14,6 +14,9 @@ std::vector<std::pair<std::string, std::string>> this_build();
 /// names (the material point method) and of the executable, too (finite elements). The machine does not matter, nor when a file was written.
 bool by_this_build(const RunSummary& summary, problem::Method method);
 
+/// Whether the executable is the one that wrote the summary: it records what the engine computes and makes the key results of it.
+bool recorded_by_this_program(const RunSummary& summary);
+
 /// The vector unit that a run was computed on; "" where its summary does not say.
 std::string vector_unit_of(const RunSummary& summary);
 

@@ -8,6 +8,7 @@
 #include "io/revision.hpp"
 #include "io/sha256.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -81,14 +82,14 @@ RunSession this_session()
           fmt::format("{}, compiler {}, vector unit {}", optimized, __VERSION__, vector_unit()), hashes_of(io::program_files("libberm"))};
 }
 
-void note_origin(const fs::path& run_folder, const std::string& case_file, const std::vector<std::string>& set, const FileHashes& libraries)
+void note_origin(const fs::path& run_folder, const std::string& case_file, const std::vector<std::string>& set, const FileHashes& named)
 {
   std::vector<fs::path> inputs;
   std::error_code error;
   for (const char* name : input_names)
     if (const fs::path file = run_folder / name; fs::exists(file, error)) inputs.push_back(file);
   FileHashes hashes = hashes_of(inputs);
-  hashes.insert(hashes.end(), libraries.begin(), libraries.end());
+  hashes.insert(hashes.end(), named.begin(), named.end());
   write(run_folder, {hashes, {this_session()}, case_file, set});
 }
 
@@ -120,6 +121,19 @@ std::optional<Origin> read_origin(const fs::path& run_folder)
     return origin;
   } catch (const Json::exception&) {
     throw RunError(fmt::format("{} is damaged", file.string()));
+  }
+}
+
+bool named_files_are_the_same(const fs::path& run_folder)
+{
+  try {
+    const std::optional<Origin> origin = read_origin(run_folder);
+    if (!origin || !origin->begins()) return false;
+    return std::all_of(origin->input.begin(), origin->input.end(), [](const auto& file) {
+      return !fs::path(file.first).is_absolute() || io::sha256_of_file(file.first) == file.second;
+    });
+  } catch (const RunError&) {
+    return false;
   }
 }
 

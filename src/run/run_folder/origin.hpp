@@ -36,13 +36,16 @@ struct Origin {
 RunSession this_session();
 
 /// Notes in origin.json what the run in the folder is made from: the name of the case file and what was changed in it, SHA-256 of its case.toml, resolved.toml, mesh.msh
-/// and expected.toml as they are there, of the libraries with laws (by their paths), and this session; of a resumed run only another session, also where its origin.json
-/// is missing or damaged. Throws RunError where it cannot be written.
+/// and expected.toml as they are there, of the files that the case names (by their whole paths: mesh, surfaces, libraries with laws), and this session; of a resumed
+/// run only another session, also where its origin.json is missing or damaged. Throws RunError where it cannot be written.
 void note_origin(const std::filesystem::path& run_folder, const std::string& case_file, const std::vector<std::string>& set,
-                 const FileHashes& libraries = {});
+                 const FileHashes& named = {});
 void note_resumption(const std::filesystem::path& run_folder);
 
 /// What origin.json of a run says; empty where it is not there (a run of an earlier version). Throws RunError where it is damaged.
 std::optional<Origin> read_origin(const std::filesystem::path& run_folder);
+
+/// Whether the files that its case names hold what they held when the run in the folder began; false where origin.json does not tell.
+bool named_files_are_the_same(const std::filesystem::path& run_folder);
 
 }  // namespace berm::run_folder

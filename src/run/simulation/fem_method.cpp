@@ -112,21 +112,32 @@ run_folder::Summary::Checks FemMethod::checks() const
 
 void FemMethod::print_check(const Context& context)
 {
-  using Clock = std::chrono::steady_clock;
   const fem::FemModel& model = problem_.model;
   fmt::print("  elements     {}\n  nodes        {}\n  contact      {} points\n", model.mesh.cell_count(), model.mesh.node_count(),
              model.contact.size());
   fmt::print("  memory       about {:.0f} MiB at most\n", (memory_in_use() + steps_.memory_to_come()) / (1 << 20));
+  fmt::print("  time         about {:.2g} s an iteration with {} thread{}; a push or a drag takes some hundred iterations\n",
+             measure_iteration(), context.threads(), context.threads() == 1 ? "" : "s");
+}
+
+Real FemMethod::expected_wall_time()
+{
+  constexpr Real iterations_a_stage = 300;
+  return iterations_a_stage * static_cast<Real>(model().stages.size()) * measure_iteration();
+}
+
+/// Wall time, s.
+Real FemMethod::measure_iteration()
+{
+  using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   fem::Newton& newton = steps_.newton();
-  std::vector<Real> change(model.unknowns(), 0.);
+  std::vector<Real> change(problem_.model.unknowns(), 0.);
   fem::FemLoads loads;
-  loads.gravity = gravity_now(model.model, state().time);
+  loads.gravity = gravity_now(model(), state().time);
   newton.assembly().store_initial_imbalance(problem_.state, loads);
   const fem::IncrementEnd end = newton.find_equilibrium(problem_.state, loads, 1, change);
-  fmt::print("  time         about {:.2g} s an iteration with {} thread{}; a push or a drag takes some hundred iterations\n",
-             std::chrono::duration<Real>(Clock::now() - start).count() / (end.iterations + 1), context.threads(),
-             context.threads() == 1 ? "" : "s");
+  return std::chrono::duration<Real>(Clock::now() - start).count() / (end.iterations + 1);
 }
 
 }  // namespace berm::simulation

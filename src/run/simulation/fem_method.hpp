@@ -27,6 +27,8 @@ public:
   sanity::Scene scene(const RunRequest& request, int threads) const;
   /// Prints size, memory and the time of an iteration.
   void print_check(const Context& context);
+  /// Wall time of all stages, s, by that of an iteration.
+  Real expected_wall_time();
 
   const problem::Model<2>& model() const { return problem_.model.model; }
   const problem::State<2>& state() const { return problem_.state.state; }
@@ -55,6 +57,8 @@ public:
   Real particle_steps() const { return 0; }
 
 private:
+  Real measure_iteration();
+
   fem::FemProblem problem_;
   fem::LoadSteps steps_;
   FemRecorder recorder_;

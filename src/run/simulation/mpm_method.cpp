@@ -321,32 +321,44 @@ void MpmMethod<d>::print_check(const Context& context)
 {
   std::vector<Index> particles;
   for (const bodies::Particles<d>& of_body : state().particles) particles.push_back(of_body.size());
-  const Real memory = memory_before_ + memory_of<d>(size_of(problem_));
-  mpm::divide(model(), problem_.state);
-  mpm::Workspace<d>& workspace = workspace_.emplace(model(), state());
-  const Real dt = stable_time_step(model(), problem_.state, workspace);
+  const Real memory = memory_before_ + memory_of<d>(size_of(problem_)), total = expected_time(model().stages);
+  const Pace pace = measure_pace();
   fmt::print("  cells        {}\n  nodes        {}\n", model().mesh.cell_count(), model().mesh.node_count());
   for (std::size_t b = 0; b < model().bodies.size(); ++b)
     fmt::print("  particles    {} in body \"{}\"\n", particles[b], model().bodies[b].name);
   fmt::print("  memory       about {:.0f} MiB at most, while frames are written\n", memory / (1 << 20));
-  fmt::print("  time step    {:.4g} s\n", dt);
+  fmt::print("  time step    {:.4g} s\n", pace.dt);
+  for (const problem::StageSettings& stage : model().stages)
+    if (!(expected_time(stage) > 0))
+      fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
+  fmt::print("  steps        about {:.0f}, {} rows of history\n", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
+  fmt::print("  time         about {} with {} ({:.3g} million particle-steps/s)\n",
+             run_folder::words_of_duration(total / pace.dt * pace.seconds_a_step), words_of_workers(context),
+             static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
+}
 
-  // The speed is measured on the first steps, for a quarter of a second at most.
+template <int d>
+Real MpmMethod<d>::expected_wall_time()
+{
   const Real total = expected_time(model().stages);
+  if (!(total > 0)) return nan;
+  const Pace pace = measure_pace();
+  return total / pace.dt * pace.seconds_a_step;
+}
+
+template <int d>
+typename MpmMethod<d>::Pace MpmMethod<d>::measure_pace()
+{
+  mpm::divide(model(), problem_.state);
+  mpm::Workspace<d>& workspace = workspace_.emplace(model(), state());
+  const Real dt = stable_time_step(model(), problem_.state, workspace), total = expected_time(model().stages);
   const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   Real wall = 0;
   while (wall < 0.25 && (total <= 0 || state().time < total)) {
     step();
     wall = Ranks::of_run().largest(std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count());
   }
-  const Real seconds_a_step = wall / static_cast<Real>(state().step);
-  for (const problem::StageSettings& stage : model().stages)
-    if (!(expected_time(stage) > 0))
-      fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
-  fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt, static_cast<BigIndex>(total / history_interval()));
-  fmt::print("  time         about {} with {} ({:.3g} million particle-steps/s)\n",
-             run_folder::words_of_duration(total / dt * seconds_a_step), words_of_workers(context),
-             static_cast<Real>(counts().particles) / seconds_a_step / 1e6);
+  return {dt, wall / static_cast<Real>(state().step)};
 }
 
 template class MpmMethod<2>;

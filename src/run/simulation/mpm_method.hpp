@@ -34,6 +34,8 @@ public:
   sanity::Scene scene(const RunRequest& request, int threads);
   /// Prints size, memory, time step and the time that a run would take, which is measured on the first steps.
   void print_check(const Context& context);
+  /// Wall time of the stages whose duration is known in advance, s, measured likewise; NaN where none is.
+  Real expected_wall_time();
 
   const problem::Model<d>& model() const { return problem_.model; }
   const problem::State<d>& state() const { return problem_.state; }
@@ -64,6 +66,11 @@ public:
   Real particle_steps() const { return static_cast<Real>(counts().particles * state().step); }
 
 private:
+  /// Wall time of a step, s, measured on the first steps, for a quarter of a second at most; dt = the stable time step before them.
+  struct Pace {
+    Real dt, seconds_a_step;
+  };
+  Pace measure_pace();
   void refuse_other_problem() const;
   void divide_anew();
   bool is_at_rest() const;

@@ -5,6 +5,7 @@
 #include "core/ranks.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/sha256.hpp"
 #include "run_folder/origin.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
@@ -19,6 +20,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whole path and SHA-256 of the files that the case names.
+run_folder::FileHashes named_files(const RunRequest& request)
+{
+  run_folder::FileHashes files = user_law::library_hashes(request.settings);
+  const auto add = [&](const fs::path& file) {
+    const fs::path whole = fs::absolute(file).lexically_normal();
+    files.emplace_back(whole.string(), io::sha256_of_file(whole));
+  };
+  if (const auto* mesh = std::get_if<mesh::GmshFile>(&request.settings.mesh)) add(request.case_file.parent_path() / mesh->file);
+  for (const auto& entry : request.settings.rigid)
+    if (const auto* surface = std::get_if<bodies::TriangulatedSettings>(&entry.second.shape)) add(surface->file);
+  return files;
+}
+
 /// A folder for a run from its start: what an earlier one left is removed.
 run_folder::RunFolder new_run_folder(const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings)
 {
@@ -29,7 +44,7 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const io::Scratc
   std::error_code error;
   if (const fs::path expected = request.case_file.parent_path() / "expected.toml"; fs::exists(expected, error))
     io::copy_atomically(expected, folder.file("expected.toml"));
-  run_folder::note_origin(folder.path(), request.case_file.filename().string(), request.set, user_law::library_hashes(request.settings));
+  run_folder::note_origin(folder.path(), request.case_file.filename().string(), request.set, named_files(request));
   note_warnings(folder, warnings);
   note_case_file(folder, request.case_file);
   return folder;

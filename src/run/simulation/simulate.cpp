@@ -41,4 +41,14 @@ void check_case(const RunRequest& to_check, Context& context)
   });
 }
 
+Real expected_wall_time(const RunRequest& to_measure)
+{
+  Context context(1);
+  return with_method(to_measure, [&](auto of, const RunRequest& request) {
+    const io::ScratchFolder scratch;
+    typename decltype(of)::type method(request, scratch);
+    return method.expected_wall_time();
+  });
+}
+
 }  // namespace berm::simulation

@@ -34,4 +34,8 @@ void check_buildable(const RunRequest& request);
 /// Builds the problem and prints what it is and what a run would take.
 void check_case(const RunRequest& request, Context& context);
 
+/// Builds the problem and tells the wall time that a run would take on one thread, s, from the number of its steps and the time of the first ones; NaN where no stage says how
+/// long it takes. Throws InputError and RunError where it cannot be built.
+Real expected_wall_time(const RunRequest& request);
+
 }  // namespace berm::simulation

@@ -5,6 +5,7 @@
 #include "element/element_figures.hpp"
 #include "element/element_table.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/build.hpp"
 #include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
@@ -41,6 +42,7 @@ std::string summary_json(const ElementResults& results)
   }
   Json all = {{"quantities", quantities}, {"timing", {{"wall_s", results.wall_s}, {"steps", steps}}}, {"checks", checks}};
   all["text"] = {{"title", results.settings.title}, {"version", BERM_VERSION}};
+  for (const auto& [name, words] : run_folder::this_build()) all["text"][name] = words;
   all["text"].update(failures);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -112,6 +114,17 @@ bool holds_results(const fs::path& folder)
   if (fs::exists(folder / "summary.json", error) || fs::exists(folder / "history.csv", error))
     throw InputError(fmt::format("{} holds the results of a run: name another folder with -o", folder.string()));
   return false;
+}
+
+bool has_result(const ElementCase& settings, const fs::path& folder)
+{
+  try {
+    const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(folder);
+    return summary && summary->finished() && run_folder::by_this_build(*summary, problem::Method::fem) &&
+           io::read_text_file(folder / "resolved.toml") == resolved_toml(settings);
+  } catch (const RunError&) {
+    return false;
+  }
 }
 
 void write_results(const ElementResults& results, const fs::path& folder)

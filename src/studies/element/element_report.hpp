@@ -18,6 +18,9 @@ struct ElementResults {
 /// Whether the folder holds what write_results leaves. Throws InputError where it holds a run of berm run, which is never replaced.
 bool holds_results(const std::filesystem::path& folder);
 
+/// Whether it holds those of the same tests by this build of berm.
+bool has_result(const ElementCase& settings, const std::filesystem::path& folder);
+
 /// Writes TEST/element.csv and element.schema.json of each test, the figures (element_figures.hpp), summary.json, element.html, case.toml and resolved.toml. What
 /// earlier tests left there is removed. Throws RunError.
 void write_results(const ElementResults& results, const std::filesystem::path& folder);

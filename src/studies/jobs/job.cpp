@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/study/study_test.cpp
 #include "jobs/job.hpp"
 
 #include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/sha256.hpp"
 #include "run_folder/build.hpp"
+#include "run_folder/origin.hpp"
 
 #include <cstring>
 #include <fmt/format.h>
@@ -19,8 +20,6 @@ namespace berm::jobs {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr Real time_of_fast = 5;  // s, where no earlier run tells it
 
 /// The last line that a process wrote, without the program's name.
 std::string last_message(const fs::path& file)
@@ -42,9 +41,24 @@ std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
   }
 }
 
-/// Whether the run folder is of these settings.
-bool is_of(const fs::path& folder, const problem::Case& settings)
+/// A run notes what its libraries hold.
+void note_libraries(std::vector<std::pair<std::string, material::Material>>& materials)
 {
+  for (auto& entry : materials)
+    std::visit(
+        [](auto& law) {
+          std::error_code error;
+          if constexpr (requires { law.library_sha256; })
+            if (law.library_sha256.empty() && fs::exists(law.library, error)) law.library_sha256 = io::sha256_of_file(law.library);
+        },
+        entry.second);
+}
+
+/// Whether the run folder is of these settings, and of what is in the files that they name.
+bool is_of(const fs::path& folder, problem::Case settings)
+{
+  if (!run_folder::named_files_are_the_same(folder)) return false;
+  note_libraries(settings.material);
   const std::string found = io::read_text_file(folder / "resolved.toml"), asked = input::resolved_toml(settings);
   return input::without_report(found) == input::without_report(asked);
 }
@@ -108,15 +122,27 @@ Real wall_time_of(const fs::path& folder)
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(folder);
   const std::map<std::string, Real> timing = summary ? summary->timing : std::map<std::string, Real>();
   const auto wall = timing.find("wall_s");
-  return wall == timing.end() ? nan : wall->second;
+  if (wall == timing.end()) return nan;
+  Real sum = wall->second;
+  if (summary->uncertainty)
+    for (const run_folder::BandRun& run : summary->uncertainty->runs) sum += run.wall_s;
+  return sum;
+}
+
+Real expected_time(const Job& job)
+{
+  const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
+  const Real earlier = wall_time_of(job.folder);
+  if (summary && summary->finished() && !std::isnan(earlier)) return earlier;
+  return job.resume && job.estimate > earlier ? job.estimate - earlier : job.estimate;
 }
 
 std::vector<std::size_t> by_time(const std::vector<Job>& jobs)
 {
   std::vector<Real> times;
   for (const Job& job : jobs) {
-    const Real earlier = wall_time_of(job.folder);
-    times.push_back(!std::isnan(earlier) ? earlier : job.fast ? time_of_fast : infinity);
+    const Real time = expected_time(job);
+    times.push_back(std::isnan(time) ? infinity : time);
   }
   std::vector<std::size_t> order(jobs.size());
   std::iota(order.begin(), order.end(), 0);

@@ -15,7 +15,7 @@ struct Job {
   std::filesystem::path case_file;
   std::vector<std::string> set;  ///< overrides KEY=VALUE
   std::filesystem::path folder;  ///< the run folder
-  bool fast = false;             ///< expected to take a few seconds, where no earlier run tells its time
+  Real estimate = nan;           ///< s of wall time, where no earlier run tells it
   bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
   bool element = false;          ///< element tests (berm element) instead of a run
   bool resume = false;           ///< from its last checkpoint (berm run --resume), where it goes_on
@@ -30,7 +30,8 @@ std::filesystem::path messages_of(const Job& job);
 /// How a job ended that left this exit status, 128 + N after signal N: finished, interrupted, or failed for the reason in its last message.
 JobEnd end_with(const Job& job, int status);
 
-/// Whether the run folder holds a finished result of this case by this build of berm (run_folder::by_this_build), with its bands where they are asked for.
+/// Whether the run folder holds a finished result of this case by this build of berm (run_folder::by_this_build), with its bands where they are asked for. A case is the
+/// same where all of its parameters are, and the bytes of the files that it names.
 bool has_result(const Job& job);
 
 /// Whether the run folder holds a run of this case, whoever computed it.
@@ -40,10 +41,13 @@ bool is_of_case(const Job& job);
 /// before it wrote a summary does not tell its build; `berm run --resume` refuses the checkpoint of another version.
 bool goes_on(const Job& job);
 
-/// Wall time of the run in this folder, s, from its summary.json; NaN where there is none.
+/// Wall time of the run in this folder and of the runs that its bands are made of, s, from its summary.json; NaN where there is none.
 Real wall_time_of(const std::filesystem::path& folder);
 
-/// The numbers of the jobs, the longest first, by the wall time of an earlier run in the same folder; jobs without one come before them.
+/// Wall time that the job is expected to take, s: of a finished run in the same folder, else its estimate; less what it goes on from. NaN: not known.
+Real expected_time(const Job& job);
+
+/// The numbers of the jobs, the longest first, by expected_time; those of which it is not known come before them.
 std::vector<std::size_t> by_time(const std::vector<Job>& jobs);
 
 /// Where the results of these folders were computed on several vector units, which ones and on how many, in words; else "".

@@ -5,15 +5,15 @@
 
 namespace berm::verification {
 
-/// An example with all that came of it: a chapter of the book.
-struct Chapter {
+/// An example with all that came of it: a page of the book.
+struct ExamplePage {
   Example example;
   std::vector<ProblemResult> results;       ///< of example.runs
   std::vector<ExpectationResult> findings;  ///< of example.expectations
 };
 
-/// Writes the verification book: OUTPUT/index.html with the table of all numbers, and a page OUTPUT/EXAMPLE.html for each chapter with its README, and
+/// Writes the verification book: OUTPUT/index.html with the numbers of each chapter, and a page OUTPUT/EXAMPLE.html for each example with its README, and
 /// for each problem its numbers, figures and files. The pages need nothing but what is in OUTPUT; the run folders are expected there. Throws RunError.
-void write_book(const std::filesystem::path& output, const std::vector<Chapter>& chapters);
+void write_book(const std::filesystem::path& output, const std::vector<ExamplePage>& pages);
 
 }  // namespace berm::verification

@@ -3,6 +3,7 @@
 #include "verification/book_html.hpp"
 
 #include "io/atomic_file.hpp"
+#include "run_folder/progress.hpp"
 #include "text/html.hpp"
 
 #include <array>
@@ -44,6 +45,26 @@ std::string title_of(const Example& example)
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("# ")) return example.name + ": " + line.substr(2);
   return example.name;
+}
+
+std::vector<std::string> numbers_of(const ExpectationResult& f)
+{
+  std::vector<std::string> cells;
+  for (const std::string& text : {f.exact, f.reason.empty() ? f.berm : "", f.error, f.tolerance}) cells.push_back(text::html_text(text));
+  cells.push_back(badge(f.verdict));
+  return cells;
+}
+
+std::string time_of(const ProblemResult& result)
+{
+  return result.end.kind == jobs::JobEnd::Kind::finished ? run_folder::words_of_duration(jobs::wall_time_of(result.folder)) : "";
+}
+
+const ProblemResult* result_of(const ExamplePage& page, const std::string& run)
+{
+  for (std::size_t k = 0; k < page.results.size(); ++k)
+    if (page.example.runs[k].first == run) return &page.results[k];
+  return nullptr;
 }
 
 }  // namespace berm::verification

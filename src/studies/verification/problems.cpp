@@ -19,7 +19,7 @@ Example read_example(const fs::path& folder)
 {
   const expectations::Expectations all = expectations::read_expectations(folder / expected_file);
   const fs::path clean = fs::absolute(folder / "").lexically_normal();
-  return {clean.parent_path().filename().string(), folder, all.run, all.expect};
+  return {clean.parent_path().filename().string(), folder, all.chapter, all.run, all.expect};
 }
 
 /// Names of the folders that hold an expected.toml.
@@ -57,7 +57,7 @@ Runs::const_iterator find_run(const Runs& runs, const std::string& name)
 }
 
 /// Adds the runs of `whole` that are wanted to what is chosen of the same example already.
-void add(std::vector<Example>& chosen, const Example& whole, const std::string& run, bool fast)
+void add(std::vector<Example>& chosen, const Example& whole, const std::string& run, const ProblemChoice& choice)
 {
   if (!run.empty() && find_run(whole.runs, run) == whole.runs.end()) {
     std::vector<std::string> known;
@@ -67,12 +67,13 @@ void add(std::vector<Example>& chosen, const Example& whole, const std::string& 
   }
   auto example = std::find_if(chosen.begin(), chosen.end(), [&](const Example& other) { return other.name == whole.name; });
   if (example == chosen.end())
-    example = chosen.insert(example, {whole.name, whole.folder, {}, {}});
+    example = chosen.insert(example, {whole.name, whole.folder, whole.chapter, {}, {}});
   else if (!fs::equivalent(example->folder, whole.folder))
     throw InputError(fmt::format("{} and {} are both named {}", example->folder.string(), whole.folder.string(), whole.name));
   Runs runs;
+  const bool with_long = choice.with_long || !choice.names.empty();
   for (const auto& entry : whole.runs) {
-    const bool wanted = (run.empty() || entry.first == run) && (!fast || entry.second.fast);
+    const bool wanted = (run.empty() || entry.first == run) && (!choice.fast || entry.second.fast) && (with_long || !entry.second.is_long);
     if (wanted || find_run(example->runs, entry.first) != example->runs.end()) runs.push_back(entry);
   }
   example->runs = runs;
@@ -84,6 +85,25 @@ void add(std::vector<Example>& chosen, const Example& whole, const std::string& 
   }
 }
 
+/// Leaves the examples of the chapter, "" = of all, by chapter.
+void take_chapter(std::vector<Example>& chosen, const std::string& chapter)
+{
+  const std::vector<std::string> known(expectations::chapter_words.begin(), expectations::chapter_words.end());
+  const auto wanted = std::find(known.begin(), known.end(), chapter);
+  if (!chapter.empty() && wanted == known.end())
+    throw InputError(fmt::format("there is no chapter {}{}", input::in_quotes(chapter), input::suggestion(chapter, known)));
+  std::erase_if(
+      chosen, [&](const Example& example) { return !chapter.empty() && example.chapter != static_cast<Chapter>(wanted - known.begin()); });
+  std::stable_sort(chosen.begin(), chosen.end(), [](const Example& a, const Example& b) { return a.chapter < b.chapter; });
+}
+
+std::string words_of_nothing(const ProblemChoice& choice)
+{
+  if (choice.fast) return "none of these problems is fast";
+  if (!choice.chapter.empty()) return fmt::format("none of these problems is of the chapter {}", input::in_quotes(choice.chapter));
+  return fmt::format("{} holds no example", choice.examples.string());
+}
+
 }  // namespace
 
 std::vector<Example> find_problems(const ProblemChoice& choice)
@@ -93,11 +113,11 @@ std::vector<Example> find_problems(const ProblemChoice& choice)
   for (const std::string& name : names) {
     const auto [folder, run] =
         choice.names.empty() ? std::pair(choice.examples / name, std::string()) : example_and_run(name, choice.examples);
-    add(chosen, read_example(folder), run, choice.fast);
+    add(chosen, read_example(folder), run, choice);
   }
+  take_chapter(chosen, choice.chapter);
   std::erase_if(chosen, [](const Example& example) { return example.runs.empty(); });
-  if (chosen.empty())
-    throw InputError(choice.fast ? "none of these problems is fast" : fmt::format("{} holds no example", choice.examples.string()));
+  if (chosen.empty()) throw InputError(words_of_nothing(choice));
   return chosen;
 }
 

@@ -5,6 +5,7 @@
 
 namespace berm::verification {
 
+using expectations::Chapter;
 using expectations::Expectation;
 using expectations::VerificationRun;
 
@@ -12,6 +13,7 @@ using expectations::VerificationRun;
 struct Example {
   std::string name;
   std::filesystem::path folder;
+  Chapter chapter = Chapter::other;
   std::vector<std::pair<std::string, VerificationRun>> runs;  ///< its problems: a problem is named NAME/RUN
   std::vector<Expectation> expectations;                      ///< those whose runs are all here
 };
@@ -20,11 +22,13 @@ struct Example {
 struct ProblemChoice {
   std::vector<std::string> names;  ///< examples, problems (EXAMPLE/RUN) or folders that hold an expected.toml; none = all
   std::filesystem::path examples = "examples";
-  bool fast = false;  ///< fast ones only
+  std::string chapter;     ///< one of expectations::chapter_words; "" = all
+  bool fast = false;       ///< fast ones only
+  bool with_long = false;  ///< long ones, too, where they are not named
 };
 
-/// Reads the expected.toml of what is wanted. Throws InputError where a file is wrong, where there is no such problem (with the nearest name), and
-/// where nothing is left.
+/// Reads the expected.toml of what is wanted, by chapter. Throws InputError where a file is wrong, where there is no such problem or chapter (with the nearest
+/// name), and where nothing is left.
 std::vector<Example> find_problems(const ProblemChoice& choice);
 
 }  // namespace berm::verification

@@ -23,11 +23,11 @@ Verdict verdict_of(const Promise& promise, const std::vector<ExpectationResult>&
 }
 
 /// A run, or several for an order of convergence, with a link to them, what they gave and the verdict.
-std::string proof_html(const Chapter& chapter, std::size_t k)
+std::string proof_html(const ExamplePage& page, std::size_t k)
 {
-  const Expectation& e = chapter.example.expectations[k];
-  const ExpectationResult& f = chapter.findings[k];
-  const std::string address = address_of(chapter.example.name + ".html") + "#" + (e.runs.empty() ? e.run : convergence);
+  const Expectation& e = page.example.expectations[k];
+  const ExpectationResult& f = page.findings[k];
+  const std::string address = address_of(page.example.name + ".html") + "#" + (e.runs.empty() ? e.run : convergence);
   const std::string found = f.berm.empty() ? "" : fmt::format(": {}, expected {}", f.berm, f.exact);
   return fmt::format("<div>{} <span class=\"quiet\">{}{}</span> {}</div>", link_to(address, f.problem), text::html_text(f.what),
                      text::html_text(found), f.verdict == Verdict::met ? "" : badge(f.verdict));
@@ -48,34 +48,34 @@ std::vector<Promise> promises_of(const Example& example)
   return promises;
 }
 
-std::string requirements_page(const std::vector<Chapter>& chapters)
+std::string requirements_page(const std::vector<ExamplePage>& pages)
 {
   std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>What is promised</h1>\n";
   html += "<p>What the user may rely on, where it is derived, those runs of this book that prove it and how they went. "
           "<code>berm verify --requirements</code> lists what all examples promise.</p>\n<table>\n";
   html += text::plain_row({"requirement", "derived", "", "proved by"}, 9, 9, "th");
-  for (const Chapter& chapter : chapters) {
-    html += fmt::format("<tr class=\"chapter\"><td colspan=\"4\">{}</td></tr>\n",
-                        link_to(address_of(chapter.example.name + ".html"), title_of(chapter.example)));
-    for (const Promise& promise : promises_of(chapter.example)) {
+  for (const ExamplePage& page : pages) {
+    html += fmt::format("<tr class=\"example\"><td colspan=\"4\">{}</td></tr>\n",
+                        link_to(address_of(page.example.name + ".html"), title_of(page.example)));
+    for (const Promise& promise : promises_of(page.example)) {
       std::string proofs;
-      for (const std::size_t k : promise.numbers) proofs += proof_html(chapter, k);
+      for (const std::size_t k : promise.numbers) proofs += proof_html(page, k);
       html += text::plain_row(
-          {text::html_text(promise.requirement), text::html_text(promise.derived), badge(verdict_of(promise, chapter.findings)), proofs}, 9,
-          9, "td");
+          {text::html_text(promise.requirement), text::html_text(promise.derived), badge(verdict_of(promise, page.findings)), proofs}, 9, 9,
+          "td");
     }
   }
   return text::plain_page("berm: what is promised", html + "</table>\n");
 }
 
-std::string requirements_text(const std::vector<Chapter>& chapters)
+std::string requirements_text(const std::vector<ExamplePage>& pages)
 {
   std::string text;
-  for (const Chapter& chapter : chapters)
-    for (const Promise& promise : promises_of(chapter.example)) {
-      text += fmt::format("{}: {}\n  derived: {}\n", chapter.example.name, promise.requirement, promise.derived);
+  for (const ExamplePage& page : pages)
+    for (const Promise& promise : promises_of(page.example)) {
+      text += fmt::format("{}: {}\n  derived: {}\n", page.example.name, promise.requirement, promise.derived);
       for (const std::size_t k : promise.numbers) {
-        const ExpectationResult& f = chapter.findings[k];
+        const ExpectationResult& f = page.findings[k];
         text += fmt::format("  {}: {} {}{}\n", word_of(f.verdict), f.problem, f.what,
                             f.berm.empty() ? "" : fmt::format(" = {}, expected {}", f.berm, f.exact));
       }

@@ -15,9 +15,9 @@ struct Promise {
 std::vector<Promise> promises_of(const Example& example);
 
 /// The page requirements.html of the book: what is promised, where it is derived, which runs prove it, and how they went.
-std::string requirements_page(const std::vector<Chapter>& chapters);
+std::string requirements_page(const std::vector<ExamplePage>& pages);
 
 /// The same as text, with the last results.
-std::string requirements_text(const std::vector<Chapter>& chapters);
+std::string requirements_text(const std::vector<ExamplePage>& pages);
 
 }  // namespace berm::verification

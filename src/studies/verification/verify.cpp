@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/verify.hpp"
 
-#include "core/error.hpp"
-#include "element/element_settings.hpp"
-#include "input/read_case.hpp"
+#include "run_folder/progress.hpp"
+#include "verification/book_index.hpp"
 #include "verification/requirements.hpp"
+#include "verification/run_problems.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -27,44 +27,55 @@ void print(const std::vector<Row>& rows)
     }
 }
 
-/// The runs of an example as jobs, in their order. Throws InputError where a case cannot be read.
-void add_jobs(std::vector<jobs::Job>& jobs, const Example& example, const fs::path& output)
+/// The results of all examples, compared with what is expected.
+std::vector<ExamplePage> pages_of(const std::vector<Example>& examples, const std::vector<ProblemResult>& results)
 {
-  for (const auto& [name, run] : example.runs) {
-    const fs::path file = example.folder / run.case_file;
-    try {
-      if (run.element)
-        element::read_element_case(file, run.set);
-      else
-        input::read_case(file, run.set);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: run.{}: {}", (example.folder / "expected.toml").string(), name, error.what()));
-    }
-    jobs.push_back({file, run.set, output / example.name / name, run.fast, run.uncertainty, run.element});
+  std::vector<ExamplePage> pages;
+  auto first = results.begin();
+  for (const Example& example : examples) {
+    const auto last = first + static_cast<std::ptrdiff_t>(example.runs.size());
+    ExamplePage& page = pages.emplace_back(ExamplePage{example, {first, last}, {}});
+    first = last;
+    for (const Expectation& e : example.expectations) page.findings.push_back(compare_with_expectation(example, e, page.results));
   }
+  return pages;
 }
 
-/// Tells of each job as it ends.
-class Teller {
-public:
-  explicit Teller(std::size_t count) : count_(count) {}
-  void tell(const std::string& problem, const jobs::JobEnd& end, Real wall)
-  {
-    if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
-    const std::string words = end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason : fmt::format("{:.1f} s", wall);
-    fmt::print(stderr, "{:>{}}/{} {}: {}\n", ++done_, fmt::formatted_size("{}", count_), count_, problem, words);
-  }
-  std::size_t done() const { return done_; }
+void print_numbers(const std::vector<ExamplePage>& pages)
+{
+  std::vector<Row> rows = {{"problem", "quantity", "exact", "berm", "error", "tolerance", "verdict", "source"}};
+  for (const ExamplePage& page : pages)
+    for (std::size_t k = 0; k < page.findings.size(); ++k) {
+      const ExpectationResult& f = page.findings[k];
+      rows.push_back({f.problem, f.what, f.exact, f.berm, f.error, f.tolerance, word_of(f.verdict),
+                      f.reason.empty() ? page.example.expectations[k].source : f.reason});
+    }
+  print(rows);
+}
 
-private:
-  std::size_t count_, done_ = 0;
-};
+void print_longest(const std::vector<ExamplePage>& pages)
+{
+  std::vector<Row> rows = {{"the longest runs", "time"}};
+  for (const auto& [problem, wall] : longest_problems(pages)) rows.push_back({problem, run_folder::words_of_duration(wall)});
+  if (rows.size() == 1) return;
+  fmt::print("\n");
+  print(rows);
+}
+
+bool all_met(const std::vector<ExamplePage>& pages)
+{
+  return std::all_of(pages.begin(), pages.end(), [](const ExamplePage& page) {
+    return std::all_of(page.findings.begin(), page.findings.end(), [](const ExpectationResult& f) { return f.verdict == Verdict::met; }) &&
+           std::all_of(page.results.begin(), page.results.end(),
+                       [](const ProblemResult& result) { return result.end.kind == jobs::JobEnd::Kind::finished; });
+  });
+}
 
 }  // namespace
 
 void list_problems(const ProblemChoice& choice)
 {
-  std::vector<Row> rows = {{"problem", "", "numbers", "title"}};
+  std::vector<Row> rows = {{"chapter", "problem", "", "numbers", "title"}};
   for (const Example& example : find_problems(choice))
     for (const auto& [name, run] : example.runs) {
       const auto is_about = [&, &own = name](const Expectation& e) {
@@ -72,71 +83,50 @@ void list_problems(const ProblemChoice& choice)
         return std::find(runs.begin(), runs.end(), own) != runs.end();
       };
       const auto count = std::count_if(example.expectations.begin(), example.expectations.end(), is_about);
-      rows.push_back({example.name + "/" + name, run.fast ? "fast" : "", std::to_string(count), run.title});
+      rows.push_back({expectations::chapter_words[static_cast<std::size_t>(example.chapter)], example.name + "/" + name,
+                      run.fast      ? "fast"
+                      : run.is_long ? "long"
+                                    : "",
+                      std::to_string(count), run.title});
     }
   print(rows);
 }
 
 void list_requirements(const ProblemChoice& choice, const fs::path& output)
 {
-  std::vector<Chapter> chapters;
-  for (const Example& example : find_problems(choice)) {
-    Chapter& chapter = chapters.emplace_back(Chapter{example, {}, {}});
+  const std::vector<Example> examples = find_problems(choice);
+  std::vector<ProblemResult> results;
+  for (const Example& example : examples)
     for (const auto& entry : example.runs) {
       const fs::path folder = output / example.name / entry.first;
       std::error_code error;
       const bool done = fs::exists(folder / "summary.json", error);
-      chapter.results.push_back({folder, {done ? jobs::JobEnd::Kind::finished : jobs::JobEnd::Kind::interrupted, ""}});
+      results.push_back({folder, {done ? jobs::JobEnd::Kind::finished : jobs::JobEnd::Kind::interrupted, ""}});
     }
-    for (const Expectation& e : example.expectations) chapter.findings.push_back(compare_with_expectation(example, e, chapter.results));
-  }
-  fmt::print("{}", requirements_text(chapters));
+  fmt::print("{}", requirements_text(pages_of(examples, results)));
 }
 
 jobs::Outcome verify(const VerifyRequest& request)
 {
   const std::vector<Example> examples = find_problems(request.choice);
-  std::vector<jobs::Job> jobs;
-  for (const Example& example : examples) add_jobs(jobs, example, request.output);
-
-  std::vector<ProblemResult> results;
-  for (jobs::Job& job : jobs) {
-    job.resume = goes_on(job);
-    results.push_back({job.folder, {}});
-  }
-  Teller teller(jobs.size());
-  run_jobs(jobs, request.runner, request.output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
-    results[job].end = end;
-    teller.tell(fs::relative(jobs[job].folder, request.output).string(), end, jobs::wall_time_of(jobs[job].folder));
-  });
-
-  std::vector<Row> rows = {{"problem", "quantity", "exact", "berm", "error", "tolerance", "verdict", "source"}};
-  std::vector<Chapter> chapters;
-  bool all_met = true;
-  auto first = results.begin();
-  for (const Example& example : examples) {
-    const auto last = first + static_cast<std::ptrdiff_t>(example.runs.size());
-    Chapter& chapter = chapters.emplace_back(Chapter{example, {first, last}, {}});
-    first = last;
-    for (const ProblemResult& result : chapter.results) all_met = all_met && result.end.kind == jobs::JobEnd::Kind::finished;
-    for (const Expectation& e : example.expectations) {
-      const ExpectationResult& f = chapter.findings.emplace_back(compare_with_expectation(example, e, chapter.results));
-      rows.push_back(
-          {f.problem, f.what, f.exact, f.berm, f.error, f.tolerance, word_of(f.verdict), f.reason.empty() ? e.source : f.reason});
-      all_met = all_met && f.verdict == Verdict::met;
-    }
-  }
-  print(rows);
+  const std::vector<ProblemResult> results = run_problems(jobs_of(examples, request.output), request.output, request.runner, request.anew);
+  const std::vector<ExamplePage> pages = pages_of(examples, results);
+  print_numbers(pages);
+  print_longest(pages);
   std::fflush(stdout);
-  const bool queued = std::any_of(results.begin(), results.end(),
-                                  [](const ProblemResult& result) { return result.end.kind == jobs::JobEnd::Kind::queued; });
-  if (teller.done() < jobs.size())
-    fmt::print(stderr, "{}: {} of {} problems are done{}\n", queued ? "queued" : "interrupted", teller.done(), jobs.size(),
-               queued ? "; the same command collects the others" : "");
-  write_book(request.output, chapters);
+  const auto count = [&](auto is) {
+    return std::count_if(results.begin(), results.end(), [&](const ProblemResult& result) { return is(result.end.kind); });
+  };
+  const auto unfinished = count([](jobs::JobEnd::Kind kind) { return outcome_of(kind) == jobs::Outcome::unfinished; });
+  const bool queued = count([](jobs::JobEnd::Kind kind) { return kind == jobs::JobEnd::Kind::queued; }) > 0;
+  if (unfinished > 0)
+    fmt::print(stderr, "{}: {} of {} problems are done; the same command {}\n", queued ? "queued" : "interrupted",
+               static_cast<std::ptrdiff_t>(results.size()) - unfinished, results.size(),
+               queued ? "collects the others" : "goes on from there");
+  write_book(request.output, pages);
   fmt::print(stderr, "the book is {}\n", (request.output / "index.html").string());
-  if (teller.done() < jobs.size()) return jobs::Outcome::unfinished;
-  return all_met ? jobs::Outcome::done : jobs::Outcome::failed;
+  if (unfinished > 0) return jobs::Outcome::unfinished;
+  return all_met(pages) ? jobs::Outcome::done : jobs::Outcome::failed;
 }
 
 }  // namespace berm::verification

@@ -25,19 +25,19 @@ Expectation expectation(const std::string& requirement)
 }
 
 /// An example with three numbers of two promises; the second is missed.
-Chapter chapter()
+ExamplePage page()
 {
-  Chapter chapter;
-  chapter.example.name = std::string("slope");
-  chapter.example.runs = {{"a", {}}};
-  chapter.example.expectations = {expectation("it <slides>"), expectation("it stops"), expectation("it <slides>")};
-  chapter.findings = {result(Verdict::met), result(Verdict::missed), result(Verdict::met)};
-  return chapter;
+  ExamplePage page;
+  page.example.name = std::string("slope");
+  page.example.runs = {{"a", {}}};
+  page.example.expectations = {expectation("it <slides>"), expectation("it stops"), expectation("it <slides>")};
+  page.findings = {result(Verdict::met), result(Verdict::missed), result(Verdict::met)};
+  return page;
 }
 
 TEST(Requirements, stand_once_with_all_numbers_that_prove_them)
 {
-  const std::vector<Promise> promises = promises_of(chapter().example);
+  const std::vector<Promise> promises = promises_of(page().example);
   ASSERT_EQ(promises.size(), 2u);
   EXPECT_EQ(promises[0].requirement, "it <slides>");
   EXPECT_EQ(promises[0].derived, "section 4");
@@ -46,7 +46,7 @@ TEST(Requirements, stand_once_with_all_numbers_that_prove_them)
 
 TEST(Requirements, are_printed_with_the_runs_that_prove_them_and_their_results)
 {
-  const std::string text = requirements_text({chapter()});
+  const std::string text = requirements_text({page()});
   EXPECT_NE(text.find("slope: it <slides>\n  derived: section 4\n  met: slope/a u\n  met: slope/a u\n"), std::string::npos) << text;
   EXPECT_NE(text.find("slope: it stops\n  derived: section 4\n  MISSED: slope/a u\n"), std::string::npos) << text;
 }

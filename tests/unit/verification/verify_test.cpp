@@ -1,47 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "samples/falling_stone.hpp"
-#include "samples/program.hpp"
+#include "verify_falls.hpp"
 
 #include <algorithm>
-#include <gtest/gtest.h>
 
 namespace berm::verification::this_file {
 namespace {
 
-using Words = std::vector<std::string>;
-
-constexpr const char* two_runs = "[run.earth]\nfast = true\ntitle = \"on earth\"\n[run.light]\nset = ['gravity=[0, -5]']\n";
-
-/// A claim that a run's stone has this acceleration.
-std::string claim(const std::string& run, const std::string& acceleration, const std::string& more = "")
-{
-  return "[[expect]]\nrun = \"" + run + "\"\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\ntolerance = 1e-6\nsource = " +
-         "\"g\"\nwhy = \"round-off\"\nrequirement = \"r\"\nderived = \"d\"\nexact = " + acceleration + "\n" + more;
-}
-
-class Verify : public testing::Test {
-protected:
-  void example(const std::string& name, const std::string& expected) const
-  {
-    std::filesystem::create_directories(folder_ / ("examples/" + name));
-    folder_.write("examples/" + name + "/case.toml", test::falling_stone);
-    folder_.write("examples/" + name + "/README.md", "# A stone that falls\n\nIt obeys $v = -g t$.\n");
-    folder_.write("examples/" + name + "/expected.toml", expected);
-  }
-  Ended verify(Words words) const
-  {
-    words.insert(words.begin(), "verify");
-    return run_program(folder_.path(), words);
-  }
-  std::vector<std::string> made() const
-  {
-    std::vector<std::string> runs;
-    for (const auto& name : names_in(folder_ / "out/verification/fall")) runs.push_back(name);
-    return runs;
-  }
-
-  TemporaryFolder folder_;
-};
+class Verify : public VerifyFalls {};
 
 TEST_F(Verify, ends_with_0_where_all_is_met)
 {
@@ -196,20 +161,17 @@ TEST_F(Verify, writes_a_book_that_needs_no_network)
 TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
 {
   const std::string endless = "[run.endless]\nset = ['stage.fall.until.time=1e6', 'gravity=[0, 0]', 'output.history_time=1']\n";
-  const std::string ends = "[[expect]]\nrun = \"endless\"\nquantity = \"finished\"\nleast = 1\nsource = \"s\"\nwhy = \"w\"\nrequirement = "
-                           "\"r\"\nderived = \"d\"\n";
-  example("fall", endless + two_runs + ends + claim("earth", "-10") + claim("light", "-5"));
+  example("fall", endless + two_runs + ends("endless") + claim("earth", "-10") + claim("light", "-5"));
   Program program(folder_.path(), {"verify", "--threads", "2"});
-  const std::string run = "out/verification/fall/";
-  const auto is_there = [&](const std::string& name) { return std::filesystem::exists(folder_ / (run + name)); };
-  ASSERT_TRUE(wait_until([&] { return is_there("earth/summary.json") && !is_there("earth.messages") && is_there("endless/history.csv"); }));
+  ASSERT_TRUE(wait_until(
+      [&] { return is_there("fall/earth/summary.json") && !is_there("fall/earth.messages") && is_there("fall/endless/history.csv"); }));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));  // until it is known that the others have ended
   program.signal(SIGINT);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.status, 75);
   EXPECT_NE(ended.err.find("interrupted: 2 of 3 problems are done"), std::string::npos) << ended.err;
   EXPECT_NE(ended.out.find("not run"), std::string::npos) << ended.out;
-  EXPECT_NE(text_of_file(folder_ / (run + "endless/summary.json")).find("\"finished\": false"), std::string::npos);
+  EXPECT_NE(result("fall/endless/summary.json").find("\"finished\": false"), std::string::npos);
 }
 
 }  // namespace

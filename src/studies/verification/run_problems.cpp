@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/verification/verify_resume_test.cpp
+#include "verification/run_problems.hpp"
+
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "element/element_report.hpp"
+#include "input/read_case.hpp"
+#include "run_folder/build.hpp"
+#include "run_folder/progress.hpp"
+#include "simulation/simulate.hpp"
+#include "verification/remaining.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+
+namespace berm::verification {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = jobs::JobEnd::Kind;
+
+constexpr Real time_of_fast = 5;  // s, of fast problems and of element tests
+constexpr Real with_bands = 2;    // over the time of the run alone
+
+bool holds(const jobs::Job& job)
+{
+  return job.element ? element::has_result(element::read_element_case(job.case_file, job.set), job.folder) : jobs::has_result(job);
+}
+
+/// s, NaN where it is not known: the job then says itself what is wrong.
+Real estimate_of(const jobs::Job& job)
+{
+  try {
+    const Real run = simulation::expected_wall_time(
+        {.settings = input::read_case(job.case_file, job.set), .case_file = job.case_file, .folder = job.folder});
+    return job.uncertainty ? with_bands * run : run;
+  } catch (const std::exception&) {
+    return nan;
+  }
+}
+
+/// What berm check tells, for the jobs of which no earlier run does.
+void estimate_times(std::vector<jobs::Job>& jobs)
+{
+  std::vector<jobs::Job*> unknown;
+  for (jobs::Job& job : jobs)
+    if (std::isnan(expected_time(job))) unknown.push_back(&job);
+  if (unknown.empty()) return;
+  fmt::print(stderr, "estimating the time of {} problem{}\n", unknown.size(), unknown.size() == 1 ? "" : "s");
+  for (jobs::Job* job : unknown) {
+    if (interrupted()) return;
+    job->estimate = estimate_of(*job);
+  }
+}
+
+/// Its result and checkpoint, but not the time that it took.
+void remove_result(jobs::Job& job)
+{
+  job.estimate = expected_time(job);
+  std::error_code ignored;
+  for (const char* name : {"summary.json", "checkpoint"}) fs::remove_all(job.folder / name, ignored);
+}
+
+/// Tells how far the jobs are.
+class Teller {
+public:
+  Teller(const std::vector<jobs::Job>& jobs, const jobs::Runner& runner, fs::path output)
+      : jobs_(jobs),
+        output_(std::move(output)),
+        begin_(Clock::now())
+  {
+    if (const auto* local = std::get_if<jobs::LocalProcesses>(&runner.by)) remaining_.emplace(jobs, local->at_once);
+    fmt::print(stderr, "{} problem{} to run{}\n", jobs.size(), jobs.size() == 1 ? "" : "s", words_of_time("; about {}"));
+  }
+  void tell(std::size_t job, const jobs::JobEnd& end)
+  {
+    if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
+    if (remaining_) remaining_->end(job, end.kind == Kind::finished, now());
+    const std::string words =
+        end.kind == Kind::failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs_[job].folder));
+    fmt::print(stderr, "{:>{}}/{} {}: {}{}\n", ++done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(),
+               fs::relative(jobs_[job].folder, output_).string(), words, words_of_rest());
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Real now() const { return std::chrono::duration<Real>(Clock::now() - begin_).count(); }
+  /// "" where it is not known.
+  std::string words_of_time(fmt::format_string<std::string> words) const
+  {
+    const Real rest = remaining_ ? remaining_->seconds(now()) : nan;
+    return rest > 0 ? fmt::format(words, run_folder::words_of_duration(rest)) : "";
+  }
+  std::string words_of_rest() const
+  {
+    if (!remaining_ || done_ == jobs_.size()) return "";
+    return fmt::format("  ({} running, {} to begin{})", remaining_->running(), remaining_->waiting(),
+                       words_of_time("; about {} to the end"));
+  }
+
+  const std::vector<jobs::Job>& jobs_;
+  fs::path output_;
+  Clock::time_point begin_;
+  std::optional<Remaining> remaining_;
+  std::size_t done_ = 0;
+};
+
+/// Says which results are there already; those of runs that another build of the program recorded are not the newest that can be had.
+void tell_of_results(const std::vector<fs::path>& folders, std::size_t jobs)
+{
+  if (folders.empty()) return;
+  std::size_t earlier = 0;
+  for (const fs::path& folder : folders) earlier += !run_folder::recorded_by_this_program(*run_folder::read_summary(folder));
+  fmt::print(
+      stderr, "{} of {} problems have their result already and are not run again{}\n", folders.size(), jobs,
+      earlier == 0 ? "" : fmt::format("; {} of them by the same engine in another build of the program (--force runs them anew)", earlier));
+}
+
+}  // namespace
+
+std::vector<jobs::Job> jobs_of(const std::vector<Example>& examples, const fs::path& output)
+{
+  std::vector<jobs::Job> jobs;
+  for (const Example& example : examples)
+    for (const auto& [name, run] : example.runs) {
+      const fs::path file = example.folder / run.case_file;
+      try {
+        if (run.element)
+          element::read_element_case(file, run.set);
+        else
+          input::read_case(file, run.set);
+      } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: run.{}: {}", (example.folder / "expected.toml").string(), name, error.what()));
+      }
+      jobs.push_back(
+          {file, run.set, output / example.name / name, run.fast || run.element ? time_of_fast : nan, run.uncertainty, run.element});
+    }
+  return jobs;
+}
+
+std::vector<ProblemResult> run_problems(std::vector<jobs::Job> all, const fs::path& output, const jobs::Runner& runner, bool anew)
+{
+  std::vector<ProblemResult> results;
+  std::vector<jobs::Job> jobs;
+  std::vector<std::size_t> result_of_job;
+  std::vector<fs::path> there;
+  for (jobs::Job& job : all) {
+    if (anew) remove_result(job);
+    results.push_back({job.folder, {Kind::finished, ""}});
+    if (holds(job)) {
+      there.push_back(job.folder);
+      continue;
+    }
+    job.resume = goes_on(job);
+    jobs.push_back(job);
+    result_of_job.push_back(results.size() - 1);
+  }
+  tell_of_results(there, all.size());
+  if (jobs.empty()) return results;
+  estimate_times(jobs);
+  Teller teller(jobs, runner, output);
+  run_jobs(jobs, runner, output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
+    results[result_of_job[job]].end = end;
+    teller.tell(job, end);
+  });
+  return results;
+}
+
+}  // namespace berm::verification
