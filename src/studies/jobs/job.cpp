@@ -6,6 +6,7 @@
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "material/user_law.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/origin.hpp"
 
@@ -44,14 +45,15 @@ std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
 /// A run notes what its libraries hold.
 void note_libraries(std::vector<std::pair<std::string, material::Material>>& materials)
 {
-  for (auto& entry : materials)
-    std::visit(
-        [](auto& law) {
-          std::error_code error;
-          if constexpr (requires { law.library_sha256; })
-            if (law.library_sha256.empty() && fs::exists(law.library, error)) law.library_sha256 = io::sha256_of_file(law.library);
-        },
-        entry.second);
+  const auto note = [](auto* law) {
+    std::error_code error;
+    if (law != nullptr && law->library_sha256.empty() && fs::exists(law->library, error))
+      law->library_sha256 = io::sha256_of_file(law->library);
+  };
+  for (auto& entry : materials) {
+    note(entry.second.get_if<material::UserLaw<material::Interface::umat>>());
+    note(entry.second.get_if<material::UserLaw<material::Interface::own>>());
+  }
 }
 
 /// Whether the run folder is of these settings, and of what is in the files that they name.

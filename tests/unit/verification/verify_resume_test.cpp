@@ -119,10 +119,14 @@ TEST_F(VerifyResume, that_was_killed_loses_no_run_that_had_ended_and_goes_on_wit
   // The run is asked to stop as its program ends.
   ASSERT_TRUE(wait_until([&] { return is_there("fall/still/summary.json"); }));
   ASSERT_NE(result("fall/still/summary.json").find("\"finished\": false"), std::string::npos);
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // until it has ended
-  const Ended again = verify({});
+  const std::string earth = result("fall/earth/summary.json");
+  Ended again;
+  EXPECT_TRUE(wait_until([&] {
+    again = verify({});
+    return !says(again, "another run is writing into it");
+  })) << "the runs in hand end within a second or two";
   EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_TRUE(says(again, "2 of 3 problems have their result already")) << again.err;
+  EXPECT_EQ(result("fall/earth/summary.json"), earth);
   EXPECT_NE(result("fall/still/run.log").find("resumes from the checkpoint"), std::string::npos);
 }
 

@@ -164,7 +164,7 @@ TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
   example("fall", endless + two_runs + ends("endless") + claim("earth", "-10") + claim("light", "-5"));
   Program program(folder_.path(), {"verify", "--threads", "2"});
   ASSERT_TRUE(wait_until(
-      [&] { return is_there("fall/earth/summary.json") && !is_there("fall/earth.messages") && is_there("fall/endless/history.csv"); }));
+      [&] { return is_there("fall/light/summary.json") && !is_there("fall/light.messages") && is_there("fall/endless/history.csv"); }));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));  // until it is known that the others have ended
   program.signal(SIGINT);
   const Ended ended = program.wait();
