@@ -2,6 +2,7 @@
 #include "fem/assembly.hpp"
 
 #include "core/for_each.hpp"
+#include "material/laws.hpp"
 #include "material/tangent.hpp"
 
 #include <algorithm>
@@ -109,7 +110,26 @@ SymTensor<2> strain_of(const ShapeAtPoint& shape, const StrainMatrix& b, const A
   return {{strain[0], strain[1], shape.per_radius > 0 ? hoop_strain(shape).dot(moved) : 0, strain[2] / 2}};
 }
 
+/// The law at an integration point for increments that begin with an effective stress.
+material::PreparedMaterial law_from(const FemModel& model, const SymTensor<2>& stress, Index cell, int q)
+{
+  const material::Material soil = model.soil_at(cell, q);
+  return prepare(associated(model.flow.in(cell) ? material::drained(soil) : soil, stress));
+}
+
 }  // namespace
+
+/// The law of an integration point for the increments that begin with this effective stress, prepared once because that is
+/// expensive. Its strength may be that of another stress (update_strength).
+struct Assembly::PointLaw {
+  SymTensor<2> begin{{nan}};  ///< Pa, effective
+  material::PreparedMaterial law;
+};
+
+struct Assembly::PointLaws {
+  explicit PointLaws(Index cells) : now(cells), before(cells) {}
+  CellField<std::array<PointLaw, triangle_points>> now, before;  ///< the last update_strength
+};
 
 Assembly::Assembly(const FemModel& model)
     : model_(model),
@@ -118,8 +138,7 @@ Assembly::Assembly(const FemModel& model)
       flow_(model.flow.water.size()),
       flow_stiffness_(model.flow.water.size()),
       points_(model.mesh.nodes.size()),
-      laws_(model.mesh.nodes.size()),
-      laws_before_(model.mesh.nodes.size()),
+      laws_(std::make_unique<PointLaws>(model.mesh.nodes.size())),
       contact_(model.contact.size()),
       soil_residual_(model.unknowns()),
       residual_(model.unknowns()),
@@ -128,6 +147,8 @@ Assembly::Assembly(const FemModel& model)
       prescribed_(model.unknowns())
 {
 }
+
+Assembly::~Assembly() = default;
 
 Real Assembly::bytes_of_element()
 {
@@ -142,13 +163,6 @@ Real Assembly::bytes_of_element()
 SymTensor<2> Assembly::effective_stress(const SoilPoint& point, Index cell) const
 {
   return material::effective_stress(model_.soil_of(cell).materials.front(), point.stress, point.law_state.data());
-}
-
-/// The law at this point for increments that begin with an effective stress.
-material::PreparedMaterial Assembly::law_from(const SymTensor<2>& stress, Index cell, int q) const
-{
-  const material::Material soil = model_.soil_at(cell, q);
-  return prepare(associated(model_.flow.in(cell) ? material::drained(soil) : soil, stress));
 }
 
 FlowIncrement Assembly::flow_increment(const FemState& begin, const std::vector<Real>& change, Index cell) const
@@ -184,25 +198,30 @@ SoilPoint Assembly::with_effective_stress(SoilPoint point, Index cell) const
 
 const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Index cell, int q)
 {
-  PointLaw& made = laws_[cell][q];
+  PointLaw& made = laws_->now[cell][q];
   if (!std::equal(begin.c, begin.c + tensor_size<2>, made.begin.c)) {
     made.begin = begin;
-    made.law = law_from(begin, cell, q);
+    made.law = law_from(model_, begin, cell, q);
   }
   return made;
 }
 
 void Assembly::update_strength()
 {
-  laws_before_ = laws_;
+  laws_->before = laws_->now;
   for_each("follow strength", cells_.size(), [&](Index cell) {
-    for (int q = 0; q < triangle_points; ++q) laws_[cell][q].law = law_from(effective_stress(points_[cell][q], cell), cell, q);
+    for (int q = 0; q < triangle_points; ++q) laws_->now[cell][q].law = law_from(model_, effective_stress(points_[cell][q], cell), cell, q);
   });
+}
+
+void Assembly::undo_strength_update()
+{
+  laws_->now = laws_->before;
 }
 
 void Assembly::reset_strength()
 {
-  for (std::array<PointLaw, triangle_points>& laws : laws_) laws.fill(PointLaw{});
+  for (std::array<PointLaw, triangle_points>& laws : laws_->now) laws.fill(PointLaw{});
 }
 
 StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real>& change) const

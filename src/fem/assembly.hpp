@@ -2,7 +2,8 @@
 #pragma once
 
 #include "fem/fem_problem.hpp"
-#include "material/laws.hpp"
+
+#include <memory>
 
 namespace berm::fem {
 
@@ -30,6 +31,7 @@ struct StrengthLag {
 class Assembly {
 public:
   explicit Assembly(const FemModel& model);
+  ~Assembly();
 
   /// Bytes per element here, in the model and in the state, without its part of the matrix.
   static Real bytes_of_element();
@@ -63,7 +65,7 @@ public:
   /// `begin`.
   void update_strength();
   /// Undoes the last update_strength; evaluate again afterwards.
-  void undo_strength_update() { laws_ = laws_before_; }
+  void undo_strength_update();
   /// Resets the strength to the stresses of `begin`.
   void reset_strength();
   /// Lag of the strength behind the stresses last evaluated, from the same arguments, over the areas A_q of the integration
@@ -99,13 +101,8 @@ private:
   /// Of a point of integration, Pa, tension positive.
   SymTensor<2> effective_stress(const SoilPoint& point, Index cell) const;
 
-  /// The law of an integration point for the increments that begin with this effective stress, prepared once because that is
-  /// expensive. Its strength may be that of another stress (update_strength).
-  struct PointLaw {
-    SymTensor<2> begin{{nan}};  ///< Pa, effective
-    material::PreparedMaterial law;
-  };
-  material::PreparedMaterial law_from(const SymTensor<2>& stress, Index cell, int q) const;
+  struct PointLaw;
+  struct PointLaws;
   const PointLaw& law_of_point(const SymTensor<2>& begin, Index cell, int q);
 
   struct CellWork {
@@ -118,7 +115,7 @@ private:
   CellField<CellFlow> flow_;
   CellField<std::array<Real, pressure_entries>> flow_stiffness_;
   CellField<std::array<SoilPoint, triangle_points>> points_;
-  CellField<std::array<PointLaw, triangle_points>> laws_, laws_before_;
+  std::unique_ptr<PointLaws> laws_;
   std::vector<FemContactState> contact_;
   std::vector<Real> soil_residual_, residual_, matrix_, initial_imbalance_;
   std::vector<char> prescribed_;

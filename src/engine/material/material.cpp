@@ -72,6 +72,19 @@ Real p_wave_modulus(const Material& material)
   return p_wave_modulus(elasticity(material)) + water_stiffness(material);
 }
 
+Real oedometer_modulus(const Material& material, const SymTensor<3>& stress)
+{
+  constexpr Real strain = 1e-6;
+  const Material skeleton = drained(material);
+  std::vector<Real> state(static_cast<std::size_t>(state_size(skeleton)), 0.);
+  initial_state(skeleton, stress, state.data());
+  SymTensor<3> after = stress;
+  const Increment<3, Real> increment{SymTensor<3>{{0, -strain, 0}}, 1, 0};
+  std::visit([&](const auto& law) { update(law, after, increment, state.data()); }, prepare(skeleton));
+  const Real modulus = (stress[1] - after[1]) / strain;
+  return modulus > 0 && std::isfinite(modulus) ? modulus : p_wave_modulus(skeleton);
+}
+
 int state_size(const Material& material)
 {
   return visit([](const auto& law) { return state_count(law) + (has_pore_pressure(law) ? 1 : 0); }, material);

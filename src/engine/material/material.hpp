@@ -77,6 +77,10 @@ YoungPoisson young_poisson(const Material& material);
 /// P-wave modulus M, Pa, of the skeleton and of the water in its pores; sqrt(M / inertia density) is the speed of pressure waves where the water stays there.
 Real p_wave_modulus(const Material& material);
 
+/// Stress over strain, Pa, of the skeleton where it is compressed along the second axis alone, by a millionth from this effective stress; of the elastic constants
+/// where that is none.
+Real oedometer_modulus(const Material& material, const SymTensor<3>& stress);
+
 /// Number of state variables per particle: those of the law, and the excess pore pressure where there is one.
 int state_size(const Material& material);
 

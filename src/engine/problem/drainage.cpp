@@ -2,25 +2,10 @@
 #include "problem/drainage.hpp"
 
 #include "bodies/initial_stress.hpp"
-#include "material/laws.hpp"
 #include "problem/body_soil.hpp"
 
 namespace berm::problem {
 namespace {
-
-/// Stress over strain, Pa, of a skeleton that is compressed by a millionth from this stress; of the elastic constants where that is none.
-Real oedometer_modulus(const material::Material& soil, const SymTensor<3>& stress)
-{
-  constexpr Real strain = 1e-6;
-  const material::Material skeleton = drained(soil);
-  std::vector<Real> state(static_cast<std::size_t>(state_size(skeleton)), 0.);
-  initial_state(skeleton, stress, state.data());
-  SymTensor<3> after = stress;
-  const material::Increment<3, Real> increment{SymTensor<3>{{0, -strain, 0}}, 1, 0};
-  std::visit([&](const auto& law) { material::update(law, after, increment, state.data()); }, prepare(skeleton));
-  const Real modulus = (stress[1] - after[1]) / strain;
-  return modulus > 0 && std::isfinite(modulus) ? modulus : p_wave_modulus(skeleton);
-}
 
 SymTensor<3> stress_at_start(const Case& c, const bodies::BodySettings& body, Real depth)
 {
