@@ -66,7 +66,7 @@ slowest: ## the thirty tests that took longest when ctest ran last, in seconds
 	  /^\[ +OK \]/ { single = 0; print substr($$(NF - 1), 2) / 1000, name (name ~ /\./ ? "" : "." $$4) } \
 	  /^Test time =/ && single { print $$4, name }' $(release)/Testing/Temporary/LastTest.log | sort -rn | head -n 30
 
-verify: build ## run the whole verification book; it is out/verification/index.html
+verify: build ## the verification book but for its long runs, on from where it stopped; it is out/verification/index.html
 	@scripts/setup tests
 	@$(MAKE) --silent --no-print-directory -C examples/user_law
 	@$(release)/berm verify

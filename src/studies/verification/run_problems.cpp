@@ -77,9 +77,10 @@ public:
   {
     if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     if (remaining_) remaining_->end(job, end.kind == Kind::finished, now());
+    ++done_;
     const std::string words =
         end.kind == Kind::failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs_[job].folder));
-    fmt::print(stderr, "{:>{}}/{} {}: {}{}\n", ++done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(),
+    fmt::print(stderr, "{:>{}}/{} {}: {}{}\n", done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(),
                fs::relative(jobs_[job].folder, output_).string(), words, words_of_rest());
   }
 
