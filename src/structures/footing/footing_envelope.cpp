@@ -101,7 +101,7 @@ Real area_of(const problem::Case& c, Real width)
 {
   const bodies::RigidShapeSettings& shape = c.rigid[main_rigid(c)].second.shape;
   if (c.geometry != problem::Geometry::space) return width;
-  if (base::is_round_from_above(shape)) return pi * width * width / 4;
+  if (bodies::is_round_from_above(shape)) return pi * width * width / 4;
   const auto* box = std::get_if<bodies::BoxSettings>(&shape);
   return box == nullptr ? nan : width * box->size[2];
 }
@@ -229,7 +229,7 @@ PublishedEnvelope footing_envelope(const problem::Case& c)
   OnSoil on{embedded_footing(c),     0, c.geometry == problem::Geometry::plane_strain, false, false, *soil, *strength,
             base::contact_of_body(c)};
   on.area = area_of(c, on.footing.width);
-  on.round = !on.strip && base::is_round_from_above(c.rigid[main_rigid(c)].second.shape);
+  on.round = !on.strip && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape);
   on.at_surface = problem::ground_of(c).line.level() && std::abs(on.footing.embedment) <= round_off * on.footing.width;
   if (std::isnan(on.area)) return unknown;
   const Real unit_weight = base::body_scale(c).unit_weight;

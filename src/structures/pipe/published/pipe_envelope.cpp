@@ -150,12 +150,11 @@ base::EmbeddedBody embedded_pipe(const problem::Case& c)
                                                                      : 0;
   if (main == none) throw KeyError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
   const auto& [name, rigid] = c.rigid[main];
-  const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
-  if (circle == nullptr)
+  const std::optional<bodies::DiskOutline> circle = bodies::pipe_section(rigid.shape);
+  if (!circle)
     throw KeyError(
         fmt::format("rigid.{}.shape: an envelope is that of a pipe, \"circle\", or of a footing, which a push drives first", name));
-  const base::EmbeddedBody pipe{circle->diameter,
-                                problem::ground_of(c).level_at(circle->center[0], c.surface) - (circle->center[1] - circle->diameter / 2)};
+  const base::EmbeddedBody pipe{2 * circle->radius, problem::ground_of(c).level_at(circle->center[0], c.surface) - (circle->center[1] - circle->radius)};
   if (!(pipe.embedment > 0))
     throw KeyError(
         fmt::format("rigid.{}.center: the lowest point of the pipe lies {:g} m above the bed; an envelope needs a pipe that lies in it",

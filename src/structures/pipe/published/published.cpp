@@ -59,8 +59,7 @@ std::string remark_on_place(const PipeRun& run)
 
 std::string remark_on_ground(const PipeRun& run)
 {
-  const bodies::CircleSettings& circle = std::get<bodies::CircleSettings>(run.settings.rigid[main_rigid(run.settings)].second.shape);
-  const Real x = circle.center[0], reach = 2 * run.scale.width;
+  const Real x = circle_of(run.settings)->center[0], reach = 2 * run.scale.width;
   const auto [low, high] = run.record.ground.line.heights(x - reach, x + reach);
   return fmt::format("All formulas here are for a level bed. The ground of this run is not: within 2 D of the pipe's start it rises and "
                      "falls by {:.2g} D. They "

@@ -176,7 +176,7 @@ std::string results_in_words(const PipeRun& run, const base::DisplayUnits& shown
   }
   words += other_push_words(run, results, false, shown);
   words.erase(words.find_last_not_of(' ') + 1);
-  if (!is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));
+  if (!circle_of(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));
   return words;
 }
 
