@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "sanity/questions.hpp"
-#include "sanity/words.hpp"
+#include "sanity/sanity.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace berm::sanity {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/input/read_case_active_distance_test.cpp
-#include "problem/active_distance.hpp"
+#include "problem/stage_checks.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

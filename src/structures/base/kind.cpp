@@ -55,8 +55,7 @@ bool is_pushed_down(const problem::Case& c)
 std::string of_disk(const problem::Case& c, const BodyProfile& disk)
 {
   if (c.geometry == problem::Geometry::axisymmetric) return std::abs(disk.left + disk.right) <= round_off * disk.width ? "ball" : "pipe";
-  if (c.geometry == problem::Geometry::space)
-    return bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape) ? "ball" : "pipe";
+  if (c.geometry == problem::Geometry::space) return bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape) ? "ball" : "pipe";
   const Real top = center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[1] + disk.width / 2;
   const bool deep = problem::ground_of(c).line.level() && top < c.surface - buried * disk.width;
   return deep ? "t_bar" : "pipe";

@@ -2,7 +2,6 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/footing/footing.hpp"
 
-#include "structures/footing/footing_envelope.hpp"
 #include "structures/formulas/footing.hpp"
 #include "structures/formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"

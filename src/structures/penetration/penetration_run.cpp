@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/penetration_run.hpp"
 
-#include "mesh/seabed.hpp"
-#include "structures/penetration/found_walls.hpp"
+#include "structures/penetration/soil_profile.hpp"
 #include "structures/pipe/results/pipe_path.hpp"
 
 #include <algorithm>

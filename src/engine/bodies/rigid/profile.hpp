@@ -79,8 +79,7 @@ SurfacePoint<dim> surface_at(const Profile<dim>& profile, const Vec<dim>& x)
   }
 }
 template <int dim>
-  requires(dim == 2)
-Vec<dim> center_of(const Profile<dim>& profile)
+requires(dim == 2) Vec<dim> center_of(const Profile<dim>& profile)
 {
   return profile.core.center;
 }
@@ -108,8 +107,7 @@ Vec<3> inertia_over_mass(const Profile<dim>& profile)
   return profile.inertia;
 }
 template <int dim>
-  requires(dim == 2)
-Profile<dim> moved(Profile<dim> profile, const Movement<dim>& m)
+requires(dim == 2) Profile<dim> moved(Profile<dim> profile, const Movement<dim>& m)
 {
   profile.core = moved(profile.core, m);
   return profile;

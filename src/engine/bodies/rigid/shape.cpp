@@ -20,7 +20,14 @@ void describe_shape(Describe& d, RigidShapeSettings& shape)
 
 bool is_endless(const RigidShapeSettings& shape)
 {
-  return std::visit([]<class S>(const S&) { return requires { requires S::endless; }; }, shape);
+  return std::visit(
+      []<class S>(const S&) {
+        return requires
+        {
+          requires S::endless;
+        };
+      },
+      shape);
 }
 
 bool is_round_from_above(const RigidShapeSettings& shape)

@@ -118,13 +118,19 @@ std::vector<ShapeSize> sizes_of(const Settings&)
   return {};
 }
 template <int dim, class Shape>
-  requires requires(const Shape& shape) { shape.center; }
+requires requires(const Shape& shape)
+{
+  shape.center;
+}
 Vec<dim> center_of(const Shape& shape)
 {
   return shape.center;
 }
 template <int dim, class Shape>
-  requires requires(const Shape& shape) { shape.center; }
+requires requires(const Shape& shape)
+{
+  shape.center;
+}
 Shape moved(Shape shape, const Movement<dim>& m)
 {
   shape.center += m.displacement;
@@ -136,20 +142,17 @@ Shape moved(Shape shape, const Movement<dim>& m)
 // Of a circle and a sphere: all that is nearer than a radius to a centre, of a circle in space to a line along z.
 
 template <class Settings>
-  requires(Settings::round)
-std::vector<ShapeSize> sizes_of(const Settings& round)
+requires(Settings::round) std::vector<ShapeSize> sizes_of(const Settings& round)
 {
   return {{"diameter", round.diameter}};
 }
 template <class Settings>
-  requires(Settings::round)
-Outline outline_of(const Settings& round)
+requires(Settings::round) Outline outline_of(const Settings& round)
 {
   return DiskOutline{to_vec<2>(round.center), round.diameter / 2};
 }
 template <int dim, class Shape>
-  requires(Shape::Settings::round)
-SurfacePoint<dim> surface_at(const Shape& round, const Vec<dim>& x)
+requires(Shape::Settings::round) SurfacePoint<dim> surface_at(const Shape& round, const Vec<dim>& x)
 {
   Vec<dim> from = x - round.center;
   if constexpr (dim == 3 && Shape::Settings::endless) from[2] = 0;
@@ -158,30 +161,24 @@ SurfacePoint<dim> surface_at(const Shape& round, const Vec<dim>& x)
   return {length - round.radius, from / length};
 }
 template <int dim, class Shape>
-  requires(Shape::Settings::round)
-Real lowest_level(const Shape& round, const Vec<dim>& up)
+requires(Shape::Settings::round) Real lowest_level(const Shape& round, const Vec<dim>& up)
 {
   return up.dot(round.center) - round.radius;
 }
 template <int dim, class Shape>
-  requires(Shape::Settings::round)
-Real width_of(const Shape& round)
+requires(Shape::Settings::round) Real width_of(const Shape& round)
 {
   return 2 * round.radius;
 }
 template <int dim, class Shape>
-  requires(Shape::Settings::round)
-Real reach_of(const Shape& round)
+requires(Shape::Settings::round) Real reach_of(const Shape& round)
 {
   return round.radius;
 }
 
 /// Visits the sides of a shape in the plane; those that exist in space only have none there.
 template <class Shape, class Visit>
-  requires(Shape::in_space_only)
-void visit_sides(const Shape&, const Vec<2>&, const Visit&)
-{
-}
+requires(Shape::in_space_only) void visit_sides(const Shape&, const Vec<2>&, const Visit&) {}
 /// Length after which the first side repeats; infinite where it does not.
 template <class Shape>
 Real closes_after(const Shape&)

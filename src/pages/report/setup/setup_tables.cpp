@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/setup/setup_section_test.cpp
-#include "report/setup/setup_tables.hpp"
+#include "report/setup/setup_section.hpp"
 
 #include "material/laws.hpp"
 #include "picture/stage_words.hpp"
 #include "problem/drainage.hpp"
-#include "report/setup/parameter_table.hpp"
 #include "structures/base/driven_body.hpp"
-#include "structures/base/near_mesh.hpp"
 #include "structures/base/soil_words.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"

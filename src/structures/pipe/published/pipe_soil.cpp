@@ -73,8 +73,7 @@ PipeSoil pipe_soil(const record::RunRecord& run)
       cohesion = std::max(cohesion, below->cohesion);
   if (law->friction_angle > 0 && cohesion <= SandAround::max_cohesion * unit_weight * diameter && unit_weight > 0)
     return SandAround{
-        diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle,
-        cohesion};
+        diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle, cohesion};
   if (law->friction_angle == 0 && cohesive) {
     const bool slips = !sticks && contact.friction_angle == 0;
     const Real adhesion = sticks ? infinity : slips ? contact.adhesion : nan;

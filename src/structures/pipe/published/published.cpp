@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
-#include "structures/formulas/f114_lateral.hpp"
-#include "structures/pipe/published/published_clay.hpp"
-#include "structures/pipe/published/published_sand.hpp"
+#include "structures/formulas/f114.hpp"
+#include "structures/pipe/published/published_of_soil.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/results/results_section_test.cpp
-#include "structures/pipe/report/in_words.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
 #include "structures/pipe/published/pipe_soil.hpp"
-#include "structures/pipe/report/converged.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
 #include "text/html.hpp"
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

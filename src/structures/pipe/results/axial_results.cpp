@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/results/axial_results.hpp"
 
-#include "structures/base/drainage_words.hpp"
+#include "structures/base/soil_words.hpp"
 
 namespace berm::pipe {
 
