@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
+#include <string>
 
 namespace berm::commands {
 
@@ -28,5 +30,15 @@ Command add_bench(CLI::App& program);
 Command add_params(CLI::App& program);
 Command add_completion(CLI::App& program);
 Command add_man(CLI::App& program);
+
+// Manual pages and completion of the command line, from the commands themselves.
+
+/// A page for each command, berm-run.1 ..., and berm.1, by the names of their files, in the language of man.
+std::map<std::string, std::string> manual_pages(const CLI::App& program);
+
+/// Scripts that complete commands, options, words that an option takes, and files.
+std::string bash_completion(const CLI::App& program);
+std::string zsh_completion(const CLI::App& program);
+std::string fish_completion(const CLI::App& program);
 
 }  // namespace berm::commands

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/manual_test.cpp
 #include "commands/command.hpp"
-#include "commands/manual.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 

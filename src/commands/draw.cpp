@@ -3,10 +3,8 @@
 #include "commands/command.hpp"
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
-#include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
 #include "picture/model_picture.hpp"
-#include "picture/space_picture.hpp"
 
 #include <fmt/format.h>
 

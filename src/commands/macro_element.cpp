@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "macro_element/files.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "commands/manual.hpp"
+#include "commands/command.hpp"
 
 #include <cctype>
 #include <fmt/format.h>

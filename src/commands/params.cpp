@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/command.hpp"
 #include "element/element_settings.hpp"
-#include "input/parameters.hpp"
+#include "input/catalogue.hpp"
 #include "structures/structures.hpp"
 
 #include <fmt/format.h>

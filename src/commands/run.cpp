@@ -7,8 +7,8 @@
 #include "core/ranks.hpp"
 #include "io/folder_lock.hpp"
 #include "jobs/outcome.hpp"
-#include "simulation/resume.hpp"
 #include "simulation/run_of_ranks.hpp"
+#include "simulation/run_place.hpp"
 #include "uncertainty/find_bands.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "jobs/jobs.hpp"
-#include "simulation/resume.hpp"
+#include "simulation/run_place.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/simulation/run_test.cpp
-#include "fem/archive_state.hpp"
+#include "fem/fem_problem.hpp"
 
 #include "problem/archive_state.hpp"
 

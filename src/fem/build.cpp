@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/fem/cut_mesh_test.cpp
-#include "bodies/fill.hpp"
 #include "bodies/initial_stress.hpp"
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
-#include "fem/gravity_loading.hpp"
-#include "fem/make_flow.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/cut_mesh.hpp"
 
-#include "bodies/rigid/rigid_body.hpp"
 #include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
 #include "problem/ground.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
 #include <system_error>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/archive.hpp"
 #include "fem/contact_points.hpp"
 #include "fem/direct_solver.hpp"
 #include "fem/element.hpp"
@@ -88,5 +89,18 @@ struct FemProblem {
 
 /// Builds mesh, elements and initial state. Throws InputError where the case does not fit the method.
 FemProblem build_fem(const problem::Case& c, const std::string& case_folder, const std::string& work_folder);
+
+/// Gives the corners of elements whose water flows their unknowns, and finds where it leaves the soil: at sides of the boundary that are
+/// neither at a rigid body that is not drained, nor on the axis, nor held across by a support that is not drained, and beside drained soil.
+void make_flow(FemModel& model);
+
+/// Initial stress by gravity loading (InitialState::gravity_loading) on 6-node triangles: the integration points get the
+/// stress in equilibrium with gravity and the supports of the first stage for the elasticity GroundElasticity. Holes are
+/// empty, the strength is ignored. Throws InputError where the supports do not hold the soil.
+void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& state);
+
+/// The whole state, bit for bit. Reading puts it into one that was built for the same case. Throws RunError where elements, contact points or unknowns are
+/// not as many, or where what is read cannot be a state of this model.
+void archive(Archive& k, const FemModel& model, FemState& state);
 
 }  // namespace berm::fem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/fem/load_steps_test.cpp
-#include "fem/gravity_loading.hpp"
+#include "fem/fem_problem.hpp"
 
 #include "core/error.hpp"
 #include "problem/initial_state.hpp"

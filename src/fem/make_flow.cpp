@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/fem/flow_test.cpp
-#include "fem/make_flow.hpp"
+#include "fem/fem_problem.hpp"
 
 #include <algorithm>
 

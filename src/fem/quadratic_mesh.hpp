@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bodies/rigid/rigid_body.hpp"
-#include "fem/triangle.hpp"
+#include "fem/element.hpp"
 #include "problem/case.hpp"
 
 namespace berm::fem {

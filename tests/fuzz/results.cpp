@@ -6,11 +6,11 @@
 #include "core/error.hpp"
 #include "jobs/jobs.hpp"
 #include "report/expectations/expectations_section.hpp"
-#include "report/page/page_data.hpp"
+#include "report/page/page.hpp"
 #include "report/quality/quality_section.hpp"
 #include "report/results/results_section.hpp"
 #include "run_folder/frame_reader.hpp"
-#include "run_folder/history_schema.hpp"
+#include "run_folder/history.hpp"
 #include "structures/structures.hpp"
 
 #include <fstream>

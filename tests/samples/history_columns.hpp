@@ -2,7 +2,6 @@
 #pragma once
 
 #include "run_folder/history.hpp"
-#include "run_folder/history_schema.hpp"
 
 #include <algorithm>
 

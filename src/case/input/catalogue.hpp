@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/describe.hpp"
+#include "input/document.hpp"
 
 namespace berm::input {
 
@@ -73,5 +74,24 @@ Listed catalogue_of()
   describe(lister, all);
   return lister.root();
 }
+
+/// Throws InputError for the first key that no parameter of the catalogue has at that level, with the nearest known one; for
+/// a key of an alternative that is not chosen; and for an override through a name that the file does not have.
+void refuse_unknown_keys(const Document& document, const Listed& catalogue);
+
+/// Throws InputError for the first key that was not read.
+void refuse_unused_keys(const Document& document);
+
+/// The parameters of another kind of input than a case.
+struct OtherInput {
+  std::string heading;  ///< of its keys outside of tables
+  Listed keys;
+};
+
+/// All parameters of a case, then those of other inputs, as aligned plain text, for `berm params`.
+std::string parameter_table(const Listed& of_case, const std::vector<OtherInput>& others = {});
+
+/// The same as Markdown: docs/parameters.md, for `berm params --markdown`.
+std::string parameter_page(const Listed& of_case, const std::vector<OtherInput>& others = {});
 
 }  // namespace berm::input

@@ -15,7 +15,6 @@ struct TomlStumbled {};
 }
 }  // namespace
 }  // namespace berm::input
-#include <cstdint>
 #include <toml++/impl/preprocessor.h>
 // A letter such as é instead of a space makes toml++ 3.3 reach code that it declares unreachable; the right answer there is
 // "no space".

@@ -12,4 +12,18 @@ namespace berm::input {
 /// does not exist or is not a table.
 void apply_override(Document& document, const std::string& key_and_value);
 
+/// Result of following the path of a key: "body.sand.material", "stage[2].until".
+struct Found {
+  const Node* node;  ///< the last node on the path that exists
+  bool whole;        ///< whether that is the end of the path
+  std::string path;  ///< with names for items of arrays
+  std::string last;  ///< the last key of the path
+};
+
+/// Follows a path, dotted from the root of a document.
+Found follow(const Node& root, std::string path);
+
+/// "stage.drag" of the item of an array with that name, "stage[2]" of one without.
+std::string item_path(const std::string& path, const Node& item, int k);
+
 }  // namespace berm::input

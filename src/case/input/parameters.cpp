@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "input/parameters.hpp"
+#include "input/catalogue.hpp"
 
 #include "input/message_text.hpp"
-#include "input/units.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

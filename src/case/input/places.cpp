@@ -2,7 +2,7 @@
 // Tests: tests/unit/input/places_test.cpp
 #include "input/places.hpp"
 
-#include "input/follow.hpp"
+#include "input/override.hpp"
 
 #include <charconv>
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "input/reader.hpp"
 
-#include "input/follow.hpp"
 #include "input/message_text.hpp"
+#include "input/override.hpp"
 #include "input/units.hpp"
 #include "input/value_reader.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "input/unknown_keys.hpp"
+#include "input/catalogue.hpp"
 
 namespace berm::input {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
-#include "input/unknown_keys.hpp"
+#include "input/catalogue.hpp"
 
 #include "input/message_text.hpp"
 

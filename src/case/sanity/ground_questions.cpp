@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "sanity/questions.hpp"
-#include "sanity/words.hpp"
+#include "sanity/sanity.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace berm::sanity {
 namespace {
@@ -149,7 +148,7 @@ void does_the_body_fit_the_ground(const Scene& s, Findings& found)
   for (const Way& way : s.ways) {
     if (way.rigid == none || std::exchange(asked[way.rigid], 1) != 0) continue;
     const auto& [name, settings] = s.c.rigid[way.rigid];
-    if (!std::holds_alternative<bodies::CircleSettings>(settings.shape)) continue;
+    if (!bodies::pipe_section(settings.shape)) continue;
     const Span &x = s.rigids[way.rigid].space[s.along], &y = s.rigids[way.rigid].space[s.up];
     const Real radius = s.rigids[way.rigid].width / 2;
     Vec<2> center((x.from + x.to) / 2, (y.from + y.to) / 2);

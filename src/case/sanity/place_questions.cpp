@@ -2,7 +2,7 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "problem/cells_at_body.hpp"
 #include "sanity/questions.hpp"
-#include "sanity/words.hpp"
+#include "sanity/sanity.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -54,9 +54,7 @@ bool around_axis(const Scene& s)
 /// The level axes along which the body ends and walls can be near, the first is that of the plane. Circles and polygons are endless along z.
 std::vector<int> axes_of_walls(const Scene& s, Index rigid)
 {
-  const bodies::RigidShapeSettings& shape = s.c.rigid[rigid].second.shape;
-  const bool endless = std::holds_alternative<bodies::CircleSettings>(shape) || std::holds_alternative<bodies::PolygonSettings>(shape);
-  return in_space(s) && !endless ? std::vector{s.along, across_in_space} : std::vector{s.along};
+  return in_space(s) && !bodies::is_endless(s.c.rigid[rigid].second.shape) ? std::vector{s.along, across_in_space} : std::vector{s.along};
 }
 const char* wall_name(bool along, bool lower)
 {
@@ -290,7 +288,7 @@ void is_the_wall_beyond_the_plastic_zone(const Scene& s, Findings& found)
     const Real travel = s.up_sign * (way.axis[s.up].begin - way.axis[s.up].end);
     // Soil flows around a ball; what is pushed in by a few of its widths heaves soil up instead of pushing it aside.
     constexpr Real deep = 3;
-    if (std::holds_alternative<bodies::CircleSettings>(s.c.rigid[way.rigid].second.shape) || !(travel > deep * rigid.width)) continue;
+    if (bodies::pipe_section(s.c.rigid[way.rigid].second.shape) || !(travel > deep * rigid.width)) continue;
     const Index body = s.touched_by(way.rigid);
     if (body == none) continue;
     const material::Material soil = s.material_at(body, way.begin_embedment + travel);

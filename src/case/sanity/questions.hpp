@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sanity/finding.hpp"
+#include "sanity/sanity.hpp"
 #include "sanity/scene.hpp"
 
 namespace berm::sanity {

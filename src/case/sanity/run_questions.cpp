@@ -5,9 +5,7 @@
 #include "problem/stages.hpp"
 #include "run_folder/progress.hpp"
 #include "sanity/sanity.hpp"
-#include "sanity/words.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::sanity {

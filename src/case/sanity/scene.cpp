@@ -4,7 +4,6 @@
 
 #include "problem/cells_at_body.hpp"
 #include "problem/equilibrium.hpp"
-#include "sanity/ways.hpp"
 
 #include <algorithm>
 #include <memory>

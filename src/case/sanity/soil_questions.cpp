@@ -3,7 +3,7 @@
 #include "material/laws.hpp"
 #include "problem/drainage.hpp"
 #include "sanity/questions.hpp"
-#include "sanity/words.hpp"
+#include "sanity/sanity.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

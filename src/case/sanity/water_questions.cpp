@@ -2,7 +2,7 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "problem/drainage.hpp"
 #include "sanity/questions.hpp"
-#include "sanity/words.hpp"
+#include "sanity/sanity.hpp"
 
 #include <fmt/format.h>
 

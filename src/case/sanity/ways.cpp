@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
-#include "sanity/ways.hpp"
+#include "sanity/scene.hpp"
 
 #include "problem/drives.hpp"
 

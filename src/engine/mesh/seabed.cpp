@@ -38,9 +38,7 @@ Point(1) = {near_left, 0, 0};
 Point(2) = {near_right, 0, 0};
 Point(3) = {near_left, -near_depth, 0};
 Point(4) = {near_right, -near_depth, 0};
-Point(5) = {left + layer, 0, 0};
 Point(6) = {right - layer, 0, 0};
-Point(7) = {left + layer, -depth + layer, 0};
 Point(8) = {right - layer, -depth + layer, 0};
 Point(9) = {left, headroom, 0};
 Point(10) = {right, headroom, 0};
@@ -50,130 +48,69 @@ Line(1) = {1, 2};
 Line(2) = {3, 4};
 Line(3) = {3, 1};
 Line(4) = {4, 2};
+Line(6) = {2, 6};
+Line(8) = {8, 6};
+Line(10) = {9, 10};
+Line(11) = {1, 11};
+Line(12) = {2, 12};
+Line(13) = {11, 12};
+)";
+
+// On its left, and where the fine zone begins at the left wall, which has no layer.
+constexpr const char* lines_on_left = R"(Point(5) = {left + layer, 0, 0};
+Point(7) = {left + layer, -depth + layer, 0};
 Line(5) = {5, 1};
-Line(6) = {2, 6};
 Line(7) = {7, 5};
-Line(8) = {8, 6};
 Line(9) = {7, 8};
-Line(10) = {9, 10};
-Line(11) = {1, 11};
-Line(12) = {2, 12};
-Line(13) = {11, 12};
-Curve Loop(1) = {2, 4, -1, -3};
-Curve Loop(2) = {9, 8, -6, -4, -2, 3, -5, -7};
-Curve Loop(3) = {1, 12, -13, -11};
-Plane Surface(1) = {1};
-Plane Surface(2) = {2};
-Plane Surface(3) = {3};
-Physical Surface("near") = {1};
-Physical Surface("bed") = {2};
-Physical Curve("top") = {10};
 )";
-
-constexpr const char* without_layer = R"(
-Line(21) = {5, 9};
-Line(22) = {6, 10};
-Curve Loop(4) = {5, 11, 13, -12, 6, 22, -10, -21};
-Plane Surface(4) = {4};
-Physical Surface("headroom") = {3, 4};
-Physical Curve("surface") = {5, 1, 6};
-Physical Curve("left") = {7, 21};
-Physical Curve("right") = {8, 22};
-Physical Curve("base") = {9};
-)";
-
-constexpr const char* with_layer = R"(
-Point(21) = {left, 0, 0};
-Point(22) = {right, 0, 0};
-Point(23) = {left, -depth, 0};
-Point(24) = {right, -depth, 0};
-Line(21) = {21, 9};
-Line(22) = {22, 10};
-Line(23) = {21, 5};
-Line(24) = {6, 22};
-Line(25) = {23, 21};
-Line(26) = {24, 22};
-Line(27) = {23, 24};
-Curve Loop(4) = {23, 5, 11, 13, -12, 6, 24, 22, -10, -21};
-Curve Loop(5) = {27, 26, -24, -8, -9, 7, -23, -25};
-Plane Surface(4) = {4};
-Plane Surface(5) = {5};
-Physical Surface("headroom") = {3, 4};
-Physical Surface("layer") = {5};
-Physical Curve("surface") = {23, 5, 1, 6, 24};
-Physical Curve("left") = {25, 21};
-Physical Curve("right") = {26, 22};
-Physical Curve("base") = {27};
-)";
-
-// The same where the fine zone begins at the left wall, which has no layer.
-constexpr const char* lines_at_wall = R"(
-Point(1) = {left, 0, 0};
-Point(2) = {near_right, 0, 0};
-Point(3) = {left, -near_depth, 0};
-Point(4) = {near_right, -near_depth, 0};
-Point(6) = {right - layer, 0, 0};
-Point(7) = {left, -depth + layer, 0};
-Point(8) = {right - layer, -depth + layer, 0};
-Point(9) = {left, headroom, 0};
-Point(10) = {right, headroom, 0};
-Point(11) = {left, near_height, 0};
-Point(12) = {near_right, near_height, 0};
-Line(1) = {1, 2};
-Line(2) = {3, 4};
-Line(3) = {3, 1};
-Line(4) = {4, 2};
-Line(6) = {2, 6};
+constexpr const char* lines_at_wall = R"(Point(7) = {left, -depth + layer, 0};
 Line(7) = {7, 3};
-Line(8) = {8, 6};
 Line(9) = {7, 8};
-Line(10) = {9, 10};
-Line(11) = {1, 11};
-Line(12) = {2, 12};
-Line(13) = {11, 12};
 Line(14) = {11, 9};
-Curve Loop(1) = {2, 4, -1, -3};
-Curve Loop(2) = {9, 8, -6, -4, -2, -7};
-Curve Loop(3) = {1, 12, -13, -11};
-Plane Surface(1) = {1};
-Plane Surface(2) = {2};
-Plane Surface(3) = {3};
-Physical Surface("near") = {1};
-Physical Surface("bed") = {2};
-Physical Curve("top") = {10};
 )";
 
-constexpr const char* at_wall_without_layer = R"(
-Line(22) = {6, 10};
-Curve Loop(4) = {13, -12, 6, 22, -10, -14};
-Plane Surface(4) = {4};
-Physical Surface("headroom") = {3, 4};
-Physical Curve("surface") = {1, 6};
-Physical Curve("left") = {7, 3, 11, 14};
-Physical Curve("right") = {8, 22};
-Physical Curve("base") = {9};
-)";
-
-constexpr const char* at_wall_with_layer = R"(
-Point(22) = {right, 0, 0};
+constexpr const char* lines_of_layer = R"(Point(22) = {right, 0, 0};
 Point(23) = {left, -depth, 0};
 Point(24) = {right, -depth, 0};
-Line(22) = {22, 10};
 Line(24) = {6, 22};
 Line(26) = {24, 22};
 Line(27) = {23, 24};
-Line(28) = {23, 7};
-Curve Loop(4) = {13, -12, 6, 24, 22, -10, -14};
-Curve Loop(5) = {27, 26, -24, -8, -9, -28};
-Plane Surface(4) = {4};
-Plane Surface(5) = {5};
-Physical Surface("headroom") = {3, 4};
-Physical Surface("layer") = {5};
-Physical Curve("surface") = {1, 6, 24};
-Physical Curve("left") = {28, 7, 3, 11, 14};
-Physical Curve("right") = {26, 22};
-Physical Curve("base") = {27};
 )";
+
+/// What closes a bed around its fine zone: further lines, the loops of the bed, the headroom and the layer, and the lines of its boundaries.
+struct Outside {
+  const char *lines, *bed, *headroom, *layer, *surface, *left, *right, *base;
+};
+/// With the fine zone away from the left wall, or at it; without a layer, or with one.
+constexpr Outside outsides[2][2] = {
+    {{"Line(21) = {5, 9};\nLine(22) = {6, 10};\n", "9, 8, -6, -4, -2, 3, -5, -7", "5, 11, 13, -12, 6, 22, -10, -21", "", "5, 1, 6", "7, 21",
+      "8, 22", "9"},
+     {"Point(21) = {left, 0, 0};\nLine(21) = {21, 9};\nLine(22) = {22, 10};\nLine(23) = {21, 5};\nLine(25) = {23, 21};\n",
+      "9, 8, -6, -4, -2, 3, -5, -7", "23, 5, 11, 13, -12, 6, 24, 22, -10, -21", "27, 26, -24, -8, -9, 7, -23, -25", "23, 5, 1, 6, 24",
+      "25, 21", "26, 22", "27"}},
+    {{"Line(22) = {6, 10};\n", "9, 8, -6, -4, -2, -7", "13, -12, 6, 22, -10, -14", "", "1, 6", "7, 3, 11, 14", "8, 22", "9"},
+     {"Line(22) = {22, 10};\nLine(28) = {23, 7};\n", "9, 8, -6, -4, -2, -7", "13, -12, 6, 24, 22, -10, -14", "27, 26, -24, -8, -9, -28",
+      "1, 6, 24", "28, 7, 3, 11, 14", "26, 22", "27"}}};
+
+std::string surfaces_of(const Outside& o)
+{
+  const bool layer = *o.layer != '\0';
+  std::string text;
+  const auto surface = [&](int number, const char* loop) {
+    text += fmt::format("Curve Loop({0}) = {{{1}}};\nPlane Surface({0}) = {{{0}}};\n", number, loop);
+  };
+  surface(1, "2, 4, -1, -3");
+  surface(2, o.bed);
+  surface(3, "1, 12, -13, -11");
+  surface(4, o.headroom);
+  if (layer) surface(5, o.layer);
+  text += "Physical Surface(\"near\") = {1};\nPhysical Surface(\"bed\") = {2};\nPhysical Curve(\"top\") = {10};\n"
+          "Physical Surface(\"headroom\") = {3, 4};\n";
+  if (layer) text += "Physical Surface(\"layer\") = {5};\n";
+  for (const auto& [name, lines] : {std::pair{"surface", o.surface}, {"left", o.left}, {"right", o.right}, {"base", o.base}})
+    text += fmt::format("Physical Curve(\"{}\") = {{{}}};\n", name, lines);
+  return text;
+}
 
 /// Whether the fine zone begins at the left wall.
 bool is_at_wall(const SeabedMesh& bed)
@@ -352,10 +289,9 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
                                     {"near_size", bed.near_size},
                                     {"growth", bed.growth}})
     out << fmt::format("{} = {};\n", name, value);
-  if (is_at_wall(bed))
-    out << lines_at_wall << (bed.layer > 0 ? at_wall_with_layer : at_wall_without_layer);
-  else
-    out << lines_of_bed << (bed.layer > 0 ? with_layer : without_layer);
+  const Outside& outside = outsides[is_at_wall(bed)][bed.layer > 0];
+  out << lines_of_bed << (is_at_wall(bed) ? lines_at_wall : lines_on_left) << (bed.layer > 0 ? lines_of_layer : "") << outside.lines
+      << surfaces_of(outside);
   end_geometry(out, size_formula(bed), path);
 }
 

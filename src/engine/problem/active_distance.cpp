@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/input/read_case_active_distance_test.cpp
-#include "problem/active_distance.hpp"
+#include "problem/stage_checks.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ void check_active_distance(Describe& d, const Case& c)
 {
   if (!c.mpm.active_distance) return;
   const std::string key = "mpm.active_distance";
-  const auto bounded = [](const bodies::RigidShapeSettings& shape) { return !std::holds_alternative<bodies::HalfPlaneSettings>(shape); };
+  const auto bounded = [](const bodies::RigidShapeSettings& shape) { return bodies::is_bounded(bodies::make_shape<2>(shape)); };
   d.check(c.method == Method::mpm, key, "is for method = \"mpm\"");
   d.check(c.geometry != Geometry::axisymmetric, key, "is for a body that travels along the ground: it does not go with axisymmetry");
   d.check(std::any_of(c.rigid.begin(), c.rigid.end(), [&](const auto& rigid) { return bounded(rigid.second.shape); }), key,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "problem/axisymmetry.hpp"
+#include "problem/symmetry.hpp"
 
 #include "core/error.hpp"
 

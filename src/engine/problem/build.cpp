@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
-#include "problem/axisymmetry.hpp"
 #include "problem/equilibrium.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"

@@ -2,8 +2,6 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "problem/case.hpp"
 
-#include "problem/active_distance.hpp"
-#include "problem/axisymmetry.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/interface.hpp"
 #include "problem/names.hpp"

@@ -2,14 +2,12 @@
 // Tests: tests/unit/picture/model_picture_test.cpp
 #include "picture/legend.hpp"
 
-#include "picture/path_marks.hpp"
 #include "picture/stage_words.hpp"
-#include "structures/base/near_mesh.hpp"
+#include "structures/base/driven_body.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <functional>
 #include <set>
 

@@ -18,4 +18,13 @@ Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real widt
 /// "plane strain, material point method, 7664 cells, gravity 1 g".
 std::string method_words(const Model& model);
 
+/// The ways of the driven bodies as arrows with the numbers of their stages, and the bodies where they arrive, dashed. Ways that are gone again have one arrow.
+void path_marks(Canvas& canvas, const Model& model, const Scale& scale);
+
+/// The colour of a stage's arrow and number.
+std::string stage_color(problem::StageKind kind);
+
+/// A number in a disk.
+void number_mark(Canvas& canvas, const Vec<2>& center, const std::string& number, const std::string& color);
+
 }  // namespace berm::picture

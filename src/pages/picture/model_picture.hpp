@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "problem/case.hpp"
 #include "problem/ground.hpp"
 
 #include <filesystem>
@@ -25,5 +26,10 @@ struct PageDrawing {
 /// The same without cells and numbers of soils. `bed`: that of a run, where more is known of it than the case says; `title` (plain text) is for those who cannot see
 /// it. Cases that look the same are drawn the same.
 PageDrawing draw_on_page(const problem::Case& c, const problem::Ground& bed, const std::string& title);
+
+/// Writes a .png or .svg: the model of a case in space before its run, isometric: the box of the mesh with its dimensions, the soil's boxes, rigid bodies (drawn
+/// whole, also where soil hides them), the ways that stages drive, and the stages in words. Throws RunError where it cannot be written, KeyError where a support refers
+/// to no boundary of the mesh.
+void draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& file);
 
 }  // namespace berm::picture

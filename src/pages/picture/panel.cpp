@@ -2,7 +2,7 @@
 // Tests: tests/unit/picture/model_picture_test.cpp
 #include "picture/panel.hpp"
 
-#include "picture/path_marks.hpp"
+#include "picture/legend.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/picture/model_picture_test.cpp
-#include "picture/path_marks.hpp"
+#include "picture/legend.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 // Tests: tests/unit/picture/model_picture_page_test.cpp
 #include "picture/sketch.hpp"
 
-#include "bodies/rigid/rigid_body.hpp"
 #include "problem/drainage.hpp"
 
 #include <algorithm>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/draw_test.cpp
-#include "picture/space_picture.hpp"
-
-#include "bodies/rigid/rigid_body.hpp"
-#include "picture/canvas.hpp"
 #include "picture/model_picture.hpp"
+
+#include "picture/canvas.hpp"
 #include "picture/sketch.hpp"
 #include "picture/stage_words.hpp"
-#include "plot/isometric.hpp"
+#include "plot/raster.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>

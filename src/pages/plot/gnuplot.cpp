@@ -81,4 +81,20 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
   return false;
 }
 
+Real round_up(Real value)
+{
+  if (!(value > 0)) return 1;
+  const Real exponent = std::floor(std::log10(value)), power = std::pow(10, std::abs(exponent));
+  const auto scaled = [&](Real step) { return exponent < 0 ? step / power : step * power; };  // 0.3 as it is written, not 3 * 0.1
+  for (const Real step : {1., 1.5, 2., 3., 4., 5., 6., 8.})
+    if (value <= scaled(step) * (1 + 1e-9)) return scaled(step);
+  return scaled(10);
+}
+
+Real tic_step(Real range)
+{
+  const Real rough = range / 5, power = std::pow(10, std::floor(std::log10(rough)));
+  return power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7.5 * power ? 5 : 10);
+}
+
 }  // namespace berm::plot

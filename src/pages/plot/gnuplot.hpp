@@ -28,4 +28,10 @@ enum class PlotFormat { png, svg };
 bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script,
           PlotFormat format = PlotFormat::png);
 
+/// The next of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten, for the end of an axis or of a range of colours; 1 where there is nothing to show.
+Real round_up(Real value);
+
+/// 1, 2 or 5 times a power of ten, so that about five steps make the range.
+Real tic_step(Real range);
+
 }  // namespace berm::plot

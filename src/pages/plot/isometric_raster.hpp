@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/types.hpp"
-#include "plot/viridis.hpp"
+#include "plot/raster.hpp"
 
 #include <string>
 #include <vector>

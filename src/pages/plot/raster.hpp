@@ -4,7 +4,9 @@
 #include "core/types.hpp"
 
 #include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace berm::plot {
@@ -28,5 +30,30 @@ private:
   Index columns_, rows_;
   std::vector<Real> values_;
 };
+
+/// Where a point is in an isometric picture, seen from the positive side of all axes with y up: m to the right and m up.
+inline Vec<2> isometric(const Vec<3>& x)
+{
+  return {(x[0] - x[2]) / std::sqrt(2.), (2 * x[1] - x[0] - x[2]) / std::sqrt(6.)};
+}
+
+/// How far a point is towards the eye of that picture, m.
+inline Real towards_eye(const Vec<3>& x)
+{
+  return x.sum() / std::sqrt(3.);
+}
+
+/// Red, green and blue, 0 to 255.
+using Rgb = std::array<Real, 3>;
+
+/// The colour at a part from 0 to 1 of viridis, which is even to the eye and in grey; the nearest end beyond them.
+Rgb viridis(Real part);
+
+/// The command of gnuplot that makes these colours its palette.
+std::string viridis_palette();
+
+/// Where the colours of values begin and end: at zero, and beyond it where one value in a hundred lies farther; at the farthest where all but those are
+/// zero. There must be a value.
+std::pair<Real, Real> color_range(std::vector<Real> values);
 
 }  // namespace berm::plot

@@ -2,8 +2,6 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "text/run_columns.hpp"
 
-#include "text/html.hpp"
-
 #include <algorithm>
 
 namespace berm::text {

@@ -4,7 +4,6 @@
 #include "checkpoint/hdf5_archive.hpp"
 #include "io/atomic_file.hpp"
 
-#include <array>
 #include <charconv>
 #include <fcntl.h>
 #include <fmt/format.h>

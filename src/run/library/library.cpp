@@ -3,7 +3,7 @@
 #include "library/message_sink.hpp"
 #include "library/particle_views.hpp"
 #include "simulation/open_run.hpp"
-#include "simulation/resume.hpp"
+#include "simulation/run_place.hpp"
 #include "structures/structures.hpp"
 
 #include <berm/berm.hpp>

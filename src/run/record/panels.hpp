@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/types.hpp"
+#include "run_folder/history.hpp"
+#include "run_folder/run_folder.hpp"
 
 #include <string>
 
@@ -20,5 +22,9 @@ std::string margins(const PanelPlace& place);
 
 /// The commands that begin a picture of several panels under one title; `push` and `drag` are colours in them.
 std::string begin_panels(const std::string& title);
+
+/// curves.png of any run: the columns named against time, one panel for each unit. False, with a warning, where it could not be drawn.
+bool draw_columns(const run_folder::RunFolder& folder, const run_folder::History& history, const std::vector<std::string>& columns,
+                  const std::string& title);
 
 }  // namespace berm::record

@@ -2,9 +2,7 @@
 // Tests: tests/unit/record/soil_plot_test.cpp
 #include "record/soil_plot.hpp"
 #include "io/atomic_file.hpp"
-#include "plot/gnuplot.hpp"
 #include "plot/raster.hpp"
-#include "plot/viridis.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

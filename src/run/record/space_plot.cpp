@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "record/space_plot.hpp"
+#include "record/soil_plot.hpp"
 
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/isometric.hpp"
 #include "plot/isometric_raster.hpp"
-#include "plot/nice_number.hpp"
+#include "plot/raster.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

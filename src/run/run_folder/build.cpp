@@ -2,7 +2,7 @@
 #include "run_folder/build.hpp"
 
 #include "core/vector_unit.hpp"
-#include "io/build_id.hpp"
+#include "io/sha256.hpp"
 
 #include <dlfcn.h>
 

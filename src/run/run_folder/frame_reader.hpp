@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/vtu.hpp"
-#include "run_folder/field_values.hpp"
+#include "run_folder/frame.hpp"
 
 #include <array>
 #include <filesystem>

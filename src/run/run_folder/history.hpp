@@ -32,7 +32,7 @@ struct History {
 
 /// history.csv on its way to the disk: a header, then one line a row, each handed to the system whole, so that a reader at any time
 /// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan". The first row
-/// brings the columns: the header, and history.schema.json beside the file (history_schema.hpp).
+/// brings the columns: the header, and history.schema.json beside the file (write_schema).
 class HistoryFile {
 public:
   /// A resumed history keeps its first `kept_bytes` bytes and its schema, and what was written after them is
@@ -63,5 +63,15 @@ private:
 /// Reads a history.csv and its schema. A last line without its end is left out; an empty file is a history without columns: the run ended before its first
 /// row. Throws RunError with file and line for anything that is not a history, and where there is no schema beside it that has its columns.
 History read_history(const std::filesystem::path& path);
+
+/// Where the columns of a history are described: history.schema.json beside history.csv.
+std::filesystem::path schema_path(const std::filesystem::path& history);
+
+/// Writes {"columns": [{"name", "label", "unit", "meaning", "of"}, ...]} in the order of the file: time_s, stage (whose unit is null) and the others.
+/// Throws RunError.
+void write_schema(const std::filesystem::path& history, const std::vector<Column>& columns);
+
+/// The columns but the stage, in the order of the file. Throws RunError where there is no schema beside the history, or one that is damaged.
+std::vector<Column> read_schema(const std::filesystem::path& history);
 
 }  // namespace berm::run_folder

@@ -2,7 +2,6 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "run_folder/run_log.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 
 #include <algorithm>

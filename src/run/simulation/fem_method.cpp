@@ -2,8 +2,7 @@
 // Tests: tests/unit/simulation/run_test.cpp
 #include "simulation/fem_method.hpp"
 
-#include "core/error.hpp"
-#include "fem/archive_state.hpp"
+#include "fem/fem_problem.hpp"
 #include "problem/stages.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"

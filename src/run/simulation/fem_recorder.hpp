@@ -7,7 +7,7 @@
 
 namespace berm::simulation {
 
-/// Writes the rows of history.csv of a finite element run: what both methods have (observe.hpp), with
+/// Writes the rows of history.csv of a finite element run: what both methods have (recorder.hpp), with
 /// iterations, unbalance (of the increment), overstress (part of the stress that lies beyond the strength) and strength_lag (part of what plastic
 /// flow dissipates that is missing because the strength lags behind its pressure).
 class FemRecorder : public Recorder<2> {

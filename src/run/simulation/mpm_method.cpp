@@ -5,7 +5,6 @@
 #include "checkpoint/checkpoint_file.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
-#include "mpm/condition.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/inactive.hpp"
 #include "mpm/step.hpp"

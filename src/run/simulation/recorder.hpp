@@ -3,12 +3,115 @@
 
 #include "core/archive.hpp"
 #include "problem/model.hpp"
+#include "problem/stages.hpp"
 #include "run_folder/row.hpp"
-#include "simulation/observe.hpp"
 
 #include <algorithm>
+#include <optional>
+
+// What both methods write into a row of history.csv. A method leaves out what it does not have.
 
 namespace berm::simulation {
+
+/// A rigid body: how far it went since the start, and the force of the soil on it.
+struct RigidResponse {
+  Real u, w, H, V;  ///< m, m; the forces that hold the soil's reaction: H along x and V downwards, N/m or N
+};
+
+/// That of a rigid body with this force of the soil on it. A zero has no sign.
+template <int dim>
+RigidResponse response_of(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction)
+{
+  const problem::RigidTravel travel = travel_of(model, state, rigid);
+  return {travel.u, travel.w, -reaction[model.axes.along] + 0., model.axes.sign * reaction[model.axes.up] + 0.};
+}
+template <int dim>
+void observe(run_folder::Row& row, const RigidResponse& response)
+{
+  row("u", response.u, run_folder::metres, "horizontal displacement");
+  row("w", response.w, run_folder::metres, "embedment");
+  row("H", response.H, run_folder::newtons<dim>, "horizontal force");
+  row("V", response.V, run_folder::newtons<dim>, "vertical reaction");
+}
+
+/// The resultant of what presses a rigid body's surface, where it rubs on soil with water: the integral of the effective normal stress. Times the friction coefficient
+/// it is the axial resistance of a pipe.
+template <int dim>
+void observe_effective_normal(run_folder::Row& row, Real force)
+{
+  row("N_eff", force, run_folder::newtons<dim>, "effective normal force on the surface");
+}
+
+/// Its rotation, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad). In space both are
+/// vectors: Mx_Nm, anglex_rad ...
+template <int dim>
+void observe_rotation(run_folder::Row& row, const bodies::Angular<dim>& moment, const bodies::Angular<dim>& angle)
+{
+  row("M", moment, run_folder::newton_metres<dim>, "moment");
+  row("angle", angle, run_folder::radians, "rotation");
+}
+
+/// Energies and work since the start, J/m or J. Without inertia there is no kinetic energy and no damping.
+struct Energies {
+  std::optional<Real> kinetic, damping;
+  Real internal, friction, external, error;
+};
+template <int dim>
+void observe(run_folder::Row& row, const Energies& energies)
+{
+  const run_folder::ColumnUnit& unit = run_folder::joules<dim>;
+  if (energies.kinetic) row("kinetic", *energies.kinetic, unit, "kinetic energy");
+  row("internal", energies.internal, unit, "internal energy");
+  if (energies.damping) row("damping", *energies.damping, unit, "energy lost to damping");
+  row("friction", energies.friction, unit, "energy lost to friction");
+  row("external", energies.external, unit, "work done from outside");
+  row("energy_error", energies.error, unit, "error of the energy balance");
+}
+
+/// The water of undrained soil at a point with this total stress and these numbers of its own.
+template <int dim>
+void observe_water(run_folder::Row& row, const problem::BodySoil& soil, const SymTensor<dim>& stress, const Real* extra)
+{
+  const material::Material& material = soil.materials.front();
+  const int place = pore_pressure_place(material);
+  if (place == none) return;
+  row("p", extra[place], run_folder::pascals, "excess pore pressure");
+  row("seff", effective_stress(material, stress, extra), run_folder::pascals, "effective stress");
+}
+
+/// How far the excess pore pressure of this stage has gone, of soil whose water flows.
+template <int dim>
+void observe_consolidation(run_folder::Row& row, const problem::StageState<dim>& stage)
+{
+  row("p_max", stage.excess_pressure, run_folder::pascals, "largest excess pore pressure");
+  row("U", degree_of_consolidation(stage), run_folder::bare, "degree of consolidation");
+}
+
+inline void observe_out_of_balance(run_folder::Row& row, Real over_weight)
+{
+  row("out_of_balance", over_weight, run_folder::bare, "force out of balance");
+}
+
+/// A traction: its force now, and the mean displacement of where it acts. Summed over points and divided by their area.
+template <int dim>
+class LoadedArea {
+public:
+  void add(const Vec<dim>& force, const Vec<dim>& displacement, Real area)
+  {
+    force_ += force;
+    moved_by_ += area * displacement;
+    area_ += area;
+  }
+  void observe(run_folder::Row& row, Real part_of_force) const
+  {
+    row("F", Vec<dim>(force_ * part_of_force), run_folder::newtons<dim>, "force");
+    row("u", Vec<dim>(moved_by_ / area_), run_folder::metres, "mean displacement");
+  }
+
+private:
+  Vec<dim> force_ = Vec<dim>::Zero(), moved_by_ = Vec<dim>::Zero();
+  Real area_ = 0;
+};
 
 /// What the rows of history.csv have in common, whatever the method: the recorder of a method adds a column where it observes its value.
 template <int dim>

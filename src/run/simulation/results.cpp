@@ -5,12 +5,9 @@
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
 #include "problem/cells_at_body.hpp"
-#include "problem/stages.hpp"
 #include "record/soil_plot.hpp"
-#include "record/space_plot.hpp"
 #include "run_folder/build.hpp"
-#include "run_folder/progress.hpp"
-#include "structures/base/drainage_words.hpp"
+#include "structures/base/soil_words.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>

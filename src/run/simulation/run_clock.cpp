@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/simulation/resume_test.cpp
+// Tests: tests/unit/simulation/run_place_resume_test.cpp
 #include "simulation/run_clock.hpp"
 
 #include <algorithm>

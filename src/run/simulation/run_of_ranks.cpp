@@ -8,7 +8,6 @@
 #include "core/threads.hpp"
 #include "core/vector_unit.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>

@@ -5,7 +5,6 @@
 #include "simulation/good_sense.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/with_method.hpp"
-#include "structures/base/drainage_words.hpp"
 #include "structures/base/soil_words.hpp"
 
 #include <fmt/format.h>

@@ -2,13 +2,10 @@
 #include "structures/anchor/anchor.hpp"
 
 #include "plot/figure.hpp"
-#include "structures/anchor/anchor_results.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/base/kind.hpp"
 #include "structures/pipe/results/pipe_quantities.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
-#include "text/shown_number.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -69,34 +66,24 @@ std::string Anchor::key_results(const base::Runs& runs, const base::DisplayUnits
   if (runs.empty()) return "";
   text::HtmlTable table("anchor-tow", "Tow");
   const bool plane = runs.front().record->settings.force_dimension() == 2;
-  const char* force = plane ? "kN/m" : "kN";
-  table.columns({{"run"},
-                 {"travel, m", true},
-                 {"depth at begin, m", true},
-                 {"at end, m", true},
-                 {"largest, m", true},
-                 {"after, m", true},
-                 {fmt::format("largest tow force, {}", force), true},
-                 {"after, m", true},
-                 {fmt::format("at end, {}", force), true},
-                 {fmt::format("V at end, {}", force), true},
-                 {plane ? "work, kJ/m" : "work, kJ", true}});
+  const char *force = plane ? "kN/m" : "kN", *work = plane ? "kJ/m" : "kJ";
+  struct Column {
+    const char *words, *unit, *quantity;
+    Real size;
+  };
+  const Column numbers[] = {{"travel", "m", "tow_travel", 1},        {"depth at begin", "m", "tow_depth_begin", 1},
+                            {"at end", "m", "tow_depth_end", 1},     {"largest", "m", "tow_depth_max", 1},
+                            {"after", "m", "u_at_tow_depth_max", 1}, {"largest tow force", force, "tow_force_max", 1e3},
+                            {"after", "m", "u_at_tow_force_max", 1}, {"at end", force, "tow_force_end", 1e3},
+                            {"V at end", force, "tow_V_end", 1e3},   {"work", work, "tow_work", 1e3}};
+  std::vector<text::HtmlCell> headings{{"run"}};
+  for (const Column& c : numbers) headings.push_back({fmt::format("{}, {}", c.words, c.unit), true});
+  table.columns(headings);
   for (const auto& [record, number] : runs) {
-    const auto cell = [run = record](const char* name, Real unit) {
-      return text::HtmlCell{text::table_number(base::quantity_value(*run, name) / unit), true};
-    };
-    if (std::isfinite(base::quantity_value(*record, "tow_travel")))
-      table.row({{text::html_text(record->name)},
-                 cell("tow_travel", 1),
-                 cell("tow_depth_begin", 1),
-                 cell("tow_depth_end", 1),
-                 cell("tow_depth_max", 1),
-                 cell("u_at_tow_depth_max", 1),
-                 cell("tow_force_max", 1e3),
-                 cell("u_at_tow_force_max", 1),
-                 cell("tow_force_end", 1e3),
-                 cell("tow_V_end", 1e3),
-                 cell("tow_work", 1e3)});
+    if (!std::isfinite(base::quantity_value(*record, "tow_travel"))) continue;
+    std::vector<text::HtmlCell> cells{{text::html_text(record->name)}};
+    for (const Column& c : numbers) cells.push_back({text::table_number(base::quantity_value(*record, c.quantity) / c.size), true});
+    table.row(cells);
   }
   return (table.empty() ? "" : table.html()) + Pipe::key_results(runs, shown);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "record/run_record.hpp"
+#include "record/travel_curve.hpp"
+#include "structures/base/driven_body.hpp"
 #include "structures/pipe/pipe.hpp"
 
 namespace berm::anchor {
@@ -19,5 +22,32 @@ public:
   std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                               const std::filesystem::path& folder) const override;
 };
+
+/// What a body that is dragged through the bed meets on its way: all drags of a run, one after the other, by row.
+struct TowPath {
+  std::vector<Real> travel;  ///< m, from where the first drag began
+  std::vector<Real> depth;   ///< m, of the lowest point below the bed's surface
+  std::vector<Real> H, V;    ///< N (plane strain N/m): against the drag; upwards on the body
+};
+
+TowPath tow_path(const record::RunRecord& run);
+
+/// Numbers of a tow. Forces are averaged over +-0.05 D of travel.
+struct TowResults {
+  Real travel = nan;                     ///< m
+  Real first_depth = nan, depth = nan;   ///< m, at the begin and the end
+  Real max_depth = nan, at_depth = nan;  ///< m, and the travel to it
+  Real max_force = nan, at_force = nan;  ///< N, largest H, m
+  Real last_travel = nan;                ///< m, the end over which the following are taken: D, a third of a short way
+  Real force = nan, vertical = nan;      ///< N, means of H and V
+  Real depth_change = nan;               ///< m, how much deeper the straight line fitted to the depth goes there
+  Real work = nan;                       ///< J, of H
+};
+
+TowResults tow_results(const TowPath& path, const base::BodyScale& scale);
+
+/// The same as quantities: tow_travel, tow_depth_begin, tow_depth_end, tow_depth_max, u_at_tow_depth_max, tow_force_max, u_at_tow_force_max, tow_force_end, tow_V_end,
+/// tow_depth_change, tow_work.
+std::vector<run_folder::Quantity> quantities_of(const TowResults& results, int force_dimension);
 
 }  // namespace berm::anchor

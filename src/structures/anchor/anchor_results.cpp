@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/anchor/anchor_test.cpp
-#include "structures/anchor/anchor_results.hpp"
+#include "structures/anchor/anchor.hpp"
 
 #include "structures/pipe/results/pipe_path.hpp"
 

@@ -2,7 +2,6 @@
 #include "structures/base/display_units.hpp"
 
 #include "text/quantity_words.hpp"
-#include "text/shown_number.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -150,6 +149,25 @@ std::string DisplayUnits::length_text(const BodyScale& scale, Real length) const
   std::string also = fmt::format("{} {}", text::short_number(length / length_.size), length_.name);
   if (has_prototype(scale)) also += fmt::format(", {} m in the prototype", text::short_number(length * scale.gravity_level));
   return fmt::format("{} D ({})", text::short_number(length / scale.width), also);
+}
+
+std::string printed_range(const char* range)
+{
+  constexpr std::pair<const char*, const char*> signs[] = {{"&lt;=", "≤"},
+                                                           {"&gt;=", "≥"},
+                                                           {"phi", "φ"},
+                                                           {"psi", "ψ"},
+                                                           {"delta", "δ"},
+                                                           {" deg", "°"},
+                                                           {"s_u0", "s<sub>u0</sub>"},
+                                                           {"s_u", "s<sub>u</sub>"},
+                                                           {"V_max", "V<sub>max</sub>"},
+                                                           {"I_r", "I<sub>r</sub>"}};
+  std::string text = text::html_text(range);
+  for (const auto& [plain, sign] : signs)
+    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain, at + 1))
+      text.replace(at, std::string(plain).size(), sign);
+  return text;
 }
 
 }  // namespace berm::base

@@ -7,6 +7,7 @@
 #include "text/quantity_words.hpp"
 
 #include <optional>
+#include <string>
 
 namespace berm::base {
 
@@ -75,5 +76,8 @@ private:
   std::vector<Real> levels_;                      ///< gravity levels of the runs that have a prototype, each once
   bool by_weight_ = false, by_strength_ = false, in_plane_ = false, in_space_ = false;
 };
+
+/// A range of src/structures/formulas, "0 <= w/D <= 0.5", with the signs of print, HTML.
+std::string printed_range(const char* range);
 
 }  // namespace berm::base

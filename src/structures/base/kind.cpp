@@ -55,22 +55,16 @@ bool is_pushed_down(const problem::Case& c)
 std::string of_disk(const problem::Case& c, const BodyProfile& disk)
 {
   if (c.geometry == problem::Geometry::axisymmetric) return std::abs(disk.left + disk.right) <= round_off * disk.width ? "ball" : "pipe";
-  if (c.geometry == problem::Geometry::space)
-    return std::holds_alternative<bodies::SphereSettings>(c.rigid[main_rigid(c)].second.shape) ? "ball" : "pipe";
+  if (c.geometry == problem::Geometry::space) return bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape) ? "ball" : "pipe";
   const Real top = center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[1] + disk.width / 2;
   const bool deep = problem::ground_of(c).line.level() && top < c.surface - buried * disk.width;
   return deep ? "t_bar" : "pipe";
 }
 
-bool stands(const bodies::CylinderSettings& cylinder)
-{
-  return std::abs(bodies::to_vec<3>(cylinder.axis).normalized()[1]) >= std::sqrt(0.5);
-}
-
 /// Lying it is a pipe; standing, a pile or a footing.
 std::string of_cylinder(const bodies::CylinderSettings& cylinder)
 {
-  if (!stands(cylinder)) return "pipe";
+  if (!cylinder.round_from_above()) return "pipe";
   return cylinder.length > slender * cylinder.diameter ? "pile" : "footing";
 }
 
@@ -82,13 +76,6 @@ std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape)
   if (const auto* disk = std::get_if<bodies::DiskOutline>(&outline)) return profile_of(*disk);
   if (const auto* corners = std::get_if<bodies::CornersOutline>(&outline)) return profile_of(corners->corners);
   return {};
-}
-
-bool is_round_from_above(const bodies::RigidShapeSettings& shape)
-{
-  const auto* cylinder = std::get_if<bodies::CylinderSettings>(&shape);
-  return std::holds_alternative<bodies::SphereSettings>(shape) || std::holds_alternative<bodies::ProfileSettings>(shape) ||
-         (cylinder != nullptr && stands(*cylinder));
 }
 
 std::string kind_of(const problem::Case& c)
@@ -103,7 +90,7 @@ std::string kind_of(const problem::Case& c)
   if (body->disk) return of_disk(c, *body);
   if (const auto* cylinder = std::get_if<bodies::CylinderSettings>(&settings.shape)) return of_cylinder(*cylinder);
   const bool revolved = c.geometry == problem::Geometry::axisymmetric ||
-                        (c.geometry == problem::Geometry::space && std::holds_alternative<bodies::ProfileSettings>(settings.shape));
+                        (c.geometry == problem::Geometry::space && bodies::is_round_from_above(settings.shape));
   if (!revolved) return "footing";
   if (body->conical) return "cone";
   return body->height > slender * body->width ? "pile" : "footing";

@@ -24,9 +24,6 @@ struct BodyProfile {
 /// Of a shape with corners or a disk; empty for a half-plane.
 std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape);
 
-/// Whether a shape in space is round seen from above: a sphere, a profile, or a cylinder that stands.
-bool is_round_from_above(const bodies::RigidShapeSettings& shape);
-
 /// The word of the structure that the main rigid body of a case is: what the input names, else
 ///   other     no push or drag moves it, or it has no width;
 ///   cone      around an axis (in space a profile), pushed down: conical;

@@ -32,6 +32,13 @@ struct PublishedCurve {
   std::vector<Real> V, H, M = {};
 };
 
+/// The title of a curve by a formula.
+inline std::string titled(const std::string& title, const formulas::Formula& formula)
+{
+  const std::string out = formula.valid ? "" : std::string("; out of range: ") + formula.source.range;
+  return title + " [" + word_of(formula.source.label) + out + "]";
+}
+
 /// A published number, N/m (in space N).
 struct PublishedNumber {
   std::string name;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/soil_words.hpp"
 
-#include "structures/base/driven_body.hpp"
 #include "text/quantity_words.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -44,6 +44,129 @@ std::vector<std::string> soil_words(const problem::Case& c)
                                   values_in_words(soil.at("", depth))));
   }
   return lines;
+}
+
+namespace {
+
+std::string stage_words(const problem::Case& c, const problem::StageDrainage& stage)
+{
+  const std::string& name = c.stage[stage.stage].name;
+  if (stage.moves) {
+    return fmt::format("stage \"{}\": v D/c_v = {:.3g}, {}", name, stage.number, drainage_word(stage.number));
+  }
+  if (std::isnan(stage.number)) return fmt::format("stage \"{}\": as long as its consolidation takes", name);
+  return fmt::format("stage \"{}\": T = c_v t/D2 = {:.3g}", name, stage.number);
+}
+
+std::string stage_line(const problem::Case& c, const problem::StageDrainage& stage, const problem::Consolidation& soil, Real width)
+{
+  const std::optional<problem::StageInertia> inertia = inertia_in(c, stage, soil, width);
+  return "             " + stage_words(c, stage) + (inertia ? "; " + inertia_words(*inertia) : "");
+}
+
+/// c_v, m2/s, of the soil that touches the main rigid body, or of the first whose water flows.
+Real c_v_of(const problem::Case& c, Real width)
+{
+  const std::vector<problem::Consolidation> found = consolidation_of(c, width);
+  return found.empty() ? nan : found.front().c_v;
+}
+
+}  // namespace
+
+const char* drainage_word(Real number)
+{
+  return number <= problem::drained_up_to ? "drained" : number >= problem::undrained_from ? "undrained" : "partially drained";
+}
+
+std::string inertia_words(const problem::StageInertia& inertia)
+{
+  using Measure = problem::StageInertia::Measure;
+  const std::string part = fmt::format("{:.2g}", inertia.part);
+  const std::string measure = inertia.measure == Measure::strength ? "density v2 is " + part + " of the strength"
+                              : inertia.measure == Measure::wave
+                                  ? "v is " + part + " of the speed of waves"
+                                  : "a wave crosses the body in " + part + " of the time in which half of the pressure goes";
+  return measure + (inertia.is_small() ? ": inertia is small" : inertia.is_large() ? ": inertia counts" : ": inertia may be seen");
+}
+
+std::vector<std::string> drainage_words(const problem::Case& c)
+{
+  std::vector<std::string> lines;
+  const Real width = body_scale(c).width;
+  for (const problem::Consolidation& soil : consolidation_of(c, width)) {
+    lines.push_back(fmt::format("water        \"{}\"{}: c_v = {:.3g} m2/s with M = {} of one-dimensional compression", soil.material,
+                                soil.depth > 0 ? fmt::format(", {} below the surface", text::length_words(soil.depth)) : "", soil.c_v,
+                                text::stress_words(soil.modulus)));
+    if (width == 0) continue;
+    for (const problem::StageDrainage& stage : drainage_of_stages(c, width, soil.c_v)) lines.push_back(stage_line(c, stage, soil, width));
+  }
+  if (!lines.empty() && width > 0)
+    lines.push_back(fmt::format("             (D = {}; drained up to v D/c_v = {:g}, undrained from {:g})", text::length_words(width),
+                                problem::drained_up_to, problem::undrained_from));
+  return lines;
+}
+
+std::vector<Dissipation> dissipation_of(const record::RunRecord& run)
+{
+  const run_folder::History& h = run.history;
+  std::vector<Dissipation> found;
+  if (h.rows() == 0 || !h.has_label("U") || !h.has_label("p max")) return found;
+  const Real width = body_scale(run).width, c_v = c_v_of(run.settings, width);
+  const Real scale = width > 0 ? c_v / (width * width) : nan;
+  const std::vector<Real>&time = h["time_s"], &U = h.by_label("U"), &pressure = h.by_label("p max");
+  for (const problem::StageSettings& stage : run.settings.stage) {
+    if (stage.kind == problem::StageKind::geostatic || speed_of(stage) > 0) continue;
+    const auto first = std::find(h.stage.begin(), h.stage.end(), stage.name);
+    if (first == h.stage.end()) continue;
+    const Index begin = static_cast<Index>(first - h.stage.begin());
+    Index end = begin;
+    while (end < h.rows() && h.stage[end] == stage.name) ++end;
+    const Real from = time[std::max<Index>(0, begin - 1)];
+    if (!(*std::max_element(pressure.begin() + begin, pressure.begin() + end) > 0)) continue;
+    const auto half = std::find_if(U.begin() + begin, U.begin() + end, [](Real u) { return u >= 0.5; });
+    const Real t = time[end - 1] - from, t50 = half == U.begin() + end ? nan : time[half - U.begin()] - from;
+    found.push_back({stage.name, t, U[end - 1], t50, t * scale, t50 * scale});
+  }
+  return found;
+}
+
+std::vector<SurfaceForce> surface_forces_of(const record::RunRecord& run)
+{
+  constexpr Real last_part = 0.05;
+  const run_folder::History& h = run.history;
+  std::vector<SurfaceForce> found;
+  if (h.rows() == 0 || !h.has_label("N eff") || !h.has_label("V") || !h.has("w_m")) return found;
+  const std::vector<Real>&time = h["time_s"], &w = h["w_m"], &N = h.by_label("N eff"), &V = h.by_label("V");
+  for (const problem::StageSettings& stage : run.settings.stage) {
+    if (stage.kind == problem::StageKind::geostatic) continue;
+    const auto first = std::find(h.stage.begin(), h.stage.end(), stage.name);
+    if (first == h.stage.end()) continue;
+    const Index begin = static_cast<Index>(first - h.stage.begin());
+    Index end = begin;
+    while (end < h.rows() && h.stage[end] == stage.name) ++end;
+    const Real from = time[end - 1] - last_part * (time[end - 1] - time[begin]);
+    SurfaceForce force{stage.name, w[end - 1], 0, 0};
+    int rows = 0;
+    for (Index k = begin; k < end; ++k)
+      if (time[k] >= from && std::isfinite(N[k]) && std::isfinite(V[k])) force.N_eff += N[k], force.V += V[k], ++rows;
+    if (rows == 0) continue;
+    force.N_eff /= rows, force.V /= rows;
+    found.push_back(force);
+  }
+  return found;
+}
+
+std::vector<run_folder::Quantity> dissipation_quantities(const record::RunRecord& run)
+{
+  std::vector<run_folder::Quantity> quantities;
+  for (const Dissipation& d : dissipation_of(run)) {
+    quantities.push_back({"U_of_" + d.stage, d.degree, "1", "degree of consolidation at the end of " + d.stage});
+    if (std::isnan(d.t50)) continue;
+    quantities.push_back({"t50_of_" + d.stage, d.t50, "s", "time until half of the largest excess pore pressure is gone, of " + d.stage});
+    if (std::isnan(d.T50)) continue;
+    quantities.push_back({"T50_of_" + d.stage, d.T50, "1", "the same as c_v t/D2"});
+  }
+  return quantities;
 }
 
 }  // namespace berm::base

@@ -3,6 +3,8 @@
 
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
+#include "problem/drainage.hpp"
+#include "structures/base/driven_body.hpp"
 
 namespace berm::base {
 
@@ -12,5 +14,39 @@ std::string layers_in_words(const problem::BodySoil& soil);
 /// What `berm check` says of bodies whose soil varies, line by line: their layers or regions, and strength and stiffness at the surface and at the lowest
 /// point that the main rigid body reaches in a push.
 std::vector<std::string> soil_words(const problem::Case& c);
+
+/// What `berm check` says of a case whose water flows, line by line: c_v, and v D / c_v or T = c_v t / D^2 of each stage, and whether inertia is
+/// small in it.
+std::vector<std::string> drainage_words(const problem::Case& c);
+
+/// "drained", "partially drained" or "undrained" at v D / c_v.
+const char* drainage_word(Real number);
+
+/// What the inertia of the soil is measured by, and whether it is small: "density v2 is 0.0035 of the strength: inertia is small".
+std::string inertia_words(const problem::StageInertia& inertia);
+
+/// How a stage at rest consolidated, as the history tells.
+struct Dissipation {
+  std::string stage;
+  Real time;    ///< s, how long it took
+  Real degree;  ///< U at its end
+  Real t50;     ///< s since its begin, when U was 0.5 first; NaN where it was not
+  Real T, T50;  ///< c_v t / D^2 of the two; NaN without a body of width D
+};
+/// Of all stages that move nothing and have an excess pore pressure.
+std::vector<Dissipation> dissipation_of(const record::RunRecord& run);
+
+/// The effective normal force on a body that rubs on soil with water, at the end of a stage: means over its last twentieth.
+struct SurfaceForce {
+  std::string stage;
+  Real w;      ///< m, embedment
+  Real N_eff;  ///< N/m or N, integral of the effective normal stress over the surface
+  Real V;      ///< N/m or N, vertical reaction
+};
+/// Of all stages but geostatic ones, where the history has it.
+std::vector<SurfaceForce> surface_forces_of(const record::RunRecord& run);
+
+/// The same for the summary: U_of_STAGE and, where they are known, t50_of_STAGE and T50_of_STAGE.
+std::vector<run_folder::Quantity> dissipation_quantities(const record::RunRecord& run);
 
 }  // namespace berm::base

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/error.hpp"
 #include "record/travel_curve.hpp"
 #include "run_folder/run_folder.hpp"
 #include "structures/base/display_units.hpp"
@@ -94,7 +95,10 @@ public:
   virtual std::unique_ptr<RunDetails> details(const record::RunRecord&) const { return nullptr; }
 
   /// How the structure lies before the first stage, for its envelope. Throws InputError where a case has none.
-  virtual EmbeddedBody embedded(const problem::Case& c) const;
+  virtual EmbeddedBody embedded(const problem::Case&) const
+  {
+    throw KeyError("stage: an envelope needs a push or a drag by velocity, of a rigid body whose envelope is known");
+  }
   /// What is published beside an envelope that was found.
   virtual PublishedEnvelope published_envelope(const problem::Case&, const EnvelopeEnds&) const { return {}; }
 };

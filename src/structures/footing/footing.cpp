@@ -2,7 +2,6 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/footing/footing.hpp"
 
-#include "structures/footing/footing_envelope.hpp"
 #include "structures/formulas/footing.hpp"
 #include "structures/formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
@@ -71,7 +70,7 @@ std::vector<Comparison> published(const PenetrationRun& run)
   const problem::Case& c = run.record.settings;
   const bool in_space = c.geometry == problem::Geometry::space;
   const bool round =
-      c.geometry == problem::Geometry::axisymmetric || (in_space && base::is_round_from_above(c.rigid[main_rigid(c)].second.shape));
+      c.geometry == problem::Geometry::axisymmetric || (in_space && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape));
   if (run.body.shoulder > 0 || (in_space && !round)) return {};
   return run.measure() == penetration::Measure::strength      ? on_clay(run, round)
          : run.measure() == penetration::Measure::half_weight ? on_sand(run, round)

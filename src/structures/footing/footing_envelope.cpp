@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/envelope/envelope_footing_test.cpp
-#include "structures/footing/footing_envelope.hpp"
+#include "structures/footing/footing.hpp"
 
 #include "core/error.hpp"
 #include "mesh/seabed.hpp"
@@ -91,17 +91,11 @@ struct OnSoil {
   }
 };
 
-std::string titled(const std::string& title, const Formula& formula)
-{
-  const std::string where = formula.valid ? "" : fmt::format("; out of range: {}", formula.source.range);
-  return fmt::format("{} [{}{}]", title, word_of(formula.source.label), where);
-}
-
 Real area_of(const problem::Case& c, Real width)
 {
   const bodies::RigidShapeSettings& shape = c.rigid[main_rigid(c)].second.shape;
   if (c.geometry != problem::Geometry::space) return width;
-  if (base::is_round_from_above(shape)) return pi * width * width / 4;
+  if (bodies::is_round_from_above(shape)) return pi * width * width / 4;
   const auto* box = std::get_if<bodies::BoxSettings>(&shape);
   return box == nullptr ? nan : width * box->size[2];
 }
@@ -123,7 +117,7 @@ void add_effective_width(const OnSoil& on, Real slides_at, PublishedEnvelope& pu
 {
   const Real unit = published.unit, unit_of_moment = unit * on.footing.width, v_max = formulas::n_c(0).value;
   const Formula any = on.here(formulas::strip_moment_on_effective_width(1, 0));
-  PublishedCurve without_H{titled("effective width B - 2 M/V, a lower bound", any), {}, {}};
+  PublishedCurve without_H{base::titled("effective width B - 2 M/V, a lower bound", any), {}, {}};
   for (int k = 0; k <= curve_points; ++k) {
     const Real v = v_max * k / curve_points;
     without_H.V.push_back(unit * v);
@@ -134,7 +128,7 @@ void add_effective_width(const OnSoil& on, Real slides_at, PublishedEnvelope& pu
   for (const Real level : base::section_levels) {
     const Real v = level * v_max;
     const Real most = largest_h(v);
-    PublishedCurve section{titled(fmt::format("effective width, a lower bound, V = {:g} Vmax", level), any), {}, {}};
+    PublishedCurve section{base::titled(fmt::format("effective width, a lower bound, V = {:g} Vmax", level), any), {}, {}};
     for (int k = -curve_points; k <= curve_points; ++k) {
       const Real h = most * k / curve_points;
       section.H.push_back(unit * h);
@@ -148,7 +142,7 @@ void add_effective_width(const OnSoil& on, Real slides_at, PublishedEnvelope& pu
 void add_inclined(const OnSoil& on, Real slides_at, PublishedEnvelope& published)
 {
   const Formula any = on.here(formulas::n_c_inclined(0));
-  PublishedCurve curve{titled(any.source.work, any), {0}, {published.unit * slides_at}};
+  PublishedCurve curve{base::titled(any.source.work, any), {0}, {published.unit * slides_at}};
   for (int k = curve_points; k >= 0; --k) {
     const Real h = slides_at * std::sin(pi / 2 * k / curve_points);
     curve.V.push_back(published.unit * formulas::n_c_inclined(h).value);
@@ -187,7 +181,7 @@ PublishedEnvelope for_clay(const OnSoil& on)
   if (!sticks) return published;
   const Formula arc = times(on.here(formulas::strip_moment_of_arc()), published.unit * on.footing.width);
   published.numbers.push_back({"M_max_arc", arc, true});
-  published.curves.push_back({titled("arc through both edges, an upper bound", arc), {0}, {}, {arc.value}});
+  published.curves.push_back({base::titled("arc through both edges, an upper bound", arc), {0}, {}, {arc.value}});
   return published;
 }
 
@@ -206,7 +200,7 @@ PublishedEnvelope for_sand(const OnSoil& on, Real unit_weight)
   N = on.here(N);
   N.value *= published.unit / 2;
   published.numbers.push_back({"V_max", N});
-  published.curves.push_back({titled("Vmax, characteristics", N), {N.value}, {0}});
+  published.curves.push_back({base::titled("Vmax, characteristics", N), {N.value}, {0}});
   return published;
 }
 
@@ -229,7 +223,7 @@ PublishedEnvelope footing_envelope(const problem::Case& c)
   OnSoil on{embedded_footing(c),     0, c.geometry == problem::Geometry::plane_strain, false, false, *soil, *strength,
             base::contact_of_body(c)};
   on.area = area_of(c, on.footing.width);
-  on.round = !on.strip && base::is_round_from_above(c.rigid[main_rigid(c)].second.shape);
+  on.round = !on.strip && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape);
   on.at_surface = problem::ground_of(c).line.level() && std::abs(on.footing.embedment) <= round_off * on.footing.width;
   if (std::isnan(on.area)) return unknown;
   const Real unit_weight = base::body_scale(c).unit_weight;

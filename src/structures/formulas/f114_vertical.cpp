@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structures/formulas/f114_vertical.hpp"
+#include "structures/formulas/f114.hpp"
 
 #include "structures/formulas/footing.hpp"
 

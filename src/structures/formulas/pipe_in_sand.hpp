@@ -37,4 +37,10 @@ Formula zhang_envelope(const YieldSurface& surface, Real V, Real V_max);
 /// have different V below V_max.
 YieldSurface fit_zhang(std::span<const Real> V, std::span<const Real> H, Real V_max);
 
+// Lateral resistance by DNV-RP-F109, on-bottom stability; the embedment is sand_embedment.
+
+/// The largest horizontal resistance in sand under a vertical load V, N/m, against the motion: with k = gamma' D^2/V
+/// H = 0.6 V + V (5 k - 0.15 k^2) (w/D)^1.25 for k <= 20, else 0.6 V + V 2 k (w/D)^1.25. [fit: DNV-RP-F109]
+Formula f109_sand_lateral(const PipeInSand& pipe, Real V);
+
 }  // namespace berm::formulas

@@ -2,10 +2,10 @@
 // Tests: tests/unit/structures/structures_test.cpp
 #include "structures/generic/generic.hpp"
 
-#include "record/columns_plot.hpp"
+#include "record/panels.hpp"
 #include "structures/base/general_measures.hpp"
 #include "text/html.hpp"
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

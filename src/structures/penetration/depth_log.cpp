@@ -3,7 +3,6 @@
 
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/nice_number.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

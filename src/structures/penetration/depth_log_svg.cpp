@@ -4,7 +4,7 @@
 
 #include "plot/figure.hpp"
 #include "text/html.hpp"
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,15 +14,7 @@ namespace {
 
 constexpr Real panel_width = 270, panel_gap = 46, panel_left = 74, room_right = 60, panel_top = 62, panel_height = 440, key_line = 19;
 constexpr std::size_t max_points = 400;
-constexpr int steps = 5;
 constexpr Real round_off = 1e-9;
-
-/// 1, 2 or 5 times a power of ten, so that about five steps make the range.
-Real step_of(Real range)
-{
-  const Real rough = range / steps, power = std::pow(10, std::floor(std::log10(rough)));
-  return power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7.5 * power ? 5 : 10);
-}
 
 struct Key {
   std::string name, style;
@@ -81,7 +73,7 @@ Real place_of(Real depth, const DepthLog& log)
 /// The round depths of an axis, in its unit.
 std::vector<Real> round_depths(Real from, Real to)
 {
-  const Real step = step_of(to - from);
+  const Real step = plot::tic_step(to - from);
   std::vector<Real> depths;
   for (Real k = std::ceil(from / step - round_off); k * step <= to + round_off * step; ++k) depths.push_back(k * step + 0.);  // no -0
   return depths;
@@ -111,7 +103,7 @@ std::string drawn(const LogCurve& curve, const LogPanel& panel, const DepthLog& 
 std::string panel_of(const LogPanel& panel, const DepthLog& log, Real x0)
 {
   std::string svg;
-  const Real x_step = step_of(panel.max);
+  const Real x_step = plot::tic_step(panel.max);
   for (int k = 0; k * x_step <= panel.max * (1 + 1e-9); ++k) {
     const Real x = x0 + k * x_step / panel.max * panel_width;
     svg += line(x, panel_top, x, panel_top + panel_height, "grid") + words(x, panel_top - 8, "middle", text::short_number(k * x_step));

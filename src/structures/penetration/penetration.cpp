@@ -5,7 +5,6 @@
 #include "plot/gnuplot.hpp"
 #include "record/panels.hpp"
 #include "structures/penetration/depth_log.hpp"
-#include "structures/penetration/penetration_measures.hpp"
 #include "structures/penetration/penetration_page.hpp"
 #include "structures/penetration/penetration_results.hpp"
 #include "structures/pipe/results/pipe_quantities.hpp"

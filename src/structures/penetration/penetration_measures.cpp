@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
-#include "structures/penetration/penetration_measures.hpp"
+#include "structures/penetration/penetration_page.hpp"
 
 #include "structures/base/general_measures.hpp"
-#include "structures/penetration/found_walls.hpp"
 #include "structures/penetration/penetration_run.hpp"
-#include "structures/pipe/report/pipe_measures.hpp"
+#include "structures/penetration/soil_profile.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>

@@ -2,13 +2,11 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_page.hpp"
 
-#include "structures/base/printed_range.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
-#include "structures/pipe/report/converged.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
-#include "text/shown_number.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

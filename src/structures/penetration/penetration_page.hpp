@@ -3,6 +3,7 @@
 
 #include "structures/base/display_units.hpp"
 #include "structures/penetration/penetration_run.hpp"
+#include "structures/penetration/reading.hpp"
 
 namespace berm::penetration {
 
@@ -14,5 +15,8 @@ std::string penetration_key_results(const PenetrationRuns& runs, const std::stri
 
 /// What is exact or published beside the runs, with its heading, HTML; "" where there is nothing. What is only recalled is not shown.
 std::string penetration_published(const PenetrationRuns& runs, const std::string& id);
+
+/// What is looked at in a run of a body that is pushed down: what any driven body has, whether the resistance is steady, and how far walls and base are.
+base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& reading);
 
 }  // namespace berm::penetration

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/penetration_run.hpp"
 
-#include "mesh/seabed.hpp"
-#include "structures/penetration/found_walls.hpp"
+#include "structures/penetration/soil_profile.hpp"
 #include "structures/pipe/results/pipe_path.hpp"
 
 #include <algorithm>
@@ -53,7 +52,7 @@ void PenetrationRun::take_geometry()
     const auto* box = std::get_if<bodies::BoxSettings>(&shape);
     part_ = part_in_space(record, body, bodies::center_of<3>(bodies::make_shape<3>(shape))[2]);
     if (box != nullptr) area_ = part_ * box->size[0] * box->size[2];
-    if (base::is_round_from_above(shape)) area_ = part_ * pi * body.width * body.width / 4;
+    if (bodies::is_round_from_above(shape)) area_ = part_ * pi * body.width * body.width / 4;
     return;
   }
   const Walls walls = walls_of(record, body);

@@ -4,19 +4,12 @@
 
 #include "plot/figure.hpp"
 #include "structures/pipe/pipe_curves.hpp"
-#include "structures/pipe/published/pipe_envelope.hpp"
-#include "structures/pipe/report/axial_table.hpp"
-#include "structures/pipe/report/curve_figures.hpp"
-#include "structures/pipe/report/in_words.hpp"
-#include "structures/pipe/report/key_results.hpp"
-#include "structures/pipe/report/pipe_measures.hpp"
-#include "structures/pipe/report/published_table.hpp"
-#include "structures/pipe/report/soil_figures.hpp"
+#include "structures/pipe/published/published.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 #include "structures/pipe/results/axial_results.hpp"
 #include "structures/pipe/results/mechanism.hpp"
-#include "structures/pipe/results/moments_in_space.hpp"
 #include "structures/pipe/results/pipe_details.hpp"
-#include "structures/pipe/results/prescribed.hpp"
+#include "structures/pipe/results/pipe_quantities.hpp"
 
 #include <algorithm>
 

@@ -41,13 +41,6 @@ std::string block(const std::vector<Real>& x, const std::vector<Real>& travel, c
   return text;
 }
 
-/// 1, 2 or 5 times a power of ten, so that about five steps make the range.
-Real tic_step(Real range)
-{
-  const Real rough = range / 5, power = std::pow(10, std::floor(std::log10(rough)));
-  return power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7.5 * power ? 5 : 10);
-}
-
 /// One axis of a panel from 0, or from the least number where that is negative by more than noise, to the most; in the plot's unit.
 struct Axis {
   char letter;  ///< x or y
@@ -71,10 +64,10 @@ struct Axis {
       return fmt::format("[{:.6g}:{:.6g}]", factor * (downwards ? to : from), factor * (downwards ? from : to));
     };
     std::string words = fmt::format("set {0}label {1}\nset {0}range {2}\nset {0}tics {3:.6g}\n", letter, plot::gnuplot_text(label),
-                                    range(1), tic_step(to - from));
+                                    range(1), plot::tic_step(to - from));
     if (second > 0)
       words += fmt::format("set {0}2label {1}\nset {0}2range {2}\nset {0}2tics {3:.6g}\n", letter, plot::gnuplot_text(second_label),
-                           range(second), tic_step(second * (to - from)));
+                           range(second), plot::tic_step(second * (to - from)));
     return words;
   }
 };

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/element/element_report_test.cpp
-#include "element/element_figures.hpp"
+#include "element/element_report.hpp"
 
-#include "element/element_table.hpp"
 #include "plot/figure.hpp"
 
 #include <algorithm>

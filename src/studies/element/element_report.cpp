@@ -2,7 +2,6 @@
 #include "element/element_report.hpp"
 
 #include "core/error.hpp"
-#include "element/element_figures.hpp"
 #include "element/element_table.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/build.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "element/key_results.hpp"
+#include "element/element_table.hpp"
 
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

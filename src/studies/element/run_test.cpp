@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/run_test.hpp"
 
-#include "element/balance.hpp"
 #include "element/specimen.hpp"
 #include "material/principal_axes.hpp"
 

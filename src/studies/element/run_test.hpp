@@ -22,7 +22,7 @@ struct TestRecord {
   std::string failure;          ///< why it ended before its end; "": it did not
 };
 
-/// Runs a test: strains are prescribed, and the one that is free in a drained test is that at which the stress that is held stays (balance.hpp). Where the law
+/// Runs a test: strains are prescribed, and the one that is free in a drained test is that at which the stress that is held stays (specimen.hpp). Where the law
 /// has no such state the record ends before that step, and says so.
 TestRecord run_test(const TestSettings& settings, const material::Material& material);
 

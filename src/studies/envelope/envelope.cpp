@@ -4,7 +4,6 @@
 #include "envelope/envelope_report.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
-#include "jobs/jobs.hpp"
 #include "run_folder/progress.hpp"
 #include "simulation/simulate.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/envelope/envelope_test.cpp
-#include "envelope/envelope_pictures.hpp"
+#include "envelope/envelope_report.hpp"
 
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"

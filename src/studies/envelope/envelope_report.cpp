@@ -2,7 +2,6 @@
 // Tests: tests/unit/envelope/envelope_test.cpp
 #include "envelope/envelope_report.hpp"
 
-#include "envelope/envelope_pictures.hpp"
 #include "io/atomic_file.hpp"
 
 #include <fmt/format.h>

@@ -13,4 +13,10 @@ void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow
 /// The table for people: a line for each probe's end and the extremes beside what is published.
 std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow>& rows);
 
+/// What is published of the structure, for the ends of the probes.
+base::PublishedEnvelope published_for(const problem::Case& c, const std::vector<EnvelopeRow>& rows);
+
+/// Draws FOLDER/envelope.png, V and H; of a footing also moments.png, V and M without H, and sections.png, H and M where V is half and three quarters of V_max.
+void draw_envelope(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder);
+
 }  // namespace berm::envelope

@@ -5,7 +5,6 @@
 #include "structures/formulas/axial.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
-#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "springs/formats.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace berm::springs {
 namespace {

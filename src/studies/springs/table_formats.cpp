@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/springs/formats_test.cpp
 #include "springs/formats.hpp"
-#include "study/table_text.hpp"
+#include "study/study_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,10 +3,12 @@
 
 #include "input/units.hpp"
 #include "run_folder/csv_line.hpp"
-#include "study/latin_hypercube.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
+#include <random>
+#include <utility>
 
 namespace berm::study {
 namespace {
@@ -134,6 +136,133 @@ std::string samples_csv(const StudyAxis& axis)
   for (std::size_t k = *axis.sample_from; k < axis.value.size(); ++k)
     add_line(axis.value[k], [](const TakenApart& set) { return set.number; });
   return text;
+}
+
+namespace {
+
+/// One of 0, 1, ..., count - 1, all as likely: what is left beyond a whole number of rounds is drawn again. std::uniform_int_distribution differs from library to library.
+std::uint64_t draw_below(std::uint64_t count, std::mt19937_64& random)
+{
+  const std::uint64_t end = std::mt19937_64::max() - std::mt19937_64::max() % count;
+  std::uint64_t bits = random();
+  while (bits >= end) bits = random();
+  return bits % count;
+}
+
+/// Between 0 and 1, neither of them: the middle of one of 2^52 parts, which a double holds exactly.
+Real draw_share(std::mt19937_64& random)
+{
+  return (static_cast<Real>(random() >> 12) + 0.5) * 0x1p-52;
+}
+
+}  // namespace
+
+std::vector<std::vector<Real>> latin_hypercube(std::size_t parameters, std::size_t rows, std::uint64_t seed)
+{
+  std::mt19937_64 random(seed);
+  std::vector<std::vector<Real>> shares(parameters, std::vector<Real>(rows));
+  std::vector<std::size_t> order(rows);
+  for (std::vector<Real>& share : shares) {
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t k = rows; k-- > 1;) std::swap(order[k], order[draw_below(k + 1, random)]);
+    for (std::size_t k = 0; k < rows; ++k) share[k] = (static_cast<Real>(order[k]) + draw_share(random)) / static_cast<Real>(rows);
+  }
+  return shares;
+}
+
+namespace {
+
+Real standard_normal_share(Real z)
+{
+  return 0.5 * std::erfc(-z / std::sqrt(2.));
+}
+
+bool is_unbounded(const Distribution& d)
+{
+  return d.kind == DistributionKind::normal || d.kind == DistributionKind::lognormal;
+}
+
+/// A normal distribution whose halves have deviations of their own, of a value or of its logarithm.
+struct Halves {
+  Real best, below, above;
+
+  explicit Halves(const Distribution& d)
+  {
+    const Real low = along(d, d.low), high = along(d, d.high), z = standard_normal_quantile(high_share);
+    best = d.best ? along(d, *d.best) : (low + high) / 2;
+    below = (best - low) / z;
+    above = (high - best) / z;
+  }
+  static Real along(const Distribution& d, Real value) { return d.kind == DistributionKind::lognormal ? std::log(value) : value; }
+  static Real back(const Distribution& d, Real y) { return d.kind == DistributionKind::lognormal ? std::exp(y) : y; }
+
+  Real at(Real p) const
+  {
+    const Real z = standard_normal_quantile(p);
+    return best + z * (z < 0 ? below : above);
+  }
+  /// The share of values below y.
+  Real share(Real y) const { return standard_normal_share((y - best) / (y < best ? below : above)); }
+};
+
+Real triangular_quantile(Real min, Real peak, Real max, Real p)
+{
+  const Real rising = (peak - min) / (max - min);  // the share below the peak
+  return p < rising ? min + std::sqrt(p * (max - min) * (peak - min)) : max - std::sqrt((1 - p) * (max - min) * (max - peak));
+}
+
+}  // namespace
+
+void describe(Describe& d, Distribution& distribution)
+{
+  const auto number = [&](const char* key, auto& value, const char* meaning, bool required) {
+    d.value(key, value, {.meaning = meaning, .required = required, .any_unit = &distribution.unit});
+  };
+  d.choice("distribution", distribution.kind, distribution_words, {.meaning = "how the values are distributed"});
+  number("low", distribution.low, "least value of a uniform or triangular one, 5 % value of the others", true);
+  number("best", distribution.best, "most likely value of a triangular one, 50 % value of a normal or lognormal one; absent: the middle",
+         false);
+  number("high", distribution.high, "greatest value of a uniform or triangular one, 95 % value of the others", true);
+  number("min", distribution.min, "no value of a normal or lognormal one lies below", false);
+  number("max", distribution.max, "no value of a normal or lognormal one lies above", false);
+}
+
+void check(Describe& d, const std::string& path, const Distribution& c)
+{
+  d.check(c.low < c.high, path + ".low", "must be less than high");
+  const bool triangular = c.kind == DistributionKind::triangular;
+  if (c.kind == DistributionKind::uniform) d.check(!c.best, path + ".best", "a uniform distribution has only low and high");
+  if (triangular) d.check(c.best.has_value(), path, "a triangular distribution needs best, its most likely value");
+  if (c.best && triangular) d.check(c.low <= *c.best && *c.best <= c.high, path + ".best", "must lie from low to high");
+  if (c.best && is_unbounded(c)) d.check(c.low < *c.best && *c.best < c.high, path + ".best", "must lie between low and high");
+  if (c.kind == DistributionKind::lognormal) d.check(c.low > 0, path + ".low", "must be more than 0 where the logarithm is distributed");
+  for (const auto& [bound, key] : {std::pair(c.min, ".min"), std::pair(c.max, ".max")})
+    if (bound) d.check(is_unbounded(c), path + key, "is only for normal and lognormal distributions; the others end at low and high");
+  if (c.min) d.check(*c.min <= c.low, path + ".min", "must be at most low");
+  if (c.max) d.check(*c.max >= c.high, path + ".max", "must be at least high");
+}
+
+Real quantile(const Distribution& d, Real p)
+{
+  if (d.kind == DistributionKind::uniform) return d.low + p * (d.high - d.low);
+  if (d.kind == DistributionKind::triangular) return triangular_quantile(d.low, *d.best, d.high, p);
+  const Halves halves(d);
+  const bool logarithm_ends = d.kind == DistributionKind::lognormal && d.min && *d.min <= 0;  // it has no value there
+  const Real from = d.min && !logarithm_ends ? halves.share(Halves::along(d, *d.min)) : 0,
+             to = d.max ? halves.share(Halves::along(d, *d.max)) : 1;
+  return Halves::back(d, halves.at(from + p * (to - from)));
+}
+
+Real standard_normal_quantile(Real p)
+{
+  if (p > 0.5) return -standard_normal_quantile(1 - p);
+  Real low = -9, high = 0;
+  while (high - low > 1e-15 * std::max<Real>(1, -low)) {
+    const Real middle = (low + high) / 2;
+    if (middle == low || middle == high) break;
+    (standard_normal_share(middle) < p ? low : high) = middle;
+  }
+  return (low + high) / 2;
 }
 
 }  // namespace berm::study

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/study/study_sample_test.cpp
-#include "study/sample_report.hpp"
+#include "study/study_report.hpp"
 
 #include "io/atomic_file.hpp"
-#include "study/table_text.hpp"
-#include "study/tornado.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

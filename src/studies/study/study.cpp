@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
 namespace berm::study {
@@ -53,9 +52,8 @@ const StudySkip* skip_of(const Study& study, const std::vector<std::string>& nam
 Real diameter_of(const problem::Case& settings)
 {
   const Index main = main_rigid(settings);
-  if (main == none) return 0;
-  const auto* circle = std::get_if<bodies::CircleSettings>(&settings.rigid[main].second.shape);
-  return circle == nullptr ? 0 : circle->diameter;
+  const std::optional<bodies::DiskOutline> pipe = main == none ? std::nullopt : bodies::pipe_section(settings.rigid[main].second.shape);
+  return pipe ? 2 * pipe->radius : 0;
 }
 
 /// The file and line of a table from which the change comes that a message is about, and the message without "--set "; empty where it is about none.

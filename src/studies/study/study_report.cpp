@@ -8,10 +8,9 @@
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
 #include "record/travel_curve.hpp"
+#include "run_folder/csv_line.hpp"
 #include "structures/base/driven_body.hpp"
-#include "study/sample_report.hpp"
 #include "study/study_rows.hpp"
-#include "study/table_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -251,6 +250,35 @@ void write_study_report(const StudyPlan& plan, const fs::path& output)
   for (const StudyFigure& figure : plan.study.figure)
     if (draw_study_figure(plan, figure, output)) pictures.push_back(file_of(figure));
   io::write_atomically(output / "results.md", markdown(plan, write_sample_report(plan, output), pictures));
+}
+
+std::string csv_line(const std::vector<std::string>& fields)
+{
+  std::string line;
+  for (const std::string& field : fields) {
+    line += run_folder::csv_field(field);
+    line += ',';
+  }
+  line.back() = '\n';
+  return line;
+}
+
+std::string markdown_line(const std::vector<std::string>& cells)
+{
+  std::string line = "|";
+  for (const std::string& cell : cells) {
+    line += ' ';
+    for (const char c : cell) line += c == '|' ? std::string("\\|") : std::string(1, c);
+    line += " |";
+  }
+  return line + '\n';
+}
+
+std::string markdown_rule(std::size_t columns, std::size_t columns_of_text)
+{
+  std::string line = "|";
+  for (std::size_t k = 0; k < columns; ++k) line += k < columns_of_text ? "---|" : "---:|";
+  return line + '\n';
 }
 
 }  // namespace berm::study

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/study/study_sample_test.cpp
-#include "study/tornado.hpp"
+#include "study/study_report.hpp"
 
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"

@@ -2,9 +2,10 @@
 #include "uncertainty/bands.hpp"
 
 #include "structures/structures.hpp"
-#include "uncertainty/estimate.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace berm::uncertainty {
@@ -180,6 +181,91 @@ run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector
   }
   add_curve_bands(found, run, variants, structure);
   return found;
+}
+
+namespace {
+
+/// Forces as they are, lengths in mm.
+struct ShownUnit {
+  Real per_si;
+  std::string name;
+};
+
+ShownUnit shown_unit(const std::string& unit)
+{
+  return unit == "m" ? ShownUnit{1000, "mm"} : ShownUnit{1, unit == "1" ? "" : unit};
+}
+
+std::string part(Real number, Real per_si)
+{
+  return text::short_number(number * per_si);
+}
+
+}  // namespace
+
+std::string words_of(const run_folder::Uncertainty& u, problem::Method method)
+{
+  Real largest = 1, time = 0;
+  for (const run_folder::BandRun& run : u.runs) largest = std::max(largest, run.size), time += run.wall_s;
+  std::string table = fmt::format("uncertainty: {} runs with cells up to {:.3g} times as large, {:.3g} s of one thread in all\n",
+                                  u.runs.size(), largest, time);
+  table += fmt::format("{:<24}{:>12}{:>24}{:>6}{:>16}{:>10}{:>10}{:>12}\n", "", "this run", "converged", "", "extrapolation", "mesh",
+                       "noise", method == problem::Method::fem ? "increments" : "speed");
+  for (const auto& [name, unit, band] : u.quantities) {
+    const auto& [per_si, shown] = shown_unit(unit);
+    table += fmt::format("{:<24}{:>12}{:>24} {:<5}{:>16}{:>10}{:>10}{:>12}\n", name, part(band.value, per_si),
+                         text::with_half_width(band.converged * per_si, band.half_width * per_si, "+-"), shown,
+                         part(band.extrapolation, per_si), part(band.mesh, per_si), part(band.noise, per_si), part(band.speed, per_si));
+  }
+  table += "converged +- what it is uncertain by, nineteen times in twenty: extrapolation + sqrt(mesh^2 + noise^2 + speed^2)\n";
+  for (const std::string& why : u.left_out) table += fmt::format("not in the bands: {}\n", why);
+  for (const auto& [name, why] : u.without) table += fmt::format("without a band: {}: {}\n", name, why);
+  return table;
+}
+
+namespace {
+
+/// The order of convergence is near 1 and not known well: from about 3/4, for which the way to size 0 is half as long again, to 3/2, for which it is half as long.
+constexpr Real uncertain_part = 0.5;
+
+}  // namespace
+
+Real student_95(int degrees_of_freedom)
+{
+  constexpr std::array quantiles = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
+  if (degrees_of_freedom < 1) return nan;
+  return quantiles[static_cast<std::size_t>(std::min<int>(degrees_of_freedom, quantiles.size())) - 1];
+}
+
+Estimate extrapolate(const std::vector<SizedNumber>& numbers)
+{
+  Real weights = 0, mean_size = 0, mean = 0;
+  for (const auto& [size, number] : numbers) {
+    const Real weight = 1 / (size * size);
+    weights += weight;
+    mean_size += weight * size;
+    mean += weight * number;
+  }
+  mean_size /= weights;
+  mean /= weights;
+  Real along = 0, product = 0;
+  for (const auto& [size, number] : numbers) {
+    const Real weight = 1 / (size * size);
+    along += weight * (size - mean_size) * (size - mean_size);
+    product += weight * (size - mean_size) * (number - mean);
+  }
+  const int more = static_cast<int>(numbers.size()) - 2;
+  if (more < 1 || !(along > 0)) return {nan, nan, nan};
+  const Real slope = product / along, converged = mean - slope * mean_size;
+  Real squares = 0;
+  for (const auto& [size, number] : numbers) squares += std::pow((number - converged - slope * size) / size, 2);
+  const Real deviation = std::sqrt(squares / more * (1 / weights + mean_size * mean_size / along));
+  return {converged, uncertain_part * std::abs(slope), student_95(more) * deviation};
+}
+
+Real half_width(Real extrapolation, Real mesh, Real noise, Real speed)
+{
+  return extrapolation + std::sqrt(mesh * mesh + noise * noise + speed * speed);
 }
 
 }  // namespace berm::uncertainty

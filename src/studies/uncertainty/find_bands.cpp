@@ -9,7 +9,6 @@
 #include "structures/structures.hpp"
 #include "uncertainty/bands.hpp"
 #include "uncertainty/variants.hpp"
-#include "uncertainty/words.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -4,7 +4,6 @@
 #include "core/error.hpp"
 #include "mesh/uneven_seabed.hpp"
 #include "structures/base/driven_body.hpp"
-#include "structures/base/near_mesh.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
-#include "element/element_figures.hpp"
 #include "element/element_report.hpp"
 #include "element/element_table.hpp"
 #include "run_folder/history.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "element/key_results.hpp"
+#include "element/element_table.hpp"
 #include "material/linear_elastic.hpp"
 #include "sample_tests.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/catalogue.hpp"
 #include "input/message_text.hpp"
-#include "input/parameters.hpp"
 #include "input/read_case.hpp"
 #include "input/units.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/isometric_raster.hpp"
 
-#include "plot/isometric.hpp"
+#include "plot/raster.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "record/space_plot.hpp"
+#include "record/soil_plot.hpp"
 
 #include "samples/drawn_run.hpp"
 #include "samples/pixel_color.hpp"

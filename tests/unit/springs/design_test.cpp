@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "samples/made_run.hpp"
 #include "samples/temporary_folder.hpp"
-#include "study/distribution.hpp"
+#include "study/sample.hpp"
 #include "study/study_rows.hpp"
 
 #include <gtest/gtest.h>

@@ -70,10 +70,6 @@ void check(Describe& d, const std::string& path, const BoxSettings& box, int dim
   d.check(2 * box.corner_radius <= least, path + ".corner_radius", "must be half the shortest side at most");
 }
 
-std::string name_of(const BoxSettings&)
-{
-  return "box";
-}
 std::vector<ShapeSize> sizes_of(const BoxSettings& box)
 {
   std::vector<ShapeSize> sizes{{"width", box.size[0]}, {"height", box.size[1]}};

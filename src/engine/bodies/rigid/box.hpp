@@ -18,7 +18,6 @@ struct BoxSettings {
 
 void describe(Describe& d, BoxSettings& box);
 void check(Describe& d, const std::string& path, const BoxSettings& box, int dimension);
-std::string name_of(const BoxSettings& box);
 std::vector<ShapeSize> sizes_of(const BoxSettings& box);
 Outline outline_of(const BoxSettings& box);
 
@@ -65,11 +64,6 @@ SurfacePoint<dim> surface_at(const Box<dim>& box, const Vec<dim>& x)
 }
 
 template <int dim>
-Vec<dim> center_of(const Box<dim>& box)
-{
-  return box.center;
-}
-template <int dim>
 Real lowest_level(const Box<dim>& box, const Vec<dim>& up)
 {
   return up.dot(box.center) - (box.axes.transpose() * up).cwiseAbs().dot(box.half) - box.edge;
@@ -87,14 +81,6 @@ Real reach_of(const Box<dim>& box)
 template <int dim>
 Vec<3> inertia_over_mass(const Box<dim>& box);
 template <int dim>
-Box<dim> moved(Box<dim> box, const Movement<dim>& m)
-{
-  box.center += m.displacement;
-  box.axes = m.rotation * box.axes;
-  return box;
-}
-
-template <int dim>
 SurfaceMesh<dim> surface_mesh(const Box<dim>& box, const Vec<dim>& lower, const Vec<dim>& upper);
 
 template <class Visit>
@@ -107,10 +93,6 @@ void visit_sides(const Box<2>& box, const Vec<2>& x, const Visit& visit)
     visit(side,
           OnSide{local[along], away, -box.half[along], box.half[along], x[0] - away * sign * box.axes(0, across), box.axes(0, along)});
   }
-}
-inline Real closes_after(const Box<2>&)
-{
-  return infinity;
 }
 
 }  // namespace berm::bodies

@@ -9,6 +9,7 @@ namespace berm::bodies {
 /// A circle; in space an infinite cylinder along z.
 struct CircleSettings {
   static constexpr const char* word = "circle";
+  static constexpr bool round = true, endless = true;
 
   std::vector<Real> center;  ///< m
   Real diameter = 0;         ///< m
@@ -23,19 +24,6 @@ inline void describe(Describe& d, CircleSettings& circle)
 inline void check(Describe& d, const std::string& path, const CircleSettings& circle, int dimension)
 {
   check_entries(d, path + ".center", circle.center, dimension);
-}
-
-inline std::string name_of(const CircleSettings&)
-{
-  return "circle";
-}
-inline std::vector<ShapeSize> sizes_of(const CircleSettings& circle)
-{
-  return {{"diameter", circle.diameter}};
-}
-inline Outline outline_of(const CircleSettings& circle)
-{
-  return DiskOutline{to_vec<2>(circle.center), circle.diameter / 2};
 }
 
 template <int dim>
@@ -55,46 +43,9 @@ Circle<dim> make_shape(const CircleSettings& s)
 }
 
 template <int dim>
-SurfacePoint<dim> surface_at(const Circle<dim>& circle, const Vec<dim>& x)
-{
-  Vec<dim> from = x - circle.center;
-  if constexpr (dim == 3) from[2] = 0;  // an infinite cylinder along z
-  const Real length = from.norm();
-  if (length < 1e-12 * circle.radius) return {-circle.radius, Vec<dim>::UnitY()};
-  return {length - circle.radius, from / length};
-}
-
-template <int dim>
-Vec<dim> center_of(const Circle<dim>& circle)
-{
-  return circle.center;
-}
-template <int dim>
-Real lowest_level(const Circle<dim>& circle, const Vec<dim>& up)
-{
-  return up.dot(circle.center) - circle.radius;
-}
-template <int dim>
-Real width_of(const Circle<dim>& circle)
-{
-  return 2 * circle.radius;
-}
-template <int dim>
-Real reach_of(const Circle<dim>& circle)
-{
-  return circle.radius;
-}
-template <int dim>
 Vec<3> inertia_over_mass(const Circle<dim>& circle)
 {
   return {infinity, infinity, circle.radius * circle.radius / 2};
-}
-template <int dim>
-Circle<dim> moved(Circle<dim> circle, const Movement<dim>& m)
-{
-  circle.center += m.displacement;
-  circle.angle += m.angle;
-  return circle;
 }
 
 template <int dim>

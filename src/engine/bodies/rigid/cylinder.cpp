@@ -41,10 +41,6 @@ void check(Describe& d, const std::string& path, const CylinderSettings& cylinde
           "must be half the diameter and half the length at most");
 }
 
-std::string name_of(const CylinderSettings&)
-{
-  return "cylinder";
-}
 std::vector<ShapeSize> sizes_of(const CylinderSettings& cylinder)
 {
   return {{"diameter", cylinder.diameter}, {"length", cylinder.length}};

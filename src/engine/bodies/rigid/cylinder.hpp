@@ -16,11 +16,13 @@ struct CylinderSettings {
   Real diameter = 0, length = 0;   ///< m, from end to end
   CylinderEnds ends = CylinderEnds::flat;
   Real corner_radius = 0;  ///< m, of the edges of flat ends
+
+  /// Whether it stands.
+  bool round_from_above() const { return std::abs(to_vec<3>(axis).normalized()[1]) >= std::sqrt(0.5); }
 };
 
 void describe(Describe& d, CylinderSettings& cylinder);
 void check(Describe& d, const std::string& path, const CylinderSettings& cylinder, int dimension);
-std::string name_of(const CylinderSettings& cylinder);
 std::vector<ShapeSize> sizes_of(const CylinderSettings& cylinder);
 Outline outline_of(const CylinderSettings& cylinder);
 
@@ -28,7 +30,7 @@ Outline outline_of(const CylinderSettings& cylinder);
 template <int dim>
 struct Cylinder {
   using Settings = CylinderSettings;
-  static constexpr bool bounded = true, has_corners = true;
+  static constexpr bool bounded = true, has_corners = true, in_space_only = true;
 
   Vec<dim> center;
   Matrix<dim> axes;                   ///< its own axis is the second column
@@ -59,11 +61,6 @@ SurfacePoint<dim> surface_at(const Cylinder<dim>& cylinder, const Vec<dim>& x)
 }
 
 template <int dim>
-Vec<dim> center_of(const Cylinder<dim>& cylinder)
-{
-  return cylinder.center;
-}
-template <int dim>
 Real lowest_level(const Cylinder<dim>& cylinder, const Vec<dim>& up)
 {
   const Real along = std::abs(cylinder.axes.col(1).dot(up)), across = std::sqrt(std::max(Real(0), 1 - along * along));
@@ -84,13 +81,6 @@ Vec<3> inertia_over_mass(const Cylinder<dim>& cylinder)
 {
   return cylinder.inertia;
 }
-template <int dim>
-Cylinder<dim> moved(Cylinder<dim> cylinder, const Movement<dim>& m)
-{
-  cylinder.center += m.displacement;
-  cylinder.axes = m.rotation * cylinder.axes;
-  return cylinder;
-}
 
 /// Half the outline of a cylinder in its own axes (x the radius, y along it), counter-clockwise, the arcs of so many points each.
 std::vector<Vec<2>> half_outline(Real core_radius, Real core_half, Real edge, int points_of_arc);
@@ -103,16 +93,6 @@ SurfaceMesh<dim> surface_mesh(const Cylinder<dim>& cylinder, const Vec<dim>&, co
                             [&](const Vec<3>& x) { return Vec<3>(cylinder.center + cylinder.axes * x); });
   else
     return {};
-}
-
-/// Cylinders exist in space only.
-template <class Visit>
-void visit_sides(const Cylinder<2>&, const Vec<2>&, const Visit&)
-{
-}
-inline Real closes_after(const Cylinder<2>&)
-{
-  return infinity;
 }
 
 }  // namespace berm::bodies

@@ -34,10 +34,6 @@ inline std::string name_of(const HalfPlaneSettings&)
 {
   return "half-plane";
 }
-inline std::vector<ShapeSize> sizes_of(const HalfPlaneSettings&)
-{
-  return {};
-}
 inline Outline outline_of(const HalfPlaneSettings& plane)
 {
   return PlaneOutline{to_vec<2>(plane.point), to_vec<2>(plane.normal).normalized()};
@@ -150,10 +146,6 @@ void visit_sides(const HalfPlane<2>& plane, const Vec<2>& x, const Visit& visit)
   const Real away = plane.normal.dot(from);
   visit(0, OnSide{plane.normal[1] * from[0] - plane.normal[0] * from[1], away, -infinity, infinity, x[0] - away * plane.normal[0],
                   plane.normal[1]});
-}
-inline Real closes_after(const HalfPlane<2>&)
-{
-  return infinity;
 }
 
 }  // namespace berm::bodies

@@ -82,11 +82,6 @@ std::string name_of(const PolygonSettings& polygon)
   return fmt::format("polygon with {} corners", polygon.x.size());
 }
 
-std::vector<ShapeSize> sizes_of(const PolygonSettings&)
-{
-  return {};
-}
-
 Outline outline_of(const PolygonSettings& polygon)
 {
   CornersOutline outline;

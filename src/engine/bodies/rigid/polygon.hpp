@@ -11,6 +11,7 @@ namespace berm::bodies {
 /// A polygon, convex or not; in space an infinite prism along z. Corners in order, clockwise or counter-clockwise.
 struct PolygonSettings {
   static constexpr const char* word = "polygon";
+  static constexpr bool endless = true;
 
   std::vector<Real> x, y;  ///< m
 };
@@ -22,7 +23,6 @@ void check(Describe& d, const std::string& path, const PolygonSettings& polygon,
 bool is_simple(const PolygonSettings& polygon);
 
 std::string name_of(const PolygonSettings& polygon);
-std::vector<ShapeSize> sizes_of(const PolygonSettings& polygon);
 Outline outline_of(const PolygonSettings& polygon);
 
 template <int dim>
@@ -49,19 +49,6 @@ template <int dim>
 Vec<3> inertia_over_mass(const Polygon<dim>& polygon);
 
 template <int dim>
-Vec<dim> center_of(const Polygon<dim>& polygon)
-{
-  return polygon.center;
-}
-template <int dim>
-Polygon<dim> moved(Polygon<dim> polygon, const Movement<dim>& m)
-{
-  polygon.center += m.displacement;
-  polygon.axes = m.rotation * polygon.axes;
-  return polygon;
-}
-
-template <int dim>
 SurfaceMesh<dim> surface_mesh(const Polygon<dim>& polygon, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   std::vector<Vec<dim>> outline;
@@ -80,10 +67,6 @@ void visit_sides(const Polygon<2>& polygon, const Vec<2>& x, const Visit& visit)
     const Vec<2> foot = polygon.center + polygon.axes * (local - away * Vec<2>(along[1], -along[0]));
     visit(static_cast<int>(k), OnSide{along.dot(from), away, 0, side.norm(), foot[0], polygon.axes.row(0).dot(along)});
   }
-}
-inline Real closes_after(const Polygon<2>&)
-{
-  return infinity;
 }
 
 }  // namespace berm::bodies

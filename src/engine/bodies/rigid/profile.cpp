@@ -93,10 +93,6 @@ void check(Describe& d, const std::string& path, const ProfileSettings& profile,
   d.check(leaves_sides(*polygon.corners, core) && is_simple(inner), path + ".corner_radius", "is too large for the sides of the profile");
 }
 
-std::string name_of(const ProfileSettings&)
-{
-  return "profile";
-}
 std::vector<ShapeSize> sizes_of(const ProfileSettings& profile)
 {
   const auto [low, high] = std::minmax_element(profile.y.begin(), profile.y.end());

@@ -14,6 +14,8 @@ struct ProfileSettings {
   std::vector<Real> x, y;                      ///< m
   Real corner_radius = 0;                      ///< m
   std::vector<Real> position = {}, axis = {};  ///< in space: m, where x = y = 0 lies, and the direction of y; empty: at 0, along y
+
+  bool round_from_above() const { return true; }
 };
 
 /// Whether it does not touch its axis.
@@ -25,7 +27,6 @@ void check(Describe& d, const std::string& path, const ProfileSettings& profile,
 /// Both halves; of a ring the right one.
 PolygonSettings whole_of(const ProfileSettings& profile);
 
-std::string name_of(const ProfileSettings& profile);
 std::vector<ShapeSize> sizes_of(const ProfileSettings& profile);
 Outline outline_of(const ProfileSettings& profile);
 
@@ -78,12 +79,9 @@ SurfacePoint<dim> surface_at(const Profile<dim>& profile, const Vec<dim>& x)
   }
 }
 template <int dim>
-Vec<dim> center_of(const Profile<dim>& profile)
+requires(dim == 2) Vec<dim> center_of(const Profile<dim>& profile)
 {
-  if constexpr (dim == 2)
-    return profile.core.center;
-  else
-    return profile.center;
+  return profile.core.center;
 }
 template <int dim>
 Real lowest_level(const Profile<dim>& profile, const Vec<dim>& up);
@@ -109,14 +107,9 @@ Vec<3> inertia_over_mass(const Profile<dim>& profile)
   return profile.inertia;
 }
 template <int dim>
-Profile<dim> moved(Profile<dim> profile, const Movement<dim>& m)
+requires(dim == 2) Profile<dim> moved(Profile<dim> profile, const Movement<dim>& m)
 {
-  if constexpr (dim == 2) {
-    profile.core = moved(profile.core, m);
-  } else {
-    profile.center += m.displacement;
-    profile.axes = m.rotation * profile.axes;
-  }
+  profile.core = moved(profile.core, m);
   return profile;
 }
 
@@ -145,10 +138,6 @@ void visit_sides(const Profile<2>& profile, const Vec<2>& x, const Visit& visit)
     at.x += profile.radius * outwards[0];
     visit(side, at);
   });
-}
-inline Real closes_after(const Profile<2>&)
-{
-  return infinity;
 }
 
 }  // namespace berm::bodies

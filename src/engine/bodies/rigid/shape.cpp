@@ -18,6 +18,37 @@ void describe_shape(Describe& d, RigidShapeSettings& shape)
            {.meaning = "exact surface of the body; in space circle and polygon are endless along z", .required = true});
 }
 
+bool is_endless(const RigidShapeSettings& shape)
+{
+  return std::visit(
+      []<class S>(const S&) {
+        return requires
+        {
+          requires S::endless;
+        };
+      },
+      shape);
+}
+
+bool is_round_from_above(const RigidShapeSettings& shape)
+{
+  return std::visit(
+      [](const auto& s) {
+        if constexpr (requires { s.round_from_above(); })
+          return s.round_from_above();
+        else
+          return false;
+      },
+      shape);
+}
+
+std::optional<DiskOutline> pipe_section(const RigidShapeSettings& shape)
+{
+  const Outline outline = std::visit([](const auto& s) { return outline_of(s); }, shape);
+  const auto* disk = std::get_if<DiskOutline>(&outline);
+  return disk != nullptr && is_endless(shape) ? std::optional(*disk) : std::nullopt;
+}
+
 template <int dim>
 RigidShape<dim> make_shape(const RigidShapeSettings& settings)
 {

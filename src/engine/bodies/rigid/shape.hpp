@@ -29,6 +29,13 @@ using RigidShape = Shapes::In<dim>;
 
 void describe_shape(Describe& d, RigidShapeSettings& shape);
 
+/// Whether in space it is endless along z; whether there it is round seen from above: a sphere, a profile, a cylinder that stands.
+bool is_endless(const RigidShapeSettings& shape);
+bool is_round_from_above(const RigidShapeSettings& shape);
+
+/// The circle across z of an endless body that is round, as a pipe is; empty for all others.
+std::optional<DiskOutline> pipe_section(const RigidShapeSettings& shape);
+
 template <int dim>
 RigidShape<dim> make_shape(const RigidShapeSettings& settings);
 

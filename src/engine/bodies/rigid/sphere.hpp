@@ -9,9 +9,12 @@ namespace berm::bodies {
 /// A sphere, in space only.
 struct SphereSettings {
   static constexpr const char* word = "sphere";
+  static constexpr bool round = true, endless = false;
 
   std::vector<Real> center;  ///< m
   Real diameter = 0;         ///< m
+
+  bool round_from_above() const { return true; }
 };
 
 inline void describe(Describe& d, SphereSettings& sphere)
@@ -26,23 +29,10 @@ inline void check(Describe& d, const std::string& path, const SphereSettings& sp
   check_entries(d, path + ".center", sphere.center, dimension);
 }
 
-inline std::string name_of(const SphereSettings&)
-{
-  return "sphere";
-}
-inline std::vector<ShapeSize> sizes_of(const SphereSettings& sphere)
-{
-  return {{"diameter", sphere.diameter}};
-}
-inline Outline outline_of(const SphereSettings& sphere)
-{
-  return DiskOutline{to_vec<2>(sphere.center), sphere.diameter / 2};
-}
-
 template <int dim>
 struct Sphere {
   using Settings = SphereSettings;
-  static constexpr bool bounded = true, has_corners = false;
+  static constexpr bool bounded = true, has_corners = false, in_space_only = true;
 
   Vec<dim> center;
   Real radius;
@@ -55,46 +45,10 @@ Sphere<dim> make_shape(const SphereSettings& s)
 }
 
 template <int dim>
-SurfacePoint<dim> surface_at(const Sphere<dim>& sphere, const Vec<dim>& x)
-{
-  const Vec<dim> from = x - sphere.center;
-  const Real length = from.norm();
-  if (length < 1e-12 * sphere.radius) return {-sphere.radius, Vec<dim>::UnitY()};
-  return {length - sphere.radius, from / length};
-}
-
-template <int dim>
-Vec<dim> center_of(const Sphere<dim>& sphere)
-{
-  return sphere.center;
-}
-template <int dim>
-Real lowest_level(const Sphere<dim>& sphere, const Vec<dim>& up)
-{
-  return up.dot(sphere.center) - sphere.radius;
-}
-template <int dim>
-Real width_of(const Sphere<dim>& sphere)
-{
-  return 2 * sphere.radius;
-}
-template <int dim>
-Real reach_of(const Sphere<dim>& sphere)
-{
-  return sphere.radius;
-}
-template <int dim>
 Vec<3> inertia_over_mass(const Sphere<dim>& sphere)
 {
   return Vec<3>::Constant(0.4 * sphere.radius * sphere.radius);
 }
-template <int dim>
-Sphere<dim> moved(Sphere<dim> sphere, const Movement<dim>& m)
-{
-  sphere.center += m.displacement;
-  return sphere;
-}
-
 /// 32 meridians and 16 bands, of polygons: quads are reserved for the sides of extrusions along z.
 template <int dim>
 SurfaceMesh<dim> surface_mesh(const Sphere<dim>& sphere, const Vec<dim>&, const Vec<dim>&)
@@ -116,16 +70,6 @@ SurfaceMesh<dim> surface_mesh(const Sphere<dim>& sphere, const Vec<dim>&, const 
       }
   }
   return s;
-}
-
-/// Spheres exist in space only.
-template <class Visit>
-void visit_sides(const Sphere<2>&, const Vec<2>&, const Visit&)
-{
-}
-inline Real closes_after(const Sphere<2>&)
-{
-  return infinity;
 }
 
 }  // namespace berm::bodies

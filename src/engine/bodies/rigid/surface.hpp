@@ -105,4 +105,85 @@ struct Movement {
   Real angle;  ///< in the plane, rad; in space 0
 };
 
+// What shapes have in common (shape.hpp says what it means). A shape that differs has a function of its own.
+
+template <class Settings>
+std::string name_of(const Settings&)
+{
+  return Settings::word;
+}
+template <class Settings>
+std::vector<ShapeSize> sizes_of(const Settings&)
+{
+  return {};
+}
+template <int dim, class Shape>
+requires requires(const Shape& shape)
+{
+  shape.center;
+}
+Vec<dim> center_of(const Shape& shape)
+{
+  return shape.center;
+}
+template <int dim, class Shape>
+requires requires(const Shape& shape)
+{
+  shape.center;
+}
+Shape moved(Shape shape, const Movement<dim>& m)
+{
+  shape.center += m.displacement;
+  if constexpr (requires { shape.axes; }) shape.axes = m.rotation * shape.axes;
+  if constexpr (requires { shape.angle; }) shape.angle += m.angle;
+  return shape;
+}
+
+// Of a circle and a sphere: all that is nearer than a radius to a centre, of a circle in space to a line along z.
+
+template <class Settings>
+requires(Settings::round) std::vector<ShapeSize> sizes_of(const Settings& round)
+{
+  return {{"diameter", round.diameter}};
+}
+template <class Settings>
+requires(Settings::round) Outline outline_of(const Settings& round)
+{
+  return DiskOutline{to_vec<2>(round.center), round.diameter / 2};
+}
+template <int dim, class Shape>
+requires(Shape::Settings::round) SurfacePoint<dim> surface_at(const Shape& round, const Vec<dim>& x)
+{
+  Vec<dim> from = x - round.center;
+  if constexpr (dim == 3 && Shape::Settings::endless) from[2] = 0;
+  const Real length = from.norm();
+  if (length < 1e-12 * round.radius) return {-round.radius, Vec<dim>::UnitY()};
+  return {length - round.radius, from / length};
+}
+template <int dim, class Shape>
+requires(Shape::Settings::round) Real lowest_level(const Shape& round, const Vec<dim>& up)
+{
+  return up.dot(round.center) - round.radius;
+}
+template <int dim, class Shape>
+requires(Shape::Settings::round) Real width_of(const Shape& round)
+{
+  return 2 * round.radius;
+}
+template <int dim, class Shape>
+requires(Shape::Settings::round) Real reach_of(const Shape& round)
+{
+  return round.radius;
+}
+
+/// Visits the sides of a shape in the plane; those that exist in space only have none there.
+template <class Shape, class Visit>
+requires(Shape::in_space_only) void visit_sides(const Shape&, const Vec<2>&, const Visit&) {}
+/// Length after which the first side repeats; infinite where it does not.
+template <class Shape>
+Real closes_after(const Shape&)
+{
+  return infinity;
+}
+
 }  // namespace berm::bodies

@@ -37,7 +37,7 @@ Outline outline_of(const TriangulatedSettings& surface);
 template <int dim>
 struct Triangulated {
   using Settings = TriangulatedSettings;
-  static constexpr bool bounded = true, has_corners = true;
+  static constexpr bool bounded = true, has_corners = true, in_space_only = true;
 
   Vec<dim> center;   ///< of mass
   Matrix<dim> axes;  ///< of inertia
@@ -62,11 +62,6 @@ SurfacePoint<dim> surface_at(const Triangulated<dim>& body, const Vec<dim>& x)
   }
 }
 template <int dim>
-Vec<dim> center_of(const Triangulated<dim>& body)
-{
-  return body.center;
-}
-template <int dim>
 Real width_of(const Triangulated<dim>& body)
 {
   return dim == 3 ? body.solid->width : 0;
@@ -80,23 +75,6 @@ template <int dim>
 Vec<3> inertia_over_mass(const Triangulated<dim>& body)
 {
   return dim == 3 ? body.solid->contents.inertia : Vec<3>(Vec<3>::Zero());
-}
-template <int dim>
-Triangulated<dim> moved(Triangulated<dim> body, const Movement<dim>& m)
-{
-  body.center += m.displacement;
-  body.axes = m.rotation * body.axes;
-  return body;
-}
-
-/// Surfaces of files exist in space only.
-template <class Visit>
-void visit_sides(const Triangulated<2>&, const Vec<2>&, const Visit&)
-{
-}
-inline Real closes_after(const Triangulated<2>&)
-{
-  return infinity;
 }
 
 }  // namespace berm::bodies

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film.hpp"
 
-#include "report/animation/film_choice.hpp"
-#include "report/animation/film_encoding.hpp"
+#include "report/animation/film_frames.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/animation/film_test.cpp
-#include "report/animation/film_encoding.hpp"
+#include "report/animation/film_frames.hpp"
 
 #include "core/for_each_task.hpp"
 #include "report/animation/film_flow.hpp"
-#include "report/animation/film_outline.hpp"
 #include "report/animation/film_quantization.hpp"
-#include "report/animation/film_surface.hpp"
+#include "report/animation/film_rigids.hpp"
 #include "report/animation/film_view.hpp"
 #include "structures/base/driven_body.hpp"
 #include "text/base64_zlib.hpp"

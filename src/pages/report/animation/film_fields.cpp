@@ -2,10 +2,12 @@
 // Tests: tests/unit/report/animation/film_test.cpp
 #include "report/animation/film_fields.hpp"
 
+#include "core/error.hpp"
 #include "run_folder/frame.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace berm::report {
 namespace {
@@ -50,6 +52,108 @@ std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<flo
     if (field.info.components == number || field.info.components == vector) shown.push_back(film_field(field.info, body));
   std::stable_sort(shown.begin(), shown.end(), [](const FilmField& a, const FilmField& b) { return rank(a.source) < rank(b.source); });
   return shown;
+}
+
+namespace {
+
+const std::string flow_field = run_folder::water_flux_field<2>().name;
+
+float finite(float value)
+{
+  return std::isfinite(value) ? value : 0;
+}
+
+/// Whether a particle is among those shown of a run in space: one of `n`, in no order that a lattice of particles could have.
+bool is_shown(std::int32_t id, Index n)
+{
+  std::uint32_t mixed = static_cast<std::uint32_t>(id) * 2654435769u;
+  mixed = (mixed ^ mixed >> 15) * 2246822519u;
+  return (mixed ^ mixed >> 13) % static_cast<std::uint32_t>(n) == 0;
+}
+
+float length(const std::vector<float>& vectors, Index k)
+{
+  const Real x = vectors[3 * k], y = vectors[3 * k + 1], z = vectors[3 * k + 2];
+  return static_cast<float>(std::sqrt(x * x + y * y + z * z));
+}
+
+}  // namespace
+
+FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body, FilmPart part, Index most)
+    : first_(run_folder::read_soil(first.soil)),
+      fields_(film_fields(first_.fields, body))
+{
+  const Index count = static_cast<Index>(first_.x.size());
+  if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));
+  with_z_ = dimension == 3 && part == FilmPart::whole;
+  has_flow_ = !with_z_ && run_folder::find_field(first_.fields, flow_field) != nullptr;
+  if (with_z_) one_of_ = (count + most - 1) / most;
+  const auto stands_for = static_cast<float>(std::cbrt(Real(one_of_)));
+  const auto [lowest, highest] = std::minmax_element(first_.z.begin(), first_.z.end());
+  middle_ = (Real(*lowest) + Real(*highest)) / 2;
+  for (Index k = 0; k < count; ++k) {
+    const Real volume = std::max(finite(first_.volume[k]), 0.f), size = dimension == 2 ? std::sqrt(volume) : std::cbrt(volume);
+    if (with_z_ ? !is_shown(first_.id[k], one_of_) : dimension == 3 && std::abs(first_.z[k] - middle_) > size) continue;
+    chosen_.push_back(k);
+    sizes_.push_back(static_cast<float>(size) * stands_for);
+  }
+  if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first.soil.string()));
+}
+
+run_folder::SavedSoil FilmReader::same_soil(const run_folder::FrameFiles& files) const
+{
+  run_folder::SavedSoil soil = run_folder::read_soil(files.soil);
+  if (soil.id != first_.id || soil.body != first_.body)
+    throw RunError(fmt::format("{}: has other particles than the first frame", files.soil.string()));
+  return soil;
+}
+
+FilmFrame FilmReader::read(const run_folder::FrameFiles& files) const
+{
+  FilmFrame frame = film_frame(same_soil(files));
+  if (!files.rigid.empty()) frame.rigid_bodies = run_folder::read_rigids(files.rigid);
+  return frame;
+}
+
+void FilmReader::add_summed(const run_folder::FrameFiles& files, FilmFrame& frame) const
+{
+  const run_folder::SavedSoil soil = same_soil(files);
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    if (fields_[f].summed) {
+      const std::vector<float> more = values(soil, fields_[f]);
+      std::transform(more.begin(), more.end(), frame.fields[f].begin(), frame.fields[f].begin(), std::plus<>());
+    }
+}
+
+std::vector<float> FilmReader::values(const run_folder::SavedSoil& soil, const FilmField& field) const
+{
+  const std::vector<float>& all = soil[field.source];
+  const bool vectors = all.size() != soil.x.size();
+  const auto factor = static_cast<float>(field.factor);
+  std::vector<float> chosen;
+  chosen.reserve(chosen_.size());
+  for (const Index k : chosen_) chosen.push_back(finite(factor * (vectors ? length(all, k) : all[k])));
+  return chosen;
+}
+
+FilmFrame FilmReader::film_frame(const run_folder::SavedSoil& soil) const
+{
+  FilmFrame frame;
+  frame.x.reserve(chosen_.size());
+  frame.y.reserve(chosen_.size());
+  for (const Index k : chosen_) {
+    frame.x.push_back(soil.x[k]);
+    frame.y.push_back(soil.y[k]);
+    if (with_z_) frame.z.push_back(soil.z[k]);
+  }
+  for (const FilmField& field : fields_) frame.fields.push_back(values(soil, field));
+  if (!has_flow_) return frame;
+  const std::vector<float>& flow = soil[flow_field];
+  for (const Index k : chosen_) {
+    frame.flow_x.push_back(finite(flow[3 * k]));
+    frame.flow_y.push_back(finite(flow[3 * k + 1]));
+  }
+  return frame;
 }
 
 }  // namespace berm::report

@@ -18,4 +18,61 @@ struct FilmField {
 /// `body` is the word of the rigid body that is driven; "" where none is.
 std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<float>>& fields, const std::string& body);
 
+/// What a film needs of a frame. Values by point; one that is not finite is 0.
+struct FilmFrame {
+  std::vector<float> x, y;                 ///< m
+  std::vector<float> z;                    ///< m; empty but where all of a run in space is shown
+  std::vector<float> flow_x, flow_y;       ///< m/s, flux of the water; empty where none flows, and where all of a run in space is shown
+  std::vector<std::vector<float>> fields;  ///< as FilmReader::fields says; those that are summed from the first frame read on
+  run_folder::SavedRigids rigid_bodies;
+};
+
+/// What a film of a run in space shows.
+enum class FilmPart { slice, whole };
+
+/// Most particles of a film of the whole of a run in space; of more, every n-th is shown.
+constexpr Index max_in_space = 40'000;
+
+/// Reads the frames of a run as its film shows them: all points in plane strain; in space those of the slice in the middle, or of the whole as many as `most`.
+class FilmReader {
+public:
+  /// `body` is the word of the rigid body that is driven, or "". Reads the first frame, whose points all others must have. Throws RunError where it cannot be read or has no points.
+  FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body, FilmPart part = FilmPart::slice,
+             Index most = max_in_space);
+
+  /// What the first frame holds of fields.
+  const std::vector<FilmField>& fields() const { return fields_; }
+
+  std::size_t count() const { return chosen_.size(); }
+  /// m, of the square or cube that each particle stands for at the start.
+  const std::vector<float>& sizes() const { return sizes_; }
+  /// Quadratic triangles of points; none in MPM.
+  const std::vector<std::array<Index, 6>>& triangles() const { return first_.triangles; }
+  /// Whether the frames have the flow of the water.
+  bool has_flow() const { return has_flow_; }
+  /// z of the slice, m.
+  Real middle() const { return middle_; }
+  /// One of so many particles is shown; 1: all.
+  Index one_of() const { return one_of_; }
+
+  /// Fields that are summed are those since the frame before it. Throws RunError where a file cannot be read or holds other points. Safe to call from several threads.
+  FilmFrame read(const run_folder::FrameFiles& files) const;
+  /// Adds to the fields of a frame that are summed those of one that is not shown.
+  void add_summed(const run_folder::FrameFiles& files, FilmFrame& frame) const;
+
+private:
+  run_folder::SavedSoil same_soil(const run_folder::FrameFiles& files) const;
+  FilmFrame film_frame(const run_folder::SavedSoil& soil) const;
+
+  std::vector<float> values(const run_folder::SavedSoil& soil, const FilmField& field) const;
+
+  run_folder::SavedSoil first_;
+  std::vector<FilmField> fields_;
+  std::vector<Index> chosen_;  ///< points of the frames that the film shows
+  std::vector<float> sizes_;
+  Real middle_ = 0;
+  Index one_of_ = 1;
+  bool with_z_ = false, has_flow_ = false;
+};
+
 }  // namespace berm::report

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_quantization.hpp"
 
-#include "plot/nice_number.hpp"
+#include "plot/gnuplot.hpp"
 
 #include <algorithm>
 #include <cmath>

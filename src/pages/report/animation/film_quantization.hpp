@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "report/animation/film_fields_of_frames.hpp"
+#include "report/animation/film_fields.hpp"
 
 namespace berm::report {
 

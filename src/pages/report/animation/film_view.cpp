@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_view.hpp"
 
-#include "bodies/rigid/rigid_body.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "report/expectations/expectations_section.hpp"
 #include "report/expectations/expected_runs.hpp"
 #include "text/quantity_words.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

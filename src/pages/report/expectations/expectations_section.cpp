@@ -4,7 +4,6 @@
 
 #include "report/expectations/expected_runs.hpp"
 #include "text/html.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/report_test.cpp
-#include "report/page/first_look.hpp"
+#include "report/page/page.hpp"
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"

@@ -3,8 +3,6 @@
 
 #include "report/animation/film.hpp"
 #include "report/origin/origin_section.hpp"
-#include "report/page/first_look.hpp"
-#include "report/page/page_data.hpp"
 #include "report/page/page_files.hpp"
 #include "report/quality/quality_section.hpp"
 #include "report/results/results_section.hpp"

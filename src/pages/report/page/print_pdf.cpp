@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/page/print_pdf.hpp"
+#include "report/page/report.hpp"
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"

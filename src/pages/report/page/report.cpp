@@ -5,8 +5,7 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "report/page/page.hpp"
-#include "report/page/print_pdf.hpp"
-#include "report/results/figures.hpp"
+#include "report/results/results_section.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>

@@ -19,4 +19,11 @@ struct ReportRequest {
 /// Writes the page and gives it and the figures that were written, the page first. Throws InputError where a folder is none of a run, RunError where the page cannot be written.
 std::vector<std::filesystem::path> write_report(const ReportRequest& request);
 
+/// The browser that prints: what the environment variable BERM_BROWSER names, else the first of Chromium and Google Chrome in the PATH. Throws RunError with
+/// what to install where there is none.
+std::filesystem::path printing_browser();
+
+/// Prints a page into a PDF as that browser does without a window. Throws RunError where it fails; an older file stays then.
+void print_pdf(const std::filesystem::path& browser, const std::filesystem::path& page, const std::filesystem::path& pdf);
+
 }  // namespace berm::report

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/results/consolidation_table.hpp"
+#include "report/results/results_section.hpp"
 
 #include "problem/drainage.hpp"
-#include "structures/base/drainage_words.hpp"
+#include "structures/base/soil_words.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 

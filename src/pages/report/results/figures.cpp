@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/report_test.cpp
-#include "report/results/figures.hpp"
+#include "report/results/results_section.hpp"
 
-#include "report/results/time_figures.hpp"
 #include "structures/structures.hpp"
 
 namespace berm::report {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
 
-#include "report/results/consolidation_table.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
 

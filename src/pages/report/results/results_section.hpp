@@ -2,11 +2,23 @@
 #pragma once
 
 #include "record/run_record.hpp"
+#include "structures/base/published_point.hpp"
 
 namespace berm::report {
 
 /// Key results of all runs of the page, as HTML, beside what design codes and published formulas give for the same soil. What the first run met stands first, then
 /// `first_look`, HTML, and the other runs below it.
 std::string results_section(const std::vector<record::RunRecord>& runs, const std::string& first_look = "");
+
+/// How the water drained in each stage, of the runs whose water flows, as HTML with its heading; "" where none does.
+std::string consolidation_table(const std::vector<record::RunRecord>& runs);
+
+/// Draws the figures of all runs for print, those of their structures and those over time: SVG and PNG, into a folder that is made. Gives the names of what
+/// was drawn.
+std::vector<std::string> draw_report_figures(const std::vector<record::RunRecord>& runs, const base::PublishedPoints& published,
+                                             const std::filesystem::path& folder);
+
+/// Draws energies and contact of each run over time, as SVG and PNG. Gives the names of what was drawn.
+std::vector<std::string> draw_time_charts(const std::vector<record::RunRecord>& runs, const std::filesystem::path& folder);
 
 }  // namespace berm::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/report_test.cpp
-#include "report/results/time_figures.hpp"
+#include "report/results/results_section.hpp"
 
 #include "plot/figure.hpp"
 

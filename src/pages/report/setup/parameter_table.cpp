@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/setup/setup_section_test.cpp
-#include "report/setup/parameter_table.hpp"
+#include "report/setup/setup_section.hpp"
 
-#include "text/html.hpp"
+#include "input/write_case.hpp"
 #include "text/run_columns.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::report {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/setup/setup_section.hpp"
 #include "picture/model_picture.hpp"
-#include "report/setup/parameter_table.hpp"
-#include "report/setup/setup_tables.hpp"
-#include "report/setup/soil_table.hpp"
-#include "text/html.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/setup/setup_section_test.cpp
-#include "report/setup/setup_tables.hpp"
+#include "report/setup/setup_section.hpp"
 
 #include "material/laws.hpp"
 #include "picture/stage_words.hpp"
 #include "problem/drainage.hpp"
-#include "report/setup/parameter_table.hpp"
 #include "structures/base/driven_body.hpp"
-#include "structures/base/near_mesh.hpp"
 #include "structures/base/soil_words.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
@@ -153,7 +151,7 @@ void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSetting
   const std::vector<bodies::ShapeSize> sizes = std::visit([](const auto& shape) { return sizes_of(shape); }, rigid.shape);
   for (const auto& [name, size] : sizes) rows.length(prefix + name, size);
   if (sizes.empty()) rows.add(prefix + "shape", std::visit([](const auto& shape) { return name_of(shape); }, rigid.shape));
-  if (rows.settings().dimension() == 2 && std::holds_alternative<bodies::CircleSettings>(rigid.shape))
+  if (rows.settings().dimension() == 2 && bodies::pipe_section(rigid.shape))
     rows.length(prefix + "embedment at the start", rows.surface_at(center_of<2>(bodies::make_shape<2>(rigid.shape))[0]) -
                                                        bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
   if (rigid.mass > 0)

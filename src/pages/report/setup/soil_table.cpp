@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/setup/soil_table.hpp"
+#include "report/setup/setup_section.hpp"
 
 #include "material/laws.hpp"
 #include "problem/body_soil.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/envelope/envelope_test.cpp
-#include "structures/pipe/published/pipe_envelope.hpp"
+#include "structures/pipe/published/published.hpp"
 
 #include "core/error.hpp"
 #include "mesh/seabed.hpp"
 #include "structures/base/driven_body.hpp"
-#include "structures/formulas/f114_vertical.hpp"
+#include "structures/formulas/f114.hpp"
 #include "structures/formulas/pipe_in_clay.hpp"
 #include "structures/formulas/pipe_in_sand.hpp"
 #include "structures/pipe/published/pipe_soil.hpp"
@@ -51,12 +51,6 @@ PipeInSoil pipe_in_soil(const problem::Case& c)
           ground.line.level()};
 }
 
-std::string titled(const std::string& title, const formulas::Formula& formula)
-{
-  const std::string where = formula.valid ? "" : fmt::format("; out of range: {}", formula.source.range);
-  return fmt::format("{} [{}{}]", title, word_of(formula.source.label), where);
-}
-
 PublishedEnvelope for_clay(const PipeInSoil& soil)
 {
   PublishedEnvelope published;
@@ -76,7 +70,7 @@ PublishedEnvelope for_clay(const PipeInSoil& soil)
                           smooth = soil.on_this_ground(clay_vertical_smooth(pipe));
   published.numbers = {{"V_max", with_buoyancy(V_max)}, {"H_max", H_max}};
   const formulas::Formula any = soil.on_this_ground(clay_envelope(pipe, V_max.value / 2, V_max.value, H_max.value));
-  PublishedCurve curve{titled(any.source.work, any), {}, {}};
+  PublishedCurve curve{base::titled(any.source.work, any), {}, {}};
   for (int k = 0; k <= curve_points; ++k) {
     const Real V = V_max.value * k / curve_points;
     curve.V.push_back(V + buoyancy);
@@ -85,7 +79,7 @@ PublishedEnvelope for_clay(const PipeInSoil& soil)
   published.curves.push_back(curve);
   if (smooth.valid) {
     published.numbers.push_back({"V_max_slip_lines", with_buoyancy(smooth)});
-    published.curves.push_back({titled("Vmax, slip lines", smooth), {smooth.value + buoyancy}, {0}});
+    published.curves.push_back({base::titled("Vmax, slip lines", smooth), {smooth.value + buoyancy}, {0}});
   }
   return published;
 }
@@ -105,7 +99,7 @@ PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& end
   V_max = soil.on_this_ground(V_max);
   if (std::isfinite(V_max.value)) {
     published.numbers.push_back({"V_max", V_max});
-    published.curves.push_back({titled("Vmax, characteristics", V_max), {V_max.value}, {0}});
+    published.curves.push_back({base::titled("Vmax, characteristics", V_max), {V_max.value}, {0}});
   }
   std::vector<Real> V, H;
   for (std::size_t k = 0; k < ends.V.size(); ++k)
@@ -118,7 +112,9 @@ PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& end
   published.numbers.push_back({"parabola_mu", formula(surface.mu, any.source, any.valid)});
   published.numbers.push_back({"parabola_beta", formula(surface.beta, any.source, any.valid)});
   PublishedCurve curve{
-      titled(fmt::format("H = mu (V/Vmax + beta)(Vmax - V) fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any), {}, {}};
+      base::titled(fmt::format("H = mu (V/Vmax + beta)(Vmax - V) fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any),
+      {},
+      {}};
   for (int k = 0; k <= curve_points; ++k) {
     const Real at = ends.V_max * k / curve_points;
     curve.V.push_back(at);
@@ -150,12 +146,12 @@ base::EmbeddedBody embedded_pipe(const problem::Case& c)
                                                                      : 0;
   if (main == none) throw KeyError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
   const auto& [name, rigid] = c.rigid[main];
-  const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
-  if (circle == nullptr)
+  const std::optional<bodies::DiskOutline> circle = bodies::pipe_section(rigid.shape);
+  if (!circle)
     throw KeyError(
         fmt::format("rigid.{}.shape: an envelope is that of a pipe, \"circle\", or of a footing, which a push drives first", name));
-  const base::EmbeddedBody pipe{circle->diameter,
-                                problem::ground_of(c).level_at(circle->center[0], c.surface) - (circle->center[1] - circle->diameter / 2)};
+  const base::EmbeddedBody pipe{2 * circle->radius,
+                                problem::ground_of(c).level_at(circle->center[0], c.surface) - (circle->center[1] - circle->radius)};
   if (!(pipe.embedment > 0))
     throw KeyError(
         fmt::format("rigid.{}.center: the lowest point of the pipe lies {:g} m above the bed; an envelope needs a pipe that lies in it",

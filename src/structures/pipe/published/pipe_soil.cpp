@@ -8,15 +8,6 @@
 #include <algorithm>
 
 namespace berm::pipe {
-namespace {
-
-const bodies::CircleSettings* circle_of(const problem::Case& c)
-{
-  const Index rigid = main_rigid(c);
-  return rigid == none ? nullptr : std::get_if<bodies::CircleSettings>(&c.rigid[rigid].second.shape);
-}
-
-}  // namespace
 
 formulas::PipeInClay ClayAround::at(Real embedment) const
 {
@@ -30,19 +21,20 @@ formulas::PipeInClay ClayAround::at(Real embedment) const
   return {diameter, embedment, strength, roughness, strength_gradient, unit_weight};
 }
 
-bool is_circle(const problem::Case& c)
+std::optional<bodies::DiskOutline> circle_of(const problem::Case& c)
 {
-  return circle_of(c) != nullptr;
+  const Index rigid = main_rigid(c);
+  return rigid == none ? std::nullopt : bodies::pipe_section(c.rigid[rigid].second.shape);
 }
 
 Real modelled_part(const problem::Case& c)
 {
-  const bodies::CircleSettings* circle = circle_of(c);
-  if (circle == nullptr) return nan;
+  const std::optional<bodies::DiskOutline> circle = circle_of(c);
+  if (!circle) return nan;
   const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (seabed == nullptr) return 1;
   const mesh::SeabedLayout layout = layout_of(*seabed);
-  const Real x = circle->center[0], radius = circle->diameter / 2, round_off = 1e-9 * radius;
+  const Real x = circle->center[0], radius = circle->radius, round_off = 1e-9 * radius;
   if (x - radius >= layout.left && x + radius <= layout.right) return 1;
   return std::abs(x - layout.left) < round_off || std::abs(x - layout.right) < round_off ? 0.5 : nan;
 }
@@ -50,8 +42,8 @@ Real modelled_part(const problem::Case& c)
 PipeSoil pipe_soil(const record::RunRecord& run)
 {
   const problem::Case& c = run.settings;
-  const bodies::CircleSettings* circle = circle_of(c);
-  if (circle == nullptr) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
+  const std::optional<bodies::DiskOutline> circle = circle_of(c);
+  if (!circle) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
   if (c.geometry != problem::Geometry::plane_strain)
     return NoFormula{fmt::format("The published formulas are per metre of pipe in plane strain; this run is {}.",
                                  c.geometry == problem::Geometry::space ? "in space" : "axisymmetric")};
@@ -73,19 +65,19 @@ PipeSoil pipe_soil(const record::RunRecord& run)
     for (const material::Material& one : soil.materials)
       if (law->friction_angle > 0 || strength_at_rest(one)->friction_angle > 0)
         return NoFormula{"The published formulas are those of clay or of one sand; this soil has layers of others."};
+  const Real diameter = 2 * circle->radius;
   // The largest within a diameter below.
   Real cohesion = law->cohesion;
   for (const Real part : {0.5, 1.})
-    if (const std::optional<material::Strength> below = strength_at_rest(soil.at("", depth + part * circle->diameter)))
+    if (const std::optional<material::Strength> below = strength_at_rest(soil.at("", depth + part * diameter)))
       cohesion = std::max(cohesion, below->cohesion);
-  if (law->friction_angle > 0 && cohesion <= SandAround::max_cohesion * unit_weight * circle->diameter && unit_weight > 0)
+  if (law->friction_angle > 0 && cohesion <= SandAround::max_cohesion * unit_weight * diameter && unit_weight > 0)
     return SandAround{
-        circle->diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle,
-        cohesion};
+        diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle, cohesion};
   if (law->friction_angle == 0 && cohesive) {
     const bool slips = !sticks && contact.friction_angle == 0;
     const Real adhesion = sticks ? infinity : slips ? contact.adhesion : nan;
-    return ClayAround{circle->diameter,
+    return ClayAround{diameter,
                       unit_weight,
                       soil,
                       adhesion,

@@ -42,8 +42,8 @@ struct NoFormula {
 
 using PipeSoil = std::variant<SandAround, ClayAround, NoFormula>;
 
-/// Whether the main rigid body of a case is a pipe: a circle.
-bool is_circle(const problem::Case& c);
+/// The main rigid body of a case where that is a pipe; else empty.
+std::optional<bodies::DiskOutline> circle_of(const problem::Case& c);
 
 /// The part of the pipe that a case models: 1, or 0.5 where a wall of a seabed goes through its centre, an axis of symmetry; NaN where a wall cuts it
 /// elsewhere, or the body is no circle.

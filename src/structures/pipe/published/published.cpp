@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
-#include "structures/formulas/f114_lateral.hpp"
-#include "structures/pipe/published/published_clay.hpp"
-#include "structures/pipe/published/published_sand.hpp"
+#include "structures/formulas/f114.hpp"
+#include "structures/pipe/published/published_of_soil.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
 
@@ -59,8 +58,7 @@ std::string remark_on_place(const PipeRun& run)
 
 std::string remark_on_ground(const PipeRun& run)
 {
-  const bodies::CircleSettings& circle = std::get<bodies::CircleSettings>(run.settings.rigid[main_rigid(run.settings)].second.shape);
-  const Real x = circle.center[0], reach = 2 * run.scale.width;
+  const Real x = circle_of(run.settings)->center[0], reach = 2 * run.scale.width;
   const auto [low, high] = run.record.ground.line.heights(x - reach, x + reach);
   return fmt::format("All formulas here are for a level bed. The ground of this run is not: within 2 D of the pipe's start it rises and "
                      "falls by {:.2g} D. They "

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/results/results_section_test.cpp
-#include "structures/pipe/report/axial_table.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
 #include "structures/formulas/axial.hpp"
 #include "structures/pipe/results/axial_results.hpp"
 #include "text/html.hpp"
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <fmt/format.h>
 

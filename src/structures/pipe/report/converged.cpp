@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/results/results_section_test.cpp
-#include "structures/pipe/report/converged.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/results/results_section_test.cpp
-#include "structures/pipe/report/in_words.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
 #include "structures/pipe/published/pipe_soil.hpp"
-#include "structures/pipe/report/converged.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
 #include "text/html.hpp"
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -176,7 +175,7 @@ std::string results_in_words(const PipeRun& run, const base::DisplayUnits& shown
   }
   words += other_push_words(run, results, false, shown);
   words.erase(words.find_last_not_of(' ') + 1);
-  if (!is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));
+  if (!circle_of(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));
   return words;
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/results/results_section_test.cpp
-#include "structures/pipe/report/key_results.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
-#include "structures/pipe/report/converged.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
 #include "text/html.hpp"
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <span>
 
 namespace berm::pipe {
 namespace {
@@ -100,79 +100,75 @@ std::string drag_table(const PipeRuns& runs, const base::DisplayUnits& shown, bo
   return table.html();
 }
 
+/// A column of the table of stages, and its number of a drag and of another push.
+struct StageColumn {
+  using Value = std::optional<Real>;
+  enum class Unit { force, width, none } unit;
+  const char* heading;
+  Value (*of_drag)(const DragResults& drag);
+  Value (*of_push)(const OtherPushResults& push) = [](const OtherPushResults&) { return Value(); };
+};
+
+template <class T>
+std::optional<Real> member_of(const std::optional<T>& point, Real T::*member)
+{
+  return point ? std::optional((*point).*member) : std::nullopt;
+}
+
+using StageUnit = StageColumn::Unit;
+constexpr StageColumn stage_columns[] = {
+    {StageUnit::width, "travel/D", [](const DragResults& d) { return member_of(d.end, &DragPoint::u); }},
+    {StageUnit::force, "V", [](const DragResults& d) { return d.V; }, [](const OtherPushResults& p) { return std::optional(p.V); }},
+    {StageUnit::force, "H<sub>breakout</sub>", [](const DragResults& d) { return member_of(d.breakout, &DragPeak::H); }},
+    {StageUnit::width, "at u/D", [](const DragResults& d) { return member_of(d.breakout, &DragPeak::u); }},
+    {StageUnit::force, "H<sub>max</sub>", [](const DragResults& d) { return member_of(d.largest, &DragPeak::H); }},
+    {StageUnit::force, "H<sub>end</sub>", [](const DragResults& d) { return member_of(d.end, &DragPoint::H); }},
+    {StageUnit::none, "H<sub>end</sub>/V", [](const DragResults& d) { return d.end ? std::optional(d.end->H / d.end->V) : std::nullopt; }},
+    {StageUnit::width, "w<sub>end</sub>/D", [](const DragResults& d) { return member_of(d.end, &DragPoint::w); },
+     [](const OtherPushResults& p) { return std::optional(p.w); }},
+    {StageUnit::width, "berm height/D", [](const DragResults& d) { return d.berm_height; }},
+    {StageUnit::width, "berm ahead by/D", [](const DragResults& d) { return d.berm_distance; }},
+    {StageUnit::width, "remoulded below/D", [](const DragResults& d) { return d.remoulded_depth; }}};  // the last: of clay that softens
+
 /// A row for each drag and other push of the runs that have more than one push and one drag.
 std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
 {
   text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one");
-  const auto force = [&](const char* symbol) { return shown.force_columns(symbol).front(); };
   const bool softens = std::any_of(runs.begin(), runs.end(), [](const PipeRun& run) {
     const auto& drags = run.results().drags;
     return std::any_of(drags.begin(), drags.end(), [](const DragResults& drag) { return drag.remoulded_depth.has_value(); });
   });
-  const auto columns = [&](std::vector<text::HtmlCell> cells) {
-    if (!softens) cells.pop_back();
-    return cells;
-  };
-  table.columns(columns({{"stage"},
-                         {"travel/D", true},
-                         force("V"),
-                         force("H<sub>breakout</sub>"),
-                         {"at u/D", true},
-                         force("H<sub>max</sub>"),
-                         force("H<sub>end</sub>"),
-                         {"H<sub>end</sub>/V", true},
-                         {"w<sub>end</sub>/D", true},
-                         {"berm height/D", true},
-                         {"berm ahead by/D", true},
-                         {"remoulded below/D", true}}));
-  const auto number = [](std::optional<Real> value) { return text::HtmlCell{value ? text::table_number(*value) : "", true}; };
+  const std::span columns(stage_columns, std::size(stage_columns) - (softens ? 0 : 1));
+  std::vector<text::HtmlCell> headings{{"stage"}};
+  for (const StageColumn& c : columns)
+    headings.push_back(c.unit == StageUnit::force ? shown.force_columns(c.heading).front() : text::HtmlCell{c.heading, true});
+  table.columns(headings);
   for (const PipeRun& run : runs) {
     const PipeResults results = run.results();
     if (results.drags.size() < 2 && results.other_pushes.empty()) continue;
-    const Real D = run.scale.width;
-    const auto force_of = [&](std::optional<Real> value) { return number(value ? std::optional(shown.in_force_unit(*value)) : value); };
-    const auto over_D = [&](std::optional<Real> value) { return number(value ? std::optional(*value / D) : value); };
+    const auto add = [&](const std::string& stage, const auto& value_of) {
+      std::vector<text::HtmlCell> cells{{text::html_text(stage)}};
+      for (const StageColumn& c : columns) {
+        const std::optional<Real> value = value_of(c);
+        const auto in_unit = [&](Real v) {
+          return c.unit == StageUnit::force ? shown.in_force_unit(v) : c.unit == StageUnit::width ? v / run.scale.width : v;
+        };
+        cells.push_back({value ? text::table_number(in_unit(*value)) : "", true});
+      }
+      table.row(cells);
+    };
     if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
-    for (const OtherPushResults& push : results.other_pushes)
-      table.row(columns({{text::html_text(push.stage)},
-                         {"", true},
-                         force_of(push.V),
-                         {"", true},
-                         {"", true},
-                         {"", true},
-                         {"", true},
-                         {"", true},
-                         over_D(push.w),
-                         {"", true},
-                         {"", true},
-                         {"", true}}));
-    for (const DragResults& drag : results.drags) {
-      const auto& end = drag.end;
-      const auto of_end = [&](Real DragPoint::*member) { return end ? std::optional((*end).*member) : std::nullopt; };
-      table.row(columns({{text::html_text(drag.stage)},
-                         over_D(of_end(&DragPoint::u)),
-                         force_of(drag.V),
-                         force_of(drag.breakout ? std::optional(drag.breakout->H) : std::nullopt),
-                         over_D(drag.breakout ? std::optional(drag.breakout->u) : std::nullopt),
-                         force_of(drag.largest ? std::optional(drag.largest->H) : std::nullopt),
-                         force_of(of_end(&DragPoint::H)),
-                         number(end ? std::optional(end->H / end->V) : std::nullopt),
-                         over_D(of_end(&DragPoint::w)),
-                         over_D(drag.berm_height),
-                         over_D(drag.berm_distance),
-                         over_D(drag.remoulded_depth)}));
-    }
+    for (const OtherPushResults& push : results.other_pushes) add(push.stage, [&](const StageColumn& c) { return c.of_push(push); });
+    for (const DragResults& drag : results.drags) add(drag.stage, [&](const StageColumn& c) { return c.of_drag(drag); });
   }
   if (table.empty()) return "";
-  const std::string remoulded =
-      softens ? " Clay below the invert counts as remoulded where it has lost half of what remoulding takes." : "";
   return table.html() +
          text::html_paragraph(
-             "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D but "
-             "over a third of it at most. The "
-             "berm is the highest soil ahead of the pipe at the end of the drag, above the surface as it was, and its distance from "
-             "the axis of the pipe." +
-                 remoulded,
+             fmt::format(
+                 "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D "
+                 "but over a third of it at most. The berm is the highest soil ahead of the pipe at the end of the drag, above the "
+                 "surface as it was, and its distance from the axis of the pipe.{}",
+                 softens ? " Clay below the invert counts as remoulded where it has lost half of what remoulding takes." : ""),
              "quiet");
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/quality/quality_section_test.cpp
-#include "structures/pipe/report/pipe_measures.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
 #include "problem/cells_at_body.hpp"
+#include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/base/near_mesh.hpp"
 #include "structures/pipe/results/pipe_run.hpp"
 #include "text/quantity_words.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/results/results_section_test.cpp
-#include "structures/pipe/report/published_table.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
-#include "structures/base/printed_range.hpp"
+#include "structures/base/display_units.hpp"
 #include "structures/pipe/published/published.hpp"
 #include "structures/pipe/results/run_points.hpp"
 #include "text/html.hpp"
-#include "text/shown_number.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <cctype>

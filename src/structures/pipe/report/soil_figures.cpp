@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/report_test.cpp
-#include "structures/pipe/report/soil_figures.hpp"
+#include "structures/pipe/report/pipe_report.hpp"
 
 #include "core/error.hpp"
 #include "record/soil_plot.hpp"

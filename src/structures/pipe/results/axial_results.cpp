@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/results/axial_results.hpp"
 
-#include "structures/base/drainage_words.hpp"
+#include "structures/base/soil_words.hpp"
 
 namespace berm::pipe {
 
@@ -11,7 +11,7 @@ std::vector<AxialState> axial_states(const record::RunRecord& run)
   const Index rigid = main_rigid(run.settings);
   const contact::ContactSettings* contact = base::contact_of_body(run.settings);
   if (rigid == none || contact == nullptr || run.settings.geometry != problem::Geometry::plane_strain) return states;
-  if (!std::holds_alternative<bodies::CircleSettings>(run.settings.rigid[rigid].second.shape)) return states;
+  if (!bodies::pipe_section(run.settings.rigid[rigid].second.shape)) return states;
   for (const base::SurfaceForce& force : base::surface_forces_of(run))
     if (force.V > 0) states.push_back({force.stage, force.w, force.N_eff, force.V, std::tan(contact->friction_angle)});
   return states;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/results/mechanism.hpp"
 
-#include "bodies/rigid/rigid_body.hpp"
 #include "core/error.hpp"
 #include "material/clay.hpp"
 
@@ -31,6 +30,15 @@ std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, const pro
   return columns;
 }
 
+/// How much higher it is now than at the start.
+std::map<Index, Real> rises(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
+                            Real center, Real width)
+{
+  std::map<Index, Real> columns = columns_above(now, surface, center, width);
+  for (const auto& [column, height] : columns_above(start, surface, center, width)) columns[column] -= height;
+  return columns;
+}
+
 /// The plastic shear strain at which clay has lost half of what remoulding takes; 0 where the soil does not soften, or has several materials.
 Real half_remoulded(const PipeRun& run)
 {
@@ -51,11 +59,9 @@ Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& 
                const PipePlace& pipe, Real diameter)
 {
   const Real width = column_width * diameter;
-  std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
-  for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
   Heave heave{-infinity, -infinity, 0};
   const auto max = static_cast<Index>(beside_pipe / column_width);
-  for (const auto& [column, rise] : columns) {
+  for (const auto& [column, rise] : rises(start, now, surface, pipe.x, width)) {
     if (column >= 0) heave.berm += std::max(Real(0), rise) * width;
     if (column < -max || column >= max) continue;
     Real& highest = column < 0 ? heave.behind : heave.ahead;
@@ -68,10 +74,8 @@ Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& no
              const PipePlace& pipe, Real direction, Real diameter)
 {
   const Real width = column_width * diameter;
-  std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
-  for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
   Berm berm{0, 0};
-  for (const auto& [column, rise] : columns) {
+  for (const auto& [column, rise] : rises(start, now, surface, pipe.x, width)) {
     const Real ahead = direction * (static_cast<Real>(column) + 0.5) * width;
     if (ahead < 0 || rise <= 0) continue;
     if (ahead <= around_pipe * diameter && rise > berm.height) berm.height = rise, berm.distance = ahead;

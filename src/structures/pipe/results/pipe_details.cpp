@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "record/travel_curve.hpp"
-#include "structures/formulas/f114_vertical.hpp"
+#include "structures/formulas/f114.hpp"
 #include "structures/pipe/results/mechanism.hpp"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/results/pipe_path.hpp"
 
-#include <algorithm>
-
 namespace berm::pipe {
 namespace {
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "record/run_record.hpp"
 #include "run_folder/history.hpp"
+#include "run_folder/summary.hpp"
 #include "structures/pipe/results/pipe_results.hpp"
 
 namespace berm::pipe {
 
-/// What a run gives that pushes a pipe into the bed and drags it, as far as it came.
-PipeResults pipe_results(const run_folder::History& history, const BodyScale& scale, const PipeStages& stages);
-
-/// The same as quantities (quantities_of). Of the push, the way down before the first drag, without what unloads:
+/// What a run gives that pushes a pipe into the bed and drags it, as far as it came; by the names of quantities_of: of the push, the way down before the first drag, without what unloads:
 ///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
 ///   V_at_travel_{0.0025,0.005,0.01,0.02,0.03}D of a push that begins with the pipe in the bed (0.02 D or deeper), with the travel from there;
 ///   V_noise, the standard deviation of V about its moving mean (as below) over its mean, from w = 0.02 D on.
@@ -25,10 +24,18 @@ PipeResults pipe_results(const run_folder::History& history, const BodyScale& sc
 /// Forces (N/m) come once more over gamma' D^2 (suffix _over_gammaD2), lengths (m) over D (_over_D). Forces and w are taken from the straight
 /// line fitted over +-0.01 D of travel, +- a quarter of the travel for V_at_travel where that is less (TravelCurve::at), or between two rows where there is no
 /// noise.
-std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const BodyScale& scale, const PipeStages& stages);
+PipeResults pipe_results(const run_folder::History& history, const BodyScale& scale, const PipeStages& stages);
 
-/// The same as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model has
+/// Quantities as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model has
 /// one.
 std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const BodyScale& scale);
+
+/// Moments of the soil on the driven body in space about its centre, N m, averaged as V is: Mx_end_of_push, ... at the end of the way down, Mx_end_of_drag, ... at that of
+/// the first drag. Components below a thousandth of V D (H D) are noise and left out; in the plane and around an axis there are none.
+std::vector<run_folder::Quantity> moments_in_space(const record::RunRecord& run);
+
+/// Whether a key result is a number of the input: the embedment at which a push or the travel at which a drag ends, V where a push ends at a force or is
+/// driven by one and of a drag under a force that is given, w of a drag at a fixed level. What cells or speed make of such a number is how exactly the limit is met, and no uncertainty.
+bool is_prescribed(const record::RunRecord& run, const run_folder::Quantity& quantity);
 
 }  // namespace berm::pipe

@@ -8,16 +8,16 @@ namespace berm::pipe {
 
 /// A run as that of a pipe: the record, which must outlive it, with what its results are measured by.
 struct PipeRun {
-  explicit PipeRun(const record::RunRecord& run, std::size_t number_on_page = 0);
+  explicit PipeRun(const record::RunRecord& run, std::size_t number_on_page = 0) : record(run), number(number_on_page) {}
 
   const record::RunRecord& record;
-  const std::string& name;
-  const problem::Case& settings;
-  const run_folder::History& history;
-  const std::vector<run_folder::Quantity>& quantities;
-  record::RunEnd end;
-  BodyScale scale;
-  PipeStages stages;
+  const std::string& name = record.name;
+  const problem::Case& settings = record.settings;
+  const run_folder::History& history = record.history;
+  const std::vector<run_folder::Quantity>& quantities = record.quantities;
+  record::RunEnd end = record.end;
+  BodyScale scale = base::body_scale(record);
+  PipeStages stages = pipe_stages(settings);
   std::size_t number;  ///< on the page, which gives its colour
 
   /// What its quantities tell.

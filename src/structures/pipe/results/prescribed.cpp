@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structures/pipe/results/prescribed.hpp"
-
-#include "structures/pipe/results/pipe_path.hpp"
+#include "structures/pipe/results/pipe_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace berm::pipe {
 namespace {

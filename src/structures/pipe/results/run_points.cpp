@@ -2,8 +2,6 @@
 // Tests: tests/unit/structures/pipe/results/resistance_test.cpp
 #include "structures/pipe/results/run_points.hpp"
 
-#include "bodies/rigid/rigid_body.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film.hpp"
 
-#include "report/animation/film_fields_of_frames.hpp"
+#include "report/animation/film_fields.hpp"
 #include "samples/film_decoding.hpp"
 #include "samples/sample_film_run.hpp"
 

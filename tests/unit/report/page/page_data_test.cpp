@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/page/page_data.hpp"
+#include "report/page/page.hpp"
 
 #include "record/travel_curve.hpp"
 #include "samples/history_columns.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The printing itself is tested with a browser in tests/browser.
-#include "report/page/print_pdf.hpp"
+#include "report/page/report.hpp"
 
 #include "core/error.hpp"
 #include "samples/temporary_folder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/results/consolidation_table.hpp"
+#include "report/results/results_section.hpp"
 
 #include "samples/made_run_in_water.hpp"
 

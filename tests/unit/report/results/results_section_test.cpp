@@ -2,7 +2,6 @@
 #include "report/results/results_section.hpp"
 #include "samples/made_run_in_water.hpp"
 #include "text/quantity_words.hpp"
-#include "text/shown_number.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

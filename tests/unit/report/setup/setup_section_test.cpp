@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/setup/parameter_table.hpp"
+#include "input/write_case.hpp"
 #include "report/setup/setup_section.hpp"
-#include "report/setup/setup_tables.hpp"
 #include "samples/pipe_case.hpp"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include "structures/anchor/anchor.hpp"
 
 #include "samples/made_run.hpp"
-#include "structures/anchor/anchor_results.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/base/kind.hpp"
 

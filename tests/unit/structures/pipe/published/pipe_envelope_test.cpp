@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structures/pipe/published/pipe_envelope.hpp"
+#include "structures/pipe/published/published.hpp"
 
 #include "samples/clay_pipe.hpp"
 #include "structures/formulas/pipe_in_sand.hpp"

@@ -15,6 +15,11 @@ const BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
 const PipeStages stages{PipeStage{.name = "push", .kind = problem::StageKind::push},
                         PipeStage{.name = "drag", .kind = problem::StageKind::drag}};
 
+std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const BodyScale& of, const PipeStages& by)
+{
+  return pipe::quantities_of(pipe_results(history, of, by), of);
+}
+
 std::vector<run_folder::Quantity> quantities_of(const SamplePipe& pipe, const PipeStages& by = stages)
 {
   const TemporaryFolder folder;

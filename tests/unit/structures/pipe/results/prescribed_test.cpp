@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structures/pipe/results/prescribed.hpp"
+#include "structures/pipe/results/pipe_quantities.hpp"
 
 #include "samples/made_run.hpp"
 

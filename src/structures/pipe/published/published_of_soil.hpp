@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/pipe/published/pipe_soil.hpp"
+#include "structures/pipe/published/published.hpp"
+
+namespace berm::pipe {
+
+/// A vertical load V (N/m) that a pushed pipe carries at embedment w (m); `heaves`: it was pushed there.
+std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, bool heaves);
+
+/// The resistance H (N/m) against a drag, at embedment w (m) under a vertical load V (N/m).
+std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Real H);
+
+/// The same at breakout, where the formulas of design codes hold.
+std::vector<Comparison> clay_at_breakout(const ClayAround& clay, Real w, Real V, Real H);
+
+/// A long drag at its end.
+struct SweepResults {
+  Real w_begin;  ///< m, where it began
+  Real w, V, H;  ///< m, N/m, N/m: means over its end
+  Real middle;   ///< N/m, H in the middle of its travel
+};
+
+/// What it has, beside the residual resistance; and beside that of a sweep between the berms that others left.
+std::vector<Comparison> clay_after_sweep(const ClayAround& clay, const SweepResults& sweep);
+std::vector<Comparison> clay_between_berms(const ClayAround& clay, const SweepResults& sweep);
+
+std::vector<std::string> remarks_on(const ClayAround& clay);
+
+/// A vertical load V (N/m) that a pushed pipe carries at embedment w (m).
+std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V);
+
+/// The resistance H (N/m) at breakout, at embedment w (m) under a vertical load V (N/m).
+std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Real H);
+
+/// The same at the end of a long drag.
+std::vector<Comparison> sand_after_sweep(const SandAround& sand, Real w, Real V, Real H);
+
+std::vector<std::string> remarks_on(const SandAround& sand);
+
+}  // namespace berm::pipe

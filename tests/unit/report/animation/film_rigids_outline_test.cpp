@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_rigids.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::report::this_file {
+namespace {
+
+FilmFrame with(run_folder::SavedRigids rigid_bodies)
+{
+  FilmFrame frame;
+  frame.rigid_bodies = std::move(rigid_bodies);
+  return frame;
+}
+
+TEST(film_outline, part_that_comes_later_is_not_there_before)
+{
+  const FilmFrame first = with({{0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {{0, 1, 2}}, {io::VtkCell::polygon}, {4}});
+  const FilmFrame second =
+      with({{5, 6, 5, 7}, {0, 0, 1, 8}, {0, 0, 0, 0}, {{0, 1, 2}, {3, 0}}, {io::VtkCell::polygon, io::VtkCell::line}, {4, 4}});
+  const std::vector<FilmOutline> outlines = film_outlines({&first, &second}, 2);
+  ASSERT_EQ(outlines.size(), 2u);
+  EXPECT_EQ(outlines[0].rigid, 4);
+  EXPECT_EQ(outlines[0].points, 3);
+  EXPECT_EQ(outlines[0].corners, (std::vector<float>{0, 0, 1, 0, 0, 1, 5, 0, 6, 0, 5, 1}));
+  EXPECT_EQ(outlines[1].rigid, 4);
+  EXPECT_EQ(outlines[1].points, 2);
+  ASSERT_EQ(outlines[1].corners.size(), 8u);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(std::isnan(outlines[1].corners[k]));
+  EXPECT_EQ((std::vector<float>(outlines[1].corners.begin() + 4, outlines[1].corners.end())), (std::vector<float>{7, 8, 5, 0}));
+}
+
+TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_rest)
+{
+  // A prism over a triangle, and a box.
+  run_folder::SavedRigids rigid_bodies;
+  rigid_bodies.x = {0, 0, 1, 1, 0, 0, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigid_bodies.y = {0, 0, 0, 0, 1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigid_bodies.z = {-1, 1, -1, 1, -1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigid_bodies.cells = {{0, 2, 3, 1}, {2, 4, 5, 3}, {4, 0, 1, 5}, {6, 7, 8, 9, 10, 11, 12, 13}};
+  rigid_bodies.types = {io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::hexahedron};
+  rigid_bodies.rigid = {0, 0, 0, 1};
+  const FilmFrame frame = with(rigid_bodies);
+  const std::vector<FilmOutline> outlines = film_outlines({&frame}, 3);
+  ASSERT_EQ(outlines.size(), 1u);
+  EXPECT_EQ(outlines[0].corners, (std::vector<float>{0, 0, 1, 0, 0, 1}));
+}
+
+}  // namespace
+}  // namespace berm::report::this_file
