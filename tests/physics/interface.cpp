@@ -170,6 +170,24 @@ TEST(SlidingPlate, loses_adhesion_exponentially_with_its_slip)
   }
 }
 
+TEST(LiftedPlate, loses_no_adhesion_as_it_goes_along_the_normal)
+{
+  // Up by 4 mm, less than the half width of a particle at which it would not touch any more, and down again.
+  problem::Case c = plate_on_layer({0, 0.19, 0.2, 0.6}, {-1, -1, 1, 1});
+  contact::ContactSettings& contact = c.contact[0].second;
+  contact.adhesion = 1e3;
+  contact.adhesion_sensitivity = 4;
+  contact.adhesion_ductility = 6e-3;
+  Simulation<2> run(c);
+  Real highest = 0;
+  run.run_until(0.5, [&] { highest = std::max(highest, run.state().rigid_bodies[0].displacement[1]); });
+  EXPECT_GT(highest, 3.8e-3);
+  const int slip = run.model().contacts[0].memory.slip;
+  Real largest = 0;
+  run.state().particles[0].visit([&](Index, Index b, int l) { largest = std::max(largest, run.state().particles[0].extra(b)[slip][l]); });
+  EXPECT_LT(largest, 1e-6);  // between smooth walls the layer does not go sideways but for round-off
+}
+
 TEST(InterfaceMemory, is_the_same_to_the_last_bit_for_any_number_of_threads)
 {
   const auto numbers_after = [](int threads) {

@@ -124,6 +124,18 @@ TEST(Footprints, around_an_axis_add_up_to_the_area_of_a_radian)
   }
 }
 
+TEST(Footprints, around_an_axis_that_end_within_a_particle_have_the_radius_of_what_is_left)
+{
+  // Borders halfway between columns of one width, and a side on which the radius grows evenly: round-off only, wherever the plate ends.
+  for (const Real spacing : {0.05, 0.025, 1. / 60}) {
+    RoundBed bed(spacing);
+    for (const Real radius : {0.387, 0.4, 0.413}) {
+      const bodies::Box<2> round{Vec<2>(0, 0.1), Vec<2>(radius, 0.1), Matrix<2>::Identity()};
+      EXPECT_NEAR(bed.covered(round), radius * radius / 2, 1e-12);
+    }
+  }
+}
+
 TEST(Footprints, of_a_ball_add_up_to_its_surface)
 {
   // Pieces of an arc are taken as straight: an error of the square of half a particle's angle, 0.025 rad, over 6.

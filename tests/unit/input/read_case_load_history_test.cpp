@@ -13,12 +13,13 @@ using problem::load_factor;
 
 class LoadHistory : public testing::Test {
 protected:
-  problem::StageSettings read(const std::string& text)
+  problem::StageSettings read(const std::string& text, std::optional<Real> time = {})
   {
     folder_.write("storm.csv", text);
     problem::StageSettings stage;
     stage.name = "storm";
     stage.load_history = "storm.csv";
+    stage.until.time = time;
     read_load_history(stage, 0, folder_.path());
     return stage;
   }
@@ -41,6 +42,12 @@ TEST_F(LoadHistory, is_read_beside_the_case)
   EXPECT_EQ(stage.load_factors, (std::vector<Real>{0, 1.5, -1}));
   EXPECT_TRUE(stage.load_history.empty()) << "a resolved case needs no file";
   EXPECT_EQ(stage.until.time, 2) << "the stage ends with it at the latest";
+}
+
+TEST_F(LoadHistory, ends_its_stage_at_its_last_time_or_at_the_time_of_the_stage_whichever_is_first)
+{
+  EXPECT_EQ(read("0,0\n2,1\n", 1.5).until.time, 1.5);
+  EXPECT_EQ(read("0,0\n2,1\n", 3).until.time, 2);
 }
 
 TEST_F(LoadHistory, is_linear_between_its_times_and_constant_after)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/types.hpp"
 #include "samples/study_of_falls.hpp"
+#include "study/estimates.hpp"
 
 namespace berm::study::this_file {
 namespace {
@@ -45,6 +46,32 @@ std::vector<Real> numbers_in(const std::string& text, const std::string& begin)
   for (std::string field; std::getline(fields, field, ',');)
     numbers.push_back(field.empty() ? std::numeric_limits<Real>::quiet_NaN() : std::stod(field));
   return numbers;
+}
+
+TEST(Estimates, of_a_table_begin_with_the_parameter_of_the_largest_correlation_whatever_its_sign)
+{
+  // Ranks 1 3 2 4 and 4 3 2 1 beside 1 2 3 4: correlations of 0.8 and -1, but for round-off.
+  StudyAxis axis{.name = "row", .value = {}, .sample_from = 0, .parameter = {{"along", ""}, {"against", ""}}};
+  StudyPlan plan;
+  const Real along[] = {1, 3, 2, 4};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Real number = 1 + static_cast<Real>(k);
+    axis.value.push_back({.name = std::to_string(k), .set = {}, .place = "", .number = {along[k], 5 - number}});
+    StudyRow row;
+    row.choice = {0, k};
+    row.names = {"stone", axis.value.back().name};
+    row.end.kind = jobs::JobEnd::Kind::finished;
+    row.numbers = {number};
+    plan.rows.push_back(row);
+  }
+  plan.study.axis = {axis};
+  plan.study.measure.resize(1);
+  const std::vector<Estimate> estimates = estimates_of(plan);
+  ASSERT_EQ(estimates.size(), 1u);
+  ASSERT_EQ(estimates[0].swing.size(), 2u);
+  EXPECT_EQ(estimates[0].swing[0].parameter, 1u);
+  EXPECT_NEAR(estimates[0].swing[0].correlation, -1, 1e-15);
+  EXPECT_NEAR(estimates[0].swing[1].correlation, 0.8, 1e-15);
 }
 
 TEST_F(StudySampleCommand, tells_low_best_and_high)

@@ -46,6 +46,19 @@ TEST(film_flow, is_the_mean_flux_of_the_soil_in_each_square)
   }
 }
 
+TEST(film_flow, weighs_each_point_by_the_area_that_it_stands_for)
+{
+  // Both points lie in one square of 1 m, which their areas of 0.64 and 0.36 m2 fill; numbers are in single precision.
+  FilmFrame frame;
+  frame.x = {0.4F, 0.7F};
+  frame.y = {0.4F, 0.7F};
+  frame.flow_x = {1e-6F, 2e-6F};
+  frame.flow_y = {0, 0};
+  const std::optional<FilmFlow> flow = film_flow({&frame}, {0.8F, 0.6F}, {{0, 0}, {36, 2}});
+  ASSERT_TRUE(flow);
+  EXPECT_NEAR(flow->largest[0], 0.64 * 1e-6 + 0.36 * 2e-6, 1e-12);
+}
+
 TEST(film_flow, has_a_scale_of_its_own_in_each_frame)
 {
   const auto strip_of = [](Real size) { return Strip([size](const Vec<2>&) { return Vec<2>(0, size); }); };
