@@ -59,7 +59,8 @@ std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>
   for (const auto& [from, to, middle] : sides) {
     const Vec<2>&a = position[from], &b = position[to], &m = position[middle];
     // dx/ds at the ends and in the middle of the parabola through the three nodes, s from 0 to 1.
-    const Real speed[3] = {(-3 * a - b + 4 * m).norm(), (a + 3 * b - 4 * m).norm(), (b - a).norm()};
+    const Vec<2> whole = b - a, half = m - a;
+    const Real speed[3] = {(4 * half - whole).norm(), (3 * whole - 4 * half).norm(), whole.norm()};
     const Real part[3] = {1. / 6, 1. / 6, 4. / 6};
     const Index nodes[3] = {from, to, middle};
     for (int k = 0; k < 3; ++k) {

@@ -37,7 +37,8 @@ inline Matrix<2> jacobian(const AtSixNodes<Vec<2>>& x, const Vec<2>& at)
 {
   const AtSixNodes<Vec<2>> derivatives = shape_derivatives(at);
   Matrix<2> sum = Matrix<2>::Zero();
-  for (int k = 0; k < 6; ++k) sum += x[k] * derivatives[k].transpose();
+  // From corner 0, whose own derivatives the others balance: no digits are lost far from the origin.
+  for (int k = 1; k < 6; ++k) sum += (x[k] - x[0]) * derivatives[k].transpose();
   return sum;
 }
 

@@ -26,8 +26,8 @@ std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<B
       const std::array<Real, 3> value = {(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)},
                                 slope = {4 * s - 3, 4 - 8 * s, 4 * s - 1};
       Vec<2> along = Vec<2>::Zero();
-      for (int k = 0; k < 3; ++k) along += slope[k] * mesh.position[nodes[k]];
-      const Vec<2> outwards = Vec<2>(along[1], -along[0]).normalized();  // the soil is on the left
+      for (int k = 1; k < 3; ++k) along += slope[k] * (mesh.position[nodes[k]] - mesh.position[nodes[0]]);  // slopes have no sum
+      const Vec<2> outwards = Vec<2>(along[1], -along[0]).normalized();                                     // the soil is on the left
       Vec<2> x = Vec<2>::Zero();
       for (int k = 0; k < 3; ++k) x += value[k] * mesh.position[nodes[k]];
       const Real length = weight * loaded * along.norm() * weight_at(metric, x);

@@ -9,17 +9,18 @@
 namespace berm::contact {
 namespace {
 
-/// Extent of the particles in a node's cells along a direction, m: of their centres, or (with their half widths) of their
+/// Extent of the particles in a node's cells along a direction, m from the node: of their centres, or (with their half widths) of their
 /// rims.
 template <int dim>
 Real reach(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index node, const Vec<dim>& direction, bool rims)
 {
+  const Vec<dim>& at = mesh.position[node];
   Lanes farthest = all_lanes(-infinity);
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
     for (const auto& [p, b, count] : particles.blocks_in(cell)) {
-      Lanes along = direction[0] * p.x[0];
-      for (int d = 1; d < dim; ++d) along += direction[d] * p.x[d];
+      Lanes along = direction[0] * (p.x[0] - at[0]);
+      for (int d = 1; d < dim; ++d) along += direction[d] * (p.x[d] - at[d]);
       if (rims)
         for (int l = 0; l < count; ++l) along[l] += half_width<dim>(section_of(mesh.metric, p.volume[l], position_of(p, l)));
       farthest = lane_numbers < all_lanes(count) ? larger(farthest, along) : farthest;

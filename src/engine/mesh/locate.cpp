@@ -6,8 +6,14 @@
 namespace berm::mesh {
 namespace {
 
-constexpr Real inside_tolerance = -1e-12;     // a point with no shape function below this is in the cell
-constexpr Real inside_tolerance_far = -1e-9;  // tolerance for round-off at a face of a cell far from the origin
+constexpr Real inside_tolerance = -1e-12;  // a point with no shape function below this is in the cell
+
+// The same where no cell has the point, and round-off alone can be why.
+template <int dim>
+Real tolerance_of_round_off(const Shape<dim>& shape, const Vec<dim>& x)
+{
+  return -1e-9 - shape.rounding_at(x);
+}
 
 template <int dim>
 Real smallest_shape(const Shape<dim>& shape, const Vec<dim>& x)
@@ -22,11 +28,12 @@ template <int dim>
 Location scan(const Mesh<dim>& mesh, const Vec<dim>& x, Index last)
 {
   Index best = none;
-  Real largest = inside_tolerance_far;
+  Real largest = -infinity;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    const Real smallest = smallest_shape(mesh.shape(c), x);
+    const Shape<dim> shape = mesh.shape(c);
+    const Real smallest = smallest_shape(shape, x);
     if (smallest >= inside_tolerance) return {c, true};
-    if (smallest > largest) largest = smallest, best = c;
+    if (smallest > largest && smallest > tolerance_of_round_off(shape, x)) largest = smallest, best = c;
   }
   return best == none ? Location{last, false} : Location{best, true};
 }
@@ -55,7 +62,7 @@ Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start)
     // Outside a convex mesh is outside its bounding box, or so near the boundary that round-off decides. Beyond a boundary
     // face but inside the box the mesh may continue behind a hole or a re-entrant boundary, which no walk reaches.
     if (next == none) return in_box ? scan(mesh, x, cell) : Location{cell, false};
-    if (next == previous && smallest > inside_tolerance_far) return {cell, true};
+    if (next == previous && smallest > tolerance_of_round_off(shape, x)) return {cell, true};
     previous = cell;
     cell = next;
   }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,11 @@ struct Shape {
     Vec<dim> g = Vec<dim>::Zero();
     for (int k = 1; k <= dim; ++k) g -= gradient(k);
     return g;
+  }
+  /// What rounding the coordinates of x and of the corners can do to the shape functions: their resolution over the smallest height.
+  Real rounding_at(const Vec<dim>& x) const
+  {
+    return 2 * std::numeric_limits<Real>::epsilon() * x.cwiseAbs().maxCoeff() * std::sqrt(steepest_square());
   }
   /// Inverse square of the smallest height of the simplex, 1/m2: its heights are 1 / |grad N_k|.
   Real steepest_square() const

@@ -22,7 +22,7 @@ template <int dim>
   std::string words;
   if (left != nullptr) {
     const bodies::Particle<dim> p = state.particles[body].read_at(left->from, left->index);
-    words = fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
+    words = fmt::format("particle {} of body \"{}\" left the mesh at ({:.9g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
                         p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
                         fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, p.x, left->from));
   }

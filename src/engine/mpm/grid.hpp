@@ -9,7 +9,8 @@
 
 namespace berm::mpm {
 
-/// Sums over the particles of one body in one cell; sufficient for the nodes, because shape functions are linear.
+/// Sums over the particles of one body in one cell; sufficient for the nodes, because shape functions are linear. x counts from the cell's corner 0: where the
+/// origin of the coordinates lies does not matter, and second moments keep their digits far from it.
 template <int dim>
 struct Moments {
   static constexpr int pairs = dim * (dim + 1) / 2;
@@ -41,7 +42,7 @@ struct CornerSums {
 /// sum A, sum A x = sum V and sum A y.
 struct HoopMoments {
   Real area = 0;    ///< sum A, m2; in a full cell, of what it is integrated over
-  Real area_y = 0;  ///< sum A y
+  Real area_y = 0;  ///< sum A y, with y from the cell's corner 0
   Real stress = 0;  ///< sum V sigma_zz, N m per radian; scaled with the volume
 };
 

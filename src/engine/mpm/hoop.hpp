@@ -11,7 +11,7 @@ template <int dim, class Give>
 [[gnu::always_inline]] inline void for_each_hoop_share(const mesh::Shape<dim>& shape, const Moments<dim>& t, const HoopMoments& hoop,
                                                        const Give& give)
 {
-  const Real from_origin[2] = {t.volume - hoop.area * shape.origin[0], hoop.area_y - hoop.area * shape.origin[1]};
+  const Real from_origin[2] = {t.volume - hoop.area * shape.origin[0], hoop.area_y};
   Real of_corner_0 = hoop.area;
   for (int k = 1; k <= dim; ++k) {
     const Real share = shape.gradients[k - 1][0] * from_origin[0] + shape.gradients[k - 1][1] * from_origin[1];

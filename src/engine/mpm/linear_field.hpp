@@ -5,7 +5,7 @@
 
 namespace berm::mpm {
 
-/// A nodal vector field within a cell, where it is linear: field_d(x) = c[d] + sum_a slope[d][a] x_a.
+/// A nodal vector field within a cell, where it is linear: field_d(x) = c[d] + sum_a slope[d][a] x_a, with x from corner 0.
 template <int dim>
 struct LinearField {
   Real c[dim], slope[dim][dim] = {};
@@ -21,7 +21,6 @@ struct LinearField {
         for (int a = 0; a < dim; ++a) slope[d][a] += shape.gradients[k - 1][a] * difference;
       }
       c[d] = first;
-      for (int a = 0; a < dim; ++a) c[d] -= slope[d][a] * shape.origin[a];
     }
   }
   [[gnu::always_inline]] LinearField(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
@@ -29,6 +28,7 @@ struct LinearField {
       : LinearField(shape, nodes, [&](Index i, int d) { return field[i][d]; })
   {
   }
+  /// At x from corner 0.
   template <class V>
   [[gnu::always_inline]] V at(int d, const V* x) const
   {
@@ -36,7 +36,7 @@ struct LinearField {
     for (int a = 1; a < dim; ++a) value += slope[d][a] * x[a];
     return value;
   }
-  /// The sum of m field . v over the particles of the cell, given sum m v and sum m v x of any velocities v.
+  /// The sum of m field . v over the particles of the cell, given sum m v and sum m v x of any velocities v, with x from corner 0.
   [[gnu::always_inline]] Real dot(const Real (&mv)[dim], const Real (&mvx)[dim][dim]) const
   {
     Real sum = 0;

@@ -21,7 +21,7 @@ constexpr Real max_outside = 0.5;
 [[noreturn]] void refuse(const std::string& traction, const Real* x, int dim, Real time, BigIndex step, const char* what)
 {
   throw RunError(
-      fmt::format("traction \"{}\": {} at ({:.6g}) m at t = {:.6g} s (step {})", traction, what, fmt::join(x, x + dim, ", "), time, step));
+      fmt::format("traction \"{}\": {} at ({:.9g}) m at t = {:.6g} s (step {})", traction, what, fmt::join(x, x + dim, ", "), time, step));
 }
 
 /// The shares of a load point that the corners of its cell get: its shape functions, not less than zero. A corner with less

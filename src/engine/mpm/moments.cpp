@@ -32,15 +32,16 @@ struct LaneMoments {
       return numbers;
   }
 
+  /// Positions count from the cell's corner 0.
   template <class V>
-  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q)
+  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q, const Vec<dim>& corner_0)
   {
     const WidePart p_mass = widened(part.get(p.mass, q.mass)), p_volume = widened(part.get(p.volume, q.volume));
     WidePart x[dim], v[dim], at[dim];
     of[0] += p_mass;
     of[volume] += p_volume;
     for (int a = 0; a < dim; ++a) {
-      x[a] = widened(part.get(p.x[a], q.x[a]));
+      x[a] = widened(V(part.get(p.x[a], q.x[a]) - corner_0[a]));
       v[a] = widened(part.get(p.v[a], q.v[a]));
       at[a] = p_mass * x[a];
       of[mx + a] += at[a];
@@ -74,12 +75,12 @@ struct LaneHoopMoments {
   WidePart area{}, area_y{}, stress{};
 
   template <class V, int dim>
-  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q)
+  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q, const Vec<dim>& corner_0)
   {
     const V volume = part.get(p.volume, q.volume), radius = part.get(p.x[0], q.x[0]);
     const V section = radius > V{} ? volume / radius : V{};  // empty lanes may be at the axis
     area += LaneMoments<dim>::widened(section);
-    area_y += LaneMoments<dim>::widened(V(section * part.get(p.x[1], q.x[1])));
+    area_y += LaneMoments<dim>::widened(V(section * (part.get(p.x[1], q.x[1]) - corner_0[1])));
     stress += LaneMoments<dim>::widened(V(volume * part.get(p.stress[2], q.stress[2])));
   }
 };
@@ -91,9 +92,11 @@ template <mesh::Metric metric, int dim>
   LaneMoments<dim> sums;
   sums.clear();
   [[maybe_unused]] LaneHoopMoments hoop_sums;
+  const Vec<dim>& corner_0 = mesh.position[mesh.nodes[cell][0]];
   particles.parts(cell, [&](const auto& part) {
-    sums.add(part, particles.block(part.block), particles.block(part.other));
-    if constexpr (metric == mesh::Metric::axisymmetric) hoop_sums.add(part, particles.block(part.block), particles.block(part.other));
+    sums.add(part, particles.block(part.block), particles.block(part.other), corner_0);
+    if constexpr (metric == mesh::Metric::axisymmetric)
+      hoop_sums.add(part, particles.block(part.block), particles.block(part.other), corner_0);
   });
   Moments<dim>& t = grid.moments[cell];
   sums.total(t);

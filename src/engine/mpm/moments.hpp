@@ -6,15 +6,14 @@
 namespace berm::mpm {
 
 /// Shares of the corners of a cell in a quantity: calls give(k, sum) with the sums over particles of N_k times it. Its own
-/// sum is q and that of it times x is qx.
+/// sum is q and that of it times x is qx, with x from corner 0.
 template <int dim, class Give>
 [[gnu::always_inline]] inline void share_among_corners(const mesh::Shape<dim>& shape, Real q, const Real* qx, const Give& give)
 {
-  Real from_origin[dim], of_corner_0 = q;
-  for (int d = 0; d < dim; ++d) from_origin[d] = qx[d] - q * shape.origin[d];
+  Real of_corner_0 = q;
   for (int k = 1; k <= dim; ++k) {
-    Real sum = shape.gradients[k - 1][0] * from_origin[0];
-    for (int d = 1; d < dim; ++d) sum += shape.gradients[k - 1][d] * from_origin[d];
+    Real sum = shape.gradients[k - 1][0] * qx[0];
+    for (int d = 1; d < dim; ++d) sum += shape.gradients[k - 1][d] * qx[d];
     give(k, sum);
     of_corner_0 -= sum;
   }

@@ -52,15 +52,13 @@ void move_particles(const problem::Model<dim>& model, problem::State<dim>& state
     const Index cell = particles.active()[c];
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    Real at_zero[dim] = {};
-    shape_at_zero(shape, at_zero);
     const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, state.dt, 0); }),
         velocity(shape, nodes, grid.mapped_velocity);
     WorkDone done;
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
-      const V min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, state.dt, 0, 1, done);
+      const V min_shape = move_part<V>(part, p, q, shape, gain, velocity, state.dt, 0, 1, done);
       note_cell_changes(part, min_shape, mesh, workspace, cell, p, q);
     });
     sum_moments_of(mesh, particles, cell, grid);

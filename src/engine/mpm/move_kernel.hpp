@@ -156,8 +156,6 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    Real at_zero[dim] = {};
-    shape_at_zero(shape, at_zero);
     const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, motion, filtered); }),
         velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
@@ -183,7 +181,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
       using Mask = typename Part<V>::Mask;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
       const Mask alive = part.alive();
-      const V min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, motion, filtered, unfiltered, done);
+      const V min_shape = move_part<V>(part, p, q, shape, gain, velocity, motion, filtered, unfiltered, done);
       const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
       material::Increment<dim, V> increment{.strain = {},
                                             .dt = dt,

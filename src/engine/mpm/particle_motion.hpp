@@ -12,8 +12,8 @@ namespace berm::mpm {
 template <int dim>
 bool clamp_to_cell(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 {
-  constexpr Real round_off = 1e-9;  // of a cell's height
   const mesh::Shape<dim> shape = mesh.shape(cell);
+  const Real round_off = 1e-9 + shape.rounding_at(x);  // of a cell's height
   Real n[dim + 1], total = 0;
   for (int k = 0; k <= dim; ++k) {
     n[k] = shape.value(k, x);
@@ -63,40 +63,33 @@ template <class P, class V, int dim>
       if (leaves[l]) note_cell_change(mesh, workspace, cell, part.index + l, l < lanes ? p : q, (part.first + l) % lanes);
 }
 
-/// N_k of a cell where all coordinates are zero.
-template <int dim>
-[[gnu::always_inline]] inline void shape_at_zero(const mesh::Shape<dim>& shape, Real (&at_zero)[dim])
-{
-  for (int k = 0; k < dim; ++k)
-    for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
-}
-
 // Numbers are handed to these parts of the pass by reference: by value the compiler fuses other multiplications with additions, and the last bits change.
 // The strain is not cut out for the same reason; where the bits stay, its law is not inlined and the pass takes a quarter longer.
 
-/// Moves a part of a cell's particles and gives their smallest shape function where they are then; adds the kinetic energy that the filter takes. at_zero is
-/// N_k where all coordinates are zero.
+/// Moves a part of a cell's particles and gives their smallest shape function where they are then; adds the kinetic energy that the filter takes.
+/// All is found by the place from the cell's corner 0; only what is stored is rounded to the resolution of the coordinates.
 template <class V, int dim, class P>
 [[gnu::always_inline]] inline V move_part(const P& part, bodies::Block<dim>& p, bodies::Block<dim>& q, const mesh::Shape<dim>& shape,
-                                          const Real (&at_zero)[dim], const LinearField<dim>& gain, const LinearField<dim>& velocity,
-                                          const Real& dt, const Real& filtered, const Real& unfiltered, WorkDone& done)
+                                          const LinearField<dim>& gain, const LinearField<dim>& velocity, const Real& dt,
+                                          const Real& filtered, const Real& unfiltered, WorkDone& done)
 {
   const typename Part<V>::Mask alive = part.alive();
-  V old_x[dim], x[dim], kinetic_loss{};
-  for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
+  V old_x[dim], from_corner[dim], at[dim], kinetic_loss{};
+  for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]), from_corner[d] = old_x[d] - shape.origin[d];
   for (int d = 0; d < dim; ++d) {
     const V v = part.get(p.v[d], q.v[d]);
-    const V new_v = alive ? unfiltered * v + gain.at(d, old_x) : v;
+    const V new_v = alive ? unfiltered * v + gain.at(d, from_corner) : v;
     part.set(p.v[d], q.v[d], new_v);
     if (filtered > 0) kinetic_loss += part.get(p.mass, q.mass) * (v * v - new_v * new_v);
-    x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
-    part.set(p.x[d], q.x[d], x[d]);
+    const V x = alive ? old_x[d] + dt * velocity.at(d, from_corner) : old_x[d];
+    part.set(p.x[d], q.x[d], x);
+    at[d] = x - shape.origin[d];
   }
   if (filtered > 0) done.filtered += 0.5 * sum(kinetic_loss);
   V min_shape = 1 - V{}, of_corner_0 = 1 - V{};
   for (int k = 0; k < dim; ++k) {
-    V n = at_zero[k] + shape.gradients[k][0] * x[0];
-    for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * x[d];
+    V n = shape.gradients[k][0] * at[0];
+    for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * at[d];
     of_corner_0 -= n;
     min_shape = smaller(min_shape, n);
   }

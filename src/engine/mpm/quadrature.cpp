@@ -27,7 +27,7 @@ void fill_hoop(const mesh::Mesh<dim>& mesh, Index cell, Real zeta, Real weight, 
 {
   const Real section = mesh.section(cell);
   hoop.area = (1 - zeta) * hoop.area + zeta * section;
-  hoop.area_y = (1 - zeta) * hoop.area_y + zeta * section * mesh.centroid(cell)[1];
+  hoop.area_y = (1 - zeta) * hoop.area_y + zeta * section * (mesh.centroid(cell)[1] - mesh.position[mesh.nodes[cell][0]][1]);
   hoop.stress *= weight;
 }
 

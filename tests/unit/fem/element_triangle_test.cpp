@@ -33,5 +33,14 @@ TEST(Triangle, jacobian_maps_the_reference_triangle_to_the_nodes)
   EXPECT_NEAR(jacobian(x, {0.3, 0.1}).determinant(), 5.5, 1e-13);
 }
 
+TEST(Triangle, jacobian_keeps_its_digits_at_survey_coordinates)
+{
+  // Numbers that survey coordinates hold exactly: what is left is rounding of the edges themselves.
+  const Matrix<2> edges{{0.5, 0.125}, {0.0625, 0.25}};
+  AtSixNodes<Vec<2>> x;
+  for (int k = 0; k < 6; ++k) x[k] = Vec<2>(499'876.5, 6'543'210.75) + edges * six_nodes[k];
+  EXPECT_LT((jacobian(x, {0.3, 0.1}) - edges).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace berm::fem::this_file

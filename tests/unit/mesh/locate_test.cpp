@@ -55,6 +55,27 @@ TEST(Locate, finds_points_on_faces_of_a_mesh_far_from_the_origin)
   expect_found(make_box<2>({.lower = {1000, -700}, .size = {0.1, 0.1}, .cells = {10, 10}}), 500);
 }
 
+TEST(Locate, finds_points_of_a_mesh_at_survey_coordinates)
+{
+  // Coordinates have a resolution of 9e-10 m, which is 9e-8 of a cell: a point of a face may lie so far beyond it.
+  const auto mesh = make_box<2>({.lower = {499'876.543, 6'543'210.987}, .size = {0.1, 0.1}, .cells = {10, 10}});
+  const Real resolution = std::numeric_limits<Real>::epsilon() * mesh.upper[1];
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const Vec<2>&a = mesh.position[mesh.nodes[c][k]], &b = mesh.position[mesh.nodes[c][(k + 1) % 3]];
+      for (const Real part : {0., 0.3, 0.7}) {
+        const Vec<2> x = a + part * (b - a);
+        const Location found = locate<2>(mesh, x, 57);
+        EXPECT_TRUE(found.inside) << x.transpose();
+        EXPECT_GE(smallest_shape(mesh, found.cell, x), -resolution / 0.007);  // heights of 7 mm
+      }
+    }
+  for (const Real beyond : {1e-6, 1e-3}) {
+    EXPECT_FALSE(locate<2>(mesh, mesh.upper + Vec<2>(beyond, -0.05), 57).inside);
+    EXPECT_FALSE(locate<2>(mesh, mesh.lower - Vec<2>(-0.05, beyond), 57).inside);
+  }
+}
+
 template <int dim>
 void expect_outside(const Mesh<dim>& mesh)
 {

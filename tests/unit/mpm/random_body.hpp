@@ -9,13 +9,17 @@
 
 namespace berm::mpm {
 
+/// Where meshes of tests lie: at the origin, and at survey coordinates. Sums from a corner of the cell have as many digits there.
+constexpr Real places[] = {0, 6'543'210.987};
+
 /// A body of half the mesh whose particles have masses, velocities, volumes and stresses at random.
 template <int dim>
 struct RandomBody {
   problem::Problem<dim> problem;
   Workspace<dim> workspace;
 
-  RandomBody() : problem(make()), workspace(problem.model, problem.state)
+  /// All coordinates larger by `place`.
+  explicit RandomBody(Real place = 0) : problem(make(place)), workspace(problem.model, problem.state)
   {
     std::mt19937 random(7);
     std::uniform_real_distribution<Real> number(-1, 1);
@@ -27,14 +31,16 @@ struct RandomBody {
     });
     state().dt = 0.01;
   }
-  static problem::Problem<dim> make()
+  static problem::Problem<dim> make(Real place)
   {
     mesh::Mesh<dim> mesh = shaken_box<dim>();
+    for (Vec<dim>& x : mesh.position) x += Vec<dim>::Constant(place);
+    mesh.complete();
     auto problem = problem_on<dim>(mesh, sample_solid(), 0);
     // Cells of the upper half become empty, and with them some nodes.
     bodies::Particles<dim>& all = problem.state.particles[0];
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-      while (mesh.centroid(cell)[1] > 0.8 && all.count_in(cell) > 0) all.take(cell, 0);
+      while (mesh.centroid(cell)[1] > place + 0.8 && all.count_in(cell) > 0) all.take(cell, 0);
     all.sort_occupied();
     return problem;
   }
