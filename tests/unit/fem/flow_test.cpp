@@ -2,6 +2,7 @@
 #include "fem/flow.hpp"
 
 #include "core/error.hpp"
+#include "material/undrained.hpp"
 #include "samples/fem_sample_problem.hpp"
 
 #include <gtest/gtest.h>
