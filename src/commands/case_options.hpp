@@ -15,6 +15,7 @@ struct CaseOptions {
   int threads = 0;           ///< 0: all processors
   bool force = false;        ///< replace the results of earlier runs
   bool uncertainty = false;  ///< find the bands of the results, too
+  bool strict = false;       ///< a run whose answer is spoiled has failed
   std::string runner_words, sbatch;
   int pack = 0;  ///< runs a task of Slurm; 0: not said
   bool no_wait = false;

@@ -7,8 +7,10 @@
 #include "core/ranks.hpp"
 #include "io/folder_lock.hpp"
 #include "jobs/outcome.hpp"
+#include "run_folder/summary_file.hpp"
 #include "simulation/run_of_ranks.hpp"
 #include "simulation/run_place.hpp"
+#include "structures/base/spoiled.hpp"
 #include "uncertainty/find_bands.hpp"
 
 #include <algorithm>
@@ -82,6 +84,27 @@ void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all, const C
   }
 }
 
+/// With --strict the outcome of runs that are done is that they failed, where the answer of one is spoiled. The first rank knows.
+Outcome judged(Outcome outcome, const std::vector<std::filesystem::path>& folders, const CaseOptions& options)
+{
+  if (!options.strict || outcome != Outcome::done) return outcome;
+  bool spoiled = false;
+  for (const std::filesystem::path& folder : folders) {
+    const std::optional<run_folder::RunSummary> summary = Ranks::of_run().is_first() ? run_folder::read_summary(folder) : std::nullopt;
+    if (!summary || summary->spoiled.empty()) continue;
+    spoiled = true;
+    fmt::print(stderr, "berm: {}: the answer is spoiled: {}\n", folder.string(), base::spoiled_words(summary->spoiled));
+  }
+  return simulation::ends_on_any_rank_with(spoiled) ? Outcome::failed : Outcome::done;
+}
+
+std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunRequest>& all)
+{
+  std::vector<std::filesystem::path> folders;
+  for (const simulation::RunRequest& request : all) folders.push_back(request.folder);
+  return folders;
+}
+
 Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
 {
   std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
@@ -124,6 +147,7 @@ Command add_run(CLI::App& program)
       ->excludes(force);
   app->add_flag("--uncertainty", options->uncertainty,
                 "run each case on coarser cells and at another speed, too, and tell how sure its results are: about as long again");
+  app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is spoiled, as its summary.json says");
   app->callback([options] {
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });
@@ -131,12 +155,13 @@ Command add_run(CLI::App& program)
             options->runner();  // is refused here
             if (Ranks::of_run().count() > 1 && (options->has_runner() || options->uncertainty))
               throw InputError("the ranks of an MPI launcher run one case after the other: without --runner and --uncertainty");
-            if (!options->unfinished.empty()) return status_of(resume(options->unfinished, *options));
+            if (!options->unfinished.empty())
+              return status_of(judged(resume(options->unfinished, *options), {options->unfinished}, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
             if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
-            if (!options->has_runner()) return status_of(run_all(all, *options));
+            if (!options->has_runner()) return status_of(judged(run_all(all, *options), folders_of(all), *options));
             catch_interrupts();
-            return status_of(run_side_by_side(all, *options));
+            return status_of(judged(run_side_by_side(all, *options), folders_of(all), *options));
           }};
 }
 

@@ -282,7 +282,10 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   const Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), shortest_dt_) : infinity;
   state_.state.time += dt;
   ++state_.state.step;
-  if (model_.flow.count > 0) note_excess_pressure(state_.state.stage, largest_pressure(model_, state_.displacement));
+  if (model_.flow.count > 0) {
+    state_.state.stage.excess_pressure = largest_pressure(model_, state_.displacement);
+    note_without_waves(state_.state.stage.pressure_means, state_.state.stage.excess_pressure);
+  }
   last_change_ = change;
   last_dt_ = dt;
   if (last_iterations_ <= few_iterations) relaxation_ = std::max(relaxation_ / 4, min_relaxation_);

@@ -75,6 +75,23 @@ bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d)
   return path.from <= top + slack && path.to >= soil.space[d].from - slack;
 }
 
+/// Whether a stage leaves the body to gravity: where it goes is not known, but it goes down.
+bool falls(const Scene& s, Index rigid)
+{
+  if (!(s.gravity > 0) || s.c.rigid[rigid].second.motion != bodies::Motion::free) return false;
+  for (std::size_t k = 0; k < s.ways.size(); ++k)
+    if (s.c.stage[k].kind != problem::StageKind::geostatic && s.ways[k].rigid != rigid) return true;
+  return false;
+}
+
+/// Whether a body that falls may come down on the soil: from somewhere above it, or with a speed along the bed.
+bool may_fall_onto(const Scene& s, Index rigid, const BodyScene& soil)
+{
+  return falls(s, rigid) && std::any_of(s.ways.begin(), s.ways.end(), [&](const Way& way) {
+           return way.rigid == rigid && (way.axis[s.along].end != way.axis[s.along].begin || may_meet(s, way, soil, s.along));
+         });
+}
+
 }  // namespace
 
 void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
@@ -98,6 +115,7 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
     for (const auto& [contact_name, contact] : s.c.contact) {
       if (contact.rigid != name) continue;
       const BodyScene& soil = s.bodies[problem::index_of(s.c.body, contact.body)];
+      meets = meets || may_fall_onto(s, rigid, soil);
       for (const Way& way : s.ways)
         meets = meets || (way.rigid == rigid && may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along));
       const Span &x = soil.space[s.along], &own = s.rigids[rigid].space[s.along];
@@ -110,8 +128,8 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
     if (!meets)
       found.refuse(fmt::format("rigid.{}", name),
                    fmt::format("touches no soil on all its way: {}; move its centre, or let it travel further", where));
-    else if (above && s.c.stage[k].kind == problem::StageKind::push && -s.ways[k].begin_embedment > 0.5 * s.rigids[rigid].width &&
-             s.is_mpm())
+    else if (above && !falls(s, rigid) && s.c.stage[k].kind == problem::StageKind::push &&
+             -s.ways[k].begin_embedment > 0.5 * s.rigids[rigid].width && s.is_mpm())
       found.warn(fmt::format("rigid.{}", name),
                  fmt::format("begins {} above the bed's surface, more than half its width of {}: it travels through nothing at first; put "
                              "its lowest point at the surface",

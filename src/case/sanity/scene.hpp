@@ -112,7 +112,7 @@ template <int dim>
 Scene scene_of(const problem::Case& c, const input::Places& places, const problem::Model<dim>& model,
                const std::vector<bodies::Particles<dim>>& particles, const Cost& cost);
 
-/// How the stages move the bodies that they drive, as far as the input says it.
+/// How the stages move the bodies that they drive, as far as the input says it. Where a free body goes in a stage that does not drive it is not known.
 template <int dim>
 std::vector<Way> ways_of(const problem::Model<dim>& model);
 

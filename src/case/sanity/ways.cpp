@@ -35,6 +35,17 @@ Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, 
   return time;
 }
 
+/// Nothing says how deep free bodies are after a stage that leaves them to gravity and to the soil, nor where else, if they moved there before.
+template <int dim>
+void let_free_bodies_go(const problem::Model<dim>& model, std::size_t stage, std::vector<std::array<Move, 3>>& now)
+{
+  if (model.stages[stage].kind == problem::StageKind::geostatic) return;
+  for (std::size_t r = 0; r < now.size(); ++r)
+    if (model.rigid_bodies[r].motion == bodies::Motion::free && model.driven[stage] != static_cast<Index>(r))
+      for (int d = 0; d < dim; ++d)
+        if (Move& move = now[r][d]; d == model.axes.up || move.end != move.begin) move.known = false;
+}
+
 }  // namespace
 
 template <int dim>
@@ -44,6 +55,7 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
   std::vector<std::array<Move, 3>> now(model.rigid_bodies.size());
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     Way& way = ways[k];
+    let_free_bodies_go(model, k, now);
     way.rigid = model.driven[k];
     if (way.rigid == none) continue;
     const problem::StageSettings& s = model.stages[k];

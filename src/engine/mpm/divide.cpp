@@ -67,9 +67,9 @@ void divide(const problem::Model<dim>& model, problem::State<dim>& state)
 
 namespace {
 
-/// Gives all ranks the flux at all nodes.
+/// Gives all ranks what the state has of the water at all nodes and in all cells.
 template <int dim>
-void share_flux(problem::State<dim>& state)
+void share_water(problem::State<dim>& state)
 {
   Ranks& ranks = Ranks::of_run();
   for (NodeField<Vec<dim>>& flux : state.flux)
@@ -77,6 +77,11 @@ void share_flux(problem::State<dim>& state)
       ranks.share<Vec<dim>>(
           flux.size(), [&](Index node) { return ranks.owner_of_node(node); }, [&](Index node, Vec<dim>& w) { w = flux[node]; },
           [&](Index node, const Vec<dim>& w) { flux[node] = w; });
+  for (CellField<Real>& sums : state.pressure_sums)
+    if (sums.size() > 0)
+      ranks.share<Real>(
+          sums.size(), [&](Index cell) { return ranks.owner_of_cell(cell); }, [&](Index cell, Real& sum) { sum = sums[cell]; },
+          [&](Index cell, const Real& sum) { sums[cell] = sum; });
 }
 
 }  // namespace
@@ -93,7 +98,7 @@ bool divide_anew(const problem::Model<dim>& model, problem::State<dim>& state, R
   ranks.share_chunks(costs.data(), sizeof(Real));
   const std::vector<Index> before = ranks.first_chunk(), after = equal_shares(costs, ranks.count());
   if (!(longest(costs, after) < (1 - little) * longest(costs, before))) return false;
-  share_flux(state);
+  share_water(state);
   std::vector<Messenger::Letter> letters;
   for (int r = 0; r < ranks.count(); ++r)
     if (r != ranks.rank()) letters.push_back({r, {}, {}});
@@ -163,7 +168,7 @@ WholeState<dim>::WholeState(problem::State<dim>& state) : state_(state)
 {
   const Ranks& ranks = Ranks::of_run();
   if (!ranks.divided()) return;
-  share_flux(state);
+  share_water(state);
   std::vector<std::vector<std::byte>> packed;
   for (const bodies::Particles<dim>& particles : state.particles) packed.push_back(packed_of_all(particles));
   if (!ranks.is_first()) return;

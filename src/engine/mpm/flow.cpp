@@ -257,18 +257,31 @@ struct Largest {
 template <int dim>
 void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace)
 {
-  Largest largest;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+  problem::PressureMeans& means = state.stage.pressure_means;
+  const Real weight = problem::weight_in_window(state.time - means.begin, model.pressure_window);
+  means.weight += weight;
+  const bool window_ends = state.time - means.begin >= model.pressure_window && means.weight > 0;
+  Largest largest, mean;
+  const auto add_all = [&](Largest& to, const char* label, const auto& of_cell) {
+    for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+      const bodies::Particles<dim>& particles = state.particles[b];
+      if (!workspace.grids[b].water.flows()) continue;
+      to += sum_of<Largest>(label, particles.chunks(), [&](Index c) { return Largest{std::abs(of_cell(b, particles.occupied()[c]))}; });
+    }
+  };
+  add_all(largest, "largest pore pressure", [&](std::size_t b, Index cell) -> Real {
     const BodyGrid<dim>& grid = workspace.grids[b];
-    if (!grid.water.flows()) continue;
-    const bodies::Particles<dim>& particles = state.particles[b];
-    largest += sum_of<Largest>("largest pore pressure", particles.chunks(), [&](Index c) {
-      const Index cell = particles.occupied()[c];
-      const bool is_soil = grid.moments[cell].volume > least_filled * model.mesh.volume(cell);
-      return Largest{is_soil ? std::abs(grid.water.pressure[cell]) : 0};
-    });
+    if (!(grid.moments[cell].volume > least_filled * model.mesh.volume(cell))) return 0;
+    state.pressure_sums[b][cell] += weight * grid.water.pressure[cell];
+    return grid.water.pressure[cell];
+  });
+  state.stage.excess_pressure = largest.value;
+  if (window_ends) {
+    add_all(mean, "mean pore pressure", [&](std::size_t b, Index cell) { return state.pressure_sums[b][cell] / means.weight; });
+    end_window(means, mean.value, state.time);
+    for (CellField<Real>& sums : state.pressure_sums) sums.assign(sums.size(), 0);
   }
-  note_excess_pressure(state.stage, largest.value);
+  means.now = mean_now(means, state.time - state.stage.begin_time, model.pressure_window);
 }
 
 namespace {

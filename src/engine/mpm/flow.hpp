@@ -48,7 +48,8 @@ void mark_impermeable_surfaces(const problem::Model<dim>& model, Workspace<dim>&
 template <int dim>
 void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 
-/// Takes note of the largest excess pore pressure that acts, averaged over a patch, as it was when the step began: of cells at least half of which is soil.
+/// Takes note of the largest excess pore pressure that acts, averaged over a patch, as it was when the step began: of cells at least half of which is soil. Adds the pressures
+/// to their window of time (problem/pressure_means.hpp), and takes the largest mean where it ends.
 template <int dim>
 void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace);
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/simulation/checkpoints_state_test.cpp
 #include "problem/archive_state.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::problem {
@@ -31,6 +32,14 @@ void archive(Archive& k, const std::string& name, NodeField<Vec<dim>>& flux)
   k.fixed(name, numbers);
   for (Index node = 0; node < flux.size(); ++node)
     for (int d = 0; d < dim; ++d) flux[node][d] = numbers[node * dim + d];
+}
+
+void archive(Archive& k, const std::string& name, CellField<Real>& sums)
+{
+  if (sums.size() == 0) return;
+  std::vector<Real> numbers(sums.begin(), sums.end());
+  k.fixed(name, numbers);
+  std::copy(numbers.begin(), numbers.end(), sums.begin());
 }
 
 template <int dim>
@@ -87,6 +96,18 @@ void archive(Archive& k, Totals<dim>& totals)
   k("flow_impulse", totals.flow_impulse);
 }
 
+void archive(Archive& k, PressureMeans& means)
+{
+  static_assert(sizeof(means) == 7 * sizeof(Real));
+  k("begin", means.begin);
+  k("weight", means.weight);
+  k("count", means.count);
+  k("last", means.last);
+  k("before", means.before);
+  k("largest", means.largest);
+  k("now", means.now);
+}
+
 template <int dim>
 void archive(Archive& k, const Model<dim>& model, StageState<dim>& stage)
 {
@@ -96,7 +117,7 @@ void archive(Archive& k, const Model<dim>& model, StageState<dim>& stage)
   k("begin_displacement", stage.begin_displacement);
   archive(k, "begin_orientation", stage.begin_orientation);
   k("excess_pressure", stage.excess_pressure);
-  k("largest_excess_pressure", stage.largest_excess_pressure);
+  k.table("pressure_means", [&] { archive(k, stage.pressure_means); });
   for (int d = 0; d < bodies::freedoms<dim>; ++d)
     k.table(fmt::format("drive_{}", d), [&] {
       k("by_force", stage.drive[d].by_force);
@@ -164,6 +185,7 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
   if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
   for (std::size_t b = 0; b < state.flux.size(); ++b) archive(k, fmt::format("flux_{}", b), state.flux[b]);
+  for (std::size_t b = 0; b < state.pressure_sums.size(); ++b) archive(k, fmt::format("pressure_sums_{}", b), state.pressure_sums[b]);
   for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].archive(k); });
 }
 

@@ -262,6 +262,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
         start.holes.push_back(model.rigid_bodies[index_of(c.rigid, entry.second.rigid)].shape);
     state.particles.push_back(fill(model.mesh, name, settings, start));
     state.flux.push_back(NodeField<Vec<dim>>::zeros(body.flows() ? model.mesh.node_count() : 0));
+    state.pressure_sums.push_back(CellField<Real>::zeros(body.flows() ? model.mesh.cell_count() : 0));
     for (const Contact& contact : model.contacts)
       if (contact.memory.bond != none && model.bodies[contact.body].name == name)
         bond_at_start(model.mesh.metric, state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);
@@ -279,6 +280,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   if (by_gravity) load_by_gravity(c, model, state.particles);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) set_law_state(model, model.bodies[b].soil, state.particles[b]);
   limit_equilibrium(c, model, state.particles);
+  model.pressure_window = 2 * longest_pressure_period(model, state.particles);
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
   state.tractions.resize(model.tractions.size());
   place_loads(c, problem);

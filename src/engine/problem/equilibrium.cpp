@@ -72,6 +72,15 @@ Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles
   return 4 * depth / slowest;
 }
 
+template <int dim>
+Real longest_pressure_period(const Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles)
+{
+  Real slowest = infinity;
+  for (const Body<dim>& body : model.bodies)
+    if (body.flows()) slowest = std::min(slowest, body.waves.slowest);
+  return slowest < infinity ? 4 * depth_of(model, particles) / slowest : 0;
+}
+
 Real time_to_equilibrium(Real period, Real damping, Real accepted)
 {
   return margin * period * std::log(1 / std::min(accepted, Real(0.5))) / (2 * damping);
@@ -108,6 +117,7 @@ bool in_balance(const Model<dim>& model, const State<dim>& state, Real out_of_ba
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template Real depth_below_ground(const Model<dim>&, const std::vector<Index>&);                                                          \
   template Real longest_period(const Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                             \
+  template Real longest_pressure_period(const Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                    \
   template void limit_equilibrium(const Case&, Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                   \
   template Real velocity_at_rest(const Model<dim>&, const StageSettings&);                                                                 \
   template bool in_balance(const Model<dim>&, const State<dim>&, Real);

@@ -13,6 +13,11 @@ Real depth_below_ground(const Model<dim>& model, const std::vector<Index>& cells
 template <int dim>
 Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
 
+/// The longest period with which waves of pressure swing in soil whose water flows, s: T = 4 H / c of a layer as high as all bodies, closed at its base and open at its top, with the
+/// slowest wave in which water and soil move together. 0 where no water flows.
+template <int dim>
+Real longest_pressure_period(const Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
+
 /// The time in which local damping alpha takes an out-of-balance force as large as the weight down to the accepted part of it, s. A period T leaves
 /// (1 - alpha) / (1 + alpha) < exp(-2 alpha) of a swing, since the force speeds it up with its part 1 - alpha and slows it down with 1 + alpha, so that
 ///

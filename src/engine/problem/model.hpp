@@ -11,6 +11,7 @@
 #include "problem/case.hpp"
 #include "problem/ground.hpp"
 #include "problem/interface.hpp"
+#include "problem/pressure_means.hpp"
 
 #include <algorithm>
 
@@ -105,6 +106,7 @@ struct Model {
   MpmSettings mpm;
   bool update_stress_first = false;  ///< contact::SchemeRules::stress_first
   Real longest_period = 0;           ///< s, of the soil's swings; where a stage ends at equilibrium
+  Real pressure_window = 0;          ///< s, of PressureMeans; where water flows through soil that has inertia
 
   /// The level from which the embedment of a rigid body counts whose axis is there, m along the vertical axis.
   Real surface_at(const Vec<dim>& x) const { return ground.level_at(x[axes.along], surface); }
@@ -154,23 +156,15 @@ struct StageState {
   Vec<dim> begin_displacement = Vec<dim>::Zero();  ///< of the driven rigid body
   bodies::Orientation<dim> begin_orientation;      ///< and its orientation then
   bodies::Drive drive[bodies::freedoms<dim>] = {};
-  Real excess_pressure = 0;          ///< Pa, the largest magnitude of excess pore pressure in soil whose water flows
-  Real largest_excess_pressure = 0;  ///< Pa, of that in this stage
+  Real excess_pressure = 0;  ///< Pa, the largest magnitude of excess pore pressure in soil whose water flows, at this moment
+  PressureMeans pressure_means;
 };
 
-/// Takes note of the largest magnitude of excess pore pressure, Pa, at this moment.
-template <int dim>
-void note_excess_pressure(StageState<dim>& stage, Real pressure)
-{
-  stage.excess_pressure = pressure;
-  stage.largest_excess_pressure = std::max(stage.largest_excess_pressure, pressure);
-}
-
-/// Degree of consolidation U since the stage began, 0 to 1: 1 - p/p_max of the largest excess pore pressures in the soil, now and in the stage; 0 without any.
+/// Degree of consolidation U since the stage began, 0 to 1: 1 - p/p_max of the largest excess pore pressures in the soil, now and in the stage, without waves.
 template <int dim>
 Real degree_of_consolidation(const StageState<dim>& stage)
 {
-  return stage.largest_excess_pressure > 0 ? 1 - stage.excess_pressure / stage.largest_excess_pressure : 0;
+  return degree_of_consolidation(stage.pressure_means);
 }
 
 /// Which soil takes part in the steps, where the case has MpmSettings::active_distance.
@@ -189,6 +183,8 @@ struct State {
   Real dt = 0;                                    ///< s, the time step in force
   std::vector<bodies::Particles<dim>> particles;  ///< by body
   std::vector<NodeField<Vec<dim>>> flux;          ///< by body, at the nodes: of water against the soil (Darcy), m/s; empty where none flows
+  std::vector<CellField<Real>>
+      pressure_sums;  ///< by body: weighted excess pore pressures of the window in hand, Pa; empty where none flows
   std::vector<bodies::RigidState<dim>> rigid_bodies;
   std::vector<contact::ContactSums<dim>> contact_sums;  ///< by rigid body
   /// By rigid body: its pose when the cells near it were last listed (contact/detect.hpp), on which the order of sums depends.

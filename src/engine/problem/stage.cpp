@@ -53,7 +53,7 @@ void describe(Describe& d, Until& until)
   d.value("force", until.force, {.meaning = "soil reaction: V in a push, H in a drag", .unit = "N/m", .range = positive});
   d.value("consolidation", until.consolidation,
           {.meaning = "degree of consolidation U where water flows: 1 - the largest excess pore pressure in the soil now, over the largest "
-                      "in this stage",
+                      "in this stage, both without waves (means over 8 H/c of the soil's height H and the speed c of waves)",
            .range = {0.01, 0.999}});
   d.value("equilibrium", until.equilibrium,
           {.meaning =

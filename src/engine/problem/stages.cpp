@@ -35,6 +35,17 @@ void recover_strength(const Model<dim>& model, Real share, std::vector<bodies::P
     });
 }
 
+/// Windows begin with the stage; a pressure without waves goes on.
+template <int dim>
+void begin_pressure_means(const Model<dim>& model, State<dim>& state)
+{
+  PressureMeans& means = state.stage.pressure_means;
+  means = {};
+  means.begin = state.time;
+  for (CellField<Real>& sums : state.pressure_sums) sums.assign(sums.size(), 0);
+  if (!(model.pressure_window > 0)) note_without_waves(means, state.stage.excess_pressure);
+}
+
 }  // namespace
 
 template <int dim>
@@ -47,7 +58,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   const auto before = std::to_array(now.drive);
   const Real since = state.time - now.begin_time;
   now.begin_time = state.time;
-  now.largest_excess_pressure = now.excess_pressure;
+  begin_pressure_means(model, state);
   for (bodies::Drive& drive : now.drive) drive = {};
   for (std::size_t k = 0; k < state.tractions.size(); ++k) {
     TractionState& traction = state.tractions[k];

@@ -63,6 +63,7 @@ std::string Summary::json() const
   root["text"] = Json::object();
   for (const auto& [name, words] : text) root["text"][name] = words;
   root["warnings"] = warnings;
+  root["spoiled"] = spoiled;
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -63,10 +63,11 @@ RunSummary summary_of(const Json& json)
     if (name != "loops") summary.timing[name] = number(entry, "timing");
   for (const auto& [name, entry] : table(json, "checks").items()) summary.checks[name] = number(entry, "checks");
   for (const auto& [name, entry] : table(json, "text").items()) summary.text[name] = words(entry, "text");
-  if (const auto warnings = json.find("warnings"); warnings != json.end()) {
-    if (!warnings->is_array()) refuse("\"warnings\" is no list");
-    for (const Json& entry : *warnings) summary.warnings.push_back(words(entry, "warnings"));
-  }
+  for (const auto& [name, list] : {std::pair{"warnings", &summary.warnings}, {"spoiled", &summary.spoiled}})
+    if (const auto found = json.find(name); found != json.end()) {
+      if (!found->is_array()) refuse(fmt::format("\"{}\" is no list", name));
+      for (const Json& entry : *found) list->push_back(words(entry, name));
+    }
   if (const auto uncertainty = json.find("uncertainty"); uncertainty != json.end()) summary.uncertainty = uncertainty_of(*uncertainty);
   return summary;
 }

@@ -7,12 +7,15 @@
 #include "problem/cells_at_body.hpp"
 #include "record/soil_plot.hpp"
 #include "run_folder/build.hpp"
+#include "run_folder/progress.hpp"
 #include "structures/base/soil_words.hpp"
+#include "structures/base/spoiled.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <sstream>
 
 namespace berm::simulation {
 namespace {
@@ -79,7 +82,25 @@ void print_timings(const run_folder::RunTiming& timing)
   spdlog::info("{}", table);
 }
 
+/// Gives a record the checks of its summary.
+void take_checks(const run_folder::Summary::Checks& checks, record::RunRecord& run)
+{
+  if (!run.summary) run.summary.emplace();
+  for (const auto& [name, check] : checks) run.summary->checks[name] = std::visit([](auto value) -> Real { return value; }, check);
+}
+
 }  // namespace
+
+std::string key_results(const std::string& table, const std::vector<std::string>& spoiled)
+{
+  if (table.empty() || spoiled.empty()) return table.empty() ? "" : "key results\n" + table;
+  std::string marked = fmt::format("key results; (!) the answer is spoiled: {}\n", base::spoiled_words(spoiled));
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);)
+    marked += (marked.back() == '\n' ? "" : "\n") + line + base::spoiled_mark(spoiled) + "\n";
+  if (table.back() != '\n') marked.pop_back();
+  return marked;
+}
 
 template <int dim>
 std::string write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
@@ -117,14 +138,16 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.warnings = outcome.warnings;
+  take_checks(summary.checks, run);
+  summary.spoiled = base::spoiled_by(run);
+  for (const std::string& why : summary.spoiled) spdlog::warn("the answer is spoiled: {}", why);
   summary.write(folder.file("summary.json"));
   for (const std::filesystem::path& names : {folder.path(), folder.file("frames")}) io::sync_file(names);  // before the checkpoints go
 
   structure.draw_curves(folder, run, {});
   draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
-  const std::string table = structure.table_of(run);
-  return table.empty() ? "" : "key results\n" + table;
+  return key_results(structure.table_of(run), summary.spoiled);
 }
 
 template std::string write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<2>&,

@@ -25,4 +25,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
                           const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last,
                           const RunOutcome& outcome, const run_folder::RunTiming& timing);
 
+/// The key results of a run under their heading, "" where the table is empty; of a run whose answer is spoiled with why, and a mark behind every line.
+std::string key_results(const std::string& table, const std::vector<std::string>& spoiled);
+
 }  // namespace berm::simulation

@@ -11,6 +11,7 @@
 #include "run_folder/summary_file.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
+#include "simulation/results.hpp"
 #include "structures/structures.hpp"
 #include "user_law/load.hpp"
 
@@ -167,7 +168,7 @@ std::string key_results_in(const RunRequest& request)
   run.summary = run_folder::read_summary(request.folder);
   if (run.summary) run.quantities = run.summary->quantities;
   const std::string table = run.summary ? structures::structure_of(request.settings).table_of(run) : "";
-  return table.empty() ? "" : fmt::format("{}: key results\n{}", request.folder.string(), table);
+  return table.empty() ? "" : fmt::format("{}: {}", request.folder.string(), key_results(table, run.summary->spoiled));
 }
 
 }  // namespace berm::simulation

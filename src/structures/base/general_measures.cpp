@@ -152,10 +152,14 @@ TrustMeasure balance_after_geostatic(const std::string& when)
           bare_limit};
 }
 
+TrustMeasure soil_at_largest_volume()
+{
+  return part_of_soil("soil at its largest volume", "mass_at_max_volume", limits::at_bounds);
+}
+
 TrustMeasures soil_volumes()
 {
-  return {part_of_soil("soil at its smallest volume", "mass_at_min_volume", limits::at_bounds),
-          part_of_soil("soil at its largest volume", "mass_at_max_volume", limits::at_bounds),
+  return {part_of_soil("soil at its smallest volume", "mass_at_min_volume", limits::at_bounds), soil_at_largest_volume(),
           part_of_soil("soil in the air", "mass_in_the_air", limits::in_the_air)};
 }
 

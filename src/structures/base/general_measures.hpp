@@ -29,6 +29,7 @@ TrustMeasure balance_after_geostatic(const std::string& when);
 
 /// The soil at the bounds of its volume and in the air; momentum that does not balance.
 TrustMeasures soil_volumes();
+TrustMeasure soil_at_largest_volume();
 TrustMeasure momentum_balance();
 
 /// What friction shear bands can lose.

@@ -9,14 +9,25 @@ namespace berm::formulas {
 
 /// Reliability of a formula.
 enum class Label : std::uint8_t {
-  exact,    ///< closed form, or computed to convergence
-  fit,      ///< published fit, as design codes and programs use it: a public source states it (docs/formulas.md says which)
-  recalled  ///< quoted from memory: to be compared with its source before it is relied on, and not shown to clients
+  exact,        ///< closed form, or computed to convergence
+  lower_bound,  ///< closed form of stresses that meet equilibrium and strength: the load is as large or larger
+  fit,          ///< published fit, as design codes and programs use it: a public source states it (docs/formulas.md says which)
+  recalled      ///< quoted from memory: to be compared with its source before it is relied on, and not shown to clients
 };
 
 inline const char* word_of(Label label)
 {
-  return label == Label::exact ? "exact" : label == Label::fit ? "fit" : "recalled";
+  switch (label) {
+  case Label::exact:
+    return "exact";
+  case Label::lower_bound:
+    return "lower bound";
+  case Label::fit:
+    return "fit";
+  case Label::recalled:
+    return "recalled";
+  }
+  return "";
 }
 
 /// Source of a formula.

@@ -43,7 +43,9 @@ constexpr const char* common_range = "uniform s_u, 0 <= w/D <= 0.5";
 
 Formula clay_vertical_smooth(const PipeInClay& pipe)
 {
-  constexpr Source source{Label::exact, "slip lines, weightless clay", "smooth, uniform s_u, 0 <= w/D <= 0.5"};
+  const bool is_exact = relative_embedment(pipe) <= clay_slip_lines_exact_to;
+  const Source source{is_exact ? Label::exact : Label::lower_bound, "slip lines, weightless clay",
+                      is_exact ? "smooth, uniform s_u, 0 <= w/D <= 0.146" : "smooth, uniform s_u, 0.146 < w/D <= 0.5: V is this or more"};
   const Real theta = std::acos(1 - 2 * relative_embedment(pipe));
   const Real factor = (2 + pi - 2 * theta) * std::sin(theta) + 2 * (1 - std::cos(theta));
   return formula(factor * pipe.diameter * pipe.strength, source, in_common_range(pipe) && pipe.roughness == 0);

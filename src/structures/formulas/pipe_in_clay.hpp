@@ -16,8 +16,12 @@ struct PipeInClay {
   Real unit_weight = 0;        ///< gamma', N/m3: weight of the submerged clay
 };
 
+/// w/D up to which clay_vertical_smooth is exact: (1 - cos 45 deg)/2 = 0.146. There the pipe touches the clay over a half-angle theta of 45 degrees; beyond it the
+/// velocities of these slip lines would give work back, so that they prove no upper bound.
+inline constexpr Real clay_slip_lines_exact_to = 0.14644660940672624;
+
 /// The vertical resistance of a smooth pipe, N/m, upwards:
-/// V = D s_u [(2 + pi - 2 theta) sin theta + 2 (1 - cos theta)], cos theta = 1 - 2 w/D. [exact: slip lines]
+/// V = D s_u [(2 + pi - 2 theta) sin theta + 2 (1 - cos theta)], cos theta = 1 - 2 w/D. [slip lines: exact to w = 0.146 D, a lower bound beyond]
 Formula clay_vertical_smooth(const PipeInClay& pipe);
 
 /// The largest vertical resistance, N/m, upwards: V = D s_u 5.66 (w/D)^0.32 smooth, 7.40 (w/D)^0.40 rough, linear in the

@@ -105,6 +105,15 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
   return like;
 }
 
+/// Why the numbers of a run are not to be used.
+std::vector<std::string> spoiled_lines(const record::RunRecord& run)
+{
+  std::vector<std::string> lines;
+  for (const std::string& why : run.summary ? run.summary->spoiled : std::vector<std::string>())
+    lines.push_back(fmt::format("(!) the answer of {} is spoiled, do not use these numbers: {}", run.name, why));
+  return lines;
+}
+
 std::vector<std::string> provenance_of(const record::RunRecord& run)
 {
   std::vector<std::string> lines = {fmt::format("written by berm {}", io::version_words())};
@@ -116,6 +125,7 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
     for (const char* entry : {"version", "build", "date"})
       if (const auto found = run.summary->text.find(entry); found != run.summary->text.end())
         lines.push_back(fmt::format("{} of the run: {}", entry, found->second));
+  for (const std::string& line : spoiled_lines(run)) lines.push_back(line);
   return lines;
 }
 
@@ -125,6 +135,7 @@ Design design_of_run(const fs::path& folder)
   Design design{
       .name = run.name, .provenance = provenance_of(run), .best = springs_of(run), .low = {}, .high = {}, .estimates = {}, .draws = {}};
   for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
+  for (const std::string& line : spoiled_lines(run)) spdlog::warn("{}", line);
   if (run.end != record::RunEnd::finished) {
     spdlog::warn("{}: the run has not come to its end; what is not known of it is left out", folder.string());
     design.provenance.emplace_back("the run has not come to its end");
@@ -138,7 +149,7 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows)
 {
   std::optional<Springs> best;
   std::vector<Springs> draws;
-  std::vector<std::string> provenance;
+  std::vector<std::string> provenance, spoiled;
   std::size_t failed = 0;
   for (const study::SavedRow* row : rows) {
     const bool draw = row->kind == study::RowKind::draw;
@@ -150,6 +161,7 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows)
     try {
       const record::RunRecord run = structures::read_run(row->run);
       Springs springs = springs_of(run);
+      for (const std::string& line : spoiled_lines(run)) spoiled.push_back(line);
       if (provenance.empty() || !draw) provenance = provenance_of(run);
       if (draw)
         draws.push_back(std::move(springs));
@@ -165,6 +177,10 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows)
   Design design = design_of_sample(name, best, std::move(draws));
   design.failed = failed;
   design.provenance = std::move(provenance);
+  for (const std::string& line : spoiled) {
+    if (std::find(design.provenance.begin(), design.provenance.end(), line) == design.provenance.end()) design.provenance.push_back(line);
+    spdlog::warn("{}", line);
+  }
   if (design.low) design.provenance.push_back(fmt::format("low and high: 5 and 95 % of a sample of {} runs", design.draws.size()));
   if (failed > 0) {
     design.provenance.push_back(fmt::format("{} more runs have no result and do not count", failed));

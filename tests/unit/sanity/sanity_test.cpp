@@ -39,6 +39,30 @@ int lines_with(const std::string& text, const std::string& begin, const std::vec
   return count;
 }
 
+// What is known of a body that is left to gravity is that it falls.
+TEST(FreeBodies, may_begin_above_the_soil_and_fall_onto_it_where_they_are_above_it)
+{
+  TemporaryFolder folder;
+  const auto ended = [&](const char* motion, const char* center, const char* stages) {
+    std::string text = test::small_case;
+    const std::size_t begin = text.find("[[stage]]\nname = \"push\""), end = text.find("[output]");
+    text.replace(begin, end - begin, stages);
+    folder.write("case.toml", text);
+    return run_program(folder.path(), {"check", "case.toml", "--threads", "1", "--set", std::string("rigid.pipe.motion=") + motion, "--set",
+                                       std::string("rigid.pipe.center=") + center});
+  };
+  const char *above = "[\"50 mm\", \"75 mm\"]", *beside = "[\"150 mm\", \"75 mm\"]";
+  const char* thrown = "[[stage]]\nname = \"throw\"\nkind = \"push\"\nvelocity = \"0.1 m/s\"\nuntil.time = \"2 ms\"\n"
+                       "[[stage]]\nname = \"fall\"\nkind = \"free\"\nuntil.time = \"20 ms\"\n";
+  const Ended falls = ended("free", above, thrown);
+  EXPECT_EQ(falls.status, 0) << falls.err;
+  EXPECT_EQ(lines_with(falls.err, "", {"rigid.pipe"}), 0) << falls.err;
+  for (const Ended& refused : {ended("driven", above, thrown), ended("free", beside, thrown)}) {
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(lines_with(refused.err, "berm: ", {"rigid.pipe", "touches no soil"}), 1) << refused.err;
+  }
+}
+
 class SenselessInputs : public testing::TestWithParam<SenselessInput> {
 protected:
   SenselessInputs()

@@ -56,12 +56,16 @@ std::string table_of(const std::vector<record::RunRecord>& runs, problem::Method
 std::vector<std::string> warnings_of(const record::RunRecord& run)
 {
   std::vector<std::string> found, not_known;
+  const std::vector<std::string> spoiled = run.summary ? run.summary->spoiled : std::vector<std::string>();
+  for (const std::string& why : spoiled)
+    found.push_back("the answer is spoiled, and its numbers, which have the mark (!), are not to be used: " + why + ".");
   for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings)) {
     if (!measure.applies(run)) continue;
     const Real value = measure.value(run);
     if (std::isnan(value))
       not_known.emplace_back(measure.what);
-    else if (measure.limit != nullptr && judge(*measure.limit, value) != text::Standing::good)
+    else if (measure.limit != nullptr && judge(*measure.limit, value) != text::Standing::good &&
+             std::find(spoiled.begin(), spoiled.end(), measure.warning(run, value)) == spoiled.end())
       found.push_back(measure.warning(run, value) + ".");
   }
   if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
@@ -74,7 +78,8 @@ std::vector<std::string> warnings_of(const record::RunRecord& run)
   for (const std::string& warning : of_the_case) found.push_back("the case is doubtful: " + warning);
   std::size_t in_log = 0;
   for (const std::string& warning : run.warnings)
-    if (std::find(of_the_case.begin(), of_the_case.end(), warning) == of_the_case.end() && ++in_log <= max_log_warnings)
+    if (!warning.starts_with("the answer is spoiled: ") &&
+        std::find(of_the_case.begin(), of_the_case.end(), warning) == of_the_case.end() && ++in_log <= max_log_warnings)
       found.push_back("run.log: " + warning);
   if (in_log > max_log_warnings) found.push_back(fmt::format("run.log has {} more warnings.", in_log - max_log_warnings));
   return found;

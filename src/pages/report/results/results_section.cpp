@@ -26,12 +26,18 @@ std::string doubts_in_words(const record::RunRecord& run)
                      : fmt::format("Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
 }
 
+bool is_spoiled(const record::RunRecord& run)
+{
+  return run.summary && !run.summary->spoiled.empty();
+}
+
 std::string words_of(const record::RunRecord& run, const base::DisplayUnits& shown, bool several)
 {
   const std::string name = several ? fmt::format("<strong>{}</strong> ", text::html_text(run.name)) : "";
   const std::string results = structures::structure_of(run.settings).in_words(run, shown);
   const std::string doubts = doubts_in_words(run);
-  return fmt::format("<p>{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ", results,
+  return fmt::format("<p>{}{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ",
+                     is_spoiled(run) ? "(!) <strong>The answer is spoiled; do not use these numbers.</strong> " : "", results,
                      doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
 }
 
@@ -72,6 +78,8 @@ std::string results_section(const Runs& runs, const std::string& first_look)
   html += consolidation_table(runs) + published;
   for (std::size_t k = 0; k < runs.size(); ++k)
     html += structures::structure_of(runs[k].settings).other_results(runs[k], fmt::format("results-{}", k));
+  // Tables of several runs name the run, with its mark, in each row; of one run the style of the class puts the mark behind each number.
+  if (runs.size() == 1 && is_spoiled(runs.front())) html = "<div class=\"spoiled\">\n" + html + "</div>\n";
   return text::html_section("answer", "Answer", html);
 }
 

@@ -105,7 +105,9 @@ std::string published_values(const PipeRuns& runs, const base::DisplayUnits& sho
   return heading +
          text::html_paragraph(
              "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Kinds: "
-             "exact is a closed form or computed to convergence; fit is a fit as public programs have it. Editions and clauses are those "
+             "exact is a closed form or computed to convergence; lower bound is what the soil carries at least, so that berm may be above "
+             "it; "
+             "fit is a fit as public programs have it. Editions and clauses are those "
              "that "
              "these programs name (docs/formulas.md): the printed texts were not at hand. Low (LE), best (BE) and high (HE) estimates are "
              "those "

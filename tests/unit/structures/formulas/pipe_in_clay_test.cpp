@@ -22,6 +22,14 @@ TEST(PipeInClay, slip_lines_give_the_tabulated_loads)
   }
 }
 
+TEST(PipeInClay, slip_lines_are_a_lower_bound_where_the_pipe_touches_the_clay_over_more_than_45_degrees)
+{
+  EXPECT_NEAR(clay_slip_lines_exact_to, (1 - std::sqrt(0.5)) / 2, 1e-12);
+  EXPECT_EQ(clay_vertical_smooth(pipe_at(0.14)).source.label, Label::exact);
+  for (const Real x : {0.15, 0.3, 0.5}) EXPECT_EQ(clay_vertical_smooth(pipe_at(x)).source.label, Label::lower_bound) << x;
+  EXPECT_STREQ(word_of(Label::lower_bound), "lower bound");
+}
+
 TEST(PipeInClay, a_barely_embedded_smooth_pipe_is_a_footing_of_its_contact_width)
 {
   const Real x = 1e-6, width = 2 * std::sqrt(x - x * x);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/base/spoiled_test.cpp
+#include "structures/base/spoiled.hpp"
+
+#include "structures/base/driven_body.hpp"
+#include "structures/base/general_measures.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm::base {
+namespace {
+
+using Run = const record::RunRecord&;
+
+/// What a measure of the page says where it is bad.
+void add_bad(const TrustMeasure& measure, Run run, std::vector<std::string>& found)
+{
+  if (!measure.applies(run)) return;
+  const Real value = measure.value(run);
+  if (!std::isnan(value) && judge(*measure.limit, value) == text::Standing::bad) found.push_back(measure.warning(run, value));
+}
+
+void add_no_numbers(Run run, std::vector<std::string>& found)
+{
+  const run_folder::History& h = run.history;
+  for (const char* label : {"u", "w", "H", "V", "external", "internal", "kinetic"}) {
+    if (!h.has_label(label)) continue;
+    const std::vector<Real>& values = h.by_label(label);
+    const auto first = std::find_if(values.begin(), values.end(), [](Real value) { return !std::isfinite(value); });
+    if (first == values.end()) continue;
+    found.push_back(fmt::format("{} is no number from t = {} on", label,
+                                text::time_words(h["time_s"][static_cast<std::size_t>(first - values.begin())])));
+    return;
+  }
+}
+
+bool goes_through_soil(const problem::StageSettings& stage)
+{
+  return stage.kind == problem::StageKind::drag ||
+         (stage.kind == problem::StageKind::push && !(stage.velocity && *stage.velocity < 0) && !(stage.force && *stage.force < 0));
+}
+
+void add_lost_soil(Run run, std::vector<std::string>& found)
+{
+  constexpr Index least_rows = 10;  // of a stage; its last tenth is looked at
+  const run_folder::History& h = run.history;
+  if (!drives_a_body(run.settings) || h.rows() == 0 || !h.has_label("V") || !h.has_label("H")) return;
+  const auto touches = [&](Index row) { return h.by_label("V")[row] != 0 || h.by_label("H")[row] != 0; };
+  bool touched = false;
+  for (Index begin = 0, end = 0; begin < h.rows(); begin = end) {
+    while (end < h.rows() && h.stage[end] == h.stage[begin]) touched = touches(end++) || touched;
+    const auto stage =
+        std::find_if(run.settings.stage.begin(), run.settings.stage.end(), [&](const auto& s) { return s.name == h.stage[begin]; });
+    if (stage == run.settings.stage.end() || !goes_through_soil(*stage) || !touched || end - begin < least_rows) continue;
+    bool at_end = false;
+    for (Index row = end - (end - begin) / least_rows; row < end; ++row) at_end = at_end || touches(row);
+    if (!at_end) found.push_back(fmt::format("at the end of stage \"{}\" the body touches no soil: it left it", stage->name));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> spoiled_by(Run run)
+{
+  std::vector<std::string> found;
+  add_no_numbers(run, found);
+  add_bad(energy_balance(run.settings.method), run, found);
+  if (run.settings.method == problem::Method::mpm) {
+    add_bad(momentum_balance(), run, found);
+    add_bad(soil_at_largest_volume(), run, found);
+  }
+  add_lost_soil(run, found);
+  return found;
+}
+
+std::string spoiled_words(const std::vector<std::string>& spoiled)
+{
+  return fmt::format("{}", fmt::join(spoiled, "; "));
+}
+
+const char* spoiled_mark(const std::vector<std::string>& spoiled)
+{
+  return spoiled.empty() ? "" : " (!)";
+}
+
+}  // namespace berm::base

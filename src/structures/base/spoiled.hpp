@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "record/run_record.hpp"
+
+namespace berm::base {
+
+/// Why the numbers of a run are not to be used, a sentence without its full stop each; empty where nothing is known against them. Of what the page judges, only what spoils the
+/// answer itself, from where the page calls it bad:
+///
+/// - energy that does not balance, more than a twentieth of the work: forces do that work, and may be off by as much;
+/// - momentum that does not balance: the program is wrong;
+/// - soil at its largest volume, more than a hundredth of all: it no longer follows its law;
+/// - forces, displacements or energies that are no numbers;
+/// - a driven body that touched soil, and touches none in the last tenth of a push or a drag: what it drags through is water.
+std::vector<std::string> spoiled_by(const record::RunRecord& run);
+
+/// Why, as one text; "" where nothing is.
+std::string spoiled_words(const std::vector<std::string>& spoiled);
+
+/// Marks a name or a line of numbers of a run that is spoiled; "" of one that is not.
+const char* spoiled_mark(const std::vector<std::string>& spoiled);
+
+}  // namespace berm::base
