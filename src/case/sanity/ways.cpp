@@ -35,6 +35,16 @@ Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, 
   return time;
 }
 
+/// Bodies that forces alone move in a stage are anywhere after it.
+template <int dim>
+void lose_free_bodies(const problem::Model<dim>& model, std::size_t stage, std::vector<std::array<Move, 3>>& now)
+{
+  if (model.stages[stage].kind == problem::StageKind::geostatic) return;
+  for (std::size_t r = 0; r < now.size(); ++r)
+    if (static_cast<Index>(r) != model.driven[stage] && model.rigid_bodies[r].motion == bodies::Motion::free)
+      for (Move& move : now[r]) move.known = false;
+}
+
 }  // namespace
 
 template <int dim>
@@ -45,7 +55,10 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     Way& way = ways[k];
     way.rigid = model.driven[k];
-    if (way.rigid == none) continue;
+    if (way.rigid == none) {
+      lose_free_bodies(model, k, now);
+      continue;
+    }
     const problem::StageSettings& s = model.stages[k];
     const bodies::RigidBody<dim>& rigid = model.rigid_bodies[way.rigid];
     const auto drives = problem::drives_of<dim>(s, model.axes, rigid.rotation == bodies::Rotation::free);
@@ -68,8 +81,41 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
                      (s.until.embedment && !(*s.until.embedment <= way.begin_embedment) && d != model.axes.up);
     }
     now[way.rigid] = way.axis;
+    lose_free_bodies(model, k, now);
   }
   return ways;
+}
+
+Span swept(const Scene& s, const Way& way, int d)
+{
+  const Span& space = s.rigids[way.rigid].space[d];
+  const Move& move = way.axis[d];
+  return {space.from + std::min(move.begin, move.end), space.to + std::max(move.begin, move.end)};
+}
+
+bool may_meet(const Scene& s, const Way& way, const BodyScene& soil)
+{
+  const Real slack = 1e-6 * s.rigids[way.rigid].width;
+  for (const int d : {s.up, s.along}) {
+    if (!way.axis[d].known) continue;
+    const Span path = swept(s, way, d);
+    Real top = soil.space[d].to;
+    if (d == s.up && way.axis[s.along].known && !s.ground.line.level()) {
+      const Span along = swept(s, way, s.along);
+      top = std::min(top, s.ground.line.heights(along.from, along.to).second);
+    }
+    if (path.from > top + slack || path.to < soil.space[d].from - slack) return false;
+  }
+  return true;
+}
+
+bool may_meet_soil(const Scene& s, const Way& way)
+{
+  if (!s.rigids[way.rigid].bounded) return true;
+  const std::string& name = s.c.rigid[way.rigid].first;
+  return std::any_of(s.c.contact.begin(), s.c.contact.end(), [&](const auto& contact) {
+    return contact.second.rigid == name && may_meet(s, way, s.bodies[problem::index_of(s.c.body, contact.second.body)]);
+  });
 }
 
 template std::vector<Way> ways_of(const problem::Model<2>&);
