@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_outline.hpp"
 
+#include "report/animation/film_quantization.hpp"
+
 #include <map>
 
 namespace berm::report {
@@ -39,9 +41,7 @@ std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& fram
         const std::vector<Index>& outline = outlines[number];
         const std::size_t size = 2 * outline.size();
         FilmOutline& film = films[{rigid, number}];
-        if (film.corners.empty())
-          film = {rigid, static_cast<Index>(outline.size()),
-                  std::vector<float>(size * frames.size(), std::numeric_limits<float>::quiet_NaN())};
+        if (film.corners.empty()) film = {rigid, static_cast<Index>(outline.size()), std::vector<Real>(size * frames.size(), nan)};
         if (film.points != static_cast<Index>(outline.size())) continue;
         auto corner = film.corners.begin() + static_cast<std::ptrdiff_t>(f * size);
         for (const Index point : outline) {
@@ -53,6 +53,13 @@ std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& fram
   std::vector<FilmOutline> list;
   for (auto& [key, film] : films) list.push_back(std::move(film));
   return list;
+}
+
+std::string outline_bytes(const FilmOutline& outline, const Vec<2>& from)
+{
+  std::vector<float> corners;
+  for (std::size_t k = 0; k < outline.corners.size(); ++k) corners.push_back(static_cast<float>(outline.corners[k] - from[k % 2]));
+  return bytes_of(corners);
 }
 
 }  // namespace berm::report

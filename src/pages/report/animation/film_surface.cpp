@@ -41,9 +41,9 @@ std::vector<Index> points_of(std::vector<Index> triangles)
   return triangles;
 }
 
-std::array<std::vector<float>, 3> corners_at(const run_folder::SavedRigids& rigid_bodies, const std::vector<Index>& points)
+std::array<std::vector<Real>, 3> corners_at(const run_folder::SavedRigids& rigid_bodies, const std::vector<Index>& points)
 {
-  std::array<std::vector<float>, 3> corners;
+  std::array<std::vector<Real>, 3> corners;
   for (const Index point : points) {
     corners[0].push_back(rigid_bodies.x[point]);
     corners[1].push_back(rigid_bodies.y[point]);
@@ -52,9 +52,9 @@ std::array<std::vector<float>, 3> corners_at(const run_folder::SavedRigids& rigi
   return corners;
 }
 
-std::vector<const std::vector<float>*> axis_of(const FilmSurface& surface, std::size_t d)
+std::vector<const std::vector<Real>*> axis_of(const FilmSurface& surface, std::size_t d)
 {
-  std::vector<const std::vector<float>*> lists;
+  std::vector<const std::vector<Real>*> lists;
   for (const auto& corners : surface.corners) lists.push_back(&corners[d]);
   return lists;
 }

@@ -7,10 +7,10 @@ namespace berm::report {
 
 /// The surface of a rigid body in space, as it moves.
 struct FilmSurface {
-  std::int32_t rigid;                                      ///< number of the rigid body
-  Index points;                                            ///< corners
-  std::vector<std::uint32_t> triangles;                    ///< corners, three each
-  std::vector<std::array<std::vector<float>, 3>> corners;  ///< x, y, z (m) by frame; in a frame without them those of the frame before
+  std::int32_t rigid;                                     ///< number of the rigid body
+  Index points;                                           ///< corners
+  std::vector<std::uint32_t> triangles;                   ///< corners, three each
+  std::vector<std::array<std::vector<Real>, 3>> corners;  ///< x, y, z (m) by frame; in a frame without them those of the frame before
 };
 
 /// The surfaces of all rigid bodies; of polygons, quadrilaterals and hexahedra the triangles that they consist of.
