@@ -161,7 +161,7 @@ export interface FieldData {
   block: string;
 }
 
-/** A rigid body's outline: float32 x, y of `points` corners by frame, m; not a number in frames where it is not there. Two corners are a line. */
+/** A rigid body's outline: float32 x, y of `points` corners by frame, m from the corner `lower` of the film; not a number in frames where it is not there. Two corners are a line. */
 export interface RigidData {
   name: string;
   points: number;

@@ -2,7 +2,7 @@
 // What lies around and over the soil: axes in mm (m, where the soil is large), the original surface, rigid bodies.
 import type { Window } from "./film_camera";
 import { type Arrows, draw_arrows, draw_scale } from "./film_flow";
-import { tick_text, ticks } from "./film_numbers";
+import { axis_base, axis_title, tick_text, ticks } from "./film_numbers";
 
 /** px of the page around the plot. */
 export const MARGIN = { left: 58, right: 20, top: 26, bottom: 36 };
@@ -40,7 +40,7 @@ export interface Scene {
   /** Corners x, y in m; instead of the surface where that is not level. */
   ground?: [number, number][];
   /** Corners x, y in m. */
-  outlines: Float32Array[];
+  outlines: Float64Array[];
   /** The flow of the water; null: not shown. */
   arrows: Arrows | null;
 }
@@ -70,7 +70,9 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   context.fillStyle = ink.text;
   context.strokeRect(plot.x - 0.5, plot.y - 0.5, plot.width + 1, plot.height + 1);
   context.beginPath();
-  const ends = [window.x - window.width / 2, window.x + window.width / 2, window.y - window.height / 2, window.y + window.height / 2];
+  const base_x = axis_base(window.x - window.width / 2, window.x + window.width / 2), base_y = axis_base(window.y - window.height / 2, window.y + window.height / 2);
+  const [middle_x, middle_y] = [window.x - base_x, window.y - base_y];
+  const ends = [middle_x - window.width / 2, middle_x + window.width / 2, middle_y - window.height / 2, middle_y + window.height / 2];
   const unit = Math.max(...ends.map(Math.abs)) < LARGE ? { name: "mm", factor: 1e-3 } : { name: "m", factor: 1 };
   const [from_x, to_x, from_y, to_y] = ends.map((end) => end / unit.factor);
   const across = ticks(from_x, to_x, plot.width / 70);
@@ -78,17 +80,17 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   context.textAlign = "center";
   context.textBaseline = "top";
   for (const value of across.values) {
-    const x = Math.round(at_x(value * unit.factor)) + 0.5;
+    const x = Math.round(at_x(base_x + value * unit.factor)) + 0.5;
     context.moveTo(x, bottom);
     context.lineTo(x, bottom + 4);
     context.fillText(tick_text(value, across.decimals), x, bottom + 6);
   }
-  context.fillText(`x (${unit.name})`, plot.x + plot.width / 2, bottom + 20);
+  context.fillText(axis_title("x", base_x, unit.name), plot.x + plot.width / 2, bottom + 20);
   const upwards = ticks(from_y, to_y, plot.height / 50);
   context.textAlign = "right";
   context.textBaseline = "middle";
   for (const value of upwards.values) {
-    const y = Math.round(at_y(value * unit.factor)) + 0.5;
+    const y = Math.round(at_y(base_y + value * unit.factor)) + 0.5;
     context.moveTo(plot.x, y);
     context.lineTo(plot.x - 4, y);
     context.fillText(tick_text(value, upwards.decimals), plot.x - 6, y);
@@ -97,11 +99,11 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   // Above the numbers, however long they are.
   context.textAlign = "left";
   context.textBaseline = "top";
-  context.fillText(`y (${unit.name})`, 2, 2);
+  context.fillText(axis_title("y", base_y, unit.name), 2, 2);
   if (scene.arrows !== null) draw_scale(context, scene.arrows, scale, plot.x + plot.width, plot.y / 2, ink.text);
 }
 
-function draw_body(context: CanvasRenderingContext2D, outline: Float32Array, at_x: (x: number) => number, at_y: (y: number) => number): void {
+function draw_body(context: CanvasRenderingContext2D, outline: Float64Array, at_x: (x: number) => number, at_y: (y: number) => number): void {
   context.beginPath();
   for (let i = 0; i < outline.length; i += 2) context.lineTo(at_x(outline[i]), at_y(outline[i + 1]));
   context.closePath();

@@ -51,12 +51,12 @@ export function decode_triangles(bytes: Uint8Array, count: number): Uint32Array 
   return corners;
 }
 
-/** Outline x, y of a rigid body in m, one array per frame. */
-export function decode_outline(bytes: Uint8Array, frames: number, points: number): Float32Array[] {
+/** Outline x, y of a rigid body in m, one array per frame; stored from the place `from`. */
+export function decode_outline(bytes: Uint8Array, frames: number, points: number, from: [number, number]): Float64Array[] {
   expect_bytes(bytes, 8 * frames * points);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   return Array.from({ length: frames }, (_, frame) =>
-    Float32Array.from({ length: 2 * points }, (_, i) => view.getFloat32(4 * (2 * points * frame + i), true)),
+    Float64Array.from({ length: 2 * points }, (_, i) => from[i & 1] + view.getFloat32(4 * (2 * points * frame + i), true)),
   );
 }
 

@@ -57,7 +57,7 @@ export class MirroredParts extends FilmParts {
     });
   }
 
-  override outline(rigid: RigidData): Promise<Float32Array[]> {
+  override outline(rigid: RigidData): Promise<Float64Array[]> {
     if (!rigid.mirrored) return super.outline(rigid);
     return this.once(`${rigid.block} mirrored`, async () => (await super.outline(rigid)).map((corners) => corners.map((x, i) => (i % 2 === 0 ? -x : x))));
   }

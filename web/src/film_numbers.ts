@@ -37,6 +37,25 @@ export function ticks(from: number, to: number, wanted: number): { values: numbe
   return { values, decimals: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
 }
 
+/** A place in m, on a line that is `length` long: as many digits as tell a hundredth of that apart, however far the line is from the origin. */
+export function place_text(at: number, length: number): string {
+  if (!(Math.abs(at) > 10 * length)) return digits(at);
+  return at.toFixed(Math.max(0, 2 - Math.floor(Math.log10(length)))).replace("-", "−");
+}
+
+/** What the numbers of an axis count from: 0, or a round number where the axis is so far from the origin that they would have no room. */
+export function axis_base(from: number, to: number): number {
+  const far = Math.max(Math.abs(from), Math.abs(to)), length = to - from;
+  if (!(far > 1000 && far > 1000 * length)) return 0;
+  const power = 10 ** Math.ceil(Math.log10(10 * length));
+  return Number((Math.round((from + to) / 2 / power) * power).toPrecision(12));
+}
+
+/** The title of such an axis, x (mm) or x − 500000 m (mm). */
+export function axis_title(name: string, base: number, unit: string): string {
+  return base === 0 ? `${name} (${unit})` : `${name} ${base < 0 ? "+" : "−"} ${Math.abs(base)} m (${unit})`;
+}
+
 /** A tick's number. */
 export function tick_text(value: number, decimals: number): string {
   const text = value.toFixed(decimals);

@@ -32,7 +32,7 @@ export class FilmPanel {
   readonly stage: FilmStage;
   private soil: Soil | null = null;
   private values: Values | null = null;
-  private outlines: Float32Array[][] = [];
+  private outlines: Float64Array[][] = [];
   private flow: Int8Array[] | null = null;
   private with_arrows = true;
   private default_range: Range = { from: 0, to: 1 };
@@ -278,7 +278,7 @@ export class FilmPanel {
     return arrows_of(this.film.flow, this.flow[frame], frame);
   }
 
-  private outlines_now(): Float32Array[] {
+  private outlines_now(): Float64Array[] {
     const { frame, part } = moment_at(this.run, this.at);
     return this.outlines.map((frames) => {
       const [now, next] = [frames[frame], frames[Math.min(frame + 1, frames.length - 1)]];

@@ -54,8 +54,8 @@ export class FilmParts {
     });
   }
 
-  outline(rigid: RigidData): Promise<Float32Array[]> {
-    return this.once(rigid.block, () => decoded(rigid.block, (bytes) => decode_outline(bytes, this.film.frames.length, rigid.points)));
+  outline(rigid: RigidData): Promise<Float64Array[]> {
+    return this.once(rigid.block, () => decoded(rigid.block, (bytes) => decode_outline(bytes, this.film.frames.length, rigid.points, this.film.lower)));
   }
 
   flow({ block, columns, rows }: FlowData): Promise<Int8Array[]> {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Planes that cut the soil in space, one across each axis.
 import { choice, make, set_options } from "./film_elements";
-import { digits } from "./film_numbers";
+import { place_text } from "./film_numbers";
 import type { SpaceBox, Vector } from "./space_parts";
 
 const SIDES = { off: "all", below: "up to", above: "from", slice: "slice at" } as const;
@@ -73,12 +73,12 @@ export class CutControls {
 
   private show(): void {
     for (const [axis, { side, slider, text }] of this.shown.entries()) {
-      const cut = this.cuts[axis];
+      const cut = this.cuts[axis], place = `${place_text(cut.at, Number(slider.max) - Number(slider.min))} m`;
       side.select.value = cut.side;
       slider.value = String(cut.at);
       slider.disabled = cut.side === "off";
-      text.value = cut.side === "off" ? "" : `${digits(cut.at)} m`;
-      slider.setAttribute("aria-valuetext", `${digits(cut.at)} m`);
+      text.value = cut.side === "off" ? "" : place;
+      slider.setAttribute("aria-valuetext", place);
     }
   }
 }

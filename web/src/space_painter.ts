@@ -55,7 +55,7 @@ export function edges_of(box: SpaceBox): number[] {
 }
 
 /** The corners of a body between two frames. */
-export function corners_at(surface: Surface, frame: number, part: number): Float32Array {
+export function corners_at(surface: Surface, frame: number, part: number): Float64Array {
   const [now, next] = [surface.corners[frame], surface.corners[Math.min(frame + 1, surface.corners.length - 1)]];
   return part === 0 ? now : now.map((x, i) => x + part * (next[i] - x));
 }

@@ -27,7 +27,7 @@ export interface SpaceSoil {
 export interface Surface {
   name: string;
   triangles: Uint32Array;
-  corners: Float32Array[];
+  corners: Float64Array[];
 }
 
 export class SpaceParts extends FilmParts {
@@ -53,7 +53,7 @@ export class SpaceParts extends FilmParts {
         decoded(data.triangles, (bytes) => decode_triangles(bytes, data.points)),
         decoded(data.position, (bytes) => decode_places(bytes, this.space.frames.length, data.points, 3)),
       ]);
-      const corners = codes.map((frame) => Float32Array.from(frame, (code, i) => data.lower[i % 3] + data.step * code));
+      const corners = codes.map((frame) => Float64Array.from(frame, (code, i) => data.lower[i % 3] + data.step * code));
       return { name: data.name, triangles, corners };
     });
   }

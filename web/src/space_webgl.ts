@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The soil in space by WebGL: each particle a shaded ball, rigid bodies as surfaces.
+// The soil in space by WebGL: each particle a shaded ball, rigid bodies as surfaces. The graphics card has single precision, so its places count from the
+// lower corner of the soil's codes.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, DataTexture, DirectionalLight, DoubleSide, DynamicDrawUsage, GLSL3, LinearFilter, LineBasicMaterial, LineSegments,
   Mesh, MeshLambertMaterial, OrthographicCamera, Plane, Points, RawShaderMaterial, Scene, Vector2, Vector3, WebGLRenderer,
@@ -7,14 +8,15 @@ import {
 import { PLAIN } from "./film_painter";
 import { axes_of } from "./space_camera";
 import { BALL, BODY, CLEAR, corners_at, edges_of, type SpaceLook, type SpaceModel, type SpacePainter } from "./space_painter";
+import type { Vector } from "./space_parts";
 
 const VERTEX = `precision highp float;
 in vec3 position; in vec3 position_next; in float value; in float value_next; in float side; in float shown;
 uniform mat4 projectionMatrix; uniform mat4 viewMatrix;
-uniform float part; uniform vec3 lower; uniform float unit; uniform float pixels; uniform vec2 bytes; uniform vec3 kept_lower; uniform vec3 kept_upper;
+uniform float part; uniform float unit; uniform float pixels; uniform vec2 bytes; uniform vec3 kept_lower; uniform vec3 kept_upper;
 out float shade;
 void main() {
-  vec3 place = lower + mix(position, position_next, part) * 65535.0 * unit;
+  vec3 place = mix(position, position_next, part) * 65535.0 * unit;
   bool out_of_it = shown < 0.5 || any(lessThan(place, kept_lower)) || any(greaterThan(place, kept_upper));
   gl_Position = out_of_it ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * viewMatrix * vec4(place, 1.0);
   gl_PointSize = max(side * 65535.0 * unit * pixels, 1.5);
@@ -67,7 +69,7 @@ export class SpaceWebgl implements SpacePainter {
     this.balls = new RawShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, glslVersion: GLSL3,
       uniforms: {
-        part: { value: 0 }, lower: { value: new Vector3() }, unit: { value: 1 }, pixels: { value: 1 }, bytes: { value: new Vector2() },
+        part: { value: 0 }, unit: { value: 1 }, pixels: { value: 1 }, bytes: { value: new Vector2() },
         kept_lower: { value: new Vector3() }, kept_upper: { value: new Vector3() },
         colours: { value: this.colours }, has_values: { value: false }, plain: { value: PLAIN.map((c) => c / 255) },
       },
@@ -99,14 +101,14 @@ export class SpaceWebgl implements SpacePainter {
     this.points.frustumCulled = false;
     this.bodies = model.surfaces.map((surface) => {
       const skin = new BufferGeometry();
-      skin.setAttribute("position", new BufferAttribute(surface.corners[0].slice(), 3).setUsage(DynamicDrawUsage));
+      skin.setAttribute("position", new BufferAttribute(this.places(surface.corners[0]), 3).setUsage(DynamicDrawUsage));
       skin.setIndex(new BufferAttribute(surface.triangles, 1));
       const body = new Mesh(skin, this.skin);
       body.frustumCulled = false;
       return body;
     });
     const edges = new BufferGeometry();
-    edges.setAttribute("position", new BufferAttribute(Float32Array.from(edges_of(soil.box)), 3));
+    edges.setAttribute("position", new BufferAttribute(this.places(edges_of(soil.box)), 3));
     this.scene.add(this.points, new LineSegments(edges, this.thread), ...this.bodies, this.lamp, new AmbientLight(0xffffff, 1.3));
     (this.colours.image.data as Uint8Array).set(model.colours);
     this.colours.needsUpdate = true;
@@ -142,8 +144,9 @@ export class SpaceWebgl implements SpacePainter {
     const half = camera.height / 2, wide = (half * this.width) / this.height;
     Object.assign(this.eye, { left: -wide, right: wide, top: half, bottom: -half, near: 0, far: 2 * far });
     this.eye.up.set(...up);
-    this.eye.position.set(...camera.target).addScaledVector(new Vector3(...back), far);
-    this.eye.lookAt(...camera.target);
+    const target = this.from_lower(camera.target);
+    this.eye.position.set(...target).addScaledVector(new Vector3(...back), far);
+    this.eye.lookAt(...target);
     this.eye.updateProjectionMatrix();
     this.lamp.position.set(...back).addScaledVector(new Vector3(...up), 0.7);
   }
@@ -157,19 +160,18 @@ export class SpaceWebgl implements SpacePainter {
     this.upload("shown", look.mask ?? this.all);
     const { uniforms } = this.balls;
     uniforms.part.value = look.part;
-    uniforms.lower.value.set(...soil.lower);
     uniforms.unit.value = soil.step;
     uniforms.pixels.value = (BALL * this.height) / look.camera.height;
     uniforms.bytes.value.set(look.from_byte, look.to_byte);
     uniforms.has_values.value = values !== null;
-    uniforms.kept_lower.value.set(...look.kept.lower).clampScalar(-FAR, FAR);
-    uniforms.kept_upper.value.set(...look.kept.upper).clampScalar(-FAR, FAR);
+    uniforms.kept_lower.value.set(...this.from_lower(look.kept.lower)).clampScalar(-FAR, FAR);
+    uniforms.kept_upper.value.set(...this.from_lower(look.kept.upper)).clampScalar(-FAR, FAR);
   }
 
   private move_bodies({ surfaces }: SpaceModel, look: SpaceLook): void {
     for (const [i, body] of this.bodies.entries()) {
       const places = body.geometry.getAttribute("position") as BufferAttribute;
-      (places.array as Float32Array).set(corners_at(surfaces[i], look.frame, look.part));
+      (places.array as Float32Array).set(this.places(corners_at(surfaces[i], look.frame, look.part)));
       places.needsUpdate = true;
       body.visible = look.bodies !== "hidden";
     }
@@ -178,11 +180,23 @@ export class SpaceWebgl implements SpacePainter {
     Object.assign(this.skin, { transparent: clear, opacity: clear ? CLEAR : 1, depthWrite: !clear });
     const planes: Plane[] = [];
     for (const [d, axis] of [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].entries()) {
-      if (look.kept.lower[d] > -Infinity) planes.push(new Plane(axis.clone(), -look.kept.lower[d]));
-      if (look.kept.upper[d] < Infinity) planes.push(new Plane(axis.clone().negate(), look.kept.upper[d]));
+      const [low, high] = [this.from_lower(look.kept.lower)[d], this.from_lower(look.kept.upper)[d]];
+      if (low > -Infinity) planes.push(new Plane(axis.clone(), -low));
+      if (high < Infinity) planes.push(new Plane(axis.clone().negate(), high));
     }
     this.renderer.localClippingEnabled = true;
     this.skin.clippingPlanes = look.cut_bodies ? planes : [];
+  }
+
+  /** A place from the lower corner of the soil's codes. */
+  private from_lower(place: Vector): Vector {
+    return place.map((x, d) => x - this.model!.soil.lower[d]) as Vector;
+  }
+
+  /** Places x, y, z one after the other, as the graphics card takes them. */
+  private places(all: ArrayLike<number>): Float32Array {
+    const { lower } = this.model!.soil;
+    return Float32Array.from(all, (x, i) => x - lower[i % 3]);
   }
 
   /** Points the attribute at a frame's own array; nothing is uploaded when it is there already. */

@@ -50,7 +50,8 @@ test("outlines_come_back_exactly", () => {
   const corners = [0.5, -0.25, 1e-3, -2e5, 0, 3];
   const bytes = new Uint8Array(corners.length * 4);
   corners.forEach((value, i) => new DataView(bytes.buffer).setFloat32(4 * i, value, true));
-  assert.deepEqual(decode_outline(bytes, 3, 1).map((frame) => [...frame]), [[0.5, -0.25], [Math.fround(1e-3), -2e5], [0, 3]]);
+  assert.deepEqual(decode_outline(bytes, 3, 1, [0, 0]).map((frame) => [...frame]), [[0.5, -0.25], [Math.fround(1e-3), -2e5], [0, 3]]);
+  assert.deepEqual([...decode_outline(bytes, 3, 1, [500000.25, 6500000.5])[0]], [500000.75, 6500000.25]);
 });
 
 test("a_block_of_the_wrong_length_is_refused", () => {

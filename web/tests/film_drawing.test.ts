@@ -45,7 +45,7 @@ for (const painter of ["2d", "webgl"] as const) {
       }
       assert.ok(seen > 10);
       const bodies = film.rigids.map((rigid) => {
-        const outline = decode_outline(block(rigid.block), film.frames.length, rigid.points)[frame];
+        const outline = decode_outline(block(rigid.block), film.frames.length, rigid.points, film.lower)[frame];
         const corners = Array.from({ length: rigid.points }, (_, i) => view.at(outline[2 * i], outline[2 * i + 1]));
         const ends = (axis: 0 | 1) => [Math.min(...corners.map((c) => c[axis])) - 3, Math.max(...corners.map((c) => c[axis])) + 3];
         return { x: ends(0), y: ends(1) };
@@ -89,10 +89,10 @@ test("bodies_are_drawn_where_the_data_says", () =>
         const picture = await pixels(one);
         const { at, inside } = view_of(await region_of(page, place), picture);
         for (const rigid of film.rigids) {
-          const outline = decode_outline(block(rigid.block), film.frames.length, rigid.points)[frame];
+          const outline = decode_outline(block(rigid.block), film.frames.length, rigid.points, film.lower)[frame];
           const xs = outline.filter((_, i) => i % 2 === 0);
           const ys = outline.filter((_, i) => i % 2 === 1);
-          const mean = (values: Float32Array) => values.reduce((a, b) => a + b) / values.length;
+          const mean = (values: Float64Array) => values.reduce((a, b) => a + b) / values.length;
           const half = (Math.max(...xs) - Math.min(...xs)) / 2;
           const high = (Math.max(...ys) - Math.min(...ys)) / 2;
           if (inside(at(mean(xs), mean(ys)))) {

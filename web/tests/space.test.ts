@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { FilmData } from "../src/data";
 import { mirrored_film, mirrored_soil } from "../src/film_mirror";
+import { axis_base, axis_title, place_text } from "../src/film_numbers";
 import type { Soil } from "../src/film_soil";
 import { axes_of, closer, dot, seeing, shifted, turned, VIEWS } from "../src/space_camera";
 import { kept_by } from "../src/space_cuts";
@@ -72,6 +73,22 @@ test("cuts_keep_what_their_words_say", () => {
   assert.deepEqual(kept_by([0, 1, 2].map((at) => ({ side: "off" as const, at })), 1), { lower: [-Infinity, -Infinity, -Infinity], upper: [Infinity, Infinity, Infinity] });
 });
 
+test("places_at_survey_coordinates_keep_their_digits", () => {
+  assert.equal(place_text(0.1234, 0.5), "0.123");
+  assert.equal(place_text(-1499.8765, 1.5), "−1499.88");
+  assert.equal(place_text(6543210.9876, 0.5), "6543210.988");
+});
+
+test("an_axis_far_from_the_origin_counts_from_a_round_number", () => {
+  assert.equal(axis_base(-0.2, 3), 0);
+  assert.equal(axis_base(-12.2, -12.1), 0);
+  assert.equal(axis_base(499876.3, 499877.8), 499900);
+  assert.equal(axis_base(-1500.4, -1499.6), -1500);
+  assert.equal(axis_title("x", 0, "mm"), "x (mm)");
+  assert.equal(axis_title("x", 499900, "m"), "x − 499900 m (m)");
+  assert.equal(axis_title("y", -1500, "mm"), "y + 1500 m (mm)");
+});
+
 test("lengths_of_the_bar_are_round", () => {
   assert.deepEqual([0.0199, 0.02, 0.7, 1, 4.9].map(round_length).map(length_text), ["10.0 mm", "20.0 mm", "500 mm", "1.00 m", "2.00 m"]);
 });
@@ -87,7 +104,7 @@ test("surface_is_the_highest_particle_of_each_column", () => {
 });
 
 test("a_view_holds_bodies_above_the_soil_up_to_its_own_depth", () => {
-  const body = (top: number) => ({ name: "", triangles: new Uint32Array(0), corners: [Float32Array.from([0, top, 0])] });
+  const body = (top: number) => ({ name: "", triangles: new Uint32Array(0), corners: [Float64Array.from([0, top, 0])] });
   assert.equal(seen_box(soil, [body(1.5)]).upper[1], 1.5);
   assert.equal(seen_box(soil, [body(50)]).upper[1], 2);
   assert.equal(seen_box(soil, []).upper[1], 1);

@@ -12,14 +12,6 @@ namespace {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-/// What a body takes along an axis during a stage.
-Span swept(const Scene& s, const Way& way, int d)
-{
-  const Span& space = s.rigids[way.rigid].space[d];
-  const Move& move = way.axis[d];
-  return {space.from + std::min(move.begin, move.end), space.to + std::max(move.begin, move.end)};
-}
-
 /// Level of the base of the mesh, m; below a slope that at x.
 Real base_below(const Scene& s, Real x)
 {
@@ -59,20 +51,6 @@ std::vector<int> axes_of_walls(const Scene& s, Index rigid)
 const char* wall_name(bool along, bool lower)
 {
   return along ? (lower ? "left wall" : "right wall") : lower ? "back wall" : "front wall";
-}
-
-/// Whether the way meets the soil along an axis, as far as it is known.
-bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d)
-{
-  if (!way.axis[d].known) return true;
-  const Span path = swept(s, way, d);
-  const Real slack = 1e-6 * s.rigids[way.rigid].width;
-  Real top = soil.space[d].to;
-  if (d == s.up && way.axis[s.along].known && !s.ground.line.level()) {
-    const Span along = swept(s, way, s.along);
-    top = std::min(top, s.ground.line.heights(along.from, along.to).second);
-  }
-  return path.from <= top + slack && path.to >= soil.space[d].from - slack;
 }
 
 /// Whether a stage leaves the body to gravity: where it goes is not known, but it goes down.
@@ -116,14 +94,12 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
       if (contact.rigid != name) continue;
       const BodyScene& soil = s.bodies[problem::index_of(s.c.body, contact.body)];
       meets = meets || may_fall_onto(s, rigid, soil);
-      for (const Way& way : s.ways)
-        meets = meets || (way.rigid == rigid && may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along));
+      for (const Way& way : s.ways) meets = meets || (way.rigid == rigid && may_meet(s, way, soil));
       const Span &x = soil.space[s.along], &own = s.rigids[rigid].space[s.along];
       above = above && (!s.ground.line.level() || s.rigids[rigid].space[s.up].from >= soil.space[s.up].to);
-      where =
-          fmt::format("it begins at {:.4g} m < {} < {:.4g} m with its lowest point {:.4g} m above the surface, and [body.{}] lies at "
-                      "{:.4g} m < {} < {:.4g} m",
-                      own.from, axis_names[s.along], own.to, -s.ways[k].begin_embedment, contact.body, x.from, axis_names[s.along], x.to);
+      where = fmt::format("it begins at {} < {} < {} with its lowest point {:.4g} m above the surface, and [body.{}] lies at {} < {} < {}",
+                          place_words(own.from), axis_names[s.along], place_words(own.to), -s.ways[k].begin_embedment, contact.body,
+                          place_words(x.from), axis_names[s.along], place_words(x.to));
     }
     if (!meets)
       found.refuse(fmt::format("rigid.{}", name),
@@ -172,10 +148,11 @@ void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
                                   : first.to <= mesh.to && path.to > mesh.to && move.end > move.begin;
       if (!below && !above) continue;
       const std::string& name = s.c.rigid[way.rigid].first;
-      const std::string message = fmt::format("takes \"{}\" out of the mesh: it reaches {} = {:.4g} m, where the mesh ends at {:.4g} m; "
-                                              "let it go less far, or make the mesh {}",
-                                              name, axis_names[d], below ? path.from : path.to, below ? mesh.from : mesh.to,
-                                              vertical ? (below == (s.up_sign > 0) ? "deeper" : "higher") : "longer there");
+      const std::string message =
+          fmt::format("takes \"{}\" out of the mesh: it reaches {} = {}, where the mesh ends at {}; "
+                      "let it go less far, or make the mesh {}",
+                      name, axis_names[d], place_words(below ? path.from : path.to), place_words(below ? mesh.from : mesh.to),
+                      vertical ? (below == (s.up_sign > 0) ? "deeper" : "higher") : "longer there");
       const std::string key = stage_key(k, "until");
       if (move.at_most)
         found.warn(key, "may leave the mesh: it " + message);
@@ -261,9 +238,9 @@ void do_walls_cut_a_body(const Scene& s, Findings& found)
       if (std::abs(wall - (body.from + body.to) / 2) < middle * (body.to - body.from)) continue;
       const std::string& name = s.c.rigid[rigid].first;
       found.warn("rigid." + name,
-                 fmt::format("the {0} cuts it: it reaches {1} = {2:.4g} m, where the mesh ends at {3:.4g} m, and what is beyond meets no "
+                 fmt::format("the {0} cuts it: it reaches {1} = {2}, where the mesh ends at {3}, and what is beyond meets no "
                              "soil; move it, or make the mesh wider, or put its middle onto the wall as a plane of symmetry",
-                             wall_name(d == s.along, below), axis_names[d], below ? body.from : body.to, wall));
+                             wall_name(d == s.along, below), axis_names[d], place_words(below ? body.from : body.to), place_words(wall)));
     }
   });
 }
@@ -397,10 +374,10 @@ void is_there_soil_at_a_watch(const Scene& s, Findings& found)
       const Span& space = body.space[d];
       const Real slack = 0.05 * space.length();
       if (watch.point[d] > space.from - slack && watch.point[d] < space.to + slack) continue;
-      found.warn(
-          "watch." + name + ".point",
-          fmt::format("{} = {:.4g} m is not in [body.{}], which lies at {:.4g} m < {} < {:.4g} m: the nearest particle there is watched",
-                      axis_names[d], watch.point[d], watch.body, space.from, axis_names[d], space.to));
+      found.warn("watch." + name + ".point",
+                 fmt::format("{} = {} is not in [body.{}], which lies at {} < {} < {}: the nearest particle there is watched",
+                             axis_names[d], place_words(watch.point[d]), watch.body, place_words(space.from), axis_names[d],
+                             place_words(space.to)));
       break;
     }
   }

@@ -96,6 +96,12 @@ std::string words_of(Real value, const char* unit)
   return fmt::format("{:.3g} {}", value, unit);
 }
 
+std::string place_words(Real metres)
+{
+  const bool far = std::abs(metres) >= 1000;
+  return fmt::format("{:.{}g} m", metres, far ? 4 + static_cast<int>(std::log10(std::abs(metres))) : 4);
+}
+
 std::string stage_key(std::size_t stage, const std::string& key)
 {
   return fmt::format("stage[{}]{}{}", stage, key.empty() ? "" : ".", key);

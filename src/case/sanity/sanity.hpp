@@ -44,6 +44,9 @@ std::string words_of(const Finding& finding, const input::Places& places);
 /// "18 mm", "1.25 m", "3 kg/m": three digits and the unit, of lengths, times and speeds a thousandth of it where that reads better.
 std::string words_of(Real value, const char* unit);
 
+/// "12.35 m", "499876.543 m": a place, four digits and at least millimetres of survey coordinates.
+std::string place_words(Real metres);
+
 /// "stage[2].until", the key of a stage.
 std::string stage_key(std::size_t stage, const std::string& key);
 

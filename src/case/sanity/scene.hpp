@@ -116,4 +116,14 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
 template <int dim>
 std::vector<Way> ways_of(const problem::Model<dim>& model);
 
+/// What a body takes along an axis during a stage.
+Span swept(const Scene& s, const Way& way, int d);
+
+/// Whether the way meets the soil of a body along an axis, or both upwards and along the bed, as far as it is known.
+bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d);
+bool may_meet(const Scene& s, const Way& way, const BodyScene& soil);
+
+/// Whether it meets any soil that touches the rigid body: a stage may be all in the air.
+bool may_meet_soil(const Scene& s, const Way& way);
+
 }  // namespace berm::sanity

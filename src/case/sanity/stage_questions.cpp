@@ -111,7 +111,7 @@ void is_the_drive_slow(const Scene& s, Findings& found)
     std::size_t fastest = 0;
     std::vector<std::size_t> fast;
     for (std::size_t k = 0; k < s.ways.size(); ++k) {
-      const Real speed = s.ways[k].rigid == rigid ? speed_of(s.c.stage[k]) : 0;
+      const Real speed = s.ways[k].rigid == rigid && may_meet_soil(s, s.ways[k]) ? speed_of(s.c.stage[k]) : 0;
       if (speed <= limit) continue;
       if (fast.empty() || speed > speed_of(s.c.stage[fastest])) fastest = k;
       fast.push_back(k);
@@ -138,7 +138,7 @@ void does_the_drive_begin_gently(const Scene& s, Findings& found)
     const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
     const StageSettings& stage = s.c.stage[k];
     const Real speed = speed_of(stage), width = body == none ? 0 : s.rigids[rigid].width;
-    if (speed == 0 || width == 0) continue;
+    if (speed == 0 || width == 0 || !may_meet_soil(s, s.ways[k])) continue;
     const Real wave = s.bodies[body].wave_speed, blow = inertia_density(s.material_of(body)) * wave * speed, cross = width / wave;
     const std::optional<Real> strength = strength_at_depth_of(s, body, width);
     if (!strength || *strength <= 0 || blow < 3 * *strength || stage.ramp >= cross || !stage.load_times.empty()) continue;

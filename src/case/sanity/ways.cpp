@@ -84,6 +84,40 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
   return ways;
 }
 
+Span swept(const Scene& s, const Way& way, int d)
+{
+  const Span& space = s.rigids[way.rigid].space[d];
+  const Move& move = way.axis[d];
+  return {space.from + std::min(move.begin, move.end), space.to + std::max(move.begin, move.end)};
+}
+
+bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d)
+{
+  if (!way.axis[d].known) return true;
+  const Span path = swept(s, way, d);
+  const Real slack = 1e-6 * s.rigids[way.rigid].width;
+  Real top = soil.space[d].to;
+  if (d == s.up && way.axis[s.along].known && !s.ground.line.level()) {
+    const Span along = swept(s, way, s.along);
+    top = std::min(top, s.ground.line.heights(along.from, along.to).second);
+  }
+  return path.from <= top + slack && path.to >= soil.space[d].from - slack;
+}
+
+bool may_meet(const Scene& s, const Way& way, const BodyScene& soil)
+{
+  return may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along);
+}
+
+bool may_meet_soil(const Scene& s, const Way& way)
+{
+  if (!s.rigids[way.rigid].bounded) return true;
+  const std::string& name = s.c.rigid[way.rigid].first;
+  return std::any_of(s.c.contact.begin(), s.c.contact.end(), [&](const auto& contact) {
+    return contact.second.rigid == name && may_meet(s, way, s.bodies[problem::index_of(s.c.body, contact.second.body)]);
+  });
+}
+
 template std::vector<Way> ways_of(const problem::Model<2>&);
 template std::vector<Way> ways_of(const problem::Model<3>&);
 

@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "io/run_and_wait.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -95,6 +96,21 @@ Real tic_step(Real range)
 {
   const Real rough = range / 5, power = std::pow(10, std::floor(std::log10(rough)));
   return power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7.5 * power ? 5 : 10);
+}
+
+Real axis_base(Real from, Real to)
+{
+  constexpr Real far = 1000;  // m, and lengths of the axis
+  const Real length = to - from;
+  if (!(std::max(std::abs(from), std::abs(to)) > far * std::max(length, Real(1)))) return 0;
+  const Real power = std::pow(10, std::ceil(std::log10(10 * length)));
+  return std::round((from + to) / 2 / power) * power;
+}
+
+std::string axis_title(const std::string& name, Real base, const std::string& unit)
+{
+  return base == 0 ? fmt::format("{} ({})", name, unit)
+                   : fmt::format("{} {} {:.12g} m ({})", name, base < 0 ? "+" : "-", std::abs(base), unit);
 }
 
 }  // namespace berm::plot

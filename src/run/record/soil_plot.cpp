@@ -2,6 +2,7 @@
 // Tests: tests/unit/record/soil_plot_test.cpp
 #include "record/soil_plot.hpp"
 #include "io/atomic_file.hpp"
+#include "plot/gnuplot.hpp"
 #include "plot/raster.hpp"
 
 #include <algorithm>
@@ -20,11 +21,14 @@ struct Picture {
   const run_folder::FieldValues<Real>& field;
   const SoilView& view;
   plot::PlotUnit unit;
+  Vec<2> base;  ///< m, what places are told from (plot::axis_base)
   Vec<2> size() const { return view.upper - view.lower; }
   int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
   std::string words() const { return field.info.label + (field.info.unit.empty() ? "" : " (" + field.info.unit + ")"); }
   Real value(Index point) const { return field.at(point); }
   Vec<2> x(Index point) const { return frame.points[point]; }
+  /// A place in the plot's unit, from the base.
+  Vec<2> shown(const Vec<2>& x) const { return (x - base) * unit.per_si; }
   /// Of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
   Real radius(Index point) const { return std::sqrt(frame.volume[point]); }
 };
@@ -47,9 +51,10 @@ std::string disks(const Picture& picture, const std::vector<Index>& points)
 {
   const plot::PlotUnit& unit = picture.unit;
   std::string data = fmt::format("# x, y, radius ({}), {}\n", unit.name, picture.words());
-  for (const Index k : points)
-    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", picture.x(k)[0] * unit.per_si, picture.x(k)[1] * unit.per_si,
-                        picture.radius(k) * unit.per_si, picture.value(k));
+  for (const Index k : points) {
+    const Vec<2> x = picture.shown(picture.x(k));
+    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", x[0], x[1], picture.radius(k) * unit.per_si, picture.value(k));
+  }
   return data;
 }
 
@@ -87,12 +92,12 @@ std::string pixels(const Picture& picture, const std::vector<Index>& points)
 
 std::string outlines(const Picture& picture)
 {
-  const Real per_si = picture.unit.per_si;
   std::string data = fmt::format("# x, y ({}) of each rigid body\n", picture.unit.name);
   for (const run_folder::FrameRigid<2>& rigid : picture.frame.rigid_bodies)
     for (const auto& cell : rigid.surface.cells) {
       const auto line = [&](Index k) {
-        return fmt::format("{:.6g} {:.6g}\n", rigid.surface.points[k][0] * per_si, rigid.surface.points[k][1] * per_si);
+        const Vec<2> x = picture.shown(rigid.surface.points[k]);
+        return fmt::format("{:.6g} {:.6g}\n", x[0], x[1]);
       };
       for (const Index k : cell.points) data += line(k);
       data += line(cell.points[0]) + '\n';
@@ -118,16 +123,17 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
       part(left, width), 1 - part(right, width), part(bottom, height), 1 - part(top, height));
   script += fmt::format("set title {} font 'DejaVu Sans,17'\nset size ratio -1\n", plot::gnuplot_text(title));
-  script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
-                        view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
-  script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
+  const Vec<2> lower = picture.shown(view.lower), upper = picture.shown(view.upper);
+  script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", lower[0], upper[0], lower[1], upper[1]);
+  script += fmt::format("set xlabel '{}'\nset ylabel '{}'\nset tics out nomirror\nset border lc rgb '#444444'\n",
+                        plot::axis_title("x", picture.base[0], unit.name), plot::axis_title("y", picture.base[1], unit.name));
   script += fmt::format("set cblabel {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()), range.first, range.second);
   script += plot::viridis_palette();
   script += "unset key\nset style fill solid noborder\n";
   mesh::GroundLine line = view.ground;
   if (line.level() && view.surface) line.corners = {Vec<2>(view.lower[0], *view.surface), Vec<2>(view.upper[0], *view.surface)};
   for (std::size_t k = 1; k < line.corners.size(); ++k) {
-    const Vec<2> from = line.corners[k - 1] * unit.per_si, to = line.corners[k] * unit.per_si;
+    const Vec<2> from = picture.shown(line.corners[k - 1]), to = picture.shown(line.corners[k]);
     script += fmt::format("set arrow {} from {:.6g},{:.6g} to {:.6g},{:.6g} nohead dt 2 lc rgb '#666666' lw 1 front\n", k, from[0], from[1],
                           to[0], to[1]);
   }
@@ -155,7 +161,7 @@ std::string plot(const Picture& picture, bool as_disks)
   } else {
     const int rows = picture.plot_height();
     const Vec<2> pixel = (picture.size() * picture.unit.per_si).cwiseQuotient(Vec<2>(plot_width, rows));
-    const Vec<2> first = picture.view.lower * picture.unit.per_si + 0.5 * pixel;
+    const Vec<2> first = picture.shown(picture.view.lower) + 0.5 * pixel;
     command = fmt::format("plot {} binary array=({},{}) format='%float32' origin=({:.9g},{:.9g}) dx={:.9g} dy={:.9g} using 1 with image",
                           data_file(soil_file(picture, false)), plot_width, rows, first[0], first[1], pixel[0], pixel[1]);
   }
@@ -192,7 +198,12 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& 
 {
   if (frame.points.empty()) return false;
   const SoilView& view = wanted.view;
-  const Picture picture{frame, wanted.name, frame.field(wanted.field), view, plot::length_unit((view.upper - view.lower).maxCoeff())};
+  const Picture picture{frame,
+                        wanted.name,
+                        frame.field(wanted.field),
+                        view,
+                        plot::length_unit((view.upper - view.lower).maxCoeff()),
+                        {plot::axis_base(view.lower[0], view.upper[0]), plot::axis_base(view.lower[1], view.upper[1])}};
   const std::vector<Index> points = points_in_view(picture);
   const std::filesystem::path plots = folder / "plots";
   io::make_folder(plots);

@@ -13,19 +13,19 @@ namespace berm::run_folder {
 namespace {
 
 struct Coordinates {
-  std::vector<float> x, y, z;
+  std::vector<Real> x, y, z;
 };
 
 Coordinates coordinates_in(const io::VtuFile& vtu)
 {
   const std::size_t count = vtu.point_count();
   const std::vector<double> points = vtu.numbers<double>("Points", 3 * count);
-  Coordinates c{std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)};
+  Coordinates c{std::vector<Real>(count), std::vector<Real>(count), std::vector<Real>(count)};
   bool finite = true;
   for (std::size_t k = 0; k < count; ++k) {
-    c.x[k] = static_cast<float>(points[3 * k]);
-    c.y[k] = static_cast<float>(points[3 * k + 1]);
-    c.z[k] = static_cast<float>(points[3 * k + 2]);
+    c.x[k] = points[3 * k];
+    c.y[k] = points[3 * k + 1];
+    c.z[k] = points[3 * k + 2];
     finite = finite && std::isfinite(c.x[k]) && std::isfinite(c.y[k]) && std::isfinite(c.z[k]);
   }
   if (!finite) vtu.refuse("a point is nowhere: a coordinate is not a finite number");

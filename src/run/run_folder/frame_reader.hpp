@@ -21,10 +21,11 @@ struct FrameFiles {
 /// The frames that frames.pvd of a run's folder of frames lists, in their order; none where there is no such file. Throws RunError where it is damaged.
 std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder);
 
-/// A frame as it was written: in space with three coordinates, in plane strain with z = 0. Numbers in single precision.
+/// A frame as it was written: in space with three coordinates, in plane strain with z = 0. Fields in single precision; places in double, as survey
+/// coordinates of seven digits need it.
 struct SavedSoil {
   std::filesystem::path file;                   ///< that it was read from
-  std::vector<float> x, y, z;                   ///< m, by point: where it is now; finite
+  std::vector<Real> x, y, z;                    ///< m, by point: where it is now; finite
   std::vector<float> volume;                    ///< m2 in plane strain, m3 in space
   std::vector<std::int32_t> id, body;           ///< by point
   std::vector<FieldValues<float>> fields;       ///< all others that the file holds; vectors have three components, symmetric tensors six
@@ -36,7 +37,7 @@ struct SavedSoil {
 
 /// The outline or surface of the rigid bodies: closed polygons and lines of points in plane strain.
 struct SavedRigids {
-  std::vector<float> x, y, z;             ///< m, by point; finite
+  std::vector<Real> x, y, z;              ///< m, by point; finite
   std::vector<std::vector<Index>> cells;  ///< points of each cell
   std::vector<io::VtkCell> types;         ///< by cell
   std::vector<std::int32_t> rigid;        ///< by cell: the number of the rigid body, as in the case

@@ -54,14 +54,14 @@ namespace {
 constexpr Real near_middle = 0.1;  // of D
 
 /// A wall through the middle of the body along one coordinate of the first frame.
-Walls in_first_frame(const record::RunRecord& run, Real middle, Real width, std::vector<float> run_folder::SavedSoil::*coordinate)
+Walls in_first_frame(const record::RunRecord& run, Real middle, Real width, std::vector<Real> run_folder::SavedSoil::*coordinate)
 {
   if (run.folder.empty() || run.settings.geometry == problem::Geometry::axisymmetric) return {};
   try {
     const std::vector<run_folder::FrameFiles> frames = run_folder::frame_files(run.folder / "frames");
     if (frames.empty()) return {};
     const run_folder::SavedSoil soil = run_folder::read_soil(frames.front().soil);
-    const std::vector<float>& x = soil.*coordinate;
+    const std::vector<Real>& x = soil.*coordinate;
     if (x.empty()) return {};
     const auto [least, most] = std::minmax_element(x.begin(), x.end());
     Walls walls;

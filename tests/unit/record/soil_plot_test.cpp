@@ -115,6 +115,31 @@ TEST_F(SoilPlot, particles_outside_the_view_are_left_out)
   EXPECT_LT(*std::max_element(shown.begin(), shown.end()), 100);
 }
 
+TEST_F(SoilPlot, at_survey_coordinates_places_count_from_a_round_number_that_the_axis_names)
+{
+  const Vec<2> origin(499'900, -1500);
+  run_folder::Frame<2> far = frame();
+  for (Vec<2>& x : far.points) x += origin;
+  draw_soil(folder.path(), frame(), {"near", "deviatoric_strain", {Vec<2>(0, 0), Vec<2>(0.2, 0.1), {}}, "soil"});
+  draw_soil(folder.path(), far, {"far", "deviatoric_strain", {origin, origin + Vec<2>(0.2, 0.1), origin[1] + 0.09}, "soil"});
+  const auto numbers = [&](const char* file) {
+    std::istringstream lines(content_of(folder.file(file)));
+    std::vector<std::array<Real, 2>> places;  // mm
+    for (std::string line; std::getline(lines, line);)
+      if (std::array<Real, 2> place; std::sscanf(line.c_str(), "%lf %lf", &place[0], &place[1]) == 2) places.push_back(place);
+    return places;
+  };
+  const auto here = numbers("plots/near.dat"), there = numbers("plots/far.dat");
+  ASSERT_EQ(here.size(), there.size());
+  ASSERT_FALSE(here.empty());
+  for (std::size_t k = 0; k < here.size(); ++k)
+    for (int d = 0; d < 2; ++d) EXPECT_NEAR(there[k][d], here[k][d], 1e-3);
+  const std::string script = content_of(folder.file("plots/far.gp"));
+  EXPECT_NE(script.find("set xlabel 'x - 499900 m (mm)'"), std::string::npos) << script;
+  EXPECT_NE(script.find("set ylabel 'y + 1500 m (mm)'"), std::string::npos) << script;
+  EXPECT_NE(content_of(folder.file("plots/near.gp")).find("set xlabel 'x (mm)'"), std::string::npos);
+}
+
 TEST_F(SoilPlot, of_nothing_there_is_no_picture)
 {
   const SoilView elsewhere{Vec<2>(50, 50), Vec<2>(51, 51), {}};

@@ -56,9 +56,9 @@ TYPED_TEST(FrameReaderIn, soil_reads_back_as_it_was_written)
   EXPECT_TRUE(soil.triangles.empty());
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const bodies::Particle<dim>& p = particles[k].particle;
-    EXPECT_EQ(soil.x[k], static_cast<float>(p.x[0]));
-    EXPECT_EQ(soil.y[k], static_cast<float>(p.x[1]));
-    EXPECT_EQ(soil.z[k], dim == 3 ? static_cast<float>(p.x[dim - 1]) : 0);
+    EXPECT_EQ(soil.x[k], p.x[0]);
+    EXPECT_EQ(soil.y[k], p.x[1]);
+    EXPECT_EQ(soil.z[k], dim == 3 ? p.x[dim - 1] : 0);
     for (int d = 0; d < 3; ++d) {
       EXPECT_EQ(soil["velocity"][3 * k + d], d < dim ? static_cast<float>(p.v[d]) : 0);
       EXPECT_EQ(soil["displacement"][3 * k + d], 0);
@@ -92,9 +92,9 @@ TYPED_TEST(FrameReaderIn, rigid_bodies_read_back_with_their_cells)
         const Vec<dim>& x = surface.points[wanted.points[k]];
         const Index at = rigid_bodies.cells[cell][k];
         ASSERT_EQ(at, static_cast<Index>(first) + wanted.points[k]);
-        EXPECT_EQ(rigid_bodies.x[at], static_cast<float>(x[0]));
-        EXPECT_EQ(rigid_bodies.y[at], static_cast<float>(x[1]));
-        EXPECT_EQ(rigid_bodies.z[at], dim == 3 ? static_cast<float>(x[dim - 1]) : 0);
+        EXPECT_EQ(rigid_bodies.x[at], x[0]);
+        EXPECT_EQ(rigid_bodies.y[at], x[1]);
+        EXPECT_EQ(rigid_bodies.z[at], dim == 3 ? x[dim - 1] : 0);
       }
       ++cell;
     }

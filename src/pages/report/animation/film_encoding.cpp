@@ -111,7 +111,7 @@ std::vector<float> increments(const std::vector<const FilmFrame*>& frames, std::
 /// The lowest z of the frames of a film of the whole of a run in space, m; a grid whose step is not enough along z is made coarser.
 Real take_in_z(FilmGrid& grid, const std::vector<const FilmFrame*>& frames)
 {
-  std::vector<const std::vector<float>*> z;
+  std::vector<const std::vector<Real>*> z;
   for (const FilmFrame* frame : frames) z.push_back(&frame->z);
   const auto [lower, upper] = ends_of(z);
   grid.step = std::max(grid.step, (upper - lower) / max_code);
@@ -177,7 +177,8 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
   film["rigids"] = Json::array();
   const std::vector<FilmOutline> outlines = whole ? std::vector<FilmOutline>() : film_outlines(frames, run.settings.dimension());
   for (const FilmOutline& outline : outlines) {
-    const std::string id = blocks.add(fmt::format("rigid-{}", film["rigids"].size()), [&outline] { return bytes_of(outline.corners); });
+    const std::string id =
+        blocks.add(fmt::format("rigid-{}", film["rigids"].size()), [&outline, &grid] { return outline_bytes(outline, grid.lower); });
     film["rigids"].push_back({{"name", name_of(outline.rigid, run.settings)}, {"points", outline.points}, {"block", id}});
   }
 

@@ -90,7 +90,7 @@ FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const
   if (with_z_) one_of_ = (count + most - 1) / most;
   const auto stands_for = static_cast<float>(std::cbrt(Real(one_of_)));
   const auto [lowest, highest] = std::minmax_element(first_.z.begin(), first_.z.end());
-  middle_ = (Real(*lowest) + Real(*highest)) / 2;
+  middle_ = (*lowest + *highest) / 2;
   for (Index k = 0; k < count; ++k) {
     const Real volume = std::max(finite(first_.volume[k]), 0.f), size = dimension == 2 ? std::sqrt(volume) : std::cbrt(volume);
     if (with_z_ ? !is_shown(first_.id[k], one_of_) : dimension == 3 && std::abs(first_.z[k] - middle_) > size) continue;

@@ -20,8 +20,8 @@ std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<flo
 
 /// What a film needs of a frame. Values by point; one that is not finite is 0.
 struct FilmFrame {
-  std::vector<float> x, y;                 ///< m
-  std::vector<float> z;                    ///< m; empty but where all of a run in space is shown
+  std::vector<Real> x, y;                  ///< m
+  std::vector<Real> z;                     ///< m; empty but where all of a run in space is shown
   std::vector<float> flow_x, flow_y;       ///< m/s, flux of the water; empty where none flows, and where all of a run in space is shown
   std::vector<std::vector<float>> fields;  ///< as FilmReader::fields says; those that are summed from the first frame read on
   run_folder::SavedRigids rigid_bodies;

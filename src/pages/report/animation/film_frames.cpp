@@ -40,7 +40,7 @@ void read_frames(FilmFrames& footage, const record::RunRecord& run, const std::v
   std::vector<FilmMoment> moments;
   for (const run_folder::FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
   const std::size_t bytes_of_point =
-      (2 + reader.fields().size() + (reader.has_flow() ? 2 : 0)) * sizeof(float);  // the lists of a FilmFrame
+      2 * sizeof(Real) + (reader.fields().size() + (reader.has_flow() ? 2 : 0)) * sizeof(float);  // the lists of a FilmFrame
   footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / max_memory) + 1;
   const std::vector<Index> wanted = kept_frames(stages_of(moments), footage.step);
 

@@ -23,22 +23,22 @@ std::uint16_t code_of(Real x, Real lower, Real step)
 
 }  // namespace
 
-std::pair<Real, Real> ends_of(const std::vector<const std::vector<float>*>& lists)
+std::pair<Real, Real> ends_of(const std::vector<const std::vector<Real>*>& lists)
 {
   std::pair<Real, Real> ends{infinity, -infinity};
-  for (const std::vector<float>* list : lists)
-    for (const float number : *list) ends = {std::min<Real>(ends.first, number), std::max<Real>(ends.second, number)};
+  for (const std::vector<Real>* list : lists)
+    for (const Real number : *list) ends = {std::min(ends.first, number), std::max(ends.second, number)};
   return ends;
 }
 
 FilmBox box_of(const std::vector<const FilmFrame*>& frames)
 {
   FilmBox box{Vec<2>::Constant(infinity), Vec<2>::Constant(-infinity)};
-  const auto widen = [&](const std::vector<float>& places, int d) {
+  const auto widen = [&](const std::vector<Real>& places, int d) {
     if (places.empty()) return;
     const auto [lowest, highest] = std::minmax_element(places.begin(), places.end());
-    box.lower[d] = std::min<Real>(box.lower[d], *lowest);
-    box.upper[d] = std::max<Real>(box.upper[d], *highest);
+    box.lower[d] = std::min(box.lower[d], *lowest);
+    box.upper[d] = std::max(box.upper[d], *highest);
   };
   for (const FilmFrame* frame : frames) {
     widen(frame->x, 0);
@@ -57,13 +57,13 @@ std::uint16_t FilmGrid::code(Real x, int d) const
   return code_of(x, lower[d], step);
 }
 
-std::string axis_bytes(const std::vector<const std::vector<float>*>& frames, Real lower, Real step)
+std::string axis_bytes(const std::vector<const std::vector<Real>*>& frames, Real lower, Real step)
 {
   const std::size_t count = frames.front()->size(), plane = frames.size() * count;
   std::string bytes(2 * plane, '\0');
   std::vector<std::uint16_t> before(count);
   char *low = bytes.data(), *high = low + plane;
-  for (const std::vector<float>* places : frames)
+  for (const std::vector<Real>* places : frames)
     for (std::size_t k = 0; k < count; ++k) {
       const std::uint16_t now = code_of((*places)[k], lower, step), stored = places == frames.front() ? now : folded(now, before[k]);
       before[k] = now;
@@ -75,7 +75,7 @@ std::string axis_bytes(const std::vector<const std::vector<float>*>& frames, Rea
 
 std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid, Real lower_z)
 {
-  std::vector<const std::vector<float>*> x, y, z;
+  std::vector<const std::vector<Real>*> x, y, z;
   for (const FilmFrame* frame : frames) x.push_back(&frame->x), y.push_back(&frame->y), z.push_back(&frame->z);
   const std::string plane = axis_bytes(x, grid.lower[0], grid.step) + axis_bytes(y, grid.lower[1], grid.step);
   return frames.front()->z.empty() ? plane : plane + axis_bytes(z, lower_z, grid.step);

@@ -21,7 +21,7 @@ struct FilmBox {
 };
 
 /// The lowest and the highest of lists of numbers; infinity and -infinity of none.
-std::pair<Real, Real> ends_of(const std::vector<const std::vector<float>*>& lists);
+std::pair<Real, Real> ends_of(const std::vector<const std::vector<Real>*>& lists);
 
 /// The box of all points in all frames.
 FilmBox box_of(const std::vector<const FilmFrame*>& frames);
@@ -36,7 +36,7 @@ struct FilmGrid {
 
 /// Places along one axis, by frame, as codes: bytes [low][high], each by frame, then point. Those of frame 0 as they are, of each later one the change since the
 /// frame before, folded: 0, -1, 1, -2, ... are 0, 1, 2, 3, ...
-std::string axis_bytes(const std::vector<const std::vector<float>*>& frames, Real lower, Real step);
+std::string axis_bytes(const std::vector<const std::vector<Real>*>& frames, Real lower, Real step);
 
 /// The codes of all places, x and then y and, where there is one, z from `lower_z` on, as bytes of the position block of FilmData in web/src/data.ts.
 std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid, Real lower_z = 0);

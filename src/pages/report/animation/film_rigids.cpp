@@ -42,9 +42,7 @@ std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& fram
         const std::vector<Index>& outline = outlines[number];
         const std::size_t size = 2 * outline.size();
         FilmOutline& film = films[{rigid, number}];
-        if (film.corners.empty())
-          film = {rigid, static_cast<Index>(outline.size()),
-                  std::vector<float>(size * frames.size(), std::numeric_limits<float>::quiet_NaN())};
+        if (film.corners.empty()) film = {rigid, static_cast<Index>(outline.size()), std::vector<Real>(size * frames.size(), nan)};
         if (film.points != static_cast<Index>(outline.size())) continue;
         auto corner = film.corners.begin() + static_cast<std::ptrdiff_t>(f * size);
         for (const Index point : outline) {
@@ -92,9 +90,9 @@ std::vector<Index> points_of(std::vector<Index> triangles)
   return triangles;
 }
 
-std::array<std::vector<float>, 3> corners_at(const run_folder::SavedRigids& rigid_bodies, const std::vector<Index>& points)
+std::array<std::vector<Real>, 3> corners_at(const run_folder::SavedRigids& rigid_bodies, const std::vector<Index>& points)
 {
-  std::array<std::vector<float>, 3> corners;
+  std::array<std::vector<Real>, 3> corners;
   for (const Index point : points) {
     corners[0].push_back(rigid_bodies.x[point]);
     corners[1].push_back(rigid_bodies.y[point]);
@@ -103,9 +101,9 @@ std::array<std::vector<float>, 3> corners_at(const run_folder::SavedRigids& rigi
   return corners;
 }
 
-std::vector<const std::vector<float>*> axis_of(const FilmSurface& surface, std::size_t d)
+std::vector<const std::vector<Real>*> axis_of(const FilmSurface& surface, std::size_t d)
 {
-  std::vector<const std::vector<float>*> lists;
+  std::vector<const std::vector<Real>*> lists;
   for (const auto& corners : surface.corners) lists.push_back(&corners[d]);
   return lists;
 }
@@ -150,6 +148,13 @@ std::string SurfaceGrid::bytes(const FilmSurface& surface) const
   std::string all;
   for (std::size_t d = 0; d < 3; ++d) all += axis_bytes(axis_of(surface, d), lower[static_cast<int>(d)], step);
   return all;
+}
+
+std::string outline_bytes(const FilmOutline& outline, const Vec<2>& from)
+{
+  std::vector<float> corners;
+  for (std::size_t k = 0; k < outline.corners.size(); ++k) corners.push_back(static_cast<float>(outline.corners[k] - from[k % 2]));
+  return bytes_of(corners);
 }
 
 }  // namespace berm::report

@@ -7,20 +7,23 @@ namespace berm::report {
 
 /// A closed polygon or a line of a rigid body, as it moves.
 struct FilmOutline {
-  std::int32_t rigid;          ///< number of the rigid body
-  Index points;                ///< corners
-  std::vector<float> corners;  ///< x, y (m) of each by frame; NaN in frames where it is not there
+  std::int32_t rigid;         ///< number of the rigid body
+  Index points;               ///< corners
+  std::vector<Real> corners;  ///< x, y (m) of each by frame; NaN in frames where it is not there
 };
 
 /// The outlines of all rigid bodies: in plane strain of each of their polygons and lines, in space of the end of those that are extruded along z.
 std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& frames, int dimension);
 
+/// Its corners from a place, as bytes of a block of RigidData in web/src/data.ts: single precision, which the film's own corner leaves enough digits.
+std::string outline_bytes(const FilmOutline& outline, const Vec<2>& from);
+
 /// The surface of a rigid body in space, as it moves.
 struct FilmSurface {
-  std::int32_t rigid;                                      ///< number of the rigid body
-  Index points;                                            ///< corners
-  std::vector<std::uint32_t> triangles;                    ///< corners, three each
-  std::vector<std::array<std::vector<float>, 3>> corners;  ///< x, y, z (m) by frame; in a frame without them those of the frame before
+  std::int32_t rigid;                                     ///< number of the rigid body
+  Index points;                                           ///< corners
+  std::vector<std::uint32_t> triangles;                   ///< corners, three each
+  std::vector<std::array<std::vector<Real>, 3>> corners;  ///< x, y, z (m) by frame; in a frame without them those of the frame before
 };
 
 /// The surfaces of all rigid bodies; of polygons, quadrilaterals and hexahedra the triangles that they consist of.

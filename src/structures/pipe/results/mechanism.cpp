@@ -90,7 +90,7 @@ RemouldedClay remoulded_clay(const run_folder::SavedSoil& now, Real limit, Real 
   for (std::size_t k = 0; k < now.x.size(); ++k) {
     if (!(shear[k] > limit)) continue;
     clay.area += now.volume[k];
-    if (std::abs(now.x[k] - pipe.x) <= diameter / 2) clay.depth = std::max(clay.depth, invert - Real(now.y[k]));
+    if (std::abs(now.x[k] - pipe.x) <= diameter / 2) clay.depth = std::max(clay.depth, invert - now.y[k]);
   }
   return clay;
 }

@@ -9,7 +9,7 @@
 namespace berm::report::this_file {
 namespace {
 
-constexpr std::size_t bytes_of_frame = 32 * 28;  // 32 particles of seven numbers
+constexpr std::size_t bytes_of_frame = 32 * 36;  // 32 particles of two places and five numbers
 
 TEST(film_footage, takes_no_more_memory_than_it_may_and_keeps_the_ends_of_stages)
 {

@@ -44,12 +44,28 @@ TEST(film_codes, places_decode_within_half_a_step_however_far_points_jump)
     }
 }
 
+TEST(film_codes, places_decode_at_survey_coordinates_as_they_do_at_the_origin)
+{
+  Moving near = wild_points(2, 100), far = wild_points(2, 100);
+  for (FilmFrame& frame : far.frames) {
+    for (Real& x : frame.x) x += 500'000;
+    for (Real& y : frame.y) y += 6'500'000;
+  }
+  const FilmGrid grid(box_of(near.shown)), far_grid(box_of(far.shown));
+  EXPECT_NEAR(far_grid.step, grid.step, 1e-13);
+  const auto codes = decoded_places(position_bytes(near.shown, grid), 2, 100),
+             far_codes = decoded_places(position_bytes(far.shown, far_grid), 2, 100);
+  for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t f = 0; f < 2; ++f)
+      for (std::size_t k = 0; k < 100; ++k) EXPECT_NEAR(far_codes[d][f][k], codes[d][f][k], 1);
+}
+
 TEST(film_codes, small_moves_either_way_leave_the_plane_of_high_bytes_empty)
 {
   Moving moving = wild_points(1, 200);
   const FilmGrid grid(box_of(moving.shown));
   FilmFrame next = moving.frames[0];
-  for (std::size_t k = 0; k < 200; ++k) next.x[k] += static_cast<float>((k % 2 == 0 ? 1 : -1) * 100 * grid.step);
+  for (std::size_t k = 0; k < 200; ++k) next.x[k] += (k % 2 == 0 ? 1 : -1) * 100 * grid.step;
   moving.shown.push_back(&next);
   const std::string bytes = position_bytes(moving.shown, grid);
   EXPECT_EQ(bytes.substr(3 * 200, 200), std::string(200, '\0'));  // x, high bytes, second frame

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_rigids.hpp"
 
+#include <cstring>
 #include <gtest/gtest.h>
 
 namespace berm::report::this_file {
@@ -22,12 +23,12 @@ TEST(film_outline, part_that_comes_later_is_not_there_before)
   ASSERT_EQ(outlines.size(), 2u);
   EXPECT_EQ(outlines[0].rigid, 4);
   EXPECT_EQ(outlines[0].points, 3);
-  EXPECT_EQ(outlines[0].corners, (std::vector<float>{0, 0, 1, 0, 0, 1, 5, 0, 6, 0, 5, 1}));
+  EXPECT_EQ(outlines[0].corners, (std::vector<Real>{0, 0, 1, 0, 0, 1, 5, 0, 6, 0, 5, 1}));
   EXPECT_EQ(outlines[1].rigid, 4);
   EXPECT_EQ(outlines[1].points, 2);
   ASSERT_EQ(outlines[1].corners.size(), 8u);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(std::isnan(outlines[1].corners[k]));
-  EXPECT_EQ((std::vector<float>(outlines[1].corners.begin() + 4, outlines[1].corners.end())), (std::vector<float>{7, 8, 5, 0}));
+  EXPECT_EQ((std::vector<Real>(outlines[1].corners.begin() + 4, outlines[1].corners.end())), (std::vector<Real>{7, 8, 5, 0}));
 }
 
 TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_rest)
@@ -43,7 +44,21 @@ TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_re
   const FilmFrame frame = with(rigid_bodies);
   const std::vector<FilmOutline> outlines = film_outlines({&frame}, 3);
   ASSERT_EQ(outlines.size(), 1u);
-  EXPECT_EQ(outlines[0].corners, (std::vector<float>{0, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(outlines[0].corners, (std::vector<Real>{0, 0, 1, 0, 0, 1}));
+}
+
+TEST(film_outline, keeps_its_shape_at_survey_coordinates)
+{
+  constexpr Real east = 500'000.25, north = 6'500'000.5;
+  const FilmFrame frame =
+      with({{east, east + 0.01, east}, {north, north, north + 0.01}, {0, 0, 0}, {{0, 1, 2}}, {io::VtkCell::polygon}, {0}});
+  const FilmOutline outline = film_outlines({&frame}, 2).front();
+  const std::string bytes = outline_bytes(outline, Vec<2>(east - 1, north - 1));
+  std::array<float, 6> corners;
+  ASSERT_EQ(bytes.size(), sizeof corners);
+  std::memcpy(corners.data(), bytes.data(), sizeof corners);
+  const Real expected[] = {1, 1, 1.01, 1, 1, 1.01};
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(corners[k], expected[k], 1e-7);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace berm::report::this_file {
 namespace {
 
 /// A unit cube, as a hexahedron whose corners are not the first points, and a lid of another body.
-FilmFrame frame_at(float x)
+FilmFrame frame_at(Real x)
 {
   FilmFrame frame;
   run_folder::SavedRigids& r = frame.rigid_bodies;
@@ -45,8 +45,8 @@ TEST(film_surface, hexahedron_is_twelve_triangles_that_close_its_volume)
   EXPECT_EQ(surfaces[0].rigid, 2);
   EXPECT_EQ(surfaces[0].points, 8);
   EXPECT_EQ(surfaces[0].triangles.size(), 36u);
-  EXPECT_NEAR(six_volumes(surfaces[0], 0), 6, 1e-5);
-  EXPECT_NEAR(six_volumes(surfaces[0], 1), 6, 1e-4);  // single precision, 3 m from the origin
+  EXPECT_NEAR(six_volumes(surfaces[0], 0), 6, 1e-12);
+  EXPECT_NEAR(six_volumes(surfaces[0], 1), 6, 1e-12);
   EXPECT_EQ(surfaces[1].rigid, 5);
   EXPECT_EQ(surfaces[1].triangles.size(), 6u);  // of the lid; a line has no surface
 }
