@@ -3,8 +3,8 @@
 #include "verification/book_index.hpp"
 
 #include "run_folder/progress.hpp"
-#include "text/plain_page.hpp"
 #include "text/html.hpp"
+#include "text/plain_page.hpp"
 #include "verification/book_html.hpp"
 
 #include <algorithm>
@@ -97,7 +97,8 @@ std::string index_page(const std::vector<ExamplePage>& pages)
                  [&](const ExamplePage& page) { return page.example.chapter == static_cast<Chapter>(k); });
     if (of_chapter.empty()) continue;
     contents +=
-        fmt::format("<li>{}: {}</li>\n", link_to(std::string("#") + expectations::chapter_words[k], expectations::chapter_titles[k]), verdict_words(of_chapter));
+        fmt::format("<li>{}: {}</li>\n", link_to(std::string("#") + expectations::chapter_words[k], expectations::chapter_titles[k]),
+                    verdict_words(of_chapter));
     tables += fmt::format("<h2 id=\"{}\">{}</h2>\n<table>\n", expectations::chapter_words[k], expectations::chapter_titles[k]);
     tables += text::plain_row({"problem", "what", "exact", "berm", "error", "tolerance", "", "time"}, 2, 5, "th");
     for (const ExamplePage& page : of_chapter) tables += example_rows(page);
