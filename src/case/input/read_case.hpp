@@ -26,9 +26,4 @@ problem::Case read_case_text(const std::string& file, const std::string& text, c
 /// Makes the libraries of the user's own laws paths from the folder of the file that names them.
 void find_libraries(std::vector<std::pair<std::string, material::Material>>& materials, const std::filesystem::path& folder);
 
-/// Reads the file of the load history of the stage of this number, a path from `folder`, into its times and factors: two numbers a line with a comma between them, a first line of
-/// words and lines that begin with # do not count. The stage ends with the last time at the latest. Throws KeyError where there is no such file, and InputError
-/// with file and line where it is wrong.
-void read_load_history(problem::StageSettings& stage, std::size_t number, const std::filesystem::path& folder);
-
 }  // namespace berm::input

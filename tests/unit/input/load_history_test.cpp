@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "input/read_case.hpp"
+#include "input/load_history.hpp"
 
 #include "core/error.hpp"
 #include "samples/temporary_folder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "springs/design.hpp"
+#include "springs/lognormal.hpp"
 
 #include "study/sample.hpp"
 
