@@ -52,7 +52,7 @@ template <int dim>
 void BodyGrid<dim>::enter(const mesh::Mesh<dim>& mesh, Index cell)
 {
   gradients[cell] = mesh.shape(cell).gradients;
-  if (bulk_viscosity > 0) height[cell] = mesh.height(cell);
+  if (bulk_viscosity > 0 || filter_speed > 0) height[cell] = mesh.height(cell);
   if (!full_cells) return;
   for (Index node : mesh.nodes[cell])
     if (!(volume_around[node] > 0))
@@ -84,26 +84,42 @@ void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& parti
       [&](Index node) { return grid.mass[node] > 0 && (!halo.divided() || halo.is_complete[node] != 0); }, grid.nodes, grid.chunks);
 }
 
+namespace {
+
+/// Whether cells of a patch have one pressure, as they have one dilation: where plastic shearing changes volume, always or by the state of the soil.
+template <int dim>
+bool shares_pressure(const problem::Model<dim>& model, const problem::Body<dim>& body)
+{
+  const auto changes_volume = [](const material::Material& material) {
+    return dilates(material) || (yields(material) && !strength_at_rest(material));
+  };
+  return model.mpm.volumetric_projection && !model.update_stress_first &&
+         std::any_of(body.soil.materials.begin(), body.soil.materials.end(), changes_volume);
+}
+
+}  // namespace
+
 template <int dim>
 Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State<dim>& state)
     : contact_points(model.contacts.size()),
       cell_changes(omp_get_max_threads())
 {
   std::size_t max = 0;
-  Real min_height = infinity;
   const Halo halo = make_halo(model.mesh, model.patches);
-  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) min_height = std::min(min_height, model.mesh.height(cell));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
     grids[b].halo = halo;
     find_nodes(model.mesh, state.particles[b], grids[b]);
     const problem::Body<dim>& body = model.bodies[b];
+    if (shares_pressure(model, body)) grids[b].pressure_shift = CellField<Real>::zeros(model.mesh.cell_count());
+    if (model.mesh.metric == mesh::Metric::cartesian && dim == 2)
+      grids[b].shift_across = 2 * young_poisson(body.soil.materials.front()).poisson_ratio;
     if (body.flows()) grids[b].water.make_room(model.mesh, body.soil);
     grids[b].full_cells = model.mpm.quadrature == problem::Quadrature::full_cells;
     if (yields(body.soil.materials.front())) {
       const Real wave_speed = body.waves.mean_speed;
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * body.waves.mean_density * wave_speed;
-      if (!model.update_stress_first) grids[b].filter_rate = model.mpm.velocity_filter * wave_speed / min_height;
+      if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     for (Index cell : grids[b].halo.outer) grids[b].enter(model.mesh, cell);

@@ -115,12 +115,14 @@ struct BodyGrid {
   CellField<VolumeChange> volume_change;
   WaterGrid<dim> water;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
+  CellField<Real> pressure_shift;  ///< Pa, mean stress of the patch less that of the cell, in the directions that are strained; empty unless soil dilates
+  Real shift_across = 1;           ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
   Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
-  Real filter_rate = 0;            ///< 1/s, rate at which the filter relaxes particle velocities towards the smooth ones; 0: no filter
+  Real filter_speed = 0;           ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
   Real total_mass = infinity;      ///< of the body, kg
 
   CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
-  CellField<Real> height;                     ///< m, of the same cells where the body has a bulk viscosity
+  CellField<Real> height;                     ///< m, of the same cells where the body has a bulk viscosity or a filter
   CellField<Real> volume;                     ///< m2 (per metre run) or m3, of the cell
   CellField<Real> weight;                     ///< integration volume of the cell over sum V, of cells with particles
   bool full_cells = false;                    ///< cells within the body are integrated over their own volume
@@ -180,14 +182,10 @@ struct BodyGrid {
   {
     return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
   }
-  /// Fraction of the difference between a particle's velocity and the smooth one that the filter removes in a step: uniform,
-  /// so that momentum is conserved.
-  [[gnu::always_inline]] Real filtered_part(Real dt) const { return std::min(Real(1), dt * filter_rate); }
-  /// Velocity that a particle at the node gains in step 5, apart from the fraction `part` of its own that the filter
-  /// removes, m/s.
-  [[gnu::always_inline]] Real gain(Index node, int d, Real dt, Real part) const
+  /// Fraction of the difference between a particle's velocity and the smooth one that the filter removes from a cell in a step.
+  [[gnu::always_inline]] Real filtered_part(Index cell, Real dt) const
   {
-    return dt * acceleration[node][d] + part * smooth_velocity[node][d];
+    return filter_speed > 0 ? std::min(Real(1), dt * filter_speed / height[cell]) : 0;
   }
   /// What accelerates with the soil at a node, by direction, kg: its mass, but for water that gives way.
   Vec<dim> inertia(Index node) const { return water.flows() ? water.soil_inertia[node] : Vec<dim>(Vec<dim>::Constant(mass[node])); }

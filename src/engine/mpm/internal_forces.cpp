@@ -66,6 +66,7 @@ void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::P
       });
       change = volume_stress / volume * t.volume - volume_times_mean_stress<metric>(grid, cell);
     }
+    if (grid.pressure_shift.size() > 0) grid.pressure_shift[cell] = change / t.volume;
     change += t.volume * grid.viscous_stress[cell];
     Matrix<dim> stress;
     for (int a = 0; a < dim; ++a)

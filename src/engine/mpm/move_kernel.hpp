@@ -148,7 +148,6 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   bodies::Particles<dim>& particles = state.particles[body];
   const Real dt = state.dt, time = state.time, per_density = 1 / model.bodies[body].waves.mean_density;
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
-  const Real filtered = grid.filtered_part(motion), unfiltered = 1 - filtered;
   for (auto& list : workspace.cell_changes) list.clear();
 
   const auto move_in_cell = [&](Index c) {
@@ -156,8 +155,8 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, motion, filtered); }),
-        velocity(shape, nodes, grid.mapped_velocity);
+    const Real filtered = grid.filtered_part(cell, motion), unfiltered = 1 - filtered;
+    const LinearField<dim> gain = velocity_gain(shape, nodes, grid, cell, motion, filtered), velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
     if constexpr (metric == mesh::Metric::axisymmetric)
       cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
@@ -165,6 +164,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
       cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
+    const Real shift = grid.pressure_shift.size() > 0 ? grid.pressure_shift[cell] : 0;
     Real outflow = 0, exchange = 0, level = 0;
     if (grid.water.flows()) {
       outflow = patch_dilation(model.patches, grid.water.outflow, cell);
@@ -197,6 +197,8 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
         strain[k] = cell_strain.strain[k] - V{};
         stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
       }
+      for (int a = 0; a < 2; ++a) stress[a] += shift;
+      stress[2] += grid.shift_across * shift;
       rotate(stress, cell_strain.rotation);
       [[maybe_unused]] VolumeBounds<V> bounds;
       if constexpr (local_strength) {
@@ -234,7 +236,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.active_chunks(), move_in_cell,
                                               [&](Index c) { sum_moments_of(mesh, particles, particles.active()[c], grid); });
   state.totals.internal += work_done.internal;
-  state.totals.damping += work_done.filtered;
+  state.totals.filter += work_done.filtered;
 }
 
 }  // namespace

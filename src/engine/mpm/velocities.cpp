@@ -28,7 +28,7 @@ Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& gri
 template <int dim>
 void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  if (!(grid.filter_rate > 0)) return;
+  if (!(grid.filter_speed > 0)) return;
   const auto& active = particles.active();
   for_each("momentum of nodal velocities", particles.active_chunks(), [&](Index c) {
     const Index cell = active[c];
@@ -55,12 +55,12 @@ template <int dim>
 void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& active = particles.active();
-  const Real part = grid.filtered_part(dt);
   for_each("momentum after the forces", particles.active_chunks(), [&](Index c) {
     const Index cell = active[c];
     const Moments<dim>& t = grid.moments[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const LinearField<dim> gain(shape, mesh.nodes[cell], [&](Index i, int d) { return grid.gain(i, d, dt, part); });
+    const Real part = grid.filtered_part(cell, dt);
+    const LinearField<dim> gain = velocity_gain(shape, mesh.nodes[cell], grid, cell, dt, part);
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {
       Real times_x[dim];

@@ -13,7 +13,7 @@ void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>
 
 /// Steps 5 and 6: the momentum that the corners get from the particles with the corrected acceleration, from the moments
 /// alone: sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x. The filter's part of it
-/// is linear, too.
+/// is linear, too, and sums to zero over each cell.
 template <int dim>
 void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 

@@ -82,10 +82,11 @@ namespace {
 template <int dim>
 void archive(Archive& k, Totals<dim>& totals)
 {
-  static_assert(sizeof(totals) == (4 + 7 * dim) * sizeof(Real));
+  static_assert(sizeof(totals) == (5 + 7 * dim) * sizeof(Real));
   k("internal", totals.internal);
   k("external", totals.external);
   k("damping", totals.damping);
+  k("filter", totals.filter);
   k("friction", totals.friction);
   k("first_momentum", totals.first_momentum);
   k("gravity_impulse", totals.gravity_impulse);

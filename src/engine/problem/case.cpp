@@ -251,7 +251,7 @@ void describe(Describe& d, MpmSettings& mpm)
       "velocity_filter", mpm.velocity_filter,
       {.meaning =
            "in soil that can yield: the part of a particle's velocity which the nodes cannot carry that is taken out while a wave crosses "
-           "the smallest height of a cell; keeps noise from taking strength from soil without cohesion",
+           "its cell; keeps noise from taking strength from soil without cohesion",
        .range = {0, 1}});
   d.value("bulk_viscosity", mpm.bulk_viscosity,
           {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "

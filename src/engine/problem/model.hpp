@@ -120,10 +120,11 @@ struct Model {
 /// What has been given and taken since the start, per metre run (in space: in all).
 template <int dim>
 struct Totals {
-  // Work, J/m. kinetic + internal + damping + friction = external + what the method itself adds or loses.
+  // Work, J/m. kinetic + internal + damping + filter + friction = external + what the method itself adds or loses.
   Real internal = 0;  ///< stored and dissipated by the material
   Real external = 0;  ///< of gravity, of tractions and of the driven rigid bodies
   Real damping = 0;   ///< taken out by local damping
+  Real filter = 0;    ///< taken out of particle velocities that the nodes cannot carry
   Real friction = 0;  ///< taken out at the contacts
   // Momentum of the deformable bodies at the start, and the impulses given to them since, N s/m.
   Vec<dim> first_momentum = Vec<dim>::Zero();

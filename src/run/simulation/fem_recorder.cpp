@@ -65,6 +65,7 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
   row_.of_main("run");
   observe_energies({.kinetic = {},
                     .damping = {},
+                    .filter = {},
                     .internal = t.internal,
                     .friction = t.friction,
                     .external = t.external,

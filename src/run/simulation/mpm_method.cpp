@@ -264,6 +264,7 @@ template <int d>
 run_folder::Summary::Checks MpmMethod<d>::checks() const
 {
   run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()}};
+  if (recorder_.largest_work() > 0) checks.emplace_back("filter_over_work", state().totals.filter / recorder_.largest_work());
   if (std::isfinite(equilibrium_)) checks.emplace_back("out_of_balance_after_geostatic", equilibrium_);
   checks.emplace_back("momentum_error", mpm::momentum_error(state(), model().mesh.metric));
   checks.emplace_back("friction_work_is_loss", state().totals.friction >= 0);

@@ -82,11 +82,11 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (model.rigid_bodies[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigid_bodies[r], state.rigid_bodies[r]);
   const problem::Totals<dim>& t = state.totals;
-  const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.friction - t.external;
+  const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.filter + t.friction - t.external;
   if (!std::isfinite(error))
     throw RunError(fmt::format("energies are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
                                model.mpm.courant));
-  Recorder<dim>::observe_energies({kinetic, t.damping, t.internal, t.friction, t.external, error}, first_kinetic_);
+  Recorder<dim>::observe_energies({kinetic, t.damping, t.filter, t.internal, t.friction, t.external, error}, first_kinetic_);
 }
 
 template <int dim>

@@ -51,9 +51,9 @@ void observe_rotation(run_folder::Row& row, const bodies::Angular<dim>& moment, 
   row("angle", angle, run_folder::radians, "rotation");
 }
 
-/// Energies and work since the start, J/m or J. Without inertia there is no kinetic energy and no damping.
+/// Energies and work since the start, J/m or J. Without inertia there is no kinetic energy, and nothing that takes it.
 struct Energies {
-  std::optional<Real> kinetic, damping;
+  std::optional<Real> kinetic, damping, filter;
   Real internal, friction, external, error;
 };
 template <int dim>
@@ -63,6 +63,7 @@ void observe(run_folder::Row& row, const Energies& energies)
   if (energies.kinetic) row("kinetic", *energies.kinetic, unit, "kinetic energy");
   row("internal", energies.internal, unit, "internal energy");
   if (energies.damping) row("damping", *energies.damping, unit, "energy lost to damping");
+  if (energies.filter) row("filter", *energies.filter, unit, "energy lost to the velocity filter");
   row("friction", energies.friction, unit, "energy lost to friction");
   row("external", energies.external, unit, "work done from outside");
   row("energy_error", energies.error, unit, "error of the energy balance");

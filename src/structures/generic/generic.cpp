@@ -93,7 +93,7 @@ base::TrustMeasures Generic::measures(const problem::Case& c) const
   using namespace base;
   if (c.method == problem::Method::fem)
     return joined({convergence(), {energy_balance(c.method), shear_bands(), counted("nodes", "nodes"), counted("elements", "cells")}});
-  return joined({{energy_balance(c.method), balance_after_geostatic("after the geostatic stage")},
+  return joined({{energy_balance(c.method), energy_that_the_filter_takes(), balance_after_geostatic("after the geostatic stage")},
                  soil_volumes(),
                  {momentum_balance(), shear_bands(), counted("particles", "particles"), counted("cells", "cells")}});
 }

@@ -28,6 +28,7 @@ const TimeChart time_charts[] = {
      {{"kinetic", "kinetic"},
       {"internal", "internal"},
       {"damping", "damping"},
+      {"filter", "velocity filter"},
       {"friction", "friction"},
       {"external", "external work"},
       {"energy error", "error"}},
