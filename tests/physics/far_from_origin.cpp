@@ -54,7 +54,7 @@ Answer<dim> answer_of(const problem::Case& c, const std::vector<int>& steps)
     for (const auto& p : all_particles(run.state(), static_cast<Index>(b)))
       answer.displacement.push_back(p.x - begin[answer.displacement.size()]);
   }
-  answer.unbalanced_energy = answer.kinetic + t.internal + t.damping + t.friction - t.external;
+  answer.unbalanced_energy = answer.kinetic + t.internal + t.damping + t.filter + t.friction - t.external;
   return answer;
 }
 

@@ -73,7 +73,7 @@ TEST(ReleasedSupport, takes_the_stress_along_x_away_and_lets_the_soil_settle_as_
 
   // All work is stored or damped.
   const problem::Totals<2>& t = run.state().totals;
-  EXPECT_NEAR((t.internal + t.damping + mpm::sums_over(run.state().particles[0]).kinetic) / t.external, 1, 0.01);
+  EXPECT_NEAR((t.internal + t.damping + t.filter + mpm::sums_over(run.state().particles[0]).kinetic) / t.external, 1, 0.01);
   EXPECT_LT(mpm::momentum_error(run.state()), 1e-12);
 }
 

@@ -136,7 +136,7 @@ void expect_balances(const problem::Case& c, int steps)
     for (int n = 0; n < steps; ++n) {
       take_steps(run, 1);
       const problem::Totals<3>& t = run.state().totals;
-      const Real balance = mpm::sums_over(run.state().particles[0]).kinetic + t.internal + t.damping + t.friction - t.external;
+      const Real balance = mpm::sums_over(run.state().particles[0]).kinetic + t.internal + t.damping + t.filter + t.friction - t.external;
       largest = std::max(largest, std::abs(t.external));
       error = std::max(error, std::abs(balance));
       depth = std::max(depth, deepest(run));

@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/quality/quality_section_test.cpp
 #include "structures/pipe/report/pipe_report.hpp"
 
+#include "material/material.hpp"
 #include "problem/cells_at_body.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
@@ -34,6 +35,9 @@ inline constexpr Limit second_impulse{0.01, 0.05,
                                       "the second contact correction is no force; it stays small with every contact scheme "
                                       "(examples/contact_schemes)"};
 inline constexpr Limit cells{20, 10, "V of a push falls with the size of the cells (examples/mesh_study)", true};
+inline constexpr Limit dilating_cells{
+    200, 80,
+    "sand with psi = phi: a wall of 33 cells has K_p +10 % and K_a -8 %, a smooth footing of B/62 N_gamma +30 % (docs/decisions/0060)", true};
 inline constexpr Limit particles{9, 4, "use nine or more near the body: with four stresses scatter more (docs/theory.md, section 9)", true};
 inline constexpr Limit elements{
     40, 20, "D/40 is what berm's own studies use (examples/wip_study); half the size should change little where psi = phi", true};
@@ -239,6 +243,30 @@ TrustMeasure size_of(const std::string& what, const Limit& limit)
           over_limit};
 }
 
+bool dilates_strongly(Run run)
+{
+  constexpr Real much = 10 * pi / 180;
+  return std::any_of(run.settings.material.begin(), run.settings.material.end(), [](const auto& entry) {
+    const std::optional<material::Strength> soil = strength_at_rest(entry.second);
+    return soil && soil->dilation_angle > much;
+  });
+}
+
+TrustMeasure cells_of_dilating_soil(const std::string& body)
+{
+  return {"cells at the " + body + " in soil that dilates by more than 10 deg",
+          &limits::dilating_cells,
+          dilates_strongly,
+          [](Run run) { return body_scale(run.settings).width / largest_met(run); },
+          [](Run, Real value) { return fmt::format("D/{:.3g}", value); },
+          [body](Run, Real value) {
+            return fmt::format("cells of D/{:.3g} at the {} are too strong in soil that dilates so much: what pushes into it meets too much "
+                               "resistance, and what gives way to it too little pressure. Take finer cells, or method = \"fem\" for a limit load",
+                               value, body);
+          },
+          over_limit};
+}
+
 TrustMeasure particles_of_cells(const std::string& body)
 {
   return {fmt::format("particles per cell at the {}", body),
@@ -259,7 +287,7 @@ TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
         noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
        soil_volumes(),
        {contact_gap(body), overlap(body), second_impulse(), momentum_balance(),
-        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), shear_bands(), particles_of_cells(body),
+        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), cells_of_dilating_soil(body), shear_bands(), particles_of_cells(body),
         counted("particles", "particles"), counted("cells", "cells")}});
 }
 
