@@ -62,6 +62,11 @@ class Run:
         }
 
     @property
+    def spoiled(self) -> list[str]:
+        """Why its numbers are not to be used, in sentences: energy that does not balance, a body that left the soil ...; empty where nothing is wrong."""
+        return list(self.summary.get("spoiled", []))
+
+    @property
     def finished(self) -> bool:
         """Whether the run came to the end of its last stage."""
         return (self.folder / "summary.json").exists() and bool(self.summary.get("checks", {}).get("finished", False))

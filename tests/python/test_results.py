@@ -53,6 +53,13 @@ def test_key_results_are_those_of_the_summary(finished: berm.Run) -> None:
     assert finished.case["rigid"]["pipe"]["diameter"] == finished.diameter == 0.02
 
 
+def test_a_spoiled_answer_says_why(finished: berm.Run, tmp_path: Path) -> None:
+    assert finished.spoiled == []
+    shutil.copy(finished.folder / "resolved.toml", tmp_path)
+    (tmp_path / "summary.json").write_text(json.dumps({"spoiled": ["energy does not balance"]}))
+    assert berm.open(tmp_path).spoiled == ["energy does not balance"]
+
+
 def test_frames_have_position_and_fields_of_each_particle(finished: berm.Run) -> None:
     assert len(finished.frames) >= 3
     last = finished.frames[-1]

@@ -181,6 +181,22 @@ test("copy_button_copies_the_table", async () => {
   await context.close();
 });
 
+test("copied_numbers_of_a_spoiled_answer_keep_their_mark", async () => {
+  const { page, context, errors } = await open_report(browser, {
+    script: () => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text: string) => void (document.documentElement.dataset.copied = text) } }),
+  });
+  const numbers = await page.evaluate(() => {
+    const table = document.getElementById(document.querySelector<HTMLElement>("button.copy[data-copy]")!.dataset.copy!)!;
+    table.classList.add("spoiled");
+    return table.querySelectorAll("td.number").length;
+  });
+  await copy(page);
+  const text = await page.evaluate(() => document.documentElement.dataset.copied!);
+  assert.ok(numbers > 0 && text.split(" (!)").length === numbers + 1, text);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
 test("copy_button_works_where_the_clipboard_is_not_allowed", async () => {
   const { page, context, errors } = await open_report(browser, {
     script: () => {

@@ -108,7 +108,7 @@ std::vector<std::string> spoiled_lines(const record::RunRecord& run)
 {
   std::vector<std::string> lines;
   for (const std::string& why : run.summary ? run.summary->spoiled : std::vector<std::string>())
-    lines.push_back(fmt::format("(!) the answer of {} is spoiled, do not use these numbers: {}", run.name, why));
+    lines.push_back(fmt::format("{} the answer of {} is spoiled, do not use these numbers: {}", spoiled_line_begin, run.name, why));
   return lines;
 }
 

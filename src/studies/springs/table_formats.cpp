@@ -72,7 +72,10 @@ std::string springs_csv(const Design& design)
 
 std::string curves_csv(const Design& design)
 {
-  std::string text = study::csv_line({"spring", "estimate", "displacement (m)", "resistance (N/m)"});
+  std::string text;
+  for (const std::string& line : design.provenance)
+    if (line.starts_with(spoiled_line_begin)) text += "# " + line + "\n";
+  text += study::csv_line({"spring", "estimate", "displacement (m)", "resistance (N/m)"});
   const auto add = [&](const std::string& spring, const std::string& estimate, const Points& points) {
     for (const Point& p : points) text += study::csv_line({spring, estimate, exact(p.x), exact(p.F)});
   };

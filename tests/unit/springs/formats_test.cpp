@@ -205,6 +205,16 @@ TEST(Formats, tables_and_json_tell_the_same_numbers)
   EXPECT_EQ(json["provenance"][1], "a pipe");
 }
 
+TEST(Formats, both_tables_of_a_spoiled_run_begin_with_why)
+{
+  Design design = sample_design();
+  const auto begins = [&](const std::string& name) { return file(table_files(design), name).text.starts_with("#"); };
+  EXPECT_FALSE(begins("curves.csv"));
+  design.provenance = {fmt::format("{} energy does not balance", spoiled_line_begin)};
+  EXPECT_EQ(lines_of(file(table_files(design), "springs.csv").text).front(), "# (!) energy does not balance");
+  EXPECT_EQ(lines_of(file(table_files(design), "curves.csv").text).front(), "# (!) energy does not balance");
+}
+
 TEST(Formats, picture_shows_the_sample_and_the_estimates)
 {
   const TemporaryFolder folder;
