@@ -87,25 +87,6 @@ void number_unknowns(FemModel& model)
   }
 }
 
-FemWatch make_watch(const FemModel& model, const std::string& name, const problem::WatchSettings& watch, Index body)
-{
-  FemWatch made{name, none, none, 0};
-  const Vec<2> position(watch.point[0], watch.point[1]);
-  Real nearest_node = infinity, nearest_point = infinity;
-  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
-    if (model.mesh.body[cell] != body) continue;
-    const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
-    for (int k = 0; k < 6; ++k)
-      if (const Real away = (nodes[k] - position).norm(); away < nearest_node) nearest_node = away, made.node = model.mesh.nodes[cell][k];
-    for (int q = 0; q < triangle_points; ++q) {
-      Vec<2> x = Vec<2>::Zero();
-      for (int k = 0; k < 6; ++k) x += model.shape[cell][q].value[k] * nodes[k];
-      if (const Real away = (x - position).norm(); away < nearest_point) nearest_point = away, made.cell = cell, made.point = q;
-    }
-  }
-  return made;
-}
-
 bool flows_non_associated(const problem::Model<2>& model)
 {
   return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) {
@@ -304,7 +285,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   number_unknowns(model);
   if (by_gravity) load_by_gravity(c, model, state);
   set_law_state(model, state);
-  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, problem::index_of(c.body, watch.body)));
+  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model.mesh, name, {watch.point[0], watch.point[1]}, problem::index_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
   state.state.tractions.resize(model.model.tractions.size());

@@ -12,11 +12,13 @@
 
 namespace berm::fem {
 
-/// A point of the soil whose motion and stress are written to the history: the nearest node and integration point.
+/// A point of the soil whose motion and stress are written to the history: its element, and the part that each node of it has in the displacement and
+/// each integration point in the stress, which is linear in an element.
 struct FemWatch {
   std::string name;
-  Index node, cell;
-  int point;
+  Index cell = none;
+  AtSixNodes<Real> of_nodes = {};
+  std::array<Real, triangle_points> of_points = {};
 };
 
 /// What cannot change during a finite element run: the same model as for the material point method, and the elements.
@@ -89,6 +91,9 @@ struct FemProblem {
 
 /// Builds mesh, elements and initial state. Throws InputError where the case does not fit the method.
 FemProblem build_fem(const problem::Case& c, const std::string& case_folder, const std::string& work_folder);
+
+/// The point in the elements of a body that is nearest to this one: itself where it lies in the body.
+FemWatch make_watch(const QuadraticMesh& mesh, const std::string& name, const Vec<2>& point, Index body);
 
 /// Gives the corners of elements whose water flows their unknowns, and finds where it leaves the soil: at sides of the boundary that are
 /// neither at a rigid body that is not drained, nor on the axis, nor held across by a support that is not drained, and beside drained soil.

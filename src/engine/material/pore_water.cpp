@@ -13,7 +13,9 @@ void describe(Describe& d, PoreWater& water)
   d.value("bulk_modulus", water.bulk_modulus,
           {.meaning =
                "bulk modulus of the water; absent: so stiff that over the porosity it is 30 times the P-wave modulus of the skeleton "
-               "(undrained Poisson's ratio 0.495). Water has 2.2 GPa, which costs many more time steps",
+               "(undrained Poisson's ratio 0.495). What it gives way makes the strength follow the mean stress: 3.4 % too large under a "
+               "footing without surcharge, and 0.8 % "
+               "with 2.2 GPa, that of water, which costs two to five times as many time steps (examples/strip_footing)",
            .unit = "Pa",
            .range = positive});
   d.value("porosity", water.porosity,

@@ -284,7 +284,10 @@ void describe(Describe& d, FemSettings& fem)
 void describe(Describe& d, WatchSettings& watch)
 {
   d.value("body", watch.body, {.meaning = "name of the body", .required = true});
-  d.value("point", watch.point, {.meaning = "the particle nearest to this point at the start is watched", .unit = "m", .required = true});
+  d.value("point", watch.point, {.meaning = "the point of the soil, where it is at the start: it moves with the soil, and stress and pore pressure are those at its place, linear between the "
+                      "means of the cells around it",
+           .unit = "m",
+           .required = true});
 }
 
 void describe(Describe& d, OutputSettings& output)
@@ -356,7 +359,7 @@ void describe(Describe& d, Case& c)
   d.array("stage", c.stage, {.meaning = "what happens, one stage after the other", .required = true});
   d.table("mpm", c.mpm, {.meaning = "the material point method"});
   d.table("fem", c.fem, {.meaning = "the finite element method"});
-  d.named_tables("watch", c.watch, {.meaning = "particles whose motion is written to the history"});
+  d.named_tables("watch", c.watch, {.meaning = "points of the soil whose motion, stress and pore pressure are written to the history"});
   d.table("output", c.output, {.meaning = "what is written"});
   d.table("report", c.report, {.meaning = "what berm report says of the work that the run is part of; changes no result"});
 

@@ -45,10 +45,20 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
 {
   for (const fem::FemWatch& watch : model.watches) {
     row_.of(watch.name);
-    row_("u", displacement_of(state, watch.node), run_folder::metres, "displacement");
-    const fem::SoilPoint& point = state.points[watch.cell][watch.point];
-    row_("s", point.stress, run_folder::pascals, "stress");
-    observe_water(row_, model.soil_of(watch.cell), point.stress, point.law_state.data());
+    const problem::BodySoil& soil = model.soil_of(watch.cell);
+    const int pressure_place = pore_pressure_place(soil.materials.front());
+    Vec<2> displacement = Vec<2>::Zero();
+    SymTensor<2> stress{};
+    Real pressure = 0;
+    for (int k = 0; k < 6; ++k) displacement += watch.of_nodes[k] * displacement_of(state, model.mesh.nodes[watch.cell][k]);
+    for (int q = 0; q < fem::triangle_points; ++q) {
+      const fem::SoilPoint& point = state.points[watch.cell][q];
+      for (int c = 0; c < tensor_size<2>; ++c) stress.c[c] += watch.of_points[q] * point.stress.c[c];
+      if (pressure_place != none) pressure += watch.of_points[q] * point.law_state[pressure_place];
+    }
+    row_("u", displacement, run_folder::metres, "displacement");
+    row_("s", stress, run_folder::pascals, "stress");
+    observe_water(row_, soil, stress, pressure);
   }
 }
 

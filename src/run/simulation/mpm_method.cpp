@@ -78,7 +78,7 @@ MpmMethod<d>::MpmMethod(const RunRequest& request, const io::ScratchFolder& scra
     : memory_before_(memory_in_use()),
       problem_(build_for<d>(request, scratch)),
       history_interval_(interval_of(request.settings)),
-      recorder_(model(), state()),
+      recorder_(request.settings, model(), state()),
       frame_maker_(model(), state())
 {
   for (const bodies::Particles<d>& particles : state().particles) counts_.particles += particles.size();

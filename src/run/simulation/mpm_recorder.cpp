@@ -13,7 +13,7 @@
 namespace berm::simulation {
 
 template <int dim>
-MpmRecorder<dim>::MpmRecorder(const problem::Model<dim>& model, const problem::State<dim>& start)
+MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
     : last_time_(start.time),
       last_sums_(start.contact_sums),
       last_pair_impulses_(start.pair_impulses)
@@ -25,7 +25,8 @@ MpmRecorder<dim>::MpmRecorder(const problem::Model<dim>& model, const problem::S
     first_kinetic_ += sums.kinetic;
   }
   first_loaded_ = start.load_points;
-  for (const problem::Watch& watch : model.watches) first_watched_.push_back(mpm::particle_of(start.particles[watch.body], watch.id).x);
+  for (std::size_t k = 0; k < model.watches.size(); ++k)
+    watch_points_.emplace_back(model, start.particles[model.watches[k].body], model.watches[k], c.watch[k].second.point);
 }
 
 template <int dim>
@@ -163,12 +164,12 @@ template <int dim>
 void MpmRecorder<dim>::observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   for (std::size_t k = 0; k < model.watches.size(); ++k) {
-    const bodies::Particle<dim> watched = mpm::particle_of(state.particles[model.watches[k].body], model.watches[k].id);
+    const Watched<dim> watched = watch_points_[k].read(model, state.particles[model.watches[k].body]);
     row_.of(model.watches[k].name);
-    row_("u", Vec<dim>(watched.x - first_watched_[k]), run_folder::metres, "displacement");
-    row_("v", watched.v, run_folder::metres_per_second, "velocity");
+    row_("u", watched.displacement, run_folder::metres, "displacement");
+    row_("v", watched.velocity, run_folder::metres_per_second, "velocity");
     row_("s", watched.stress, run_folder::pascals, "stress");
-    observe_water(row_, model.bodies[model.watches[k].body].soil, watched.stress, watched.extra);
+    observe_water(row_, model.bodies[model.watches[k].body].soil, watched.stress, watched.pore_pressure);
   }
 }
 

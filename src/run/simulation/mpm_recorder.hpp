@@ -5,6 +5,7 @@
 #include "mpm/grid.hpp"
 #include "run_folder/history.hpp"
 #include "simulation/recorder.hpp"
+#include "simulation/watch_point.hpp"
 
 namespace berm::simulation {
 
@@ -14,7 +15,7 @@ template <int dim>
 class MpmRecorder : public Recorder<dim> {
 public:
   /// Remembers the start, from which displacements and energies count.
-  MpmRecorder(const problem::Model<dim>& model, const problem::State<dim>& start);
+  MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start);
 
   /// What a row has of the steps before it; to be called after each.
   void observe_step(const problem::Model<dim>& model, const mpm::Workspace<dim>& workspace);
@@ -47,7 +48,7 @@ private:
   std::vector<contact::ContactSums<dim>> last_sums_;
   std::vector<Vec<dim>> last_pair_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
-  std::vector<Vec<dim>> first_watched_;
+  std::vector<WatchPoint<dim>> watch_points_;
   std::vector<problem::LoadPointState<dim>> first_loaded_;
   Real first_kinetic_ = 0;
   Real out_of_balance_ = 0;

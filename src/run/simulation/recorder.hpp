@@ -69,15 +69,17 @@ void observe(run_folder::Row& row, const Energies& energies)
   row("energy_error", energies.error, unit, "error of the energy balance");
 }
 
-/// The water of undrained soil at a point with this total stress and these numbers of its own.
+/// The water of undrained soil at a point with this total stress and excess pore pressure.
 template <int dim>
-void observe_water(run_folder::Row& row, const problem::BodySoil& soil, const SymTensor<dim>& stress, const Real* extra)
+void observe_water(run_folder::Row& row, const problem::BodySoil& soil, const SymTensor<dim>& stress, Real pressure)
 {
   const material::Material& material = soil.materials.front();
   const int place = pore_pressure_place(material);
   if (place == none) return;
-  row("p", extra[place], run_folder::pascals, "excess pore pressure");
-  row("seff", effective_stress(material, stress, extra), run_folder::pascals, "effective stress");
+  std::array<Real, material::max_state> state{};
+  state[place] = pressure;
+  row("p", pressure, run_folder::pascals, "excess pore pressure");
+  row("seff", effective_stress(material, stress, state.data()), run_folder::pascals, "effective stress");
 }
 
 /// How far the excess pore pressure of this stage has gone, of soil whose water flows.

@@ -137,7 +137,7 @@ TEST(Run, history_has_the_promised_columns_and_a_row_for_each_interval_and_stage
   EXPECT_GT(rows, 90);
 }
 
-TEST(Run, history_has_extents_and_angular_momentum_of_a_body_and_motion_and_stress_of_a_watched_particle)
+TEST(Run, history_has_extents_and_angular_momentum_of_a_body_and_motion_and_stress_at_a_watched_point)
 {
   const Place place;
   place.folder.write("small.toml", test::small_case + "[watch.deep]\nbody = \"sand\"\npoint = [0.0006, 0.0006]\n"
@@ -154,8 +154,8 @@ TEST(Run, history_has_extents_and_angular_momentum_of_a_body_and_motion_and_stre
   EXPECT_NEAR(first("sand_Lz_N_s"), 0, digits);
   EXPECT_NEAR(first("deep_vx_m_s"), 0.1, digits);
   EXPECT_NEAR(first("deep_vy_m_s"), -0.2, digits);
-  // The weight of the sand above the particle, and K0 of it sideways.
-  const Real vertical = -877 * 50 * standard_gravity * (0.04 - half);
+  // The weight of the sand above the point, and K0 of it sideways.
+  const Real vertical = -877 * 50 * standard_gravity * (0.04 - 0.0006);
   EXPECT_NEAR(first("deep_syy_Pa") / vertical, 1, 1e-6);
   EXPECT_NEAR(first("deep_sxx_Pa") / vertical, 0.43, 1e-6);
   EXPECT_NEAR(first("deep_szz_Pa") / vertical, 0.43, 1e-6);

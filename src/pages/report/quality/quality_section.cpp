@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/quality/quality_section.hpp"
+#include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
@@ -85,14 +86,29 @@ std::vector<std::string> warnings_of(const record::RunRecord& run)
   return found;
 }
 
+/// Which runs have cells that no measure judges: without a driven body there is no width to compare them with.
+std::string words_on_cells(const std::vector<record::RunRecord>& runs)
+{
+  std::vector<std::string> names;
+  for (const record::RunRecord& run : runs)
+    if (!base::drives_a_body(run.settings)) names.push_back("<strong>" + text::html_text(run.name) + "</strong>");
+  if (names.empty()) return "";
+  return fmt::format(
+      "<p class=\"cells\">Cells are not judged: {}. No body of a width is driven, so no measure tells how far the answer depends on the "
+      "mesh. Run the case again with cells half as large: coarse cells carry too much before the soil fails.</p>\n",
+      fmt::join(names, ", "));
+}
+
 std::string warning_list(const std::vector<record::RunRecord>& runs)
 {
   std::string items;
   for (const record::RunRecord& run : runs)
     for (const std::string& words : warnings_of(run))
       items += fmt::format("<li class=\"warning\"><strong>{}</strong>: {}</li>\n", text::html_text(run.name), text::html_text(words));
-  return items.empty() ? text::html_paragraph("By these measures nothing is wrong.")
-                       : fmt::format("<ul class=\"warnings\">\n{}</ul>\n", items);
+  const std::string cells = words_on_cells(runs);
+  if (!items.empty()) return fmt::format("<ul class=\"warnings\">\n{}</ul>\n", items) + cells;
+  return cells.empty() ? text::html_paragraph("By these measures nothing is wrong.")
+                       : text::html_paragraph("These measures find nothing, but do not tell whether the cells are fine enough.") + cells;
 }
 
 }  // namespace

@@ -41,6 +41,18 @@ TEST(trust, nothing_wrong_is_said)
   EXPECT_FALSE(contains(html, "li class=\"warning\"")) << html;
 }
 
+// A slope or a cut that fails by its own weight: there is no width to compare the cells with.
+TEST(trust, cells_are_not_called_fine_where_nothing_judges_them)
+{
+  record::RunRecord run = sample_record(sample_case());
+  ASSERT_FALSE(contains(quality_section({run}), "Cells are not judged"));
+  for (problem::StageSettings& stage : run.settings.stage) stage.kind = problem::StageKind::free;
+  run.quantities.clear();
+  const std::string html = quality_section({run});
+  EXPECT_TRUE(contains(html, "Cells are not judged: <strong>" + run.name)) << html;
+  EXPECT_FALSE(contains(html, "nothing is wrong"));
+}
+
 TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
 {
   record::RunRecord run = sample_record(sample_case());
