@@ -14,6 +14,7 @@ void do_bodies_at_each_other_touch(const Scene& s, Findings& found);
 void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found);
 void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found);
 void are_cells_small_enough(const Scene& s, Findings& found);
+void is_the_body_two_cells_thick(const Scene& s, Findings& found);
 void do_fine_cells_reach_the_ends(const Scene& s, Findings& found);
 void do_walls_cut_a_body(const Scene& s, Findings& found);
 void are_walls_far_enough(const Scene& s, Findings& found);

@@ -4,6 +4,7 @@
 
 #include "problem/cells_at_body.hpp"
 #include "problem/equilibrium.hpp"
+#include "sanity/thin_places.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -153,6 +154,7 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
     for (int d = 0; d < dim; ++d) x[d] = place[d];
     return problem::region_at<dim>(model, x);
   };
+  look_for_thin_places(model, cells, scene);
   scene.cost = cost;
   return scene;
 }

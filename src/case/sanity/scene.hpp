@@ -23,6 +23,7 @@ struct Move {
   Real begin = 0, end = 0;
   bool known = true;     ///< false: nothing in the input says where it ends; `end` is then `begin`
   bool at_most = false;  ///< the stage may end earlier
+  bool moves = false;    ///< in this stage, by a velocity or a force
 };
 
 /// What a stage does with the body that it drives.
@@ -31,6 +32,7 @@ struct Way {
   std::array<Move, 3> axis;
   Real begin_embedment = 0;  ///< m, w where the stage begins
   bool begin_known = true;   ///< whether that is known
+  bool turns = false;        ///< by a velocity or a moment, or because it may
 
   Place begin() const { return {axis[0].begin, axis[1].begin, axis[2].begin}; }
   Place end() const { return {axis[0].end, axis[1].end, axis[2].end}; }
@@ -41,6 +43,13 @@ struct RigidScene {
   bool bounded = false;
   Real width = 0;  ///< m
   Spans space;     ///< what it takes, along each axis
+};
+
+/// A place of a rigid body's surface behind which lies a face that looks the other way, at the start.
+struct ThinPlace {
+  Place at = {}, normal = {};  ///< m; unit vector out of the body
+  Real thickness = 0;          ///< m, along the normal
+  Real lever = 0;              ///< m, at which a rotation about the centre moves it along its normal, at most
 };
 
 /// A region of the mesh that a deformable body fills.
@@ -83,6 +92,11 @@ struct Scene {
   std::function<Real(Index, const Place&)> cell_size =
       {};  ///< at a rigid body with a displacement since the start, m; NaN where it is not in the mesh
   std::function<std::string(const Place&)> region = {};  ///< of the mesh at a point; "" where there is none
+  std::function<Real(const Place&, const Place&)> cell_along =
+      {};                                                  ///< length of the cell at a point along a unit vector, m; NaN outside the mesh
+  std::function<bool(Index, const Place&)> soil_at = {};   ///< whether cells of a body's soil are at a point at the start
+  std::function<Real(Index, const Place&)> distance = {};  ///< of a point from a rigid body at the start, m; negative inside
+  std::function<std::vector<ThinPlace>(Index)> thin_places = {};  ///< of a rigid body
   Cost cost = {};
 
   bool is_mpm() const { return c.method == problem::Method::mpm; }

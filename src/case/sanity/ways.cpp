@@ -68,10 +68,12 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
     for (int d = 0; d < dim; ++d) center[d] += way.axis[d].begin;
     way.begin_embedment = model.axes.sign * (model.surface_at(center) - way.axis[model.axes.up].begin) -
                           lowest_level<dim>(rigid.shape, model.axes.up_vector());
+    for (int d = dim; d < bodies::freedoms<dim>; ++d) way.turns = way.turns || drives[d].by != By::velocity || drives[d].value != 0;
     const Real time = time_of(model, s, drives, way.begin_embedment);
     for (int d = 0; d < dim; ++d) {
       Move& move = way.axis[d];
       const bool moves = drives[d].by != By::velocity || drives[d].value != 0;
+      move.moves = moves;
       if (!moves) continue;
       const bool by_velocity = drives[d].by == By::velocity && time < infinity && s.load_times.empty();
       if (by_velocity) move.end += travel_in(drives[d].value, time, s.ramp);
