@@ -34,4 +34,5 @@ Physical Surface("air") = {303, 304, 305};
 Physical Curve("bottom") = {100, 101};
 Physical Curve("top") = {106, 107};
 Physical Curve("left") = {200, 203, 206};
+Physical Curve("gate") = {204};
 Physical Curve("right") = {202, 205, 208};
