@@ -60,20 +60,15 @@ struct LinearField {
 };
 
 /// The velocity that particles of a cell gain in step 5, apart from the fraction `part` of their own that the filter removes, m/s: dt a + part v2, and what
-/// keeps the momentum of the cell.
+/// they get back of the momentum that this would move.
 template <int dim>
 [[gnu::always_inline]] inline LinearField<dim> velocity_gain(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
                                                              const BodyGrid<dim>& grid, Index cell, Real dt, Real part)
 {
   LinearField<dim> gain(shape, nodes,
                         [&](Index i, int d) { return dt * grid.acceleration[i][d] + part * grid.smooth_velocity[i][d]; });
-  if (!(part > 0)) return gain;
-  const Moments<dim>& t = grid.moments[cell];
-  for (int d = 0; d < dim; ++d) {
-    Real lost = t.mv[d];  // momentum, kg m/s
-    for (int k = 0; k <= dim; ++k) lost -= grid.corners[cell][k].mass * grid.smooth_velocity[nodes[k]][d];
-    gain.c[d] += part / t.m * lost;
-  }
+  if (part > 0)
+    for (int d = 0; d < dim; ++d) gain.c[d] += grid.filter_shift[cell][d];
   return gain;
 }
 

@@ -34,7 +34,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     exchange_moments(model.mesh, particles, grid);  // ranks
     gather_mass_and_momentum(model.mesh, grid);     // 1: (1), and velocities before the step
     integrate_full_cells(model, particles, grid);
-    smooth_velocities(model.mesh, particles, grid);
+    smooth_velocities(model, particles, state.dt, grid);
     find_viscous_stress(model, particles, grid);
     spread_internal_forces(model, particles, grid);  // 1: (2)
     exchange_corner_sums(grid);                      // ranks

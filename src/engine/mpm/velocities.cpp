@@ -25,10 +25,51 @@ Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& gri
 
 }  // namespace
 
+namespace {
+
+/// What particles get back so that the filter moves no momentum between cells; in space between patches, since a tetrahedron may have one particle.
 template <int dim>
-void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+void find_filter_shift(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  const auto& active = particles.active();
+  const auto pull_on = [&](Index cell) {
+    const Moments<dim>& t = grid.moments[cell];
+    Vec<dim> lost;  // momentum, N s
+    for (int d = 0; d < dim; ++d) {
+      lost[d] = t.mv[d];
+      for (int k = 0; k <= dim; ++k) lost[d] -= grid.corners[cell][k].mass * grid.smooth_velocity[mesh.nodes[cell][k]][d];
+    }
+    return Vec<dim>(grid.filtered_part(cell, dt) * lost);
+  };
+  if constexpr (dim == 2) {
+    for_each("momentum that the filter keeps", particles.active_chunks(), [&](Index c) {
+      const Index cell = active[c];
+      grid.filter_shift[cell] = pull_on(cell) / grid.moments[cell].m;
+    });
+  } else {
+    for_each("momentum that the filter keeps", particles.active_chunks(), [&](Index c) { grid.filter_pull[active[c]] = pull_on(active[c]); });
+    for (const Index cell : grid.halo.partners)
+      if (grid.moments[cell].m > 0) grid.filter_pull[cell] = pull_on(cell);
+    for_each("momentum that the filter keeps", particles.active_chunks(), [&](Index c) {
+      Vec<dim> pull = Vec<dim>::Zero();
+      Real mass = 0;
+      mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
+        pull += grid.filter_pull[member];
+        mass += grid.moments[member].m;
+      });
+      grid.filter_shift[active[c]] = pull / mass;
+    });
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void smooth_velocities(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   if (!(grid.filter_speed > 0)) return;
+  const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& active = particles.active();
   for_each("momentum of nodal velocities", particles.active_chunks(), [&](Index c) {
     const Index cell = active[c];
@@ -49,6 +90,7 @@ void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>
       momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
     grid.smooth_velocity[i] = grid.mass[i] > 0 ? Vec<dim>(2 * grid.velocity[i] - momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
   });
+  find_filter_shift(model, particles, dt, grid);
 }
 
 template <int dim>
@@ -105,7 +147,7 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<d
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void smooth_velocities(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                  \
+  template void smooth_velocities(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                        \
   template void spread_new_momentum(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                          \
   template void gather_new_velocities(const problem::Model<dim>&, BodyGrid<dim>&);                                                         \
   template void predict_velocities(const problem::Model<dim>&, Real, BodyGrid<dim>&);

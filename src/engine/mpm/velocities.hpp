@@ -6,14 +6,14 @@
 namespace berm::mpm {
 
 /// Smooth nodal velocities for the filter of step 5: v_i^(2) = 2 v_i - sum m N_i v(x_p) / M_i, the velocity before the step
-/// of second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone. No
-/// effect without the filter.
+/// of second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone; and what particles get back of the
+/// momentum that the pull towards it would move in a step of dt (s). No effect without the filter.
 template <int dim>
-void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
+void smooth_velocities(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 
 /// Steps 5 and 6: the momentum that the corners get from the particles with the corrected acceleration, from the moments
 /// alone: sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x. The filter's part of it
-/// is linear, too, and sums to zero over each cell.
+/// is linear, too, and sums to zero over each cell (in space: patch).
 template <int dim>
 void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 

@@ -39,7 +39,7 @@ struct Drifting {
     const mesh::Mesh<dim>& mesh = problem.model.mesh;
     sum_moments(mesh, particles(), grid());
     gather_mass_and_momentum(mesh, grid());
-    smooth_velocities(mesh, particles(), grid());
+    smooth_velocities(problem.model, particles(), problem.state.dt, grid());
     spread_new_momentum(mesh, particles(), problem.state.dt, grid());
     gather_new_velocities(problem.model, grid());
     move_and_strain(problem.model, problem.state, workspace, 0);
@@ -76,7 +76,7 @@ TYPED_TEST(VelocityFilter, takes_noise_out_and_books_its_energy_but_keeps_moment
   EXPECT_NEAR(soil.problem.state.totals.filter, before.kinetic - after.kinetic, 1e-10 * before.kinetic);
 }
 
-TYPED_TEST(VelocityFilter, keeps_the_momentum_of_each_cell)
+TYPED_TEST(VelocityFilter, keeps_the_momentum_of_each_cell_in_space_of_each_patch)
 {
   constexpr int dim = TypeParam::value;
   auto velocities = noise<dim>();
@@ -91,7 +91,13 @@ TYPED_TEST(VelocityFilter, keeps_the_momentum_of_each_cell)
   Real change = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (int d = 0; d < dim; ++d) {
-      EXPECT_NEAR(soil.grid().moments[cell].mv[d], before[cell].mv[d], 1e-12 * before[cell].m);
+      Real gained = soil.grid().moments[cell].mv[d] - before[cell].mv[d];
+      if (dim == 3) {
+        gained = 0;
+        mesh::for_each_in_patch(soil.problem.model.patches, cell,
+                                [&](Index member) { gained += soil.grid().moments[member].mv[d] - before[member].mv[d]; });
+      }
+      EXPECT_NEAR(gained, 0, 1e-12 * before[cell].m);
       change = std::max(change, std::abs(soil.grid().moments[cell].mvx[d][0] - before[cell].mvx[d][0]) / before[cell].m);
     }
   EXPECT_GT(change, 1e-3);

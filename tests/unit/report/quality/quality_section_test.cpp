@@ -36,9 +36,28 @@ std::string row_of(const std::string& html, const std::string& heading)
 
 TEST(trust, nothing_wrong_is_said)
 {
-  const std::string html = quality_section({sample_record(sample_case({"material.sand.dilation_angle=35 deg"}))});
+  const std::string html = quality_section({sample_record(sample_case({"material.sand.dilation_angle=35 deg", "mesh.near_size=0.2 mm"}))});
   EXPECT_TRUE(contains(html, "nothing is wrong")) << html;
   EXPECT_FALSE(contains(html, "li class=\"warning\"")) << html;
+}
+
+TEST(trust, cells_that_are_fine_enough_for_other_soil_are_bad_where_it_dilates)
+{
+  const auto said = [](const char* dilation_angle) {
+    return contains(quality_section({sample_record(sample_case({std::string("material.sand.dilation_angle=") + dilation_angle}))}),
+                    "too strong in soil that dilates");
+  };
+  EXPECT_TRUE(said("35 deg"));
+  EXPECT_FALSE(said("5 deg"));
+}
+
+TEST(trust, a_filter_that_takes_much_of_the_work_is_bad)
+{
+  record::RunRecord run = sample_record(sample_case());
+  for (const auto& [part, bad] : {std::pair(0.01, false), std::pair(0.11, true)}) {
+    run.summary->checks["filter_over_work"] = part;
+    EXPECT_EQ(contains(quality_section({run}), "slows soil that flows"), bad) << part;
+  }
 }
 
 // A slope or a cut that fails by its own weight: there is no width to compare the cells with.
