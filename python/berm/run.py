@@ -63,7 +63,7 @@ class Run:
 
     @property
     def spoiled(self) -> list[str]:
-        """Why its numbers are not to be used, in sentences: energy that does not balance, a body that left the soil ...; empty where nothing is wrong."""
+        """Why its numbers are not to be used, in sentences: energy that does not balance ...; empty where nothing is wrong."""
         return list(self.summary.get("spoiled", []))
 
     @property

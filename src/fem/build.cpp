@@ -285,7 +285,8 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   number_unknowns(model);
   if (by_gravity) load_by_gravity(c, model, state);
   set_law_state(model, state);
-  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model.mesh, name, {watch.point[0], watch.point[1]}, problem::index_of(c.body, watch.body)));
+  for (const auto& [name, watch] : c.watch)
+    model.watches.push_back(make_watch(model.mesh, name, {watch.point[0], watch.point[1]}, problem::index_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
   state.state.tractions.resize(model.model.tractions.size());

@@ -144,8 +144,8 @@ TEST(Axisymmetry, work_of_a_push_is_kept)
     take_steps(run, 10);
     const problem::Totals<2>& t = run.state().totals;
     largest = std::max(largest, std::abs(t.external));
-    error = std::max(error,
-                     std::abs(mpm::sums_over(run.state().particles[0]).kinetic - first + t.internal + t.damping + t.filter + t.friction - t.external));
+    error = std::max(error, std::abs(mpm::sums_over(run.state().particles[0]).kinetic - first + t.internal + t.damping + t.filter +
+                                     t.friction - t.external));
   }
   EXPECT_LT(error / largest, 0.01);
 }

@@ -375,9 +375,8 @@ void is_there_soil_at_a_watch(const Scene& s, Findings& found)
       const Real slack = 0.05 * space.length();
       if (watch.point[d] > space.from - slack && watch.point[d] < space.to + slack) continue;
       found.warn("watch." + name + ".point",
-                 fmt::format("{} = {} is not in [body.{}], which lies at {} < {} < {}: what is nearest there is watched",
-                             axis_names[d], place_words(watch.point[d]), watch.body, place_words(space.from), axis_names[d],
-                             place_words(space.to)));
+                 fmt::format("{} = {} is not in [body.{}], which lies at {} < {} < {}: what is nearest there is watched", axis_names[d],
+                             place_words(watch.point[d]), watch.body, place_words(space.from), axis_names[d], place_words(space.to)));
       break;
     }
   }

@@ -115,13 +115,15 @@ struct BodyGrid {
   CellField<VolumeChange> volume_change;
   WaterGrid<dim> water;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
-  CellField<Real> pressure_shift;  ///< Pa, mean stress of the patch less that of the cell, in the directions that are strained; empty unless soil dilates
-  Real shift_across = 1;           ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
-  Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
-  Real filter_speed = 0;           ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
-  CellField<Vec<dim>> filter_pull;   ///< N s, momentum that the filter would take from the cell; only in space
-  CellField<Vec<dim>> filter_shift;  ///< m/s, what particles get back of it, so that a cell, in space a patch, keeps its momentum; empty without the filter
-  Real total_mass = infinity;        ///< of the body, kg
+  CellField<Real>
+      pressure_shift;  ///< Pa, mean stress of the patch less that of the cell, in the directions that are strained; empty unless soil dilates
+  Real shift_across = 1;    ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
+  Real bulk_viscosity = 0;  ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
+  Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
+  CellField<Vec<dim>> filter_pull;  ///< N s, momentum that the filter would take from the cell; only in space
+  CellField<Vec<dim>>
+      filter_shift;  ///< m/s, what particles get back of it, so that a cell, in space a patch, keeps its momentum; empty without the filter
+  Real total_mass = infinity;  ///< of the body, kg
 
   CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
   CellField<Real> height;                     ///< m, of the same cells where the body has a bulk viscosity or a filter

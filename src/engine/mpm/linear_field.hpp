@@ -65,8 +65,7 @@ template <int dim>
 [[gnu::always_inline]] inline LinearField<dim> velocity_gain(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
                                                              const BodyGrid<dim>& grid, Index cell, Real dt, Real part)
 {
-  LinearField<dim> gain(shape, nodes,
-                        [&](Index i, int d) { return dt * grid.acceleration[i][d] + part * grid.smooth_velocity[i][d]; });
+  LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return dt * grid.acceleration[i][d] + part * grid.smooth_velocity[i][d]; });
   if (part > 0)
     for (int d = 0; d < dim; ++d) gain.c[d] += grid.filter_shift[cell][d];
   return gain;

@@ -48,7 +48,8 @@ void find_filter_shift(const problem::Model<dim>& model, const bodies::Particles
       grid.filter_shift[cell] = pull_on(cell) / grid.moments[cell].m;
     });
   } else {
-    for_each("momentum that the filter keeps", particles.active_chunks(), [&](Index c) { grid.filter_pull[active[c]] = pull_on(active[c]); });
+    for_each("momentum that the filter keeps", particles.active_chunks(),
+             [&](Index c) { grid.filter_pull[active[c]] = pull_on(active[c]); });
     for (const Index cell : grid.halo.partners)
       if (grid.moments[cell].m > 0) grid.filter_pull[cell] = pull_on(cell);
     for_each("momentum that the filter keeps", particles.active_chunks(), [&](Index c) {

@@ -284,7 +284,9 @@ void describe(Describe& d, FemSettings& fem)
 void describe(Describe& d, WatchSettings& watch)
 {
   d.value("body", watch.body, {.meaning = "name of the body", .required = true});
-  d.value("point", watch.point, {.meaning = "the point of the soil, where it is at the start: it moves with the soil, and stress and pore pressure are those at its place, linear between the "
+  d.value("point", watch.point,
+          {.meaning = "the point of the soil, where it is at the start: it moves with the soil, and stress and pore pressure are those at "
+                      "its place, linear between the "
                       "means of the cells around it",
            .unit = "m",
            .required = true});

@@ -21,9 +21,10 @@ inline constexpr Limit energy{
     "a smaller mpm.courant lowers it; finer cells (examples/mesh_study) and another contact scheme (examples/contact_schemes) may, too"};
 inline constexpr Limit energy_of_fem{
     0.01, 0.05, "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step lowers it"};
-inline constexpr Limit filter{0.02, 0.05,
-                              "a filter that takes 3 % of the work leaves the run-out of a column of sand within 5 %, one that takes 11 % makes it 23 % too short "
-                              "(docs/decisions/0059)"};
+inline constexpr Limit filter{
+    0.02, 0.05,
+    "a filter that takes 3 % of the work leaves the run-out of a column of sand within 5 %, one that takes 11 % makes it 23 % too short "
+    "(docs/decisions/0059)"};
 inline constexpr Limit out_of_balance{0.01, 0.05,
                                       "a bed that has not settled is far above, a settled one far below (docs/theory.md, section 5)"};
 inline constexpr Limit at_bounds{0.001, 0.01, "soil at a bound of its volume no longer follows its law (docs/theory.md, section 7)"};

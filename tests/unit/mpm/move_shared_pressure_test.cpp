@@ -25,7 +25,9 @@ struct Resting {
   Real energy_before, energy_after;
 
   Resting(const mesh::Mesh<dim>& mesh, const material::MohrCoulomb& law)
-      : problem(problem_on<dim>(mesh, law, dim == 2 ? 9 : 8)), workspace(problem.model, problem.state), law_(law)
+      : problem(problem_on<dim>(mesh, law, dim == 2 ? 9 : 8)),
+        workspace(problem.model, problem.state),
+        law_(law)
   {
     std::mt19937 random(3);
     const CellField<Real> pressure = [&] {

@@ -35,8 +35,10 @@ inline constexpr Limit second_impulse{0.01, 0.05,
                                       "the second contact correction is no force; it stays small with every contact scheme "
                                       "(examples/contact_schemes)"};
 inline constexpr Limit cells{20, 10, "V of a push falls with the size of the cells (examples/mesh_study)", true};
-inline constexpr Limit dilating_cells{
-    80, 40, "sand with psi = phi: K_p of a wall is +27 % with 17 cells over its height and +10 % with 33, K_a -11 and -8 % (examples/embedded_wall)", true};
+inline constexpr Limit dilating_cells{80, 40,
+                                      "sand with psi = phi: K_p of a wall is +27 % with 17 cells over its height and +10 % with 33, K_a "
+                                      "-11 and -8 % (examples/embedded_wall)",
+                                      true};
 inline constexpr Limit particles{9, 4, "use nine or more near the body: with four stresses scatter more (docs/theory.md, section 9)", true};
 inline constexpr Limit elements{
     40, 20, "D/40 is what berm's own studies use (examples/wip_study); half the size should change little where psi = phi", true};
@@ -259,9 +261,10 @@ TrustMeasure cells_of_dilating_soil(const std::string& body)
           [](Run run) { return body_scale(run.settings).width / largest_met(run); },
           [](Run, Real value) { return fmt::format("D/{:.3g}", value); },
           [body](Run, Real value) {
-            return fmt::format("cells of D/{:.3g} at the {} are too strong in soil that dilates so much: what pushes into it meets too much "
-                               "resistance, and what gives way to it too little pressure. Take finer cells, or method = \"fem\" for a limit load",
-                               value, body);
+            return fmt::format(
+                "cells of D/{:.3g} at the {} are too strong in soil that dilates so much: what pushes into it meets too much "
+                "resistance, and what gives way to it too little pressure. Take finer cells, or method = \"fem\" for a limit load",
+                value, body);
           },
           over_limit};
 }
@@ -286,8 +289,8 @@ TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
         noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
        soil_volumes(),
        {contact_gap(body), overlap(body), second_impulse(), momentum_balance(),
-        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), cells_of_dilating_soil(body), shear_bands(), particles_of_cells(body),
-        counted("particles", "particles"), counted("cells", "cells")}});
+        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), cells_of_dilating_soil(body), shear_bands(),
+        particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
 }
 
 TrustMeasures fem_measures(const std::string& body)

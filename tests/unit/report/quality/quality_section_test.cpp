@@ -36,7 +36,8 @@ std::string row_of(const std::string& html, const std::string& heading)
 
 TEST(trust, nothing_wrong_is_said)
 {
-  const std::string html = quality_section({sample_record(sample_case({"material.sand.friction_angle=9 deg", "material.sand.dilation_angle=9 deg"}))});
+  const std::string html =
+      quality_section({sample_record(sample_case({"material.sand.friction_angle=9 deg", "material.sand.dilation_angle=9 deg"}))});
   EXPECT_TRUE(contains(html, "nothing is wrong")) << html;
   EXPECT_FALSE(contains(html, "li class=\"warning\"")) << html;
 }
