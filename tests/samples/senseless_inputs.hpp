@@ -121,7 +121,7 @@ inline const std::vector<SenselessInput>& senseless_inputs()
        "bed",
        warned,
        {"mesh.near_size", "at least 5 are needed"},
-       {"rigid.pipe.diameter=3 mm", "rigid.pipe.center=[0, \"1.5 mm\"]", "stage.push.until.embedment=2 mm"},
+       {"rigid.pipe.diameter=12 mm", "rigid.pipe.center=[0, \"6 mm\"]"},
        "",
        ""},
       {"wall_beside_the_path", "bed", warned, {"mesh.length", "the wall is", "or more"}, {"stage.drag.until.displacement=303 mm"}, "", ""},
