@@ -95,14 +95,13 @@ TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
     problem::Case c = pipe_in_sand();
     c.contact[0].second.detection = detection;
     Simulation<2> run(c);
-    take_steps(run, 200);
+    take_steps(run, 400);
     const contact::ContactSums<2>& sums = run.state().contact_sums[0];
     return sums.impulse_times_gap / sums.impulse_sum;
   };
   const Real overlap = gap_of(contact::Detection::overlap);
-  // By nodes of cut cells soil is a part of a cell farther off; the part depends on how the particles lie.
-  EXPECT_LT(gap_of(contact::Detection::gap), 0.9 * overlap);
-  EXPECT_LT(gap_of(contact::Detection::particle), 0.9 * overlap);
+  EXPECT_LT(gap_of(contact::Detection::gap), 0.8 * overlap);
+  EXPECT_LT(gap_of(contact::Detection::particle), 0.8 * overlap);
 }
 
 TEST(UpdateStressFirst, keeps_the_energy_of_a_free_block_that_swings)

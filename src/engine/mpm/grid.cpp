@@ -121,7 +121,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * body.waves.mean_density * wave_speed;
       if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
       if (grids[b].filter_speed > 0) {
-        grids[b].filter_shift = CellField<Vec<dim>>::zeros(model.mesh.cell_count());
+        grids[b].filter = CellField<FilterOfCell<dim>>::zeros(model.mesh.cell_count());
         if (dim == 3) grids[b].filter_pull = CellField<Vec<dim>>::zeros(model.mesh.cell_count());
       }
     }

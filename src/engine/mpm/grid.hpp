@@ -46,6 +46,13 @@ struct HoopMoments {
   Real stress = 0;  ///< sum V sigma_zz, N m per radian; scaled with the volume
 };
 
+/// What the velocity filter does to the particles of a cell in a step.
+template <int dim>
+struct FilterOfCell {
+  Real part = 0;                      ///< of the difference between their velocities and the smooth one that is taken out
+  Vec<dim> shift = Vec<dim>::Zero();  ///< m/s, what they get back, so that the cell, in space the patch, keeps its momentum
+};
+
 /// How the particles of a cell swell in a step. Apart from the moments, which other cells' particles have summed again while those of this one still move.
 struct VolumeChange {
   Real volume;  ///< sum V before the step, as in Moments
@@ -120,10 +127,9 @@ struct BodyGrid {
   Real shift_across = 1;    ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
   Real bulk_viscosity = 0;  ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
-  CellField<Vec<dim>> filter_pull;  ///< N s, momentum that the filter would take from the cell; only in space
-  CellField<Vec<dim>>
-      filter_shift;  ///< m/s, what particles get back of it, so that a cell, in space a patch, keeps its momentum; empty without the filter
-  Real total_mass = infinity;  ///< of the body, kg
+  CellField<Vec<dim>> filter_pull;      ///< N s, momentum that the filter would take from the cell; only in space
+  CellField<FilterOfCell<dim>> filter;  ///< of this step; empty without the filter
+  Real total_mass = infinity;           ///< of the body, kg
 
   CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
   CellField<Real> height;                     ///< m, of the same cells where the body has a bulk viscosity or a filter
@@ -187,11 +193,7 @@ struct BodyGrid {
   {
     return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
   }
-  /// Fraction of the difference between a particle's velocity and the smooth one that the filter removes from a cell in a step.
-  [[gnu::always_inline]] Real filtered_part(Index cell, Real dt) const
-  {
-    return filter_speed > 0 ? std::min(Real(1), dt * filter_speed / height[cell]) : 0;
-  }
+  [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell) const { return filter.size() > 0 ? filter[cell] : FilterOfCell<dim>{}; }
   /// What accelerates with the soil at a node, by direction, kg: its mass, but for water that gives way.
   Vec<dim> inertia(Index node) const { return water.flows() ? water.soil_inertia[node] : Vec<dim>(Vec<dim>::Constant(mass[node])); }
   /// Contribution of the cell of a mesh entry to the node.

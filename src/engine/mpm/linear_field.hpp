@@ -59,15 +59,14 @@ struct LinearField {
   }
 };
 
-/// The velocity that particles of a cell gain in step 5, apart from the fraction `part` of their own that the filter removes, m/s: dt a + part v2, and what
-/// they get back of the momentum that this would move.
+/// The velocity that particles of a cell gain in step 5, apart from the part of their own that the filter takes out, m/s: dt a + part v2, and what they get back.
 template <int dim>
 [[gnu::always_inline]] inline LinearField<dim> velocity_gain(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
-                                                             const BodyGrid<dim>& grid, Index cell, Real dt, Real part)
+                                                             const BodyGrid<dim>& grid, Real dt, const FilterOfCell<dim>& filter)
 {
-  LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return dt * grid.acceleration[i][d] + part * grid.smooth_velocity[i][d]; });
-  if (part > 0)
-    for (int d = 0; d < dim; ++d) gain.c[d] += grid.filter_shift[cell][d];
+  LinearField<dim> gain(shape, nodes,
+                        [&](Index i, int d) { return dt * grid.acceleration[i][d] + filter.part * grid.smooth_velocity[i][d]; });
+  for (int d = 0; d < dim; ++d) gain.c[d] += filter.shift[d];
   return gain;
 }
 

@@ -52,7 +52,7 @@ void move_particles(const problem::Model<dim>& model, problem::State<dim>& state
     const Index cell = particles.active()[c];
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const LinearField<dim> gain = velocity_gain(shape, nodes, grid, cell, state.dt, 0), velocity(shape, nodes, grid.mapped_velocity);
+    const LinearField<dim> gain = velocity_gain(shape, nodes, grid, state.dt, {}), velocity(shape, nodes, grid.mapped_velocity);
     WorkDone done;
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;

@@ -155,8 +155,9 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const Real filtered = grid.filtered_part(cell, motion), unfiltered = 1 - filtered;
-    const LinearField<dim> gain = velocity_gain(shape, nodes, grid, cell, motion, filtered), velocity(shape, nodes, grid.mapped_velocity);
+    const FilterOfCell<dim> filter = motion > 0 ? grid.filter_of(cell) : FilterOfCell<dim>{};
+    const Real filtered = filter.part, unfiltered = 1 - filtered;
+    const LinearField<dim> gain = velocity_gain(shape, nodes, grid, motion, filter), velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
     if constexpr (metric == mesh::Metric::axisymmetric)
       cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));

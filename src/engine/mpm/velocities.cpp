@@ -27,39 +27,40 @@ Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& gri
 
 namespace {
 
-/// What particles get back so that the filter moves no momentum between cells; in space between patches, since a tetrahedron may have one particle.
+/// The filter of the cells, which moves no momentum between them; in space between patches, since a tetrahedron may have one particle.
 template <int dim>
-void find_filter_shift(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+void find_filter(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& active = particles.active();
-  const auto pull_on = [&](Index cell) {
+  const auto part_of = [&](Index cell) { return std::min(Real(1), dt * grid.filter_speed / grid.height[cell]); };
+  const auto pull_on = [&](Index cell, Real part) {
     const Moments<dim>& t = grid.moments[cell];
     Vec<dim> lost;  // momentum, N s
     for (int d = 0; d < dim; ++d) {
       lost[d] = t.mv[d];
       for (int k = 0; k <= dim; ++k) lost[d] -= grid.corners[cell][k].mass * grid.smooth_velocity[mesh.nodes[cell][k]][d];
     }
-    return Vec<dim>(grid.filtered_part(cell, dt) * lost);
+    return Vec<dim>(part * lost);
   };
   if constexpr (dim == 2) {
-    for_each("momentum that the filter keeps", particles.active_chunks(), [&](Index c) {
-      const Index cell = active[c];
-      grid.filter_shift[cell] = pull_on(cell) / grid.moments[cell].m;
+    for_each("filter of cells", particles.active_chunks(), [&](Index c) {
+      const Real part = part_of(active[c]);
+      grid.filter[active[c]] = {part, pull_on(active[c], part) / grid.moments[active[c]].m};
     });
   } else {
-    for_each("momentum that the filter keeps", particles.active_chunks(),
-             [&](Index c) { grid.filter_pull[active[c]] = pull_on(active[c]); });
+    const auto pull = [&](Index cell) { grid.filter_pull[cell] = pull_on(cell, part_of(cell)); };
+    for_each("filter of cells", particles.active_chunks(), [&](Index c) { pull(active[c]); });
     for (const Index cell : grid.halo.partners)
-      if (grid.moments[cell].m > 0) grid.filter_pull[cell] = pull_on(cell);
-    for_each("momentum that the filter keeps", particles.active_chunks(), [&](Index c) {
-      Vec<dim> pull = Vec<dim>::Zero();
+      if (grid.moments[cell].m > 0) pull(cell);
+    for_each("filter of cells", particles.active_chunks(), [&](Index c) {
+      Vec<dim> of_patch = Vec<dim>::Zero();
       Real mass = 0;
       mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
-        pull += grid.filter_pull[member];
+        of_patch += grid.filter_pull[member];
         mass += grid.moments[member].m;
       });
-      grid.filter_shift[active[c]] = pull / mass;
+      grid.filter[active[c]] = {part_of(active[c]), of_patch / mass};
     });
   }
 }
@@ -91,7 +92,7 @@ void smooth_velocities(const problem::Model<dim>& model, const bodies::Particles
       momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
     grid.smooth_velocity[i] = grid.mass[i] > 0 ? Vec<dim>(2 * grid.velocity[i] - momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
   });
-  find_filter_shift(model, particles, dt, grid);
+  find_filter(model, particles, dt, grid);
 }
 
 template <int dim>
@@ -102,8 +103,9 @@ void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<di
     const Index cell = active[c];
     const Moments<dim>& t = grid.moments[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const Real part = grid.filtered_part(cell, dt);
-    const LinearField<dim> gain = velocity_gain(shape, mesh.nodes[cell], grid, cell, dt, part);
+    const FilterOfCell<dim> filter = grid.filter_of(cell);
+    const Real part = filter.part;
+    const LinearField<dim> gain = velocity_gain(shape, mesh.nodes[cell], grid, dt, filter);
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {
       Real times_x[dim];

@@ -6,8 +6,8 @@
 namespace berm::mpm {
 
 /// Smooth nodal velocities for the filter of step 5: v_i^(2) = 2 v_i - sum m N_i v(x_p) / M_i, the velocity before the step
-/// of second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone; and what particles get back of the
-/// momentum that the pull towards it would move in a step of dt (s). No effect without the filter.
+/// of second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone; and the
+/// filter of each cell in a step of dt (s). No effect without the filter.
 template <int dim>
 void smooth_velocities(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 

@@ -23,7 +23,7 @@ inline constexpr Limit energy_of_fem{
     0.01, 0.05, "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step lowers it"};
 inline constexpr Limit filter{
     0.02, 0.05,
-    "a filter that takes 3 % of the work leaves the run-out of a column of sand within 5 %, one that takes 11 % makes it 23 % too short "
+    "a filter that takes 4 % of the work leaves a column of sand 5 % short of where it comes to, one that takes 12 % leaves it 23 % short "
     "(docs/decisions/0059)"};
 inline constexpr Limit out_of_balance{0.01, 0.05,
                                       "a bed that has not settled is far above, a settled one far below (docs/theory.md, section 5)"};
