@@ -3,7 +3,7 @@
 
 #include "plot/figure.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/pipe/results/pipe_quantities.hpp"
+#include "structures/driven/results/quantities.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -24,7 +24,7 @@ bool is_of_tow(const run_folder::Quantity& quantity)
 
 std::vector<run_folder::Quantity> Anchor::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
-  std::vector<run_folder::Quantity> list = Pipe::quantities(run, held_forces);
+  std::vector<run_folder::Quantity> list = Driven::quantities(run, held_forces);
   if (list.empty()) return list;
   const std::vector<run_folder::Quantity> own =
       quantities_of(tow_results(tow_path(run), base::body_scale(run)), run.settings.force_dimension());
@@ -36,7 +36,7 @@ std::string Anchor::table_of(const record::RunRecord& run) const
 {
   std::vector<run_folder::Quantity> driven = run.quantities;
   std::erase_if(driven, is_of_tow);
-  std::string table = pipe::key_results_table(driven, base::body_scale(run));
+  std::string table = driven::key_results_table(driven, base::body_scale(run));
   for (const run_folder::Quantity& q : run.quantities)
     if (is_of_tow(q)) table += fmt::format("{:<24}{:>16} {}\n", q.name, fmt::format("{:.4g}", q.value), q.unit);
   return table;
@@ -85,13 +85,13 @@ std::string Anchor::key_results(const base::Runs& runs, const base::DisplayUnits
     for (const Column& c : numbers) cells.push_back({text::table_number(base::quantity_value(*record, c.quantity) / c.size), true});
     table.row(cells);
   }
-  return (table.empty() ? "" : table.html()) + Pipe::key_results(runs, shown);
+  return (table.empty() ? "" : table.html()) + Driven::key_results(runs, shown);
 }
 
 std::vector<std::string> Anchor::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                                     const std::filesystem::path& folder) const
 {
-  std::vector<std::string> drawn = Pipe::draw_report_curves(runs, published, folder);
+  std::vector<std::string> drawn = Driven::draw_report_curves(runs, published, folder);
   plot::Figure depth{"Depth of the lowest point over travel",     "travel (m)", "depth (m)", {},
                      "set key below\nset yrange [*:*] reverse\n", width,        height};
   for (const auto& [record, number] : runs) {

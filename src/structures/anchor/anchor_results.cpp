@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/anchor/anchor_test.cpp
 #include "structures/anchor/anchor.hpp"
 
-#include "structures/pipe/results/pipe_path.hpp"
+#include "structures/driven/results/path.hpp"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ TowPath tow_path(const record::RunRecord& run)
   TowPath path;
   if (run.history.rows() == 0 || !run.history.has_label("H")) return path;
   Real begin = 0;
-  for (const pipe::DragPath& drag : pipe::pipe_path(run.history, pipe::pipe_stages(run.settings)).drags) {
+  for (const driven::DragPath& drag : driven::path_of(run.history, driven::stages_of(run.settings)).drags) {
     for (std::size_t k = 0; k < drag.travel.size(); ++k) {
       path.travel.push_back(begin + drag.travel[k]);
       path.depth.push_back(drag.w[k]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/driven_body.hpp"
 
+#include "mesh/seabed.hpp"
 #include "problem/axes.hpp"
 #include "problem/ground.hpp"
 
@@ -136,6 +137,24 @@ std::string body_word(const problem::Case& c)
   std::string word = rigid == none ? "body" : c.rigid[rigid].first;
   std::replace(word.begin(), word.end(), '_', ' ');
   return word;
+}
+
+std::optional<bodies::DiskOutline> circle_of(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  return rigid == none ? std::nullopt : bodies::pipe_section(c.rigid[rigid].second.shape);
+}
+
+Real modelled_part(const problem::Case& c)
+{
+  const std::optional<bodies::DiskOutline> circle = circle_of(c);
+  if (!circle) return nan;
+  const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  if (seabed == nullptr) return 1;
+  const mesh::SeabedLayout layout = layout_of(*seabed);
+  const Real x = circle->center[0], radius = circle->radius, round_off = 1e-9 * radius;
+  if (x - radius >= layout.left && x + radius <= layout.right) return 1;
+  return std::abs(x - layout.left) < round_off || std::abs(x - layout.right) < round_off ? 0.5 : nan;
 }
 
 bool has_prototype(const BodyScale& scale)

@@ -31,6 +31,13 @@ bool drives_a_body(const problem::Case& c);
 /// What to call the main rigid body of a case in a sentence: its name there, with spaces for _; "body" without one.
 std::string body_word(const problem::Case& c);
 
+/// The main rigid body of a case where that is a pipe; else empty.
+std::optional<bodies::DiskOutline> circle_of(const problem::Case& c);
+
+/// The part of the pipe that a case models: 1, or 0.5 where a wall of a seabed goes through its centre, an axis of symmetry; NaN where a wall cuts it
+/// elsewhere, or the body is no circle.
+Real modelled_part(const problem::Case& c);
+
 /// The contact of a deformable body with the main rigid body, the last where there are several; null where there is none.
 const contact::ContactSettings* contact_of_body(const problem::Case& c);
 

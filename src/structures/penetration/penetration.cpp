@@ -7,7 +7,7 @@
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_page.hpp"
 #include "structures/penetration/penetration_results.hpp"
-#include "structures/pipe/results/pipe_quantities.hpp"
+#include "structures/driven/results/quantities.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ PenetrationRuns penetration_runs(const base::Runs& runs, const Reading& reading)
 
 std::vector<run_folder::Quantity> Penetration::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
-  std::vector<run_folder::Quantity> list = Pipe::quantities(run, held_forces);
+  std::vector<run_folder::Quantity> list = Driven::quantities(run, held_forces);
   if (list.empty()) return list;
   if (!reading_.keeps_push)
     std::erase_if(list, [](const run_folder::Quantity& q) { return q.name.starts_with("V_at_w_") || q.name.starts_with("V_at_travel_"); });
@@ -42,12 +42,12 @@ std::string Penetration::table_of(const record::RunRecord& run) const
 {
   std::vector<run_folder::Quantity> driven = run.quantities;
   std::erase_if(driven, [&](const run_folder::Quantity& q) { return is_of_reading(q.name, reading_); });
-  return pipe::key_results_table(driven, base::body_scale(run)) + penetration_table(run.quantities, reading_);
+  return driven::key_results_table(driven, base::body_scale(run)) + penetration_table(run.quantities, reading_);
 }
 
 bool Penetration::is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const
 {
-  if (!is_of_reading(quantity.name, reading_)) return Pipe::is_answer(run, quantity);
+  if (!is_of_reading(quantity.name, reading_)) return Driven::is_answer(run, quantity);
   return !quantity.name.starts_with("z_") && quantity.name != "area" && !quantity.name.ends_with("_change") &&
          !quantity.name.ends_with("_scatter");
 }
@@ -57,7 +57,7 @@ bool Penetration::draw_curves(const run_folder::RunFolder& folder, const record:
   PenetrationRuns runs;
   runs.emplace_back(run, reading_);
   if (const std::string csv = log_csv(runs.front()); !csv.empty()) io::write_atomically(folder.file("log.csv"), csv);
-  if (reading_.keeps_push) return Pipe::draw_curves(folder, run, bands);
+  if (reading_.keeps_push) return Driven::draw_curves(folder, run, bands);
   const DepthLog log = depth_log(runs, run.settings.title);
   if (log.panels.empty()) return false;
   return plot::draw(folder.path(), "curves", record::panels_width, record::panels_height, script_of(log, folder.path(), "log"));
@@ -66,14 +66,14 @@ bool Penetration::draw_curves(const run_folder::RunFolder& folder, const record:
 std::string Penetration::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
 {
   const std::string words = penetration_words(PenetrationRun(run, reading_), shown);
-  return reading_.keeps_push ? words + " " + Pipe::in_words(run, shown) : words;
+  return reading_.keeps_push ? words + " " + Driven::in_words(run, shown) : words;
 }
 
 std::string Penetration::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
 {
   if (runs.empty()) return "";
   const std::string own = penetration_key_results(penetration_runs(runs, reading_), reading_.word);
-  return reading_.keeps_push ? own + Pipe::key_results(runs, shown) : own;
+  return reading_.keeps_push ? own + Driven::key_results(runs, shown) : own;
 }
 
 std::string Penetration::published_values(const base::Runs& runs, const base::DisplayUnits&) const
@@ -88,7 +88,7 @@ base::TrustMeasures Penetration::measures(const problem::Case& c) const
 
 std::string Penetration::quality_note(const base::Runs& runs) const
 {
-  if (reading_.keeps_push) return Pipe::quality_note(runs);
+  if (reading_.keeps_push) return Driven::quality_note(runs);
   if (runs.empty()) return "";
   return "<p>The resistance depends on the mesh: the soil beside the edge of a body moves with it up to a cell beyond it, so that a body "
          "of width D acts as "
@@ -98,7 +98,7 @@ std::string Penetration::quality_note(const base::Runs& runs) const
 std::vector<std::string> Penetration::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                                          const std::filesystem::path& folder) const
 {
-  std::vector<std::string> drawn = Pipe::draw_report_curves(runs, published, folder);
+  std::vector<std::string> drawn = Driven::draw_report_curves(runs, published, folder);
   if (runs.empty()) return drawn;
   const DepthLog log = depth_log(penetration_runs(runs, reading_), fmt::format("Resistance over the depth of the {}", reading_.level));
   if (log.panels.empty()) return drawn;

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "structures/penetration/reading.hpp"
-#include "structures/pipe/pipe.hpp"
+#include "structures/driven/driven.hpp"
 
 namespace berm::penetration {
 
 /// A body that is pushed down and read as a site investigation reads it: resistance over an area against depth, a factor of it, and whether it is steady. What it
-/// has in common with any driven body (ends of pushes, drags, charts) is that of pipe::Pipe.
-class Penetration : public pipe::Pipe {
+/// has in common with any driven body (ends of pushes, drags, charts) is that of driven::Driven.
+class Penetration : public driven::Driven {
 public:
   explicit Penetration(const Reading& reading) : reading_(reading) {}
 

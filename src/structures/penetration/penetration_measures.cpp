@@ -5,7 +5,7 @@
 #include "structures/base/general_measures.hpp"
 #include "structures/penetration/penetration_run.hpp"
 #include "structures/penetration/soil_profile.hpp"
-#include "structures/pipe/report/pipe_report.hpp"
+#include "structures/driven/report/report.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -101,7 +101,7 @@ base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& 
        [body](Run, Real value) { return fmt::format("the base is {:.2g} D below the {}: make the mesh deeper", value, body); },
        plain_limit}};
   if (reading.keeps_push) own.erase(own.begin());  // on its way to failure a footing is not steady
-  return base::joined({pipe::pipe_measures(c, reading.cells), own});
+  return base::joined({driven::driven_measures(c, reading.cells), own});
 }
 
 }  // namespace berm::penetration

@@ -4,7 +4,7 @@
 
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
-#include "structures/pipe/report/pipe_report.hpp"
+#include "structures/driven/report/report.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -225,10 +225,10 @@ std::string penetration_key_results(const PenetrationRuns& runs, const std::stri
   html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", reading.resistance.html, what,
                       half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
                                : "");
-  pipe::PipeRuns driven;
+  driven::DrivenRuns driven;
   for (const PenetrationRun& run : known) driven.emplace_back(run.record, run.number);
   return html + summary_table(known, id + "-end") + depth_table(known, id + "-depth") +
-         (reading.keeps_push ? "" : pipe::converged_notes(driven));
+         (reading.keeps_push ? "" : driven::converged_notes(driven));
 }
 
 std::string penetration_published(const PenetrationRuns& runs, const std::string& id)

@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_results.hpp"
 
-#include "structures/pipe/results/pipe_path.hpp"
+#include "structures/driven/results/path.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -59,8 +59,8 @@ std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run)
   std::vector<run_folder::Quantity> list;
   const run_folder::History& history = run.record.history;
   if (history.rows() == 0 || !history.has_label("M") || run.record.settings.geometry == problem::Geometry::space) return list;
-  const pipe::PipePath path = pipe::pipe_path(history, pipe::pipe_stages(run.record.settings));
-  const pipe::DragPath& drag = path.drag();
+  const driven::Path path = driven::path_of(history, driven::stages_of(run.record.settings));
+  const driven::DragPath& drag = path.drag();
   if (drag.travel.size() < 3) return list;
   std::vector<Real> moment;
   for (std::size_t k = 0; k < drag.rows.size(); ++k)

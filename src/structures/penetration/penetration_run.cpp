@@ -2,7 +2,7 @@
 #include "structures/penetration/penetration_run.hpp"
 
 #include "structures/penetration/soil_profile.hpp"
-#include "structures/pipe/results/pipe_path.hpp"
+#include "structures/driven/results/path.hpp"
 
 #include <algorithm>
 
@@ -74,7 +74,7 @@ void PenetrationRun::take_rows()
 {
   const run_folder::History& history = record.history;
   if (history.rows() == 0 || !history.has("w_m") || !history.has_label("V")) return;
-  const pipe::PushPath push = pipe::pipe_path(history, pipe::pipe_stages(record.settings)).push;
+  const driven::PushPath push = driven::path_of(history, driven::stages_of(record.settings)).push;
   const bool begins_in_soil = !push.w.empty() && push.w.front() > body.shoulder + same_place * body.width;
   const std::vector<Real>* shaft = history.has_label("V shaft") ? &history.by_label("V shaft") : nullptr;
   for (std::size_t k = 0; k < push.w.size(); ++k) {

@@ -3,8 +3,8 @@
 
 #include "core/error.hpp"
 #include "structures/formulas/axial.hpp"
-#include "structures/pipe/results/resistance.hpp"
-#include "structures/pipe/results/run_points.hpp"
+#include "structures/driven/results/resistance.hpp"
+#include "structures/driven/results/run_points.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -27,10 +27,10 @@ Real first_at(const Points& curve, Real F)
   return nan;
 }
 
-Lateral lateral_of(const pipe::DragPath& drag, const pipe::DragResults& results, const pipe::BodyScale& scale)
+Lateral lateral_of(const driven::DragPath& drag, const driven::DragResults& results, const driven::BodyScale& scale)
 {
   const TravelCurve H(drag.travel, drag.H);
-  const pipe::Resistance resistance = pipe::resistance_to(H, scale);
+  const driven::Resistance resistance = driven::resistance_to(H, scale);
   Lateral lateral;
   lateral.stage = drag.stage.name;
   lateral.travel = resistance.travel;
@@ -56,7 +56,7 @@ Unloading unloading_of(const std::string& stage, const std::vector<Index>& rows,
   return {stage, V[first], V[last], way != 0 ? (V[first] - V[last]) / way : nan};
 }
 
-Axial axial_of(const pipe::PipeRun& run, Real w, Real V)
+Axial axial_of(const driven::DrivenRun& run, Real w, Real V)
 {
   Axial axial;
   const Real D = run.scale.width;
@@ -122,13 +122,13 @@ Springs springs_of(const record::RunRecord& record)
   const std::string folder = record.folder.string();
   if (!base::drives_a_body(record.settings) || record.settings.geometry != problem::Geometry::plane_strain)
     throw RunError(fmt::format("{} is no run of a pipe in plane strain: springs are forces per length of pipe", folder));
-  const pipe::PipeRun run(record);
-  const pipe::PipeResults results = run.results();
-  const pipe::PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : pipe::PipePath{};
+  const driven::DrivenRun run(record);
+  const driven::Results results = run.results();
+  const driven::Path path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : driven::Path{};
   if (results.push.empty() && !results.push_end && path.drags.empty())
     throw RunError(fmt::format("{} has neither pushed nor dragged its pipe yet", folder));
   const auto drags = std::count_if(run.stages.begin(), run.stages.end(),
-                                   [](const pipe::PipeStage& stage) { return stage.kind == problem::StageKind::drag; });
+                                   [](const driven::Stage& stage) { return stage.kind == problem::StageKind::drag; });
   if (record.end == record::RunEnd::finished && static_cast<std::ptrdiff_t>(path.drags.size()) < drags)
     throw RunError(
         fmt::format("{} is finished, but its history has rows of {} of {} drags only: it is damaged", folder, path.drags.size(), drags));
@@ -141,17 +141,17 @@ Springs springs_of(const record::RunRecord& record)
   else if (run.history.rows() > 0)
     springs.embedment = run.history["w_m"][path.drags.empty() ? run.history.rows() - 1 : path.drags[0].rows.front()];
   if (!starts_embedded(run)) {
-    for (const pipe::PushPoint& p : results.push) springs.vertical.curve.push_back({p.w, p.V});
+    for (const driven::PushPoint& p : results.push) springs.vertical.curve.push_back({p.w, p.V});
     if (const auto& end = results.push_end;
-        end && (springs.vertical.curve.empty() || end->w > springs.vertical.curve.back().x + pipe::same_point * springs.diameter))
+        end && (springs.vertical.curve.empty() || end->w > springs.vertical.curve.back().x + driven::same_point * springs.diameter))
       springs.vertical.curve.push_back({end->w, end->V});
   } else if (!path.push.rows.empty()) {
     springs.vertical.unloading.push_back(unloading_of("push", path.push.rows, run.history));
   }
-  for (const pipe::OtherPush& push : path.other_pushes)
+  for (const driven::OtherPush& push : path.other_pushes)
     springs.vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
   for (std::size_t k = 0; k < path.drags.size(); ++k)
-    springs.lateral.push_back(lateral_of(path.drags[k], k < results.drags.size() ? results.drags[k] : pipe::DragResults{}, run.scale));
+    springs.lateral.push_back(lateral_of(path.drags[k], k < results.drags.size() ? results.drags[k] : driven::DragResults{}, run.scale));
   springs.axial = axial_of(run, springs.embedment, springs.lateral.empty() ? nan : springs.lateral[0].V);
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);
   return springs;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/results/pipe_run.hpp"
+#include "structures/driven/results/driven_run.hpp"
 
 #include <array>
 
@@ -26,7 +26,7 @@ struct Lateral {
   Real u_peak = nan;                                     ///< m
   Real residual = nan;                                   ///< N/m, that stays at the end of the drag
   Real end = nan;                                        ///< N/m, mean over the end of the drag, whether it stays or not
-  Real u_residual = nan;  ///< m, of a drag that breaks out: from where H is as near to it as it must stay (pipe::max_residual_change)
+  Real u_residual = nan;  ///< m, of a drag that breaks out: from where H is as near to it as it must stay (driven::max_residual_change)
   Real travel = nan;      ///< m
   Points curve;           ///< H over u, freed from noise
 

@@ -2,7 +2,6 @@
 // Tests: tests/unit/structures/pipe/published/published_test.cpp
 #include "structures/pipe/published/pipe_soil.hpp"
 
-#include "mesh/seabed.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>
@@ -21,33 +20,15 @@ formulas::PipeInClay ClayAround::at(Real embedment) const
   return {diameter, embedment, strength, roughness, strength_gradient, unit_weight};
 }
 
-std::optional<bodies::DiskOutline> circle_of(const problem::Case& c)
-{
-  const Index rigid = main_rigid(c);
-  return rigid == none ? std::nullopt : bodies::pipe_section(c.rigid[rigid].second.shape);
-}
-
-Real modelled_part(const problem::Case& c)
-{
-  const std::optional<bodies::DiskOutline> circle = circle_of(c);
-  if (!circle) return nan;
-  const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  if (seabed == nullptr) return 1;
-  const mesh::SeabedLayout layout = layout_of(*seabed);
-  const Real x = circle->center[0], radius = circle->radius, round_off = 1e-9 * radius;
-  if (x - radius >= layout.left && x + radius <= layout.right) return 1;
-  return std::abs(x - layout.left) < round_off || std::abs(x - layout.right) < round_off ? 0.5 : nan;
-}
-
 PipeSoil pipe_soil(const record::RunRecord& run)
 {
   const problem::Case& c = run.settings;
-  const std::optional<bodies::DiskOutline> circle = circle_of(c);
+  const std::optional<bodies::DiskOutline> circle = base::circle_of(c);
   if (!circle) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
   if (c.geometry != problem::Geometry::plane_strain)
     return NoFormula{fmt::format("The published formulas are per metre of pipe in plane strain; this run is {}.",
                                  c.geometry == problem::Geometry::space ? "in space" : "axisymmetric")};
-  if (std::isnan(modelled_part(c)))
+  if (std::isnan(base::modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
   const std::optional<problem::BodySoil> touched = base::touched_soil(run);
   const Real depth = base::soil_depth(c, run.ground, base::reference_depth(c, run.ground));

@@ -42,13 +42,6 @@ struct NoFormula {
 
 using PipeSoil = std::variant<SandAround, ClayAround, NoFormula>;
 
-/// The main rigid body of a case where that is a pipe; else empty.
-std::optional<bodies::DiskOutline> circle_of(const problem::Case& c);
-
-/// The part of the pipe that a case models: 1, or 0.5 where a wall of a seabed goes through its centre, an axis of symmetry; NaN where a wall cuts it
-/// elsewhere, or the body is no circle.
-Real modelled_part(const problem::Case& c);
-
 /// The soil that touches the pipe of a run as published formulas want it. Where the contact sticks, delta of sand is phi and clay has all of s_u.
 PipeSoil pipe_soil(const record::RunRecord& run);
 

@@ -3,8 +3,8 @@
 
 #include "structures/formulas/f114.hpp"
 #include "structures/pipe/published/published_of_soil.hpp"
-#include "structures/pipe/results/resistance.hpp"
-#include "structures/pipe/results/run_points.hpp"
+#include "structures/driven/results/resistance.hpp"
+#include "structures/driven/results/run_points.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ bool is_one_of(Real part, const Real (&parts)[size])
 }
 
 /// The states without their comparisons.
-std::vector<ComparedState> states_of(const PipeRun& run)
+std::vector<ComparedState> states_of(const driven::DrivenRun& run)
 {
   const RunPoints points = points_of(run);
   const bool small_strain = run.settings.method == problem::Method::fem;
@@ -40,7 +40,7 @@ std::vector<ComparedState> states_of(const PipeRun& run)
   return states;
 }
 
-std::string remark_on_place(const PipeRun& run)
+std::string remark_on_place(const driven::DrivenRun& run)
 {
   if (run.settings.method == problem::Method::fem)
     return fmt::format(
@@ -56,9 +56,9 @@ std::string remark_on_place(const PipeRun& run)
          "surface and leave this out.";
 }
 
-std::string remark_on_ground(const PipeRun& run)
+std::string remark_on_ground(const driven::DrivenRun& run)
 {
-  const Real x = circle_of(run.settings)->center[0], reach = 2 * run.scale.width;
+  const Real x = base::circle_of(run.settings)->center[0], reach = 2 * run.scale.width;
   const auto [low, high] = run.record.ground.line.heights(x - reach, x + reach);
   return fmt::format("All formulas here are for a level bed. The ground of this run is not: within 2 D of the pipe's start it rises and "
                      "falls by {:.2g} D. They "
@@ -68,12 +68,12 @@ std::string remark_on_ground(const PipeRun& run)
 }
 
 /// The first drag where H breaks out, or is largest; empty where it has no such point.
-std::optional<ComparedState> peak_of(const PipeRun& run, const RunPoints& points, Real& H)
+std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const RunPoints& points, Real& H)
 {
   const Resistance resistance = resistance_of(run);
   const std::optional<Resistance::Point>& peak = resistance.breakout ? resistance.breakout : resistance.largest;
   if (!peak || run.history.rows() == 0) return {};
-  const PipePath path = pipe_path(run.history, run.stages);
+  const driven::Path path = driven::path_of(run.history, run.stages);
   const DragPath& drag = path.drag();
   const Real half = averaging_half(run.scale);
   const bool small_strain = run.settings.method == problem::Method::fem;
@@ -87,17 +87,17 @@ std::optional<ComparedState> peak_of(const PipeRun& run, const RunPoints& points
 }
 
 /// Unloading and other stages may lie between the push and the drag.
-Real w_where_the_drag_begins(const PipeRun& run, const RunPoints& points)
+Real w_where_the_drag_begins(const driven::DrivenRun& run, const RunPoints& points)
 {
   if (run.settings.method == problem::Method::fem) return points.first_w;  // small strains leave it there
-  const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
+  const driven::Path path = run.history.rows() > 0 ? driven::path_of(run.history, run.stages) : driven::Path{};
   if (!path.drag().w.empty() && std::isfinite(path.drag().w.front())) return path.drag().w.front();
   return points.push_end ? points.push_end->w : points.first_w;
 }
 
 /// Comparisons of the first drag with the formulas of breakout, which at_peak(w, V, H) makes.
 template <class AtPeak>
-void add_breakout(PublishedValues& values, const PipeRun& run, const RunPoints& points, Real part, const AtPeak& at_peak)
+void add_breakout(PublishedValues& values, const driven::DrivenRun& run, const RunPoints& points, Real part, const AtPeak& at_peak)
 {
   Real H = nan;
   if (std::optional<ComparedState> peak = peak_of(run, points, H)) {
@@ -121,11 +121,11 @@ void put_out_of_range(PublishedValues& values, const char* range)
 }
 
 /// Each drag of a diameter or more, at its end: the first beside what the residual is said to be, those that follow in clay beside sweeps between berms.
-void add_sweeps(PublishedValues& values, const PipeRun& run, const PipeSoil& soil, Real part)
+void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const PipeSoil& soil, Real part)
 {
   const auto* clay = std::get_if<ClayAround>(&soil);
   if (run.history.rows() == 0 || run.settings.method == problem::Method::fem) return;
-  const PipePath path = pipe_path(run.history, run.stages);
+  const driven::Path path = driven::path_of(run.history, run.stages);
   const Real D = run.scale.width, half = averaging_half(run.scale);
   bool swept = false;
   for (const DragResults& drag : run.results().drags) {
@@ -174,7 +174,7 @@ std::vector<Comparison> displacement_to_the_residual(Real diameter, Real u)
   return with_estimates("u to the residual", Comparison::Unit::length, u, formulas::f114_residual_displacement(diameter), "");
 }
 
-PublishedValues published_beside(const PipeRun& run)
+PublishedValues published_beside(const driven::DrivenRun& run)
 {
   PublishedValues values;
   const PipeSoil soil = pipe_soil(run.record);
@@ -190,14 +190,14 @@ PublishedValues published_beside(const PipeRun& run)
     return values;
   }
   values.remarks.push_back(remark_on_place(run));
-  if (modelled_part(run.settings) < 1)
+  if (base::modelled_part(run.settings) < 1)
     values.remarks.emplace_back(
         "This run models half of the pipe beside an axis of symmetry. Here its forces are doubled: those of the whole pipe.");
 
   const auto* sand = std::get_if<SandAround>(&soil);
   const auto* clay = std::get_if<ClayAround>(&soil);
   const bool heaves = run.settings.method == problem::Method::mpm && points.push_end.has_value();
-  const Real part = modelled_part(run.settings);
+  const Real part = base::modelled_part(run.settings);
   for (ComparedState& state : values.states) {
     state.V /= part;
     if (state.kind == ComparedState::Kind::drag) {

@@ -4,7 +4,7 @@
 #include "problem/case.hpp"
 #include "structures/base/published_envelope.hpp"
 #include "structures/formulas/formula.hpp"
-#include "structures/pipe/results/pipe_run.hpp"
+#include "structures/driven/results/driven_run.hpp"
 
 namespace berm::pipe {
 
@@ -55,7 +55,7 @@ struct PublishedValues {
 /// the formulas of design codes are for, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D; of each drag of a diameter or more at its end. The
 /// embedment is that of the run there; in the finite element method, whose strains are small, that at the start. Forces of half a pipe beside an axis of
 /// symmetry are doubled.
-PublishedValues published_beside(const PipeRun& run);
+PublishedValues published_beside(const driven::DrivenRun& run);
 
 /// The pipe that the case drives. Throws InputError where the case is not plane, drives no circle, or the pipe lies above the bed or beyond the walls.
 base::EmbeddedBody embedded_pipe(const problem::Case& c);

@@ -11,12 +11,12 @@
 
 namespace berm::pipe {
 
-std::string axial_table(const PipeRuns& runs, const base::DisplayUnits& shown)
+std::string axial_table(const driven::DrivenRuns& runs, const base::DisplayUnits& shown)
 {
   text::HtmlTable table("axial",
                         "Axial resistance by friction, as the effective stress on the pipe would give it at the end of each stage");
   std::string source;
-  for (const PipeRun& run : runs)
+  for (const driven::DrivenRun& run : runs)
     for (const AxialState& state : axial_states(run.record)) {
       const formulas::Formula wedge = formulas::wedging_factor(run.scale.width, state.w);
       const auto force = [&](Real value) { return text::table_number(shown.in_force_unit(value)); };

@@ -4,7 +4,7 @@
 
 #include "structures/base/display_units.hpp"
 #include "structures/pipe/published/published.hpp"
-#include "structures/pipe/results/run_points.hpp"
+#include "structures/driven/results/run_points.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -21,7 +21,7 @@ std::string with_capital(std::string words)
   return words;
 }
 
-std::string state_words(const ComparedState& state, const PipeRun& run, const base::DisplayUnits& shown)
+std::string state_words(const ComparedState& state, const driven::DrivenRun& run, const base::DisplayUnits& shown)
 {
   const Real D = run.scale.width;
   std::string w = fmt::format("w = {} D", text::short_number(state.w / D));
@@ -45,7 +45,7 @@ std::string state_words(const ComparedState& state, const PipeRun& run, const ba
   return "";
 }
 
-std::vector<text::HtmlCell> cells_of(const Comparison& c, const PipeRun& run, const base::DisplayUnits& shown)
+std::vector<text::HtmlCell> cells_of(const Comparison& c, const driven::DrivenRun& run, const base::DisplayUnits& shown)
 {
   const bool force = c.unit == Comparison::Unit::force;
   const auto number = [&](Real value) { return text::table_number(force ? shown.in_force_unit(value) : value / run.scale.width); };
@@ -68,7 +68,7 @@ bool is_confirmed(const Comparison& comparison)
 
 /// Remarks, then a table with the run's states as groups. `id` names the table. Formulas that are only recalled are not shown: nobody is to take them for
 /// quotations.
-std::string published_table(const PipeRun& run, const base::DisplayUnits& shown, const std::string& id)
+std::string published_table(const driven::DrivenRun& run, const base::DisplayUnits& shown, const std::string& id)
 {
   const PublishedValues values = published_beside(run);
   std::string html;
@@ -87,11 +87,11 @@ std::string published_table(const PipeRun& run, const base::DisplayUnits& shown,
 
 }  // namespace
 
-std::string published_values(const PipeRuns& runs, const base::DisplayUnits& shown)
+std::string published_values(const driven::DrivenRuns& runs, const base::DisplayUnits& shown)
 {
   std::string html;
   int place = 0;
-  for (const PipeRun& run : runs) {
+  for (const driven::DrivenRun& run : runs) {
     const std::string table = published_table(run, shown, fmt::format("published-{}", place));
     if (table.empty()) continue;
     html += runs.size() == 1 ? table

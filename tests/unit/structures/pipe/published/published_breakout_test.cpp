@@ -43,7 +43,7 @@ MadeRun long_drag_in_clay()
 
 TEST(published_breakout, breakout_in_clay_stands_beside_both_undrained_models_and_the_displacements_of_the_tables)
 {
-  const PublishedValues values = published_beside(PipeRun(long_drag_in_clay().record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(long_drag_in_clay().record()));
   const ComparedState* peak = state_of(values, Kind::peak);
   ASSERT_NE(peak, nullptr);
   EXPECT_TRUE(peak->is_breakout);
@@ -70,7 +70,7 @@ TEST(published_breakout, a_drag_too_short_for_any_other_comparison_may_have_a_br
   made.H = [](Real u) { return u < 4e-4 ? 1e5 * u : std::max(30., 40 - 25e3 * (u - 4e-4)); };
   made.method = problem::Method::fem;  // without noise, which would take 0.1 D to be told from a peak
   made.first_w = 0.002;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const ComparedState* peak = state_of(values, Kind::peak);
   ASSERT_NE(peak, nullptr);
   EXPECT_NE(by(peak, "DNVGL-RP-F114", "LE"), nullptr);
@@ -81,7 +81,7 @@ TEST(published_breakout, the_clay_behind_a_pipe_pulls_where_the_contact_carries_
 {
   MadeRun made = long_drag_in_clay();
   made.contact.tension = std::numeric_limits<Real>::infinity();
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const ComparedState* peak = state_of(values, Kind::peak);
   ASSERT_NE(peak, nullptr);
   const Comparison* model = by(peak, "DNVGL-RP-F114", "with suction behind the pipe, LE");
@@ -91,7 +91,7 @@ TEST(published_breakout, the_clay_behind_a_pipe_pulls_where_the_contact_carries_
 
 TEST(published_breakout, the_end_of_a_long_drag_stands_beside_the_residual_and_the_way_to_it)
 {
-  const PublishedValues values = published_beside(PipeRun(long_drag_in_clay().record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(long_drag_in_clay().record()));
   const ComparedState* end = state_of(values, Kind::end_of_drag);
   ASSERT_NE(end, nullptr);
   const Comparison *residual = by(end, "DNV-RP-F114", "residual, BE"), *way = by(end, "DNVGL-RP-F114", "HE");
@@ -105,7 +105,7 @@ TEST(published_breakout, the_end_of_a_long_drag_stands_beside_the_residual_and_t
   MadeRun sand;
   sand.dragged = 0.06;
   sand.sunk = [](Real) { return 0.; };
-  const PublishedValues of_sand = published_beside(PipeRun(sand.record()));
+  const PublishedValues of_sand = published_beside(driven::DrivenRun(sand.record()));
   const ComparedState* its_end = state_of(of_sand, Kind::end_of_drag);
   ASSERT_NE(its_end, nullptr);
   const Comparison* again = by(its_end, "DNVGL-RP-F114", "residual");

@@ -42,7 +42,7 @@ std::vector<const ComparedState*> ends(const PublishedValues& values)
 
 TEST(published_sweeps, the_first_long_drag_stands_beside_residuals_and_the_next_between_berms)
 {
-  const PublishedValues values = published_beside(PipeRun(swept_twice()));
+  const PublishedValues values = published_beside(driven::DrivenRun(swept_twice()));
   const auto found = ends(values);
   ASSERT_EQ(found.size(), 2u);
   const ComparedState &first = *found[0], &back = *found[1];
@@ -65,7 +65,7 @@ TEST(published_sweeps, the_first_long_drag_stands_beside_residuals_and_the_next_
 
 TEST(published_sweeps, a_drag_of_less_than_a_diameter_has_no_residual)
 {
-  EXPECT_TRUE(ends(published_beside(PipeRun(swept_twice(0.018)))).empty());
+  EXPECT_TRUE(ends(published_beside(driven::DrivenRun(swept_twice(0.018)))).empty());
 }
 
 }  // namespace

@@ -42,9 +42,9 @@ constexpr const char* merifield = "Merifield, White and Randolph 2008";
 TEST(published, formulas_are_out_of_their_range_on_ground_that_is_not_level)
 {
   record::RunRecord run = MadeRun{}.record();
-  const PublishedValues level = published_beside(PipeRun(run));
+  const PublishedValues level = published_beside(driven::DrivenRun(run));
   run.ground.line.corners = {Vec<2>(-0.3, -0.03), Vec<2>(0.3, 0.03)};
-  const PublishedValues sloping = published_beside(PipeRun(run));
+  const PublishedValues sloping = published_beside(driven::DrivenRun(run));
   EXPECT_FALSE(says(level, "level bed"));
   EXPECT_TRUE(says(sloping, "All formulas here are for a level bed."));
   EXPECT_TRUE(says(sloping, "rises and falls by 0.4 D")) << "4 D times the slope of a tenth";
@@ -62,7 +62,7 @@ TEST(published, formulas_are_out_of_their_range_on_ground_that_is_not_level)
 
 TEST(published, a_push_into_sand_stands_beside_what_carries_it)
 {
-  const PublishedValues values = published_beside(PipeRun(MadeRun{}.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(MadeRun{}.record()));
   const ComparedState* state = state_at(values, Kind::end_of_push, 0.002);
   const Comparison* exact = by(state, characteristics);
   ASSERT_NE(exact, nullptr);
@@ -83,7 +83,7 @@ TEST(published, a_drag_through_sand_is_compared_where_H_is_largest_with_the_w_an
 {
   MadeRun made;
   made.sunk = [](Real u) { return u / 2; };
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   // H grows to the end, u = 0.5 D: H = 300 N/m, w = 7 mm, V = 800 N/m. By hand, with delta = 23.333 deg: Kp = 2.31143, Fp = Kp 430e3 0.007^2/2 = 24.3509 N/m,
   // H = 24.3509 + 0.431358 (800 - 0.431358 x 24.3509) = 364.906 N/m; with Rankine's Kp of the sand, 3.69017, 376.73 N/m.
   const ComparedState* end = state_at(values, Kind::peak, 0.01);
@@ -104,7 +104,7 @@ TEST(published, a_drag_through_sand_with_a_peak_is_compared_there)
   MadeRun made;
   made.sunk = [](Real u) { return u / 2; };
   made.H = [](Real u) { return u < 0.004 ? 62500 * u : std::max(150., 250 - 5e4 * (u - 0.004)); };
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const auto peak =
       std::find_if(values.states.begin(), values.states.end(), [](const ComparedState& state) { return state.kind == Kind::peak; });
   ASSERT_NE(peak, values.states.end());
@@ -120,17 +120,17 @@ TEST(published, characteristics_are_out_of_range_where_the_sand_is_not_associate
 {
   MadeRun made;
   made.law.dilation_angle = 0;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const Comparison* exact = by(state_at(values, Kind::end_of_push, 0.002), characteristics);
   ASSERT_NE(exact, nullptr);
   EXPECT_FALSE(exact->published.valid);
   EXPECT_TRUE(says(values, "ψ = 0°"));
-  EXPECT_FALSE(says(published_beside(PipeRun(MadeRun{}.record())), "associated"));
+  EXPECT_FALSE(says(published_beside(driven::DrivenRun(MadeRun{}.record())), "associated"));
 }
 
 TEST(published, breakout_of_the_code_is_for_the_embedment_at_which_the_drag_begins)
 {
-  const PublishedValues values = published_beside(PipeRun(MadeRun{}.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(MadeRun{}.record()));
   const Comparison* mean = by(state_at(values, Kind::breakout, 0.002), "DNVGL-RP-F114", "BE");
   ASSERT_NE(mean, nullptr);
   EXPECT_TRUE(std::isnan(mean->berm));  // H grows to the end
@@ -143,7 +143,7 @@ TEST(published, breakout_of_the_code_is_not_for_the_embedment_of_the_push_where_
   const auto last = std::find(run.history.stage.begin(), run.history.stage.end(), "drag") - run.history.stage.begin() - 1;
   run.history.stage[last] = "unload";
   run.history.values[2][last] = 0.0015;  // w
-  const PublishedValues values = published_beside(PipeRun(run));
+  const PublishedValues values = published_beside(driven::DrivenRun(run));
   EXPECT_NE(state_at(values, Kind::breakout, 0.0015), nullptr);
   EXPECT_EQ(state_at(values, Kind::breakout, 0.002), nullptr);
 }
@@ -161,7 +161,7 @@ MadeRun clay_run(Real pushed_to)
 
 TEST(published, clay_gets_the_formulas_for_clay)
 {
-  const PublishedValues values = published_beside(PipeRun(clay_run(0.002).record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(clay_run(0.002).record()));
   const ComparedState* push = state_at(values, Kind::end_of_push, 0.002);
   EXPECT_EQ(by(push, characteristics), nullptr);
   // Smooth slip lines at 0.1 D carry 2.713 D s_u; on top comes what the displaced clay weighs, 430e3 x 0.163501 R^2.
@@ -186,7 +186,7 @@ TEST(published, the_clay_envelope_is_taken_at_V_less_the_weight_of_the_displaced
   // 60 deg to either side: (pi/3 - sqrt(3)/4) R^2.
   MadeRun made = clay_run(0.002);
   made.held_V = 0.76 / 1.5475 * 20 * 5.66 * std::pow(0.25, 0.32) + 430e3 * (pi / 3 - std::sqrt(3) / 4) * 1e-4;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const ComparedState* drag = state_at(values, Kind::drag, 0.006);
   const Comparison *at_V = by(drag, merifield, "envelope at the run's V"), *apex = by(drag, merifield, "apex");
   ASSERT_NE(at_V, nullptr);
@@ -195,7 +195,7 @@ TEST(published, the_clay_envelope_is_taken_at_V_less_the_weight_of_the_displaced
 
 TEST(published, clay_at_07_D_is_out_of_range)
 {
-  const PublishedValues values = published_beside(PipeRun(clay_run(0.014).record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(clay_run(0.014).record()));
   const Comparison* half = by(state_at(values, Kind::push, 0.01), merifield);
   const Comparison* deeper = by(state_at(values, Kind::end_of_push, 0.014), merifield);
   ASSERT_NE(half, nullptr);
@@ -211,7 +211,7 @@ TEST(published, a_pipe_tied_to_clay_is_rough)
   MadeRun made = clay_run(0.002);
   made.contact.scheme = contact::Scheme::tied;
   made.gravity_level = 0;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const Comparison* rough = by(state_at(values, Kind::end_of_push, 0.002), merifield);
   ASSERT_NE(rough, nullptr);
   EXPECT_NEAR(rough->published.value, 20 * 7.40 * std::pow(0.1, 0.40), 1e-6);
@@ -222,7 +222,7 @@ TEST(published, clay_with_friction_at_the_pipe_has_no_formula_for_H)
 {
   MadeRun made = clay_run(0.002);
   made.contact.friction_angle = 0.3;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   EXPECT_EQ(state_at(values, Kind::drag, 0.006), nullptr);
   EXPECT_EQ(by(state_at(values, Kind::end_of_push, 0.002), merifield), nullptr);
   EXPECT_NE(by(state_at(values, Kind::end_of_push, 0.002), "DNV-RP-F114", "model 2"), nullptr);
@@ -234,13 +234,13 @@ TEST(published, a_run_wished_in_place_takes_the_w_that_it_began_with)
   MadeRun made;
   made.method = problem::Method::fem;
   made.first_w = made.pushed_to = 0.002;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const ComparedState* drag = state_at(values, Kind::peak, 0.01);
   ASSERT_NE(drag, nullptr);
   EXPECT_NEAR(drag->w, 0.002, 1e-12);  // whatever it sank by: small strains leave it where it was
   EXPECT_EQ(state_at(values, Kind::push, 0.002), nullptr);
   EXPECT_TRUE(says(values, "wished in place: the pipe lies at w = 0.1 D"));
-  EXPECT_TRUE(says(published_beside(PipeRun(MadeRun{}.record())), "pushed in from the surface"));
+  EXPECT_TRUE(says(published_beside(driven::DrivenRun(MadeRun{}.record())), "pushed in from the surface"));
 }
 
 TEST(published, a_push_of_the_finite_element_method_is_compared_at_its_end_and_first_w)
@@ -249,7 +249,7 @@ TEST(published, a_push_of_the_finite_element_method_is_compared_at_its_end_and_f
   made.method = problem::Method::fem;
   made.first_w = 0.002;
   made.pushed_to = 0.0056;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   EXPECT_EQ(state_at(values, Kind::push, 0.005), nullptr);
   const Comparison* exact = by(state_at(values, Kind::end_of_push, 0.002), characteristics);
   ASSERT_NE(exact, nullptr);
@@ -263,7 +263,7 @@ TEST(published, a_push_is_compared_where_it_ends_and_not_where_it_begins)
   MadeRun made = clay_run(0.0024);
   made.first_w = 0.002;
   made.settles = false;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   EXPECT_EQ(state_at(values, Kind::push, 0.002), nullptr);
   ASSERT_NE(state_at(values, Kind::end_of_push, 0.0024), nullptr);
   EXPECT_NE(by(state_at(values, Kind::end_of_push, 0.0024), merifield), nullptr);
@@ -271,11 +271,11 @@ TEST(published, a_push_is_compared_where_it_ends_and_not_where_it_begins)
 
 TEST(published, the_end_of_a_push_stands_for_the_points_beside_it)
 {
-  const PublishedValues values = published_beside(PipeRun(clay_run(0.00516).record()));  // 0.258 D, beside 0.25 D
+  const PublishedValues values = published_beside(driven::DrivenRun(clay_run(0.00516).record()));  // 0.258 D, beside 0.25 D
   EXPECT_NE(state_at(values, Kind::push, 0.002), nullptr);
   EXPECT_EQ(state_at(values, Kind::push, 0.005), nullptr);
   EXPECT_NE(state_at(values, Kind::end_of_push, 0.00516), nullptr);
-  EXPECT_NE(state_at(published_beside(PipeRun(clay_run(0.0054).record())), Kind::push, 0.005), nullptr);
+  EXPECT_NE(state_at(published_beside(driven::DrivenRun(clay_run(0.0054).record())), Kind::push, 0.005), nullptr);
 }
 
 TEST(published, without_a_history_the_case_tells_where_a_push_begins)
@@ -285,15 +285,15 @@ TEST(published, without_a_history_the_case_tells_where_a_push_begins)
   made.settles = false;
   record::RunRecord run = made.record();
   run.history = {};
-  EXPECT_EQ(state_at(published_beside(PipeRun(run)), Kind::push, 0.002), nullptr);
-  EXPECT_TRUE(says(published_beside(PipeRun(run)), "wished in place at w = 0.1 D"));
+  EXPECT_EQ(state_at(published_beside(driven::DrivenRun(run)), Kind::push, 0.002), nullptr);
+  EXPECT_TRUE(says(published_beside(driven::DrivenRun(run)), "wished in place at w = 0.1 D"));
 }
 
 TEST(published, forces_of_half_a_pipe_are_doubled)
 {
   MadeRun made;
   made.left = 0;
-  const PublishedValues values = published_beside(PipeRun(made.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const Comparison* exact = by(state_at(values, Kind::end_of_push, 0.002), characteristics);
   ASSERT_NE(exact, nullptr);
   EXPECT_NEAR(exact->berm, 1600, 1e-6);
@@ -303,10 +303,10 @@ TEST(published, forces_of_half_a_pipe_are_doubled)
 
 TEST(published, formulas_leave_out_a_little_cohesion_of_sand_and_say_so)
 {
-  const PublishedValues clean = published_beside(PipeRun(MadeRun{}.record()));
+  const PublishedValues clean = published_beside(driven::DrivenRun(MadeRun{}.record()));
   MadeRun damp;
   damp.law.cohesion = 100;
-  const PublishedValues values = published_beside(PipeRun(damp.record()));
+  const PublishedValues values = published_beside(driven::DrivenRun(damp.record()));
   ASSERT_FALSE(values.states.empty());
   ASSERT_EQ(values.states.size(), clean.states.size());
   for (std::size_t k = 0; k < values.states.size(); ++k)
@@ -324,18 +324,18 @@ TEST(published, what_is_no_whole_pipe_has_no_formulas)
 {
   record::RunRecord run = MadeRun{}.record();
   run.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
-  const PublishedValues values = published_beside(PipeRun(run));
+  const PublishedValues values = published_beside(driven::DrivenRun(run));
   EXPECT_TRUE(values.states.empty());
   EXPECT_TRUE(says(values, "no circle"));
   MadeRun cut;
   cut.left = 0.005;
-  EXPECT_TRUE(says(published_beside(PipeRun(cut.record())), "a wall of the mesh cuts"));
+  EXPECT_TRUE(says(published_beside(driven::DrivenRun(cut.record())), "a wall of the mesh cuts"));
   MadeRun mixed;
   mixed.law.cohesion = 1000;
-  EXPECT_TRUE(says(published_beside(PipeRun(mixed.record())), "neither clay"));
+  EXPECT_TRUE(says(published_beside(driven::DrivenRun(mixed.record())), "neither clay"));
   mixed.law.cohesion = 0;
   mixed.law.cohesion_gradient = 1e6;
-  EXPECT_TRUE(says(published_beside(PipeRun(mixed.record())), "neither clay")) << "20 kPa a diameter below";
+  EXPECT_TRUE(says(published_beside(driven::DrivenRun(mixed.record())), "neither clay")) << "20 kPa a diameter below";
 }
 
 }  // namespace

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/structures_test.cpp
+#include "structures/driven/driven.hpp"
+
+#include "plot/figure.hpp"
+#include "structures/driven/curves.hpp"
+#include "structures/driven/report/report.hpp"
+#include "structures/driven/results/details.hpp"
+#include "structures/driven/results/mechanism.hpp"
+#include "structures/driven/results/quantities.hpp"
+
+#include <algorithm>
+
+namespace berm::driven {
+namespace {
+
+DrivenRuns driven_runs(const base::Runs& runs)
+{
+  DrivenRuns all;
+  for (const auto& [record, number] : runs) all.emplace_back(*record, number);
+  return all;
+}
+
+}  // namespace
+
+std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
+{
+  if (run.history.rows() == 0) return {};
+  const base::BodyScale scale = base::body_scale(run);
+  Results results = results_from(run.history, scale, stages_of(run.settings, held_forces));
+  take_berms(results, DrivenRun(run));
+  std::vector<run_folder::Quantity> list = quantities_of(results, scale);
+  for (run_folder::Quantity& moment : moments_in_space(run)) list.push_back(std::move(moment));
+  return list;
+}
+
+std::string Driven::table_of(const record::RunRecord& run) const
+{
+  return key_results_table(run.quantities, base::body_scale(run));
+}
+
+bool Driven::is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const
+{
+  const auto ends_with_any = [&](std::initializer_list<const char*> ends) {
+    return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return quantity.name.ends_with(end); });
+  };
+  return !is_prescribed(run, quantity) &&
+         !ends_with_any({"_over_gammaD2", "_over_D", "_noise", "V_rms_error_in_drag", "second_impulse_over_V", "overlap_max", "gap_mean"});
+}
+
+bool Driven::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
+{
+  return run.history.rows() > 0 &&
+         draw_run_curves(folder, run.history, base::body_scale(run), stages_of(run.settings), run.settings.title, bands);
+}
+
+base::ChartCurves Driven::chart_curves(const record::RunRecord& run) const
+{
+  if (run.history.rows() == 0) return {};
+  const Path path = path_of(run.history, stages_of(run.settings));
+  std::vector<Real> w, V;
+  for (std::size_t k = 0; k < path.push.w.size(); ++k)
+    if (path.push.w[k] >= 0) w.push_back(path.push.w[k]), V.push_back(path.push.V[k]);
+  base::ChartCurves curves{{"V_w", 0, 1, {w, V}}};
+  for (const DragPath& drag : path.drags) {
+    const Real begin = drag.u_begin - path.drag().u_begin, direction = drag.stage.direction;
+    curves.push_back({"H_u", begin, direction, {drag.travel, plot::scaled(drag.H, direction)}});
+    curves.push_back({"w_u", begin, direction, {drag.travel, drag.w}});
+  }
+  return curves;
+}
+
+std::string Driven::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
+{
+  return results_in_words(DrivenRun(run), shown);
+}
+
+std::string Driven::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
+{
+  return driven::key_results(driven_runs(runs), shown);
+}
+
+base::TrustMeasures Driven::measures(const problem::Case& c) const
+{
+  return driven_measures(c);
+}
+
+std::string Driven::quality_note(const base::Runs& runs) const
+{
+  if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.record->settings.method == problem::Method::mpm; }))
+    return "";
+  return "<p>V depends on the mesh (examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells "
+         "(examples/localisation). "
+         "<code>berm run --resume RUN --uncertainty</code> gives the number a band; phi* for phi shows the lower end "
+         "(<code>berm study examples/mesh_study</code>).</p>\n";
+}
+
+base::StagePaths Driven::paths(const record::RunRecord& run) const
+{
+  if (run.history.rows() == 0) return {};
+  const Path path = path_of(run.history, stages_of(run.settings));
+  base::StagePaths paths{{path.push.rows, path.push.w}, {}};
+  for (const DragPath& drag : path.drags) paths.drags.push_back({drag.rows, drag.travel});
+  return paths;
+}
+
+std::vector<std::string> Driven::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
+                                                  const std::filesystem::path& folder) const
+{
+  return draw_travel_figures(driven_runs(runs), published, folder);
+}
+
+std::vector<std::string> Driven::draw_report_soil(const base::Runs& runs, const std::filesystem::path& folder) const
+{
+  return draw_soil_figures(driven_runs(runs), folder);
+}
+
+std::unique_ptr<base::RunDetails> Driven::details(const record::RunRecord& run) const
+{
+  return pipe_details(run);
+}
+
+}  // namespace berm::driven

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
+#include "structures/driven/report/report.hpp"
+
+#include "structures/driven/results/resistance.hpp"
+#include "structures/driven/results/run_points.hpp"
+#include "text/html.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::driven {
+namespace {
+
+constexpr Real same_depth = 0.005;  // of D
+
+std::string subject_of(const problem::Case& c)
+{
+  return fmt::format("{}{}", base::modelled_part(c) < 1 ? "the half that is modelled of the " : "the ", text::html_text(base::body_word(c)));
+}
+
+/// What the vertical direction does in a drag: " with V held, 0.9 kN/m on average".
+std::string vertical_words(const DrivenRun& run, const DragResults& drag, const base::DisplayUnits& shown)
+{
+  const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
+                                  [&](const problem::StageSettings& s) { return s.name == drag.stage; });
+  if (stage == run.settings.stage.end()) return "";
+  const std::string V = drag.V ? shown.force_text(run.scale, *drag.V) : "";
+  if (stage->vertical_velocity) return " while it is driven vertically, too";
+  if (stage->vertical == problem::Vertical::fixed)
+    return V.empty() ? " with w fixed" : fmt::format(" with w fixed, under V = {} on average", V);
+  return V.empty() ? " with V held" : fmt::format(" with V held, {} on average", V);
+}
+
+std::string push_words(const DrivenRun& run, const RunPoints& points, const base::DisplayUnits& shown)
+{
+  const PushPoint& end = *points.push_end;
+  const StageEnd stage = end_of_push(run);
+  const std::string begin = starts_embedded(run)
+                                ? fmt::format("Wished in place at w = {} and pushed to w = {} D",
+                                              shown.length_text(run.scale, points.first_w), text::short_number(end.w / run.scale.width))
+                                : fmt::format("Pushed to w = {}", shown.length_text(run.scale, end.w));
+  return fmt::format("{}{}, {} carries V = {}{}. ", begin, stage.reached ? "" : ", " + stage.at, subject_of(run.settings),
+                     shown.force_text(run.scale, end.V), converged_words(run, "V_end_of_push", shown));
+}
+
+/// What happens to V and w between the push and the first drag, or after that.
+std::string other_push_words(const DrivenRun& run, const Results& results, bool before_drag, const base::DisplayUnits& shown)
+{
+  const auto is_drag = [](const Stage& stage) { return stage.kind == problem::StageKind::drag; };
+  const auto first_drag = std::find_if(run.stages.begin(), run.stages.end(), is_drag);
+  std::string words;
+  for (const OtherPushResults& push : results.other_pushes) {
+    const bool before = std::any_of(run.stages.begin(), first_drag, [&](const Stage& stage) { return stage.name == push.stage; });
+    if (before == before_drag)
+      words += fmt::format("After \"{}\" V = {} at w = {}. ", text::html_text(push.stage), shown.force_text(run.scale, push.V),
+                           shown.length_text(run.scale, push.w));
+  }
+  return words;
+}
+
+/// "Dragged 1 D with V held, 0.8 kN/m on average, the pipe meets", after a push "it".
+std::string drag_begin(const DrivenRun& run, const RunPoints& points, const std::string& travel, const base::DisplayUnits& shown)
+{
+  const std::string vertical = vertical_words(run, run.results().drag(), shown),
+                    subject = points.push_end ? "it" : subject_of(run.settings);
+  const std::string begin = !points.push_end && starts_embedded(run)
+                                ? fmt::format("Wished in place at w = {} and dragged", shown.length_text(run.scale, points.first_w))
+                                : std::string("Dragged");
+  return fmt::format("{} {}{}, {} meets", begin, travel, vertical, subject);
+}
+
+/// Of the first drag, to its very end.
+std::string drag_words(const DrivenRun& run, const RunPoints& points, const DragPoint& end, const base::DisplayUnits& shown)
+{
+  const Real D = run.scale.width, began = points.push_end ? points.push_end->w : points.first_w;
+  std::string words =
+      fmt::format("{} H = {}{}, {} V, over the last {} D", drag_begin(run, points, text::short_number(end.u / D) + " D", shown),
+                  shown.force_text(run.scale, end.H), converged_words(run, "H_end_of_drag", shown), text::short_number(end.H / end.V),
+                  text::short_number(residual_travel(end.u, run.scale) / D));
+  if (std::abs(end.w - began) > same_depth * D)
+    words += fmt::format(", and {} to w = {}", end.w > began ? "sinks" : "rises", shown.length_text(run.scale, end.w));
+  return words + ". ";
+}
+
+/// Whether the mean vertical forces of two drags differ by more than noise.
+bool is_under_another_V(const DragResults& one, const DragResults& other)
+{
+  constexpr Real same_V = 0.03;
+  return one.V && other.V && std::abs(*one.V - *other.V) > same_V * std::max(std::abs(*one.V), std::abs(*other.V));
+}
+
+/// Of drags under different vertical forces: " H = 1 kN/m under V = 2 kN/m, H = ...".
+std::string each_in_words(const DrivenRun& run, const Results& results, const base::DisplayUnits& shown)
+{
+  constexpr std::size_t max = 4;
+  std::string words;
+  std::size_t count = 0;
+  for (std::size_t k = 1; k < results.drags.size(); ++k) {
+    const DragResults& drag = results.drags[k];
+    if (!drag.end) continue;
+    if (count == max) return words + ", and so on (summary.json has them all)";
+    words += fmt::format("{} H = {} at the end", count++ == 0 ? "" : ",", shown.force_text(run.scale, drag.end->H));
+    if (drag.V) words += fmt::format(" under V = {}", shown.force_text(run.scale, *drag.V));
+  }
+  return words;
+}
+
+/// Of the drags after the first.
+std::string later_drags_words(const DrivenRun& run, const Results& results, const base::DisplayUnits& shown)
+{
+  Real min = infinity, max = -infinity;
+  int later = 0;
+  bool other_V = false;
+  const DragResults* last = nullptr;
+  for (std::size_t k = 1; k < results.drags.size(); ++k) {
+    const DragResults& drag = results.drags[k];
+    if (!drag.end) continue;
+    min = std::min(min, drag.end->H), max = std::max(max, drag.end->H), ++later;
+    other_V = other_V || is_under_another_V(results.drag(), drag);
+    last = &drag;
+  }
+  if (later == 0) return "";
+  if (later == 1 && other_V)
+    return fmt::format(" One more drag follows{}: it meets at its end H = {}.", vertical_words(run, *last, shown),
+                       shown.force_text(run.scale, min));
+  if (other_V) return fmt::format(" {} more drags follow:{}.", later, each_in_words(run, results, shown));
+  const std::string range = min == max ? shown.force_text(run.scale, min)
+                                       : fmt::format("{} to {}", shown.force_text(run.scale, min), shown.force_text(run.scale, max));
+  return fmt::format(" {} {} at {} end H = {}.", later == 1 ? "One more drag follows:" : fmt::format("{} more drags follow:", later),
+                     later == 1 ? "it meets" : "they meet", later == 1 ? "its" : "their", range);
+}
+
+/// Of a drag that came to none of its points.
+std::string short_drag_words(const DrivenRun& run, const RunPoints& points, const Resistance& resistance, const base::DisplayUnits& shown)
+{
+  const Real D = run.scale.width;
+  const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : text::short_number(resistance.travel / D) + " D";
+  return fmt::format("{} at most H = {}{}, at u = {}. ", drag_begin(run, points, travel, shown),
+                     shown.force_text(run.scale, resistance.largest->H), converged_words(run, "H_max", shown),
+                     shown.length_text(run.scale, resistance.largest->u));
+}
+
+std::string resistance_words(const DrivenRun& run, const Resistance& resistance, const base::DisplayUnits& shown)
+{
+  if (std::isnan(resistance.last_change)) return "";
+  const StageEnd end = end_of_drag(run);
+  if (!resistance.breakout) return fmt::format("There is {}.", no_peak_words(resistance, end.to));
+  std::string words = fmt::format("H peaks first at u = {} with {}{}", shown.length_text(run.scale, resistance.breakout->u),
+                                  shown.force_text(run.scale, resistance.breakout->H), converged_words(run, "H_breakout", shown));
+  if (resistance.largest && resistance.largest->H > (1 + min_fall) * resistance.breakout->H)
+    words += fmt::format(", grows to {} at u = {}", shown.force_text(run.scale, resistance.largest->H),
+                         shown.length_text(run.scale, resistance.largest->u));
+  return resistance.residual ? fmt::format("{}, then comes to {}.", words, shown.force_text(run.scale, *resistance.residual))
+                             : fmt::format("{}, and still changes {}.", words, end.reached ? "at the " + end.at : end.at);
+}
+
+}  // namespace
+
+std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& shown)
+{
+  const RunPoints points = points_of(run);
+  const Resistance resistance = resistance_of(run);
+  if (!points.push_end && !resistance.largest) return "Nothing is known of its forces: it did not come as far as a push or a drag.";
+  std::string words;
+  const Results results = run.results();
+  if (points.push_end) words += push_words(run, points, shown);
+  words += other_push_words(run, results, true, shown);
+  if (resistance.largest) {
+    const std::optional<DragPoint>& end = results.drag().end;
+    words += points.drag.empty() || !end ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, *end, shown);
+    words += resistance_words(run, resistance, shown) + later_drags_words(run, results, shown) + " ";
+  }
+  words += other_push_words(run, results, false, shown);
+  words.erase(words.find_last_not_of(' ') + 1);
+  if (!base::circle_of(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));
+  return words;
+}
+
+}  // namespace berm::driven

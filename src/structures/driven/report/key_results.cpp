@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
+#include "structures/driven/report/report.hpp"
+
+#include "structures/driven/results/resistance.hpp"
+#include "structures/driven/results/run_points.hpp"
+#include "text/html.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <span>
+
+namespace berm::driven {
+namespace {
+
+std::vector<text::HtmlCell> side_by_side(std::initializer_list<std::vector<text::HtmlCell>> parts)
+{
+  std::vector<text::HtmlCell> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// A table of points of paths: of a single run a row a point, of several a group of rows a point, one row a run.
+class PointTable {
+public:
+  PointTable(std::string id, std::string caption, bool several) : table_(std::move(id), std::move(caption)), several_(several) {}
+
+  void columns(const std::string& first, const std::vector<text::HtmlCell>& cells)
+  {
+    table_.columns(side_by_side({{{several_ ? "run" : first}}, cells}));
+  }
+
+  /// Points stand by their rank, then in the order in which they came.
+  void add(Real rank, const std::string& point, const DrivenRun& run, const std::vector<text::HtmlCell>& cells)
+  {
+    Rows& rows = points_[{rank, point}];
+    rows.push_back(side_by_side({{{several_ ? text::html_text(run.name) : point}}, cells}));
+  }
+
+  std::string html()
+  {
+    for (const auto& [key, rows] : points_) {
+      if (several_) table_.row({{key.second}}, "group");
+      for (const auto& row : rows) table_.row(row);
+    }
+    return table_.empty() ? "" : table_.html();
+  }
+
+private:
+  using Rows = std::vector<std::vector<text::HtmlCell>>;
+  text::HtmlTable table_;
+  bool several_;
+  std::map<std::pair<Real, std::string>, Rows> points_;
+};
+
+std::string push_table(const DrivenRuns& runs, const base::DisplayUnits& shown, bool several)
+{
+  PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
+  table.columns("point", side_by_side({shown.force_columns("V"), converged_column(runs, "V", shown), shown.length_columns("w")}));
+  for (const DrivenRun& run : runs) {
+    const RunPoints points = points_of(run);
+    const auto add = [&](Real rank, const std::string& name, const PushPoint& p, const std::string& quantity) {
+      table.add(rank, name, run,
+                side_by_side(
+                    {shown.force_cells(run.scale, p.V), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, p.w)}));
+    };
+    for (const PushPoint& p : points.push) {
+      const Real part = p.w / run.scale.width;
+      add(std::round(1000 * part), fmt::format("w = {} D", text::short_number(part)), p, name_at("V_at_w", part));
+    }
+    if (!points.push_end) continue;
+    // An end at a round embedment stands among the points that other runs have there.
+    const StageEnd end = end_of_push(run);
+    const Real part = points.push_end->w / run.scale.width, round = std::round(20 * part) / 20;
+    if (end.reached && round > 0 && std::abs(part - round) < 5e-4)
+      add(std::round(1000 * round), fmt::format("w = {} D", text::short_number(round)), *points.push_end, "V_end_of_push");
+    else
+      add(infinity, end.at, *points.push_end, "V_end_of_push");
+  }
+  return table.html();
+}
+
+std::string drag_table(const DrivenRuns& runs, const base::DisplayUnits& shown, bool several)
+{
+  PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
+  table.columns("point",
+                side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), {{"H/V", true}}, shown.length_columns("w")}));
+  for (const DrivenRun& run : runs) {
+    for (const DragPoint& p : points_of(run).drag) {
+      const Real part = p.u / run.scale.width;
+      table.add(std::round(1000 * part), fmt::format("u = {} D", text::short_number(part)), run,
+                side_by_side({shown.force_cells(run.scale, p.H),
+                              converged_cell(runs, run, name_at("H_at_u", part), shown),
+                              {{text::table_number(p.H / p.V), true}},
+                              shown.length_cells(run.scale, p.w)}));
+    }
+  }
+  return table.html();
+}
+
+/// A column of the table of stages, and its number of a drag and of another push.
+struct StageColumn {
+  using Value = std::optional<Real>;
+  enum class Unit { force, width, none } unit;
+  const char* heading;
+  Value (*of_drag)(const DragResults& drag);
+  Value (*of_push)(const OtherPushResults& push) = [](const OtherPushResults&) { return Value(); };
+};
+
+template <class T>
+std::optional<Real> member_of(const std::optional<T>& point, Real T::*member)
+{
+  return point ? std::optional((*point).*member) : std::nullopt;
+}
+
+using StageUnit = StageColumn::Unit;
+constexpr StageColumn stage_columns[] = {
+    {StageUnit::width, "travel/D", [](const DragResults& d) { return member_of(d.end, &DragPoint::u); }},
+    {StageUnit::force, "V", [](const DragResults& d) { return d.V; }, [](const OtherPushResults& p) { return std::optional(p.V); }},
+    {StageUnit::force, "H<sub>breakout</sub>", [](const DragResults& d) { return member_of(d.breakout, &DragPeak::H); }},
+    {StageUnit::width, "at u/D", [](const DragResults& d) { return member_of(d.breakout, &DragPeak::u); }},
+    {StageUnit::force, "H<sub>max</sub>", [](const DragResults& d) { return member_of(d.largest, &DragPeak::H); }},
+    {StageUnit::force, "H<sub>end</sub>", [](const DragResults& d) { return member_of(d.end, &DragPoint::H); }},
+    {StageUnit::none, "H<sub>end</sub>/V", [](const DragResults& d) { return d.end ? std::optional(d.end->H / d.end->V) : std::nullopt; }},
+    {StageUnit::width, "w<sub>end</sub>/D", [](const DragResults& d) { return member_of(d.end, &DragPoint::w); },
+     [](const OtherPushResults& p) { return std::optional(p.w); }},
+    {StageUnit::width, "berm height/D", [](const DragResults& d) { return d.berm_height; }},
+    {StageUnit::width, "berm ahead by/D", [](const DragResults& d) { return d.berm_distance; }},
+    {StageUnit::width, "remoulded below/D", [](const DragResults& d) { return d.remoulded_depth; }}};  // the last: of clay that softens
+
+/// A row for each drag and other push of the runs that have more than one push and one drag.
+std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
+{
+  text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one");
+  const bool softens = std::any_of(runs.begin(), runs.end(), [](const DrivenRun& run) {
+    const auto& drags = run.results().drags;
+    return std::any_of(drags.begin(), drags.end(), [](const DragResults& drag) { return drag.remoulded_depth.has_value(); });
+  });
+  const std::span columns(stage_columns, std::size(stage_columns) - (softens ? 0 : 1));
+  std::vector<text::HtmlCell> headings{{"stage"}};
+  for (const StageColumn& c : columns)
+    headings.push_back(c.unit == StageUnit::force ? shown.force_columns(c.heading).front() : text::HtmlCell{c.heading, true});
+  table.columns(headings);
+  for (const DrivenRun& run : runs) {
+    const Results results = run.results();
+    if (results.drags.size() < 2 && results.other_pushes.empty()) continue;
+    const auto add = [&](const std::string& stage, const auto& value_of) {
+      std::vector<text::HtmlCell> cells{{text::html_text(stage)}};
+      for (const StageColumn& c : columns) {
+        const std::optional<Real> value = value_of(c);
+        const auto in_unit = [&](Real v) {
+          return c.unit == StageUnit::force ? shown.in_force_unit(v) : c.unit == StageUnit::width ? v / run.scale.width : v;
+        };
+        cells.push_back({value ? text::table_number(in_unit(*value)) : "", true});
+      }
+      table.row(cells);
+    };
+    if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
+    for (const OtherPushResults& push : results.other_pushes) add(push.stage, [&](const StageColumn& c) { return c.of_push(push); });
+    for (const DragResults& drag : results.drags) add(drag.stage, [&](const StageColumn& c) { return c.of_drag(drag); });
+  }
+  if (table.empty()) return "";
+  return table.html() +
+         text::html_paragraph(
+             fmt::format(
+                 "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D "
+                 "but over a third of it at most. The berm is the highest soil ahead of the pipe at the end of the drag, above the "
+                 "surface as it was, and its distance from the axis of the pipe.{}",
+                 softens ? " Clay below the invert counts as remoulded where it has lost half of what remoulding takes." : ""),
+             "quiet");
+}
+
+std::string residual_words(const Resistance& resistance, const StageEnd& end)
+{
+  const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
+  const std::string last = end.reached ? "the end of the drag" : "the last part of the drag, " + end.at;
+  return resistance.residual ? fmt::format("mean over {}; H changes by {} % there", last, change)
+                             : fmt::format("not reached: H changes by {} % over {}", change, last);
+}
+
+std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& shown, bool several)
+{
+  PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
+  table.columns(
+      "H", side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"how it was found"}}}));
+  for (const DrivenRun& run : runs) {
+    const Resistance resistance = resistance_of(run);
+    const StageEnd end = end_of_drag(run);
+    const auto add = [&](Real rank, const std::string& name, Real u, Real H, const std::string& words) {
+      const std::string quantity = rank == 0 ? "H_max" : "H_" + name;
+      table.add(
+          rank, name, run,
+          side_by_side(
+              {shown.force_cells(run.scale, H), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, u), {{words}}}));
+    };
+    if (resistance.largest) add(0, "largest", resistance.largest->u, resistance.largest->H, "");
+    if (std::isnan(resistance.last_change)) continue;
+    if (resistance.breakout)
+      add(1, "breakout", resistance.breakout->u, resistance.breakout->H, "first peak");
+    else
+      add(1, "breakout", nan, nan, no_peak_words(resistance, end.to));
+    add(2, "residual", nan, resistance.residual.value_or(nan), residual_words(resistance, end));
+  }
+  const std::string html = table.html();
+  if (html.empty()) return "";
+  return html +
+         text::html_paragraph(
+             fmt::format(
+                 "Breakout is the first peak of H from which H "
+                 "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
+                 "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D (a third of it at most), "
+                 "if the straight line "
+                 "fitted to H there changes by less than {:g} % of that mean.",
+                 100 * min_fall, breakout_stays, min_residual_travel, 100 * max_residual_change),
+             "quiet");
+}
+
+std::string averaging_words(const DrivenRuns& runs)
+{
+  if (std::none_of(runs.begin(), runs.end(), [](const DrivenRun& run) { return run.scale.noisy; })) return "";
+  return text::html_paragraph(
+      fmt::format(
+          "Forces of the material point method are averaged: each is taken from the straight line fitted to H or V within ±{:g} D of "
+          "travel, near the ends of a push or drag to its first or last {:g} D.",
+          base::averaging_half_width, 2 * base::averaging_half_width),
+      "quiet");
+}
+
+}  // namespace
+
+std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown)
+{
+  const bool several = runs.size() > 1;
+  const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several) +
+                             stages_table(runs, shown);
+  return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + converged_notes(runs) + tables;
+}
+
+}  // namespace berm::driven

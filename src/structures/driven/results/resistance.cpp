@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/driven/results/resistance.hpp"
+
+#include "structures/driven/results/run_points.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::driven {
+namespace {
+
+using record::TravelCurve;
+
+std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale)
+{
+  if (smooth.empty()) return std::nullopt;
+  const Real half = averaging_half(scale), over_D = breakout_stays * scale.width,
+             stays = scale.noisy ? over_D : std::min(over_D, max_residual_part * (smooth.end() - smooth.begin()));
+  Resistance::Point peak{0, 0};
+  bool fallen = false;
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k) {
+    const Real u = smooth.travel()[k], here = smooth.value()[k];
+    if (u < smooth.begin() + half || u > smooth.end() - half) continue;
+    if (here > peak.H) {
+      peak = {u, here};
+      fallen = false;
+      continue;
+    }
+    fallen = fallen || here <= (1 - min_fall) * peak.H;
+    if (!fallen || !(peak.H > 0) || u < peak.u + stays) continue;
+    // A single increment that relaxes falls, too: without noise the mean of so long a way must be lower by as much.
+    if (scale.noisy || smooth.at(u - stays / 2, stays / 2) <= (1 - min_fall) * peak.H) return peak;
+  }
+  return std::nullopt;
+}
+
+std::optional<Real> residual_from(const TravelCurve& smooth, Real breakout, Real residual)
+{
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k)
+    if (smooth.travel()[k] >= breakout && std::abs(smooth.value()[k] - residual) <= max_residual_change * std::abs(residual))
+      return smooth.travel()[k];
+  return std::nullopt;
+}
+
+void take_if_larger(std::optional<Resistance::Point>& largest, Real u, Real H)
+{
+  if (std::isfinite(H) && (!largest || H > largest->H)) largest = Resistance::Point{u, H};
+}
+
+}  // namespace
+
+Real residual_travel(Real travel, const BodyScale& scale)
+{
+  return std::min(max_residual_part * travel, std::max(residual_part * travel, min_residual_travel * scale.width));
+}
+
+Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
+{
+  Resistance resistance;
+  resistance.travel = resistance.V_at_largest = resistance.last_change = nan;
+  if (H.travel().size() < 3) return resistance;
+  resistance.travel = H.end();
+  const TravelCurve smooth = H.smoothed(averaging_half(scale));
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
+  resistance.breakout = breakout_in(smooth, scale);
+  const Real travel = H.end() - H.begin();
+  const Real half = residual_travel(travel, scale) / 2;
+  const Real mean = H.at(H.end() - half, half);
+  resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
+  if (std::abs(resistance.last_change) < max_residual_change) resistance.residual = mean;
+  if (resistance.residual && resistance.breakout) resistance.residual_from = residual_from(smooth, resistance.breakout->u, mean);
+  return resistance;
+}
+
+Resistance resistance_of(const DrivenRun& run)
+{
+  const Path path = run.history.rows() > 0 ? path_of(run.history, run.stages) : Path{};
+  const DragPath& drag = path.drag();
+  Resistance resistance = resistance_to({drag.travel, drag.H}, run.scale);
+  const std::optional<DragPeak> peak = run.results().drag().largest;
+  if (!resistance.largest && peak) take_if_larger(resistance.largest, peak->u, peak->H);
+  // The points need not be among the travels at which a long curve is looked at.
+  for (const DragPoint& p : points_of(run).drag) take_if_larger(resistance.largest, p.u, p.H);
+  if (resistance.largest) resistance.V_at_largest = TravelCurve(drag.travel, drag.V).at(resistance.largest->u, averaging_half(run.scale));
+  return resistance;
+}
+
+std::string no_peak_words(const Resistance& resistance, const std::string& end)
+{
+  if (resistance.residual) return "no peak: H levels off";
+  return resistance.last_change > 0 ? fmt::format("no peak: H grows {}", end) : "no peak";
+}
+
+}  // namespace berm::driven

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "record/travel_curve.hpp"
+#include "structures/driven/results/driven_run.hpp"
+
+#include <optional>
+
+namespace berm::driven {
+
+/// How the soil resists a drag: how much at most, where it gives way, and what is left.
+struct Resistance {
+  struct Point {
+    Real u, H;  ///< m, N/m
+  };
+  Real travel = 0;  ///< m, how far the drag came; NaN where it is not known
+  /// The largest H, over the curve averaged to its very end: no point of the drag is told with more.
+  std::optional<Point> largest;
+  Real V_at_largest = 0;  ///< N/m, averaged as well; NaN where it is not known
+  /// The first peak of H that H falls from by at least 5 % before it grows beyond it. H is averaged as all forces are (averaging_half), the ends of the drag
+  /// are left out by half of that window; H must also stay below the peak over the next 0.1 D, which shorter waves of a dynamic method do not. Without noise
+  /// that is a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
+  std::optional<Point> breakout;
+  /// N/m: the mean of H over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes by less than 5 % of it.
+  std::optional<Real> residual;
+  /// m, of a drag that breaks out: from where H, averaged, first is as near to the residual as it must stay to be called so (max_residual_change).
+  std::optional<Real> residual_from;
+  Real last_change = 0;  ///< how much that line changes, over the mean; NaN without a drag
+};
+
+/// The fall after a peak that makes it the breakout, and the change at the end of the drag below which H is called residual.
+constexpr Real min_fall = 0.05, max_residual_change = 0.05;
+/// The travel (over D) over which noisy H must stay below the breakout.
+constexpr Real breakout_stays = 0.1;
+/// The end of the drag over which H must not change to be residual: over the travel of the drag, at least over D, but no more than a
+/// third of the travel.
+constexpr Real residual_part = 0.1, min_residual_travel = 0.1, max_residual_part = 1. / 3;
+
+/// The travel (m) of that end, of a drag of this travel.
+Real residual_travel(Real travel, const BodyScale& scale);
+
+/// Of H (N/m) over u (m), without V.
+Resistance resistance_to(const record::TravelCurve& H, const BodyScale& scale);
+
+/// Of a run's first drag; where its history is lost, of what its quantities tell.
+Resistance resistance_of(const DrivenRun& run);
+
+/// What to say of a drag whose H has no peak: "no peak: H grows to the end of the drag", whose `end` may be another.
+std::string no_peak_words(const Resistance& resistance, const std::string& end);
+
+}  // namespace berm::driven

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "run_folder/summary.hpp"
+#include "structures/base/driven_body.hpp"
+#include "structures/driven/results/path.hpp"
+
+#include <optional>
+
+namespace berm::driven {
+
+using base::BodyScale;
+
+/// A point of a push.
+struct PushPoint {
+  Real w, V;  ///< m, N/m
+};
+
+/// V after a travel of a push that begins with the pipe in the bed.
+struct TravelPoint {
+  Real travel, V;  ///< m, N/m
+};
+
+/// A point of a drag; u counts from where it began.
+struct DragPoint {
+  Real u, w, H, V;  ///< m, m, N/m, N/m
+};
+
+/// H of a drag at a displacement: the largest, over the curve averaged to its very end, or that at breakout.
+struct DragPeak {
+  Real u, H;  ///< m, N/m
+};
+
+/// Where results are taken, over D: V in the push at each multiple; after a travel of a push that begins with the pipe in the bed; in the drag.
+constexpr Real push_spacing = 0.05;
+constexpr Real travel_points[] = {0.0025, 0.005, 0.01, 0.02, 0.03};
+constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1, 1.5, 2, 3, 4, 5, 6, 8, 10};
+
+/// A drag. H is positive where the soil resists; u counts along the drag from where it began.
+struct DragResults {
+  std::string stage{};
+  std::vector<DragPoint> points{};         ///< at some parts of D
+  std::optional<DragPeak> largest{};       ///< of any drag that has begun
+  std::optional<DragPeak> breakout{};      ///< the first peak (results/resistance.hpp)
+  std::optional<DragPoint> end{};          ///< means over the last tenth of the travel, at least the last 0.1 D; u and w of the end itself
+  std::optional<Real> residual{};          ///< N/m, H of the end where it changes no more
+  std::optional<Real> V{};                 ///< N/m, mean once it is what it shall be
+  std::optional<Real> over_penetration{};  ///< the largest V of the push over V
+  std::optional<Real> H_noise{}, V_rms_error{};        ///< bare numbers; V's where it is held
+  std::optional<Real> berm_height{}, berm_distance{};  ///< m, of the berm at the end (results/mechanism.hpp)
+  std::optional<Real> remoulded_depth{};               ///< m below the invert, of clay that softens, at the end
+  std::optional<Real> remoulded_area{};                ///< of that clay, over D^2
+};
+
+/// A push that unloads or lifts the pipe, or that follows a drag: where it ends.
+struct OtherPushResults {
+  std::string stage;
+  Real w, V;  ///< m, N/m
+};
+
+/// What of a pipe's run is worth a number of its own. A number that is not known, or that does not apply, is left out.
+struct Results {
+  std::vector<PushPoint> push;        ///< at each 0.05 D
+  std::optional<PushPoint> push_end;  ///< or where the run was stopped in it
+  std::vector<TravelPoint> travel;
+  std::vector<OtherPushResults> other_pushes;
+  std::vector<DragResults> drags;                      ///< in the order in which they ran
+  std::optional<Real> V_noise, second_impulse_over_V;  ///< bare numbers, of the push
+  std::optional<Real> overlap_max, gap_mean;           ///< m
+
+  /// The first drag; nothing in it where there is none.
+  const DragResults& drag() const;
+};
+
+/// The name of a quantity at a part of D: V_at_w_0.1D.
+std::string name_at(const char* what, Real part);
+
+/// The results as summary.json tells them, each force and length with its dimensionless twin: forces over gamma' D^2 (suffix _over_gammaD2, in plane strain),
+/// lengths over D (_over_D). The names of the first drag stand alone (H_max); those of later stages begin with the stage's name and a dot (back.H_max).
+std::vector<run_folder::Quantity> quantities_of(const Results& results, const BodyScale& scale);
+
+/// The results that such quantities tell of a case's stages; what is not among them is left out.
+Results results_of(const std::vector<run_folder::Quantity>& quantities, const BodyScale& scale, const Stages& stages);
+
+}  // namespace berm::driven

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/driven/results/resistance.hpp"
+
+#include "samples/made_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::driven::this_file {
+namespace {
+
+constexpr Real D = 0.02;
+
+Resistance of(const std::function<Real(Real u_over_D)>& H, Real dragged = D, problem::Method method = problem::Method::mpm)
+{
+  MadeRun made;
+  made.dragged = dragged;
+  made.method = method;
+  made.H = [&](Real u) { return H(u / D); };
+  return resistance_of(DrivenRun(made.record()));
+}
+
+/// Up to 300 N/m at 0.3 D, down to `after` at 0.6 D, level from there.
+Real with_a_peak(Real x, Real after)
+{
+  return x < 0.3 ? 1000 * x : x < 0.6 ? std::lerp(300, after, (x - 0.3) / 0.3) : after;
+}
+
+TEST(resistance, breakout_is_where_H_falls_from)
+{
+  const Resistance found = of([](Real x) { return with_a_peak(x, 200); });
+  ASSERT_TRUE(found.breakout);
+  EXPECT_NEAR(found.breakout->u, 0.3 * D, 0.005 * D);
+  EXPECT_NEAR(found.breakout->H, 300, 0.02 * 300);  // the corner is rounded by the averaging
+  ASSERT_TRUE(found.residual);
+  EXPECT_NEAR(*found.residual, 200, 1e-6);
+  ASSERT_TRUE(found.residual_from);
+  EXPECT_NEAR(*found.residual_from, 0.57 * D, 0.005 * D) << "H = 210, 5 % above the residual";
+}
+
+TEST(resistance, a_fall_of_less_than_5_percent_is_no_breakout)
+{
+  const Resistance found = of([](Real x) { return with_a_peak(x, 290); });
+  EXPECT_FALSE(found.breakout);
+  EXPECT_FALSE(found.residual_from);
+  EXPECT_EQ(no_peak_words(found, "to the end of the drag"), "no peak: H levels off");
+}
+
+TEST(resistance, the_first_of_two_peaks_is_the_breakout)
+{
+  // The berm makes H grow beyond the breakout later.
+  const Resistance found = of([](Real x) { return x < 0.6 ? with_a_peak(x, 200) : 200 + 1000 * (x - 0.6); });
+  ASSERT_TRUE(found.breakout);
+  EXPECT_NEAR(found.breakout->u, 0.3 * D, 0.005 * D);
+  EXPECT_FALSE(found.residual);
+}
+
+TEST(resistance, H_that_grows_to_the_end_has_no_peak_and_no_residual)
+{
+  const Resistance found = of([](Real x) { return 600 * x; });
+  EXPECT_FALSE(found.breakout);
+  EXPECT_FALSE(found.residual);
+  EXPECT_NEAR(found.last_change, 0.1 / 0.95, 1e-6);
+  EXPECT_EQ(no_peak_words(found, "to the end of the drag"), "no peak: H grows to the end of the drag");
+}
+
+TEST(resistance, waves_of_a_dynamic_method_are_no_breakout)
+{
+  // Waves of 0.06 D that fall by 8 %, on H that grows.
+  const auto waves = [](Real x) { return 100 + 600 * x + 30 * std::sin(2 * pi * x / 0.06); };
+  EXPECT_FALSE(of(waves).breakout);
+  EXPECT_FALSE(of(waves, D, problem::Method::fem).breakout);
+}
+
+TEST(resistance, of_finite_elements_an_increment_that_relaxes_is_no_breakout)
+{
+  const auto H = [](Real x) { return 300 * std::min(1., x / 0.05); };
+  const auto relaxed = [&](Real x) { return H(x) * (x > 0.099 && x < 0.111 ? 0.93 : 1) - 0.1 * x; };
+  EXPECT_FALSE(of(relaxed, 0.5 * D, problem::Method::fem).breakout);
+  // The same fall that stays is one; also in a drag that is shorter than 0.3 D.
+  const auto fallen = [&](Real x) { return H(x) * (x > 0.099 ? 0.93 : 1) - 0.1 * x; };
+  for (const Real travel : {0.5 * D, 0.2 * D}) {
+    const Resistance found = of(fallen, travel, problem::Method::fem);
+    ASSERT_TRUE(found.breakout) << travel / D;
+    EXPECT_NEAR(found.breakout->H, 300, 0.01 * 300);
+  }
+}
+
+TEST(resistance, a_short_drag_is_residual_only_if_its_last_tenth_of_D_is_level)
+{
+  // Changes by 2.4 % over the last tenth of the drag of 0.3 D, and by 8 % over its last 0.1 D.
+  const auto H = [](Real x) { return 100 * (1 + 0.8 * (x - 0.3)); };
+  EXPECT_FALSE(of(H, 0.3 * D).residual);
+  const Resistance level = of([](Real x) { return x < 0.1 ? 1000 * x : 100 * (1 + 0.1 * (x - 0.1)); }, 0.3 * D);
+  ASSERT_TRUE(level.residual);
+  EXPECT_NEAR(*level.residual, 101.5, 0.01);
+}
+
+TEST(resistance, the_largest_H_may_be_the_last)
+{
+  const Resistance found = of([](Real x) { return 600 * x; }, 0.65 * D);  // of which no quantity tells
+  ASSERT_TRUE(found.largest);
+  EXPECT_NEAR(found.largest->u, 0.65 * D, 1e-12);
+  EXPECT_NEAR(found.largest->H, 390, 1e-9);
+  EXPECT_NEAR(found.V_at_largest, 800, 1e-9);
+  EXPECT_NEAR(found.travel, 0.65 * D, 1e-12);
+}
+
+TEST(resistance, of_a_long_history_is_that_of_a_short_one)
+{
+  const auto with_rows = [](int rows) {
+    std::vector<Real> u, H;
+    for (int k = 0; k < rows; ++k) {
+      const Real x = Real(k) / (rows - 1);
+      u.push_back(x * D);
+      H.push_back(400 * std::sin(4 * x) * std::exp(-x) + 150 * x);
+    }
+    return resistance_to({u, H}, {.width = D, .unit_weight = 0});
+  };
+  const Resistance few = with_rows(1001), many = with_rows(100001);
+  ASSERT_TRUE(few.breakout && many.breakout);
+  EXPECT_NEAR(many.breakout->u, few.breakout->u, 1e-3 * D);
+  EXPECT_NEAR(many.breakout->H, few.breakout->H, 1e-4 * few.breakout->H);
+  EXPECT_NEAR(many.largest->H, few.largest->H, 1e-4 * few.largest->H);
+  EXPECT_NEAR(many.last_change, few.last_change, 1e-4 * std::abs(few.last_change));
+}
+
+TEST(resistance, a_run_without_a_drag_has_none)
+{
+  const Resistance found = of([](Real) { return 0; }, 0);
+  EXPECT_FALSE(found.breakout);
+  EXPECT_FALSE(found.residual);
+  EXPECT_TRUE(std::isnan(found.last_change));
+}
+
+}  // namespace
+}  // namespace berm::driven::this_file
