@@ -7,8 +7,11 @@ from typing import NamedTuple
 
 
 class Quantity(NamedTuple):
-    """A key result: value in SI (NaN: not found), unit ("1": a bare number) and meaning."""
+    """A key result: value in SI (NaN: not found), unit ("1": a bare number) and meaning; kind (answer, ratio, quality, prescribed) and of
+    which travel or state it is ("": of the run)."""
 
     value: float
     unit: str
     meaning: str
+    kind: str = "answer"
+    of: str = ""

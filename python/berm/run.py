@@ -57,7 +57,13 @@ class Run:
         """Key results by name."""
         entries: dict[str, dict[str, Any]] = self.summary["quantities"]
         return {
-            name: Quantity(float("nan") if q.get("value") is None else float(q["value"]), q.get("unit", "1"), q.get("meaning", ""))
+            name: Quantity(
+                float("nan") if q.get("value") is None else float(q["value"]),
+                q.get("unit", "1"),
+                q.get("meaning", ""),
+                q.get("kind", "answer"),
+                q.get("of", ""),
+            )
             for name, q in entries.items()
         }
 

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::vector<std::string> folders;
   std::string format = "table", output;
+  springs::Selection selection;
 };
 
 /// What is written, and where.
@@ -35,7 +36,7 @@ std::vector<Job> jobs_of(const Options& options)
   for (const std::string& from : options.folders) {
     if (!fs::is_directory(from))
       throw InputError(fmt::format("{} is no folder: berm export takes run folders and outputs of berm study", from));
-    for (springs::Design& design : springs::designs_in(from))
+    for (springs::Design& design : springs::designs_in(from, options.selection))
       jobs.push_back({std::move(design), from, options.output.empty() ? fs::path(from) / "export" : fs::path(options.output)});
   }
   std::map<fs::path, std::size_t> in_folder;
@@ -73,6 +74,10 @@ Command add_export(CLI::App& program)
     words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", format.name, format.meaning);
   }
   app->add_option("--to", options->format, words + " (default: table)")->check(CLI::IsMember(names));
+  app->add_option("--state", options->selection.state,
+                  "state of the pipe: touchdown, laid, flooded, emptied, operation, after_DRAG (default: operation, else touchdown)");
+  app->add_option("--travels", options->selection.travels, "drags, with commas between them (default: those after that state)")
+      ->delimiter(',');
   app->add_option("-o,--output", options->output, "folder for the files (default: DIR/export)");
   return {app, [options] {
             messages_to_stderr();

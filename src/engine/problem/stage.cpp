@@ -70,6 +70,12 @@ void describe(Describe& d, StageSettings& stage)
            "find equilibrium; push down; drag sideways; let time pass; drive each degree of freedom as [stage.drive] says; or drag out "
            "and back, several times",
        .required = true});
+  d.choice(
+      "role", stage.role, {"automatic", "touchdown", "lay", "flooded", "emptied", "operation", "breakout", "sweep"},
+      {.meaning =
+           "what the stage is in the life of a pipe: its results and springs are those of the state where such a stage ends (touchdown, "
+           "laid, "
+           "flooded, emptied, operation), its breakout that of this drag; automatic finds touchdown, lay and operation from the stages"});
   d.value("rigid", stage.rigid, {.meaning = "rigid body that is driven; may be left out where there is only one"});
   d.value("velocity", stage.velocity, {.meaning = "speed of the drive: down in a push, along x in a drag", .unit = "m/s"});
   d.value("force", stage.force, {.meaning = "force of the drive, instead of a velocity", .unit = "N/m"});

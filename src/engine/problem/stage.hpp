@@ -21,6 +21,18 @@ enum class Vertical {
   fixed  ///< no vertical motion
 };
 
+/// What a stage is in the life of a pipe. The pipe is called by it where the stage ends: touched down, laid, flooded, emptied, in operation.
+enum class StageRole {
+  automatic,  ///< found from the stages (structures/driven/results/states.hpp)
+  touchdown,
+  lay,  ///< the small drags of a pipe that is laid, and all else before it lies
+  flooded,
+  emptied,
+  operation,
+  breakout,  ///< the travel whose resistance is the answer
+  sweep
+};
+
 /// A stage ends when the first of the limits that are given is reached.
 struct Until {
   std::optional<Real> time;           ///< s since the stage began
@@ -58,6 +70,7 @@ struct DriveSettings {
 struct StageSettings {
   std::string name;
   StageKind kind = StageKind::free;
+  StageRole role = StageRole::automatic;
   std::string rigid;             ///< which rigid body; empty = the only one
   std::optional<Real> velocity;  ///< m/s; push: down, drag: along +x
   std::optional<Real> force;     ///< N/m, instead of velocity

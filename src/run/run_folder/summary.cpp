@@ -31,6 +31,21 @@ Json json_of(const RunTiming& t, const FemCounts& counts)
 
 }  // namespace
 
+const char* word_of(QuantityKind kind)
+{
+  switch (kind) {
+  case QuantityKind::answer:
+    return "answer";
+  case QuantityKind::ratio:
+    return "ratio";
+  case QuantityKind::quality:
+    return "quality";
+  case QuantityKind::prescribed:
+    return "prescribed";
+  }
+  return "";
+}
+
 Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts)
 {
   return static_cast<Real>(counts.particles * timing.steps) / timing.wall_s;
@@ -49,6 +64,8 @@ std::string Summary::json() const
   for (const Quantity& q : quantities) {
     Json& entry = root["quantities"][q.name] = {{"value", q.value}, {"unit", q.unit}};
     if (!q.meaning.empty()) entry["meaning"] = q.meaning;
+    entry["kind"] = word_of(q.kind);
+    if (!q.of.empty()) entry["of"] = q.of;
   }
   if (const std::optional<Quantity>& m = force_measure)
     root["force_measure"] = {{"name", m->name}, {"value", m->value}, {"unit", m->unit}, {"meaning", m->meaning}};

@@ -11,12 +11,25 @@
 
 namespace berm::run_folder {
 
+/// What a quantity is for.
+enum class QuantityKind {
+  answer,     ///< what the run was made for; it has a band of its own
+  ratio,      ///< the dimensionless twin of another
+  quality,    ///< tells how good the run is
+  prescribed  ///< a number of the input, met as exactly as a step can
+};
+
+/// What summary.json calls it.
+const char* word_of(QuantityKind kind);
+
 /// One result of a run. unit as UDUNITS-2 spells it, "1" for a bare number.
 struct Quantity {
   std::string name;
   Real value;
   std::string unit;
   std::string meaning = {};  ///< in some words; "" without any
+  QuantityKind kind = QuantityKind::answer;
+  std::string of = {};  ///< the travel or the state that it is of; "" of the run
 };
 
 /// What a run of the material point method counts.
@@ -58,7 +71,7 @@ public:
   std::vector<std::string> warnings;                      ///< what was doubtful of the case before it ran: "FILE:LINE: KEY: MESSAGE"
   std::vector<std::string> spoiled;                       ///< why its numbers are not to be used, a sentence each
 
-  /// {"quantities": {NAME: {"value", "unit", "meaning"}}, "force_measure": {"name", "value", "unit", "meaning"}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}, "warnings": [words], "spoiled": [words]}, in the order in which
+  /// {"quantities": {NAME: {"value", "unit", "meaning", "kind", "of"}}, "force_measure": {"name", "value", "unit", "meaning"}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}, "warnings": [words], "spoiled": [words]}, in the order in which
   /// they were added. Timing has wall_s, threads, cells, steps and loops; in MPM also particle_steps_per_s, particles and seconds_per_step (wall
   /// time over steps), in FEM nodes and iterations. A number that is not finite becomes null.
   std::string json() const;

@@ -50,14 +50,23 @@ std::string words(const Json& json, const char* where)
   return json.get<std::string>();
 }
 
+/// Runs of earlier versions do not say it.
+QuantityKind kind_of(const std::string& word)
+{
+  for (const QuantityKind kind : {QuantityKind::ratio, QuantityKind::quality, QuantityKind::prescribed})
+    if (word == word_of(kind)) return kind;
+  return QuantityKind::answer;
+}
+
 RunSummary summary_of(const Json& json)
 {
   if (!json.is_object()) refuse("it is no table");
   RunSummary summary;
   for (const auto& [name, entry] : table(json, "quantities").items()) {
     if (!entry.is_object()) refuse("a value in \"quantities\" is no table");
+    const auto words_at = [&entry = entry](const char* key) { return entry.contains(key) ? words(entry[key], "quantities") : ""; };
     summary.quantities.push_back({name, number(member(entry, "value"), "quantities"), words(member(entry, "unit"), "quantities"),
-                                  entry.contains("meaning") ? words(entry["meaning"], "quantities") : ""});
+                                  words_at("meaning"), kind_of(words_at("kind")), words_at("of")});
   }
   for (const auto& [name, entry] : table(json, "timing").items())
     if (name != "loops") summary.timing[name] = number(entry, "timing");

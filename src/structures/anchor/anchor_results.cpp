@@ -72,7 +72,7 @@ std::vector<run_folder::Quantity> quantities_of(const TowResults& r, int force_d
   std::vector<run_folder::Quantity> list;
   const char *force = force_dimension == 2 ? "N/m" : "N", *work = force_dimension == 2 ? "J/m" : "J";
   const auto add = [&](const char* name, Real value, const char* unit, const char* meaning) {
-    if (std::isfinite(value)) list.push_back({name, value, unit, meaning});
+    if (std::isfinite(value)) list.push_back({name, value, unit, meaning, run_folder::QuantityKind::answer, "drags"});
   };
   add("tow_travel", r.travel, "m", "travel of all drags");
   add("tow_depth_begin", r.first_depth, "m", "depth of the lowest point where the first drag begins");

@@ -58,9 +58,8 @@ public:
   /// The key results of a run (its folder with the frames, case and history, which may be without rows). `held_forces`: V that each stage of the case was to
   /// hold, N/m, NaN where none; empty where they are not known.
   virtual std::vector<run_folder::Quantity> quantities(const record::RunRecord&, const std::vector<Real>&) const { return {}; }
-  /// Whether a quantity of a run is an answer, with a band of its own: no measure of the run's quality, no dimensionless twin of another, and not what the input
-  /// prescribes.
-  virtual bool is_answer(const record::RunRecord&, const run_folder::Quantity&) const { return true; }
+  /// The names of all key results that a run of a case may have, with # for the number in V_at_w_0.1D; empty where they are not known beforehand.
+  virtual std::vector<std::string> quantity_names(const problem::Case&) const { return {}; }
   /// The key results of a run, its quantities, as a table of the log; "" where there is none.
   virtual std::string table_of(const record::RunRecord&) const { return ""; }
   /// Draws curves.png of a run into its folder, with the bands of its curves. False, with a warning, where it could not be drawn.

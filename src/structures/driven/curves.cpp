@@ -267,8 +267,8 @@ std::string drag_panels(const Curves& curves)
 
 }  // namespace
 
-bool draw_run_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale,
-                      const Stages& stages, const std::string& title, const std::vector<run_folder::CurveBand>& bands)
+bool draw_run_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale, const Stages& stages,
+                     const std::string& title, const std::vector<run_folder::CurveBand>& bands)
 {
   Path path = path_of(history, stages);
   leave_out_the_way_down(path.push);

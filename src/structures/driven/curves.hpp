@@ -10,7 +10,7 @@ namespace berm::driven {
 /// curves.png: V(w) of the push, H(u) and w(u) of the drag (as far as there are both), with dimensionless axes beside. Thin: every row; thick:
 /// freed from noise over +-0.01 D, of several drags from light to dark; filled: `bands` (run_folder::CurveBand). False, with a warning, where
 /// it could not be drawn.
-bool draw_run_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale,
-                      const Stages& stages, const std::string& title, const std::vector<run_folder::CurveBand>& bands);
+bool draw_run_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale, const Stages& stages,
+                     const std::string& title, const std::vector<run_folder::CurveBand>& bands);
 
 }  // namespace berm::driven

@@ -2,12 +2,15 @@
 // Tests: tests/unit/structures/structures_test.cpp
 #include "structures/driven/driven.hpp"
 
+#include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "structures/driven/curves.hpp"
 #include "structures/driven/report/report.hpp"
 #include "structures/driven/results/details.hpp"
+#include "structures/driven/results/displacements.hpp"
 #include "structures/driven/results/mechanism.hpp"
 #include "structures/driven/results/quantities.hpp"
+#include "structures/driven/results/states.hpp"
 
 #include <algorithm>
 
@@ -29,6 +32,9 @@ std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& ru
   const base::BodyScale scale = base::body_scale(run);
   Results results = results_from(run.history, scale, stages_of(run.settings, held_forces));
   take_berms(results, DrivenRun(run));
+  if (const States states = states_of(run); has_states_between(states))
+    for (const char* name : state_names)
+      if (const State* state = find_state(states, name)) results.states.push_back({name, state->w, state->V});
   std::vector<run_folder::Quantity> list = quantities_of(results, scale);
   for (run_folder::Quantity& moment : moments_in_space(run)) list.push_back(std::move(moment));
   return list;
@@ -39,19 +45,12 @@ std::string Driven::table_of(const record::RunRecord& run) const
   return key_results_table(run.quantities, base::body_scale(run));
 }
 
-bool Driven::is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const
-{
-  const auto ends_with_any = [&](std::initializer_list<const char*> ends) {
-    return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return quantity.name.ends_with(end); });
-  };
-  return !is_prescribed(run, quantity) &&
-         !ends_with_any({"_over_gammaD2", "_over_D", "_noise", "V_rms_error_in_drag", "second_impulse_over_V", "overlap_max", "gap_mean"});
-}
-
 bool Driven::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
 {
-  return run.history.rows() > 0 &&
-         draw_run_curves(folder, run.history, base::body_scale(run), stages_of(run.settings), run.settings.title, bands);
+  if (run.history.rows() == 0) return false;
+  const std::string half_cycles = half_cycles_csv(run.history, stages_of(run.settings), base::body_scale(run).width);
+  if (!half_cycles.empty()) io::write_atomically(folder.file("half_cycles.csv"), half_cycles);
+  return draw_run_curves(folder, run.history, base::body_scale(run), stages_of(run.settings), run.settings.title, bands);
 }
 
 base::ChartCurves Driven::chart_curves(const record::RunRecord& run) const
@@ -105,7 +104,7 @@ base::StagePaths Driven::paths(const record::RunRecord& run) const
 }
 
 std::vector<std::string> Driven::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
-                                                  const std::filesystem::path& folder) const
+                                                    const std::filesystem::path& folder) const
 {
   return draw_travel_figures(driven_runs(runs), published, folder);
 }
@@ -117,7 +116,7 @@ std::vector<std::string> Driven::draw_report_soil(const base::Runs& runs, const 
 
 std::unique_ptr<base::RunDetails> Driven::details(const record::RunRecord& run) const
 {
-  return pipe_details(run);
+  return details_of(run);
 }
 
 }  // namespace berm::driven

@@ -11,7 +11,6 @@ class Driven : public base::Structure {
 public:
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::string table_of(const record::RunRecord& run) const override;
-  bool is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const override;
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
   base::ChartCurves chart_curves(const record::RunRecord& run) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;

@@ -4,10 +4,10 @@
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
 #include "record/panels.hpp"
+#include "structures/driven/results/quantities.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_page.hpp"
 #include "structures/penetration/penetration_results.hpp"
-#include "structures/driven/results/quantities.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -43,13 +43,6 @@ std::string Penetration::table_of(const record::RunRecord& run) const
   std::vector<run_folder::Quantity> driven = run.quantities;
   std::erase_if(driven, [&](const run_folder::Quantity& q) { return is_of_reading(q.name, reading_); });
   return driven::key_results_table(driven, base::body_scale(run)) + penetration_table(run.quantities, reading_);
-}
-
-bool Penetration::is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const
-{
-  if (!is_of_reading(quantity.name, reading_)) return Driven::is_answer(run, quantity);
-  return !quantity.name.starts_with("z_") && quantity.name != "area" && !quantity.name.ends_with("_change") &&
-         !quantity.name.ends_with("_scatter");
 }
 
 bool Penetration::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const

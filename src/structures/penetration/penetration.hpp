@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/penetration/reading.hpp"
 #include "structures/driven/driven.hpp"
+#include "structures/penetration/reading.hpp"
 
 namespace berm::penetration {
 
@@ -16,7 +16,6 @@ public:
   base::Geometries geometries() const override { return reading_.geometries; }
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::string table_of(const record::RunRecord& run) const override;
-  bool is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const override;
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
   std::string key_results(const base::Runs& runs, const base::DisplayUnits& shown) const override;

@@ -2,9 +2,9 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_page.hpp"
 
+#include "structures/driven/report/report.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
-#include "structures/driven/report/report.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 

@@ -27,8 +27,10 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
   const Reading& reading = run.reading;
   const Real D = run.body.width;
   const std::string q = reading.resistance.plain, N = run.symbol() == nullptr ? "" : run.symbol()->plain;
-  const auto add = [&](const std::string& name, Real value, const char* unit, const std::string& meaning) {
-    if (std::isfinite(value)) list.push_back({name, value, unit, meaning});
+  using enum run_folder::QuantityKind;
+  const auto add = [&](const std::string& name, Real value, const char* unit, const std::string& meaning,
+                       run_folder::QuantityKind kind = answer) {
+    if (std::isfinite(value)) list.push_back({name, value, unit, meaning, kind, "push"});
   };
   const std::string level = fmt::format("z is the depth of the {}", reading.level);
   for (const Real part : reading.depths) {
@@ -37,20 +39,21 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
     add(name_at(q, part), run.q_at(z), "Pa", "resistance over the area; " + level);
     if (!N.empty()) add(name_at(N, part), run.factor_at(z), "1", "factor of the net resistance; " + level);
   }
-  add("z_end", run.z_end(), "m", fmt::format("depth of the {} at the end of the push", reading.level));
-  add("z_end_over_D", run.z_end() / D, "1", fmt::format("depth of the {} at the end of the push", reading.level));
-  add("area", run.area(), run.record.settings.force_dimension() == 2 ? "m" : "m2", "of the modelled part of the body on a level plane");
+  add("z_end", run.z_end(), "m", fmt::format("depth of the {} at the end of the push", reading.level), prescribed);
+  add("z_end_over_D", run.z_end() / D, "1", fmt::format("depth of the {} at the end of the push", reading.level), ratio);
+  add("area", run.area(), run.record.settings.force_dimension() == 2 ? "m" : "m2", "of the modelled part of the body on a level plane",
+      prescribed);
   const LastTravel& last = run.last();
   const std::string over = fmt::format("over the last {:.3g} D of the push", last.travel / D), judged = N.empty() ? q : N;
   add(q + "_end", last.q, "Pa", "mean resistance " + over);
   add("f_shaft_end", last.friction, "Pa", "mean friction of the shaft in the soil, " + over);
   if (!N.empty()) add(N + "_end", last.factor, "1", "mean factor " + over);
-  add(judged + "_change", last.change, "1", "change of its straight line, over the mean, " + over);
-  add(judged + "_scatter", last.scatter, "1", "standard deviation of the rows about that line, over the mean, " + over);
+  add(judged + "_change", last.change, "1", "change of its straight line, over the mean, " + over, quality);
+  add(judged + "_scatter", last.scatter, "1", "standard deviation of the rows about that line, over the mean, " + over, quality);
   if (!last.steady()) return list;
   add(judged + "_steady", N.empty() ? last.q : last.factor, N.empty() ? "Pa" : "1", "steady value: it changes by less than 5 % " + over);
-  add(fmt::format("z_at_{}_steady", judged), last.steady_from, "m", "depth from which it stays within 5 % of that");
-  add(fmt::format("z_at_{}_steady_over_D", judged), last.steady_from / D, "1", "depth from which it stays within 5 % of that");
+  add(fmt::format("z_at_{}_steady", judged), last.steady_from, "m", "depth from which it stays within 5 % of that", quality);
+  add(fmt::format("z_at_{}_steady_over_D", judged), last.steady_from / D, "1", "depth from which it stays within 5 % of that", ratio);
   return list;
 }
 
@@ -107,7 +110,7 @@ std::string penetration_table(const std::vector<run_folder::Quantity>& quantitie
 {
   std::string table;
   for (const run_folder::Quantity& quantity : quantities) {
-    if (!is_of_reading(quantity.name, reading) || quantity.name.ends_with("_over_D")) continue;
+    if (!is_of_reading(quantity.name, reading) || quantity.kind == run_folder::QuantityKind::ratio) continue;
     const std::string value = quantity.unit == "Pa" ? text::stress_words(quantity.value)
                               : quantity.unit == "m"
                                   ? text::length_words(quantity.value)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/penetration_run.hpp"
 
-#include "structures/penetration/soil_profile.hpp"
 #include "structures/driven/results/path.hpp"
+#include "structures/penetration/soil_profile.hpp"
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/structures_test.cpp
 #include "structures/pipe/pipe.hpp"
 
+#include "structures/driven/results/known_names.hpp"
 #include "structures/pipe/published/published.hpp"
 #include "structures/pipe/report/pipe_report.hpp"
 #include "structures/pipe/results/axial_results.hpp"
@@ -24,6 +25,14 @@ std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run,
   if (list.empty()) return list;
   for (run_folder::Quantity& axial : axial_quantities(run)) list.push_back(std::move(axial));
   return list;
+}
+
+std::vector<std::string> Pipe::quantity_names(const problem::Case& c) const
+{
+  std::vector<std::string> names = driven::known_names(c);
+  for (const problem::StageSettings& stage : c.stage)
+    for (const char* begin : {"wedging_of_", "axial_friction_of_"}) names.push_back(begin + stage.name);
+  return names;
 }
 
 std::string Pipe::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const

@@ -127,11 +127,16 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
   return lines;
 }
 
-Design design_of_run(const fs::path& folder)
+Design design_of_run(const fs::path& folder, const Selection& selection)
 {
   const record::RunRecord run = structures::read_run(folder);
-  Design design{
-      .name = run.name, .provenance = provenance_of(run), .best = springs_of(run), .low = {}, .high = {}, .estimates = {}, .draws = {}};
+  Design design{.name = run.name,
+                .provenance = provenance_of(run),
+                .best = springs_of(run, selection),
+                .low = {},
+                .high = {},
+                .estimates = {},
+                .draws = {}};
   for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
   for (const std::string& line : spoiled_lines(run)) spdlog::warn("{}", line);
   if (run.end != record::RunEnd::finished) {
@@ -143,7 +148,7 @@ Design design_of_run(const fs::path& folder)
 }
 
 /// Rows of one combination.
-Design design_of_rows(const std::vector<const study::SavedRow*>& rows)
+Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Selection& selection)
 {
   std::optional<Springs> best;
   std::vector<Springs> draws;
@@ -158,13 +163,15 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows)
     }
     try {
       const record::RunRecord run = structures::read_run(row->run);
-      Springs springs = springs_of(run);
+      Springs springs = springs_of(run, selection);
       for (const std::string& line : spoiled_lines(run)) spoiled.push_back(line);
       if (provenance.empty() || !draw) provenance = provenance_of(run);
       if (draw)
         draws.push_back(std::move(springs));
       else
         best = std::move(springs);
+    } catch (const InputError&) {
+      throw;
     } catch (const std::runtime_error& error) {
       spdlog::warn("{}", error.what());
       failed += draw;
@@ -228,9 +235,9 @@ Design design_of_sample(const std::string& name, const std::optional<Springs>& b
   return design;
 }
 
-std::vector<Design> designs_in(const fs::path& folder)
+std::vector<Design> designs_in(const fs::path& folder, const Selection& selection)
 {
-  if (record::is_run_folder(folder)) return {design_of_run(folder)};
+  if (record::is_run_folder(folder)) return {design_of_run(folder, selection)};
   const auto rows = study::read_rows(folder);
   if (!rows)
     throw RunError(fmt::format("{} is neither a run folder nor the output of berm study (it has no resolved.toml and no study.json)",
@@ -249,7 +256,7 @@ std::vector<Design> designs_in(const fs::path& folder)
       same->push_back(&row);
   }
   std::vector<Design> designs;
-  for (const auto& group : groups) designs.push_back(design_of_rows(group));
+  for (const auto& group : groups) designs.push_back(design_of_rows(group, selection));
   return designs;
 }
 

@@ -44,7 +44,8 @@ struct Design {
 /// Of the best run, if there is one, and draws of equal weight, one at least.
 Design design_of_sample(const std::string& name, const std::optional<Springs>& best, std::vector<Springs> draws);
 
-/// The springs of a run folder, or of each combination of a study's output that has a sample. Throws RunError where there are none.
-std::vector<Design> designs_in(const std::filesystem::path& folder);
+/// The springs of a run folder, or of each combination of a study's output that has a sample. Throws RunError where there are none, InputError where a run has not
+/// what is selected.
+std::vector<Design> designs_in(const std::filesystem::path& folder, const Selection& selection = {});
 
 }  // namespace berm::springs

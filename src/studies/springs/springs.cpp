@@ -2,9 +2,11 @@
 #include "springs/springs.hpp"
 
 #include "core/error.hpp"
-#include "structures/formulas/axial.hpp"
+#include "input/message_text.hpp"
+#include "structures/base/soil_words.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
+#include "structures/formulas/axial.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -44,28 +46,67 @@ Lateral lateral_of(const driven::DragPath& drag, const driven::DragResults& resu
   for (std::size_t k = 0; k < mobilised_parts.size(); ++k)
     lateral.mobilised[k] = first_at(lateral.curve, mobilised_parts[k] * lateral.peak);
   lateral.residual = resistance.residual.value_or(nan);
+  lateral.berm = resistance.berm.value_or(nan);
   lateral.u_residual = resistance.residual_from.value_or(nan);
   return lateral;
 }
 
-Unloading unloading_of(const std::string& stage, const std::vector<Index>& rows, const run_folder::History& history)
+/// The slope of V over w by the line fitted to w over V, which is what the stage drives; NaN where w does not grow with V.
+Real stiffness_of(const std::vector<Index>& rows, const std::vector<Real>& w, const std::vector<Real>& V)
 {
-  const std::vector<Real>&w = history["w_m"], &V = history.by_label("V");
-  const Index first = std::max(rows.front() - 1, 0), last = rows.back();
-  const Real way = w[first] - w[last];
-  return {stage, V[first], V[last], way != 0 ? (V[first] - V[last]) / way : nan};
+  constexpr Real least_correlation = 0.7;
+  Real n = 0, mean_w = 0, mean_V = 0;
+  for (const Index k : rows) mean_w += w[k], mean_V += V[k], ++n;
+  mean_w /= n, mean_V /= n;
+  Real wV = 0, VV = 0, ww = 0;
+  for (const Index k : rows) {
+    const Real dw = w[k] - mean_w, dV = V[k] - mean_V;
+    wV += dw * dV, VV += dV * dV, ww += dw * dw;
+  }
+  return wV > least_correlation * std::sqrt(ww * VV) ? VV / wV : nan;
 }
 
-Axial axial_of(const driven::DrivenRun& run, Real w, Real V)
+Unloading unloading_of(const std::string& stage, std::vector<Index> rows, const run_folder::History& history)
+{
+  const std::vector<Real>&w = history["w_m"], &V = history.by_label("V");
+  if (rows.front() > 0) rows.insert(rows.begin(), rows.front() - 1);
+  return {stage, V[rows.front()], V[rows.back()], stiffness_of(rows, w, V)};
+}
+
+/// The strength of the soil at an embedment, Pa; 0 where it has friction or none is known.
+Real strength_at(const record::RunRecord& run, Real w)
+{
+  const std::optional<problem::BodySoil> soil = base::touched_soil(run);
+  if (!soil) return 0;
+  const std::optional<material::Strength> strength = strength_at_rest(soil->at("", base::soil_depth(run.settings, run.ground, w)));
+  return strength && strength->friction_angle == 0 ? strength->cohesion : 0;
+}
+
+Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
 {
   Axial axial;
   const Real D = run.scale.width;
-  axial.wedging = formulas::wedging_factor(D, w).value;
+  const formulas::Formula wedging = formulas::wedging_factor(D, state.w);
+  axial.wedging = wedging.value;
   const contact::ContactSettings* contact = base::contact_of_body(run.settings);
   if (contact == nullptr) return axial;
-  if (contact->friction_angle > 0) axial.drained = formulas::axial_drained(D, w, contact->friction_angle, V).value;
-  const Real adhesion = contact->adhesion > 0 ? contact->adhesion : contact->adhesion_factor * run.scale.strength;
-  if (adhesion > 0) axial.undrained = formulas::axial_undrained(D, w, adhesion).value;
+  if (contact->friction_angle > 0) {
+    const formulas::Formula drained = formulas::axial_drained(D, state.w, contact->friction_angle, state.V);
+    axial.drained = drained.value, axial.drained_source = citation(drained.source);
+    for (const base::SurfaceForce& force : base::surface_forces_of(run.record))
+      if (force.stage == state.stage && force.V > 0) {
+        axial.wedging = force.N_eff / force.V;
+        axial.drained = std::tan(contact->friction_angle) * force.N_eff;
+        axial.drained_source = "axial_friction_of_" + state.stage + ": friction of the interface times the computed effective normal force";
+      }
+  }
+  const Real strength = strength_at(run.record, state.w),
+             adhesion = contact->adhesion > 0 ? contact->adhesion : contact->adhesion_factor * strength;
+  if (adhesion > 0) {
+    const formulas::Formula undrained = formulas::axial_undrained(D, state.w, adhesion);
+    axial.undrained = undrained.value;
+    axial.undrained_source = citation(undrained.source) + ", with the strength of undisturbed soil at the invert";
+  }
   axial.mobilise(D);
   return axial;
 }
@@ -77,10 +118,10 @@ void carry_to_prototype(Springs& s, Real scale)
     for (Point& point : points) point.x *= scale, point.F *= scale;
   };
   s.scale = scale;
-  for (Real* number : {&s.diameter, &s.embedment, &s.weight, &s.strength, &s.axial.drained, &s.axial.undrained}) *number *= scale;
+  for (Real* number : {&s.V, &s.diameter, &s.embedment, &s.weight, &s.strength, &s.axial.drained, &s.axial.undrained}) *number *= scale;
   s.axial.mobilise(s.diameter);  // its millimetres are those of the prototype
   for (Lateral& l : s.lateral) {
-    for (Real* number : {&l.V, &l.peak, &l.u_peak, &l.residual, &l.end, &l.u_residual, &l.travel}) *number *= scale;
+    for (Real* number : {&l.V, &l.peak, &l.u_peak, &l.residual, &l.berm, &l.end, &l.u_residual, &l.travel}) *number *= scale;
     for (Real& u : l.mobilised) u *= scale;
     carry(l.curve);
   }
@@ -117,42 +158,92 @@ Points Lateral::spring() const
   return points;
 }
 
-Springs springs_of(const record::RunRecord& record)
+namespace {
+
+/// The state that is asked for. Throws InputError where the run has it not.
+driven::State state_of(const driven::States& states, const std::string& asked, const driven::Results& results, const std::string& folder)
+{
+  // Where the history is lost the results still know the end of the push.
+  if (states.empty() && results.push_end && (asked.empty() || asked == "touchdown"))
+    return {"touchdown", "end of the push", "", 0, 0, results.push_end->w, 0, results.push_end->V};
+  for (const char* name : {"operation", "touchdown"})
+    if (asked.empty())
+      if (const driven::State* state = driven::find_state(states, name)) return *state;
+  if (const driven::State* state = driven::find_state(states, asked)) return *state;
+  std::vector<std::string> names;
+  for (const driven::State& state : states) names.push_back(state.name);
+  if (asked.empty() && !names.empty()) return states.back();
+  throw InputError(fmt::format("--state: {} has no state {}{}", folder, input::in_quotes(asked), input::suggestion(asked, names)));
+}
+
+/// Whether the springs of a drag are asked for.
+bool is_asked(const driven::DragPath& drag, const driven::State& state, const std::vector<std::string>& travels)
+{
+  if (!travels.empty()) return std::ranges::find(travels, drag.stage.name) != travels.end();
+  return !drag.stage.lays && !drag.stage.by_force && drag.rows.front() >= state.row;
+}
+
+void check_travels(const driven::Path& path, const std::vector<std::string>& travels, const std::string& folder)
+{
+  std::vector<std::string> names;
+  for (const driven::DragPath& drag : path.drags) names.push_back(drag.stage.name);
+  for (const std::string& travel : travels)
+    if (std::ranges::find(names, travel) == names.end())
+      throw InputError(fmt::format("--travels: {} has no drag {}{}", folder, input::in_quotes(travel), input::suggestion(travel, names)));
+}
+
+/// V that the bed has carried over w: of the push, then of each state to this one that is deeper than all before.
+Points carried(const driven::Results& results, const driven::States& states, const driven::State& state, Real D)
+{
+  Points curve;
+  Real most = 0;
+  const auto add = [&](Real w, Real V) {
+    most = std::max(most, V);
+    if (curve.empty() || w > curve.back().x + driven::same_point * D) curve.push_back({w, std::max(V, most)});
+  };
+  for (const driven::PushPoint& p : results.push) curve.push_back({p.w, p.V}), most = std::max(most, p.V);
+  if (const auto& end = results.push_end) add(end->w, end->V);
+  for (const driven::State& one : states)
+    if (one.row <= state.row && one.name != "touchdown" && std::isfinite(one.V)) add(one.w, one.V);
+  return curve;
+}
+
+}  // namespace
+
+Springs springs_of(const record::RunRecord& record, const Selection& selection)
 {
   const std::string folder = record.folder.string();
   if (!base::drives_a_body(record.settings) || record.settings.geometry != problem::Geometry::plane_strain)
     throw RunError(fmt::format("{} is no run of a pipe in plane strain: springs are forces per length of pipe", folder));
   const driven::DrivenRun run(record);
   const driven::Results results = run.results();
-  const driven::Path path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : driven::Path{};
-  if (results.push.empty() && !results.push_end && path.drags.empty())
+  const driven::Path path = run.history.rows() > 0 ? path_of(run.history, run.stages) : driven::Path{};
+  if (results.push.empty() && !results.push_end && path.drags.empty() && path.other_pushes.empty())
     throw RunError(fmt::format("{} has neither pushed nor dragged its pipe yet", folder));
   const auto drags = std::count_if(run.stages.begin(), run.stages.end(),
                                    [](const driven::Stage& stage) { return stage.kind == problem::StageKind::drag; });
   if (record.end == record::RunEnd::finished && static_cast<std::ptrdiff_t>(path.drags.size()) < drags)
     throw RunError(
         fmt::format("{} is finished, but its history has rows of {} of {} drags only: it is damaged", folder, path.drags.size(), drags));
+  const driven::States states = driven::states_of(record);
+  const driven::State state = state_of(states, selection.state, results, folder);
+  check_travels(path, selection.travels, folder);
   Springs springs;
+  springs.run = record.name, springs.state = state.name, springs.state_origin = state.origin;
+  springs.V = state.V, springs.embedment = state.w;
   springs.diameter = run.scale.width;
   if (run.scale.unit_weight > 0) springs.weight = run.scale.unit_weight * run.scale.width * run.scale.width;
-  if (run.scale.strength > 0) springs.strength = run.scale.strength * run.scale.width;
-  if (const auto& end = results.push_end)
-    springs.embedment = end->w;
-  else if (run.history.rows() > 0)
-    springs.embedment = run.history["w_m"][path.drags.empty() ? run.history.rows() - 1 : path.drags[0].rows.front()];
-  if (!starts_embedded(run)) {
-    for (const driven::PushPoint& p : results.push) springs.vertical.curve.push_back({p.w, p.V});
-    if (const auto& end = results.push_end;
-        end && (springs.vertical.curve.empty() || end->w > springs.vertical.curve.back().x + driven::same_point * springs.diameter))
-      springs.vertical.curve.push_back({end->w, end->V});
-  } else if (!path.push.rows.empty()) {
+  if (const Real strength = strength_at(record, state.w); strength > 0) springs.strength = strength * run.scale.width;
+  if (!starts_embedded(run))
+    springs.vertical.curve = carried(results, states, state, springs.diameter);
+  else if (!path.push.rows.empty())
     springs.vertical.unloading.push_back(unloading_of("push", path.push.rows, run.history));
-  }
   for (const driven::OtherPush& push : path.other_pushes)
     springs.vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
   for (std::size_t k = 0; k < path.drags.size(); ++k)
-    springs.lateral.push_back(lateral_of(path.drags[k], k < results.drags.size() ? results.drags[k] : driven::DragResults{}, run.scale));
-  springs.axial = axial_of(run, springs.embedment, springs.lateral.empty() ? nan : springs.lateral[0].V);
+    if (is_asked(path.drags[k], state, selection.travels))
+      springs.lateral.push_back(lateral_of(path.drags[k], k < results.drags.size() ? results.drags[k] : driven::DragResults{}, run.scale));
+  springs.axial = axial_of(run, state);
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);
   return springs;
 }

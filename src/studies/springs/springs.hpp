@@ -2,6 +2,7 @@
 #pragma once
 
 #include "structures/driven/results/driven_run.hpp"
+#include "structures/driven/results/states.hpp"
 
 #include <array>
 
@@ -25,6 +26,7 @@ struct Lateral {
   std::array<Real, 4> mobilised = {nan, nan, nan, nan};  ///< m, where H first reaches these parts of the peak
   Real u_peak = nan;                                     ///< m
   Real residual = nan;                                   ///< N/m, that stays at the end of the drag
+  Real berm = nan;                                       ///< N/m, resistance against the berm at the end of the drag
   Real end = nan;                                        ///< N/m, mean over the end of the drag, whether it stays or not
   Real u_residual = nan;  ///< m, of a drag that breaks out: from where H is as near to it as it must stay (driven::max_residual_change)
   Real travel = nan;      ///< m
@@ -36,25 +38,28 @@ struct Lateral {
   Real stiffness() const { return peak / 2 / mobilised[1]; }
 };
 
-/// A push that unloads, reloads or lifts the pipe, or that begins with the pipe in the bed: the secant of its stage.
+/// A push that unloads, reloads or lifts the pipe, or that begins with the pipe in the bed.
 struct Unloading {
   std::string stage;
   Real V_begin = nan, V_end = nan;  ///< N/m
-  Real stiffness = nan;             ///< N/m of V per m of w
+  Real stiffness =
+      nan;  ///< N/m of V per m of w, by the line fitted to w over V; NaN where w does not follow V: a negative stiffness is none
 };
 
 /// How the bed resists the pipe downwards.
 struct Vertical {
-  Points
-      curve;  ///< V over the embedment, at multiples of 0.05 D and at the end of the push; none where the pipe lay in the bed from the start
+  /// The V that the bed has carried over the embedment: at multiples of 0.05 D and at the end of the push, and beyond that in each state as far as that of these
+  /// springs; none where the pipe lay in the bed from the start.
+  Points curve;
   std::vector<Unloading> unloading;
 };
 
-/// How the bed resists the pipe along its axis, by formula: a run in the plane across the pipe cannot compute it.
+/// How the bed resists the pipe along its axis. A run in the plane across the pipe cannot compute it: it is by formula, but for the normal force on a pipe in soil with water.
 struct Axial {
-  Real wedging = nan;    ///< pressure around the contact over V (formulas/axial.hpp)
-  Real drained = nan;    ///< N/m, at V of the first drag, with the friction of the interface
-  Real undrained = nan;  ///< N/m, with its adhesion over the length of the contact
+  Real wedging = nan;                            ///< normal force around the contact over V
+  Real drained = nan;                            ///< N/m, at V of the state, with the friction of the interface
+  Real undrained = nan;                          ///< N/m, with its adhesion over the length of the contact
+  std::string drained_source, undrained_source;  ///< the formula, or the quantity of the run
   Real breakout_low = nan, breakout = nan,
        breakout_high = nan;  ///< m, displacement at which it is mobilised: estimates of a formula; NaN without resistance
 
@@ -67,17 +72,27 @@ std::string axial_breakout_source();
 
 /// What the bed does to the pipe of a run, in the size of the prototype where the run is a centrifuge's.
 struct Springs {
-  Real diameter = nan;   ///< m
-  Real embedment = nan;  ///< m, at the end of the push
-  Real scale = 1;        ///< size of the prototype over that of the model
-  Real weight = nan;     ///< N/m: gamma' D^2
-  Real strength = nan;   ///< N/m: s_u D, NaN where soil has friction
+  std::string run;           ///< name of its folder
+  std::string state;         ///< of the pipe (structures/driven/results/states.hpp)
+  std::string state_origin;  ///< how that was found
+  Real V = nan;              ///< N/m, in that state
+  Real diameter = nan;       ///< m
+  Real embedment = nan;      ///< m, in that state
+  Real scale = 1;            ///< size of the prototype over that of the model
+  Real weight = nan;         ///< N/m: gamma' D^2
+  Real strength = nan;       ///< N/m: s_u D at that embedment, NaN where soil has friction
   std::vector<Lateral> lateral;
   Vertical vertical;
   Axial axial;
 };
 
-/// Of a run of a pipe in the plane. Throws RunError where it is no such run, or has neither push nor drag.
-Springs springs_of(const record::RunRecord& run);
+/// Which springs of a run.
+struct Selection {
+  std::string state{};                 ///< "" = operation, else touchdown
+  std::vector<std::string> travels{};  ///< drags; none: those that begin in that state or later and do not lay the pipe
+};
+
+/// Of a run of a pipe in the plane. Throws RunError where it is no such run, or has neither push nor drag, InputError where it has no such state or travel.
+Springs springs_of(const record::RunRecord& run, const Selection& selection = {});
 
 }  // namespace berm::springs

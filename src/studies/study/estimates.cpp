@@ -13,11 +13,6 @@ namespace {
 /// The rows that differ only along the sample.
 using Group = std::vector<const StudyRow*>;
 
-bool is_wanted(const StudyMeasure& measure, const StudyRow& row)
-{
-  return measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
-}
-
 /// The measure of the value at this place of the axis.
 Real number_at(const Group& group, std::size_t along, std::size_t place, std::size_t measure)
 {
@@ -71,6 +66,11 @@ Estimate estimate_of(const Group& group, std::size_t along, const StudyAxis& axi
 }
 
 }  // namespace
+
+bool is_wanted(const StudyMeasure& measure, const StudyRow& row)
+{
+  return measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
+}
 
 std::vector<Estimate> estimates_of(const StudyPlan& plan)
 {

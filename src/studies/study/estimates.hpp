@@ -31,6 +31,9 @@ struct Estimate {
 /// By combination, then measure, in the order of the rows; empty without a sample.
 std::vector<Estimate> estimates_of(const StudyPlan& plan);
 
+/// Whether a measure is taken of a row: it is of its cases.
+bool is_wanted(const StudyMeasure& measure, const StudyRow& row);
+
 /// Warns of a sample that is too small.
 void warn_of_small_sample(const std::filesystem::path& file, const Study& study);
 

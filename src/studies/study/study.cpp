@@ -2,8 +2,10 @@
 #include "study/study.hpp"
 
 #include "core/error.hpp"
+#include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/progress.hpp"
+#include "structures/driven/results/known_names.hpp"
 #include "structures/structures.hpp"
 #include "study/estimates.hpp"
 #include "study/study_report.hpp"
@@ -78,13 +80,27 @@ problem::Case read_row(const fs::path& file, const Study& study, const StudyRow&
   }
 }
 
+/// Throws InputError where a measure of a row asks for a key result whose name is near to one that its run may have, and is none.
+void check_measures(const fs::path& file, const Study& study, const StudyRow& row, const problem::Case& settings)
+{
+  const std::vector<std::string> known = structures::structure_of(settings).quantity_names(settings);
+  for (std::size_t k = 0; k < study.measure.size(); ++k) {
+    const StudyMeasure& measure = study.measure[k];
+    const std::string name = driven::without_number(measure.observable.quantity);
+    if (name.empty() || !is_wanted(measure, row) || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    // What is near to none may be a check of the run or a number of its timing.
+    if (const std::string near = input::nearest(name, known); !near.empty())
+      throw InputError(fmt::format("{}: measure[{}].quantity: a run of {} has no {}; did you mean {}?", file.string(), k,
+                                   name_of(row.names), input::in_quotes(measure.observable.quantity), input::in_quotes(near)));
+  }
+}
+
 /// The numbers of a row; says once for each measure why it has none.
 void take_numbers(StudyRow& row, Study& study, std::vector<std::string>& told)
 {
   for (StudyMeasure& measure : study.measure) {
     row.numbers.push_back(nan);
-    const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
-    if (row.end.kind != jobs::JobEnd::Kind::finished || !wanted) continue;
+    if (row.end.kind != jobs::JobEnd::Kind::finished || !is_wanted(measure, row)) continue;
     try {
       const expectations::Reading reading = evaluate(measure.observable, row.job.folder);
       row.numbers.back() = measure.scale * reading.value;
@@ -124,7 +140,9 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
       plan.skipped.push_back({row.names, skip->why});
       continue;
     }
-    row.diameter = diameter_of(read_row(file, study, row));
+    const problem::Case settings = read_row(file, study, row);
+    row.diameter = diameter_of(settings);
+    check_measures(file, study, row, settings);
     plan.rows.push_back(row);
   } while (advance(choice, study));
   if (plan.rows.empty()) throw InputError(fmt::format("{}: nothing is left of the study, all combinations are skipped", file.string()));

@@ -169,7 +169,7 @@ run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector
   const std::vector<Real> noise = noise_of(run);
   for (std::size_t k = 0; k < run.quantities.size(); ++k) {
     const run_folder::Quantity& q = run.quantities[k];
-    if (!structure.is_answer(run, q) || !std::isfinite(q.value)) continue;
+    if (q.kind != run_folder::QuantityKind::answer || !std::isfinite(q.value)) continue;
     std::vector<Real> numbers;
     for (const VariantRecord& variant : variants) numbers.push_back(value_in(variant.run.quantities, q.name));
     const run_folder::Band band = band_of(numbers_of(q.value, variants, numbers), noise[k]);

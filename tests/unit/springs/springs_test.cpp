@@ -2,7 +2,7 @@
 #include "springs/springs.hpp"
 
 #include "core/error.hpp"
-#include "samples/made_run.hpp"
+#include "samples/lived_pipe.hpp"
 
 #include <gtest/gtest.h>
 
@@ -125,6 +125,46 @@ TEST(Springs, are_refused_of_a_finished_run_whose_history_has_lost_its_drag)
   EXPECT_THROW(springs_of(record), RunError);
   record.end = record::RunEnd::unfinished;
   EXPECT_NO_THROW(springs_of(record));
+}
+
+TEST(Springs, are_those_of_the_pipe_in_operation)
+{
+  constexpr Real D = 0.02;
+  const Springs s = springs_of(lived_pipe());
+  EXPECT_EQ(s.state, "operation");
+  EXPECT_EQ(s.state_origin, "end of stage unload, before sweep_1");
+  EXPECT_NEAR(s.embedment, 0.29 * D, 1e-9);
+  EXPECT_NEAR(s.V, 300, 1e-9);
+  ASSERT_EQ(s.lateral.size(), 2u) << "no drag of the laying";
+  EXPECT_EQ(s.lateral[0].stage, "sweep_1");
+  EXPECT_NEAR(s.lateral[1].residual, 80, 1e-6);
+  EXPECT_NEAR(s.lateral[1].berm, 160, 1e-6);
+  // Adhesion of 0.4 times 1 kPa over the contact of 0.29 D.
+  EXPECT_NEAR(s.axial.undrained, 0.4 * 1000 * D * std::acos(1 - 2 * 0.29), 1e-6);
+  EXPECT_NEAR(s.vertical.curve.back().x, 0.3 * D, 1e-9) << "as deep as it was laid";
+  EXPECT_NEAR(s.vertical.curve.back().F, 800, 1e-9);
+  ASSERT_EQ(s.vertical.unloading.size(), 1u);
+  EXPECT_NEAR(s.vertical.unloading[0].stiffness, 500 / (0.01 * D), 1);
+}
+
+TEST(Springs, are_those_of_the_state_and_the_travels_that_are_asked_for)
+{
+  const Springs laid = springs_of(lived_pipe(), {.state = "laid", .travels = {"sweep_2"}});
+  EXPECT_EQ(laid.state, "laid");
+  EXPECT_NEAR(laid.V, 800, 1e-9);
+  ASSERT_EQ(laid.lateral.size(), 1u);
+  EXPECT_EQ(laid.lateral[0].stage, "sweep_2");
+  EXPECT_THROW(springs_of(lived_pipe(), {.state = "lied"}), InputError);
+  EXPECT_THROW(springs_of(lived_pipe(), {.travels = {"sweep_9"}}), InputError);
+}
+
+TEST(Springs, have_no_stiffness_where_the_pipe_sinks_while_it_is_unloaded)
+{
+  record::RunRecord run = lived_pipe();
+  std::vector<Real>& w = run.history.values[2];
+  for (Index k = 0; k < run.history.rows(); ++k)
+    if (run.history.stage[k] == "unload") w[k] = 0.6 * 0.02 - w[k];
+  EXPECT_TRUE(std::isnan(springs_of(run).vertical.unloading.at(0).stiffness));
 }
 
 TEST(Springs, are_refused_of_a_run_without_a_pipe)

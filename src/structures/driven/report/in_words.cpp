@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <ranges>
 
 namespace berm::driven {
 namespace {
@@ -17,7 +18,8 @@ constexpr Real same_depth = 0.005;  // of D
 
 std::string subject_of(const problem::Case& c)
 {
-  return fmt::format("{}{}", base::modelled_part(c) < 1 ? "the half that is modelled of the " : "the ", text::html_text(base::body_word(c)));
+  return fmt::format("{}{}", base::modelled_part(c) < 1 ? "the half that is modelled of the " : "the ",
+                     text::html_text(base::body_word(c)));
 }
 
 /// What the vertical direction does in a drag: " with V held, 0.9 kN/m on average".
@@ -45,40 +47,91 @@ std::string push_words(const DrivenRun& run, const RunPoints& points, const base
                      shown.force_text(run.scale, end.V), converged_words(run, "V_end_of_push", shown));
 }
 
-/// What happens to V and w between the push and the first drag, or after that.
-std::string other_push_words(const DrivenRun& run, const Results& results, bool before_drag, const base::DisplayUnits& shown)
+/// What happens to V and w in the pushes before the main drag, or after that.
+std::string other_push_words(const DrivenRun& run, const Results& results, bool before, const base::DisplayUnits& shown)
 {
-  const auto is_drag = [](const Stage& stage) { return stage.kind == problem::StageKind::drag; };
-  const auto first_drag = std::find_if(run.stages.begin(), run.stages.end(), is_drag);
+  const std::string& main = results.main_drag().stage;
+  const auto main_stage = std::ranges::find(run.stages, main, &Stage::name);
   std::string words;
   for (const OtherPushResults& push : results.other_pushes) {
-    const bool before = std::any_of(run.stages.begin(), first_drag, [&](const Stage& stage) { return stage.name == push.stage; });
-    if (before == before_drag)
+    const bool is_before = std::any_of(run.stages.begin(), main_stage, [&](const Stage& stage) { return stage.name == push.stage; });
+    const bool lifts = std::ranges::find(results.uplifts, push.stage, &UpliftResults::stage) != results.uplifts.end();
+    if (is_before == before && !lifts)
       words += fmt::format("After \"{}\" V = {} at w = {}. ", text::html_text(push.stage), shown.force_text(run.scale, push.V),
                            shown.length_text(run.scale, push.w));
   }
   return words;
 }
 
+/// How it was laid, and how it lies in operation.
+std::string states_words(const DrivenRun& run, const Results& results, const base::DisplayUnits& shown)
+{
+  std::string words;
+  for (const StateResults& state : results.states) {
+    if (state.name != "laid" && state.name != "operation") continue;
+    words += state.name == "laid" ? fmt::format("Laid, by {} small drags, it", std::ranges::count_if(run.stages, &Stage::lays))
+                                  : std::string("In operation it");
+    words += fmt::format(" lies at w = {} under V = {}. ", shown.length_text(run.scale, state.w), shown.force_text(run.scale, state.V));
+  }
+  return words;
+}
+
+/// How far a force moves it: what is asked of a pipe on the bed in a storm.
+std::string moved_words(const DrivenRun& run, const DragResults& drag, const base::DisplayUnits& shown)
+{
+  const Displacements& moved = *drag.moved;
+  const auto length = [&](Real metres) { return shown.length_text(run.scale, std::abs(metres)); };
+  std::string words = fmt::format(
+      "Under the force of \"{}\" {} moves {} at most and stays {} from where it began; it is at w = {} at most and at w = {} at the end. ",
+      text::html_text(drag.stage), subject_of(run.settings), length(moved.u_largest), length(moved.u_end), length(moved.w_largest),
+      length(moved.w_end));
+  if (moved.half_cycles > 1)
+    words += fmt::format("Its largest way between two turns is {}, of {}. ", length(moved.largest_half_cycle),
+                         text::count_words(moved.half_cycles));
+  const auto after = [](Real time) { return "after " + text::time_words(time); };
+  if (moved.time_D)
+    return words + fmt::format("It breaks out: it is 0.5 D away {} and 1 D {}. ", after(*moved.time_half_D), after(*moved.time_D));
+  if (moved.time_half_D) return words + fmt::format("It breaks out: it is 0.5 D away {}, and nowhere 1 D. ", after(*moved.time_half_D));
+  return words + "It does not break out: it stays within 0.5 D. ";
+}
+
+std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, const base::DisplayUnits& shown)
+{
+  std::string words = fmt::format("Lifted from w = {} in \"{}\", {} meets an uplift resistance of {} after {}",
+                                  shown.length_text(run.scale, uplift.w_begin), text::html_text(uplift.stage), subject_of(run.settings),
+                                  shown.force_text(run.scale, uplift.largest.H), shown.length_text(run.scale, uplift.largest.u));
+  if (!uplift.falls) return words + ", still growing at the end of the lift. ";
+  if (uplift.end)
+    words += fmt::format(", and {} at the end, after {}", shown.force_text(run.scale, uplift.end->H),
+                         shown.length_text(run.scale, uplift.end->u));
+  return words + ". ";
+}
+
 /// "Dragged 1 D with V held, 0.8 kN/m on average, the pipe meets", after a push "it".
 std::string drag_begin(const DrivenRun& run, const RunPoints& points, const std::string& travel, const base::DisplayUnits& shown)
 {
-  const std::string vertical = vertical_words(run, run.results().drag(), shown),
-                    subject = points.push_end ? "it" : subject_of(run.settings);
+  const Results results = run.results();
+  const DragResults& drag = results.main_drag();
+  const std::string vertical = vertical_words(run, drag, shown), subject = points.push_end ? "it" : subject_of(run.settings),
+                    which = results.prefix_of(drag).empty() ? "" : fmt::format(" in \"{}\"", text::html_text(drag.stage));
   const std::string begin = !points.push_end && starts_embedded(run)
                                 ? fmt::format("Wished in place at w = {} and dragged", shown.length_text(run.scale, points.first_w))
                                 : std::string("Dragged");
-  return fmt::format("{} {}{}, {} meets", begin, travel, vertical, subject);
+  return fmt::format("{}{} {}{}, {} meets", begin, which, travel, vertical, subject);
 }
 
-/// Of the first drag, to its very end.
+/// Of the main drag, to its very end.
 std::string drag_words(const DrivenRun& run, const RunPoints& points, const DragPoint& end, const base::DisplayUnits& shown)
 {
-  const Real D = run.scale.width, began = points.push_end ? points.push_end->w : points.first_w;
+  const Results results = run.results();
+  const auto operation = std::ranges::find(results.states, "operation", &StateResults::name);
+  const Real D = run.scale.width, began = operation != results.states.end() ? operation->w
+                                          : points.push_end                 ? points.push_end->w
+                                                                            : points.first_w;
   std::string words =
       fmt::format("{} H = {}{}, {} V, over the last {} D", drag_begin(run, points, text::short_number(end.u / D) + " D", shown),
-                  shown.force_text(run.scale, end.H), converged_words(run, "H_end_of_drag", shown), text::short_number(end.H / end.V),
-                  text::short_number(residual_travel(end.u, run.scale) / D));
+                  shown.force_text(run.scale, end.H), converged_words(run, results.prefix_of(results.main_drag()) + "H_end_of_drag", shown),
+                  text::short_number(end.H / end.V), text::short_number(residual_travel(end.u, run.scale) / D));
   if (std::abs(end.w - began) > same_depth * D)
     words += fmt::format(", and {} to w = {}", end.w > began ? "sinks" : "rises", shown.length_text(run.scale, end.w));
   return words + ". ";
@@ -97,9 +150,9 @@ std::string each_in_words(const DrivenRun& run, const Results& results, const ba
   constexpr std::size_t max = 4;
   std::string words;
   std::size_t count = 0;
-  for (std::size_t k = 1; k < results.drags.size(); ++k) {
+  for (std::size_t k = results.main + 1; k < results.drags.size(); ++k) {
     const DragResults& drag = results.drags[k];
-    if (!drag.end) continue;
+    if (!drag.end || drag.moved) continue;
     if (count == max) return words + ", and so on (summary.json has them all)";
     words += fmt::format("{} H = {} at the end", count++ == 0 ? "" : ",", shown.force_text(run.scale, drag.end->H));
     if (drag.V) words += fmt::format(" under V = {}", shown.force_text(run.scale, *drag.V));
@@ -107,18 +160,18 @@ std::string each_in_words(const DrivenRun& run, const Results& results, const ba
   return words;
 }
 
-/// Of the drags after the first.
+/// Of the drags after the main one.
 std::string later_drags_words(const DrivenRun& run, const Results& results, const base::DisplayUnits& shown)
 {
   Real min = infinity, max = -infinity;
   int later = 0;
   bool other_V = false;
   const DragResults* last = nullptr;
-  for (std::size_t k = 1; k < results.drags.size(); ++k) {
+  for (std::size_t k = results.main + 1; k < results.drags.size(); ++k) {
     const DragResults& drag = results.drags[k];
-    if (!drag.end) continue;
+    if (!drag.end || drag.moved) continue;
     min = std::min(min, drag.end->H), max = std::max(max, drag.end->H), ++later;
-    other_V = other_V || is_under_another_V(results.drag(), drag);
+    other_V = other_V || is_under_another_V(results.main_drag(), drag);
     last = &drag;
   }
   if (later == 0) return "";
@@ -136,9 +189,11 @@ std::string later_drags_words(const DrivenRun& run, const Results& results, cons
 std::string short_drag_words(const DrivenRun& run, const RunPoints& points, const Resistance& resistance, const base::DisplayUnits& shown)
 {
   const Real D = run.scale.width;
+  const Results results = run.results();
+  const std::string prefix = results.prefix_of(results.main_drag());
   const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : text::short_number(resistance.travel / D) + " D";
   return fmt::format("{} at most H = {}{}, at u = {}. ", drag_begin(run, points, travel, shown),
-                     shown.force_text(run.scale, resistance.largest->H), converged_words(run, "H_max", shown),
+                     shown.force_text(run.scale, resistance.largest->H), converged_words(run, prefix + "H_max", shown),
                      shown.length_text(run.scale, resistance.largest->u));
 }
 
@@ -146,13 +201,19 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
 {
   if (std::isnan(resistance.last_change)) return "";
   const StageEnd end = end_of_drag(run);
+  const Results results = run.results();
+  const std::string prefix = results.prefix_of(results.main_drag());
+  const std::string berm =
+      resistance.berm ? fmt::format("; at its end it meets a berm with {}", shown.force_text(run.scale, *resistance.berm)) : "";
+  if (!resistance.breakout && resistance.berm)
+    return fmt::format("There is no peak: H levels off at {}{}.", shown.force_text(run.scale, *resistance.residual), berm);
   if (!resistance.breakout) return fmt::format("There is {}.", no_peak_words(resistance, end.to));
   std::string words = fmt::format("H peaks first at u = {} with {}{}", shown.length_text(run.scale, resistance.breakout->u),
-                                  shown.force_text(run.scale, resistance.breakout->H), converged_words(run, "H_breakout", shown));
+                                  shown.force_text(run.scale, resistance.breakout->H), converged_words(run, prefix + "H_breakout", shown));
   if (resistance.largest && resistance.largest->H > (1 + min_fall) * resistance.breakout->H)
     words += fmt::format(", grows to {} at u = {}", shown.force_text(run.scale, resistance.largest->H),
                          shown.length_text(run.scale, resistance.largest->u));
-  return resistance.residual ? fmt::format("{}, then comes to {}.", words, shown.force_text(run.scale, *resistance.residual))
+  return resistance.residual ? fmt::format("{}, then comes to {}{}.", words, shown.force_text(run.scale, *resistance.residual), berm)
                              : fmt::format("{}, and still changes {}.", words, end.reached ? "at the " + end.at : end.at);
 }
 
@@ -162,16 +223,22 @@ std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& sho
 {
   const RunPoints points = points_of(run);
   const Resistance resistance = resistance_of(run);
-  if (!points.push_end && !resistance.largest) return "Nothing is known of its forces: it did not come as far as a push or a drag.";
-  std::string words;
   const Results results = run.results();
+  const bool moved = std::ranges::any_of(results.drags, [](const DragResults& drag) { return drag.moved.has_value(); });
+  if (!points.push_end && !resistance.largest && results.uplifts.empty() && !moved)
+    return "Nothing is known of its forces: it did not come as far as a push or a drag.";
+  std::string words;
   if (points.push_end) words += push_words(run, points, shown);
-  words += other_push_words(run, results, true, shown);
-  if (resistance.largest) {
-    const std::optional<DragPoint>& end = results.drag().end;
-    words += points.drag.empty() || !end ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, *end, shown);
+  words += other_push_words(run, results, true, shown) + states_words(run, results, shown);
+  const DragResults& main = results.main_drag();
+  if (resistance.largest && !main.moved) {
+    words +=
+        points.drag.empty() || !main.end ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, *main.end, shown);
     words += resistance_words(run, resistance, shown) + later_drags_words(run, results, shown) + " ";
   }
+  for (const DragResults& drag : results.drags)
+    if (drag.moved) words += moved_words(run, drag, shown);
+  for (const UpliftResults& uplift : results.uplifts) words += uplift_words(run, uplift, shown);
   words += other_push_words(run, results, false, shown);
   words.erase(words.find_last_not_of(' ') + 1);
   if (!base::circle_of(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));

@@ -4,6 +4,7 @@
 
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
+#include "structures/driven/results/states.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -55,6 +56,20 @@ private:
   std::map<std::pair<Real, std::string>, Rows> points_;
 };
 
+/// What the names of the main drag's numbers begin with.
+std::string prefix_of_main(const DrivenRun& run)
+{
+  const Results results = run.results();
+  return results.prefix_of(results.main_drag());
+}
+
+/// " in NAME" of a single run whose main drag is not its first.
+std::string main_words(const DrivenRuns& runs)
+{
+  if (runs.size() != 1 || prefix_of_main(runs.front()).empty()) return "";
+  return fmt::format(" in {}", text::html_text(runs.front().results().main_drag().stage));
+}
+
 std::string push_table(const DrivenRuns& runs, const base::DisplayUnits& shown, bool several)
 {
   PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
@@ -84,15 +99,19 @@ std::string push_table(const DrivenRuns& runs, const base::DisplayUnits& shown, 
 
 std::string drag_table(const DrivenRuns& runs, const base::DisplayUnits& shown, bool several)
 {
-  PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
+  PointTable table(
+      "key-drag",
+      fmt::format("Drag{}: horizontal resistance H and embedment w at displacement u from where the drag began", main_words(runs)),
+      several);
   table.columns("point",
                 side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), {{"H/V", true}}, shown.length_columns("w")}));
   for (const DrivenRun& run : runs) {
+    const std::string prefix = prefix_of_main(run);
     for (const DragPoint& p : points_of(run).drag) {
       const Real part = p.u / run.scale.width;
       table.add(std::round(1000 * part), fmt::format("u = {} D", text::short_number(part)), run,
                 side_by_side({shown.force_cells(run.scale, p.H),
-                              converged_cell(runs, run, name_at("H_at_u", part), shown),
+                              converged_cell(runs, run, prefix + name_at("H_at_u", part), shown),
                               {{text::table_number(p.H / p.V), true}},
                               shown.length_cells(run.scale, p.w)}));
     }
@@ -174,6 +193,7 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
 
 std::string residual_words(const Resistance& resistance, const StageEnd& end)
 {
+  if (resistance.berm) return "lowest plateau, before H rises against a berm";
   const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
   const std::string last = end.reached ? "the end of the drag" : "the last part of the drag, " + end.at;
   return resistance.residual ? fmt::format("mean over {}; H changes by {} % there", last, change)
@@ -182,14 +202,16 @@ std::string residual_words(const Resistance& resistance, const StageEnd& end)
 
 std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& shown, bool several)
 {
-  PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
+  PointTable table("key-resistance", fmt::format("Resistance to the drag{}: largest, at breakout and residual H", main_words(runs)),
+                   several);
   table.columns(
       "H", side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"how it was found"}}}));
   for (const DrivenRun& run : runs) {
     const Resistance resistance = resistance_of(run);
     const StageEnd end = end_of_drag(run);
+    const std::string prefix = prefix_of_main(run);
     const auto add = [&](Real rank, const std::string& name, Real u, Real H, const std::string& words) {
-      const std::string quantity = rank == 0 ? "H_max" : "H_" + name;
+      const std::string quantity = prefix + (rank == 0 ? "H_max" : "H_" + name);
       table.add(
           rank, name, run,
           side_by_side(
@@ -202,6 +224,7 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
     else
       add(1, "breakout", nan, nan, no_peak_words(resistance, end.to));
     add(2, "residual", nan, resistance.residual.value_or(nan), residual_words(resistance, end));
+    if (resistance.berm) add(3, "berm", resistance.travel, *resistance.berm, "mean over the end of the drag");
   }
   const std::string html = table.html();
   if (html.empty()) return "";
@@ -212,8 +235,10 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
                  "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
                  "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D (a third of it at most), "
                  "if the straight line "
-                 "fitted to H there changes by less than {:g} % of that mean.",
-                 100 * min_fall, breakout_stays, min_residual_travel, 100 * max_residual_change),
+                 "fitted to H there changes by less than {:g} % of that mean. Where H has risen by more than {:g} % from an earlier "
+                 "plateau, that "
+                 "plateau is the residual and the end is the resistance of the berm that the body has pushed up.",
+                 100 * min_fall, breakout_stays, min_residual_travel, 100 * max_residual_change, 100 * min_berm),
              "quiet");
 }
 
@@ -228,13 +253,91 @@ std::string averaging_words(const DrivenRuns& runs)
       "quiet");
 }
 
+/// Where a run lies between its travels.
+std::string states_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
+{
+  text::HtmlTable table("key-states", "States: embedment w and vertical force V");
+  table.columns(side_by_side({{{"state"}}, shown.length_columns("w"), shown.force_columns("V"), {{"how it was found"}}}));
+  for (const DrivenRun& run : runs) {
+    const States states = states_of(run.record);
+    if (!has_states_between(states)) continue;
+    if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
+    for (const State& state : states)
+      if (!state.name.starts_with("after_"))
+        table.row(side_by_side({{{state.name}},
+                                shown.length_cells(run.scale, state.w),
+                                shown.force_cells(run.scale, state.V),
+                                {{text::html_text(state.origin)}}}));
+  }
+  return table.empty() ? "" : table.html();
+}
+
+/// How far forces move the bodies.
+std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
+{
+  text::HtmlTable table("key-displacements", "Displacement under a force that is given");
+  table.columns(side_by_side({{{"stage"}},
+                              shown.length_columns("largest u"),
+                              shown.length_columns("u at the end"),
+                              shown.length_columns("largest w"),
+                              {{"half cycles", true}},
+                              shown.length_columns("largest way between turns"),
+                              {{"0.5 D away after, s", true}, {"1 D, s", true}}}));
+  for (const DrivenRun& run : runs)
+    for (const DragResults& drag : run.results().drags) {
+      if (!drag.moved) continue;
+      const Displacements& m = *drag.moved;
+      const auto time = [](const std::optional<Real>& t) { return text::HtmlCell{t ? text::table_number(*t) : "never", true}; };
+      table.row(side_by_side({{{text::html_text(runs.size() > 1 ? run.name + ", " + drag.stage : drag.stage)}},
+                              shown.length_cells(run.scale, m.u_largest),
+                              shown.length_cells(run.scale, m.u_end),
+                              shown.length_cells(run.scale, m.w_largest),
+                              {{text::count_words(m.half_cycles), true}},
+                              shown.length_cells(run.scale, m.largest_half_cycle),
+                              {time(m.time_half_D), time(m.time_D)}}));
+    }
+  if (table.empty()) return "";
+  return table.html() +
+         text::html_paragraph(
+             "u counts along x from where the stage began; a turn counts where the body goes back by 0.01 D. half_cycles.csv of "
+             "the run folder has each half cycle.",
+             "quiet");
+}
+
+std::string uplift_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
+{
+  text::HtmlTable table("key-uplift", "Uplift: resistance R against the lift");
+  table.columns(side_by_side({{{"stage"}},
+                              shown.length_columns("w at the start"),
+                              shown.force_columns("R<sub>max</sub>"),
+                              shown.length_columns("after"),
+                              shown.length_columns("half of it after"),
+                              shown.force_columns("R at the end")}));
+  for (const DrivenRun& run : runs)
+    for (const UpliftResults& u : run.results().uplifts)
+      table.row(side_by_side({{{text::html_text(runs.size() > 1 ? run.name + ", " + u.stage : u.stage)}},
+                              shown.length_cells(run.scale, u.w_begin),
+                              shown.force_cells(run.scale, u.largest.H),
+                              shown.length_cells(run.scale, u.largest.u),
+                              shown.length_cells(run.scale, u.half_travel),
+                              shown.force_cells(run.scale, u.end ? u.end->H : nan)}));
+  return table.empty() ? "" : table.html();
+}
+
+/// The travels one by one, folded where the main one is told by itself.
+std::string folded(const std::string& table)
+{
+  return table.empty() ? "" : "<details>\n<summary>All travels, one by one</summary>\n" + table + "</details>\n";
+}
+
 }  // namespace
 
 std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
   const bool several = runs.size() > 1;
-  const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several) +
-                             stages_table(runs, shown);
+  const std::string tables = states_table(runs, shown) + push_table(runs, shown, several) + drag_table(runs, shown, several) +
+                             resistance_table(runs, shown, several) + displacements_table(runs, shown) + uplift_table(runs, shown) +
+                             folded(stages_table(runs, shown));
   return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + converged_notes(runs) + tables;
 }
 

@@ -6,6 +6,7 @@
 #include "problem/cells_at_body.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
+#include "structures/base/kind.hpp"
 #include "structures/driven/results/driven_run.hpp"
 #include "text/quantity_words.hpp"
 
@@ -21,7 +22,8 @@ using Run = const record::RunRecord&;
 namespace limits {
 
 inline constexpr Limit kinetic{
-    0.05, 0.10, "the usual rule for explicit programs: a few per cent of the internal energy, or inertia is part of the answer"};
+    0.05, 0.10,
+    "the usual rule for explicit programs: a few per cent of the energy that went into the soil, or inertia is part of the answer"};
 inline constexpr Limit held{0.05, 0.10, "the drag is to hold V within 5 % (examples/probe_test)"};
 inline constexpr Limit shaking{0.07, 0.15, "sand that is shaken loses strength, and V comes out too low (docs/decisions/0017)"};
 inline constexpr Limit noise_of_V{0.02, 0.05, "noise grows with the size of the cells (examples/mesh_study)"};
@@ -34,6 +36,8 @@ inline constexpr Limit overlap{0.002, 0.01, "no particle should be deeper than 0
 inline constexpr Limit second_impulse{0.01, 0.05,
                                       "the second contact correction is no force; it stays small with every contact scheme "
                                       "(examples/contact_schemes)"};
+inline constexpr Limit push_in_cells{
+    2, 0.5, "what happens within a part of a cell is not resolved: a push that ends there has the embedment of its cells", true};
 inline constexpr Limit cells{20, 10, "V of a push falls with the size of the cells (examples/mesh_study)", true};
 inline constexpr Limit dilating_cells{80, 40,
                                       "sand with psi = phi: K_p of a wall is +27 % with 17 cells over its height and +10 % with 33, K_a "
@@ -79,20 +83,25 @@ std::string diameter_limit(Real value)
   return fmt::format("{:g} D", value);
 }
 
-/// The largest kinetic over internal energy in the pushes or drags, beyond the first tenth of the rows of each (internal energy begins at nothing); NaN
-/// where there are no such rows.
-Real kinetic_over_internal(const record::RunRecord& run, problem::StageKind kind)
+/// The largest kinetic energy over the largest work until then, in the part of each push or drag that gives the answer: beyond its first third. NaN where there are
+/// no such rows. Work is what went into the soil or into it from outside: internal energy begins at nothing, and a body that moves away takes it out.
+Real kinetic_over_work(const record::RunRecord& run, problem::StageKind kind)
 {
   const run_folder::History& h = run.history;
   if (h.rows() == 0 || !h.has_label("kinetic") || !h.has_label("internal")) return nan;
+  const std::vector<Real>&kinetic = h.by_label("kinetic"), &internal = h.by_label("internal");
   Real largest = nan;
   for (const Stage& stage : stages_of(run.settings)) {
     if (stage.kind != kind) continue;
-    const auto rows = std::count(h.stage.begin(), h.stage.end(), stage.name);
+    const std::string& name = stage.asked.name;
+    const auto rows = std::count(h.stage.begin(), h.stage.end(), name);
     std::ptrdiff_t before = 0;
+    Real work = 0;
     for (Index k = 0; k < h.rows(); ++k) {
-      if (h.stage[k] != stage.name || 10 * before++ < rows) continue;
-      const Real ratio = h.by_label("kinetic")[k] / std::abs(h.by_label("internal")[k]);
+      work = std::max(work, std::abs(internal[k]));
+      if (h.has_label("external")) work = std::max(work, std::abs(h.by_label("external")[k]));
+      if (h.stage[k] != name || 3 * before++ < rows) continue;
+      const Real ratio = kinetic[k] / work;
       if (std::isfinite(ratio)) largest = std::isnan(largest) ? ratio : std::max(largest, ratio);
     }
   }
@@ -116,13 +125,13 @@ Real acts_larger(Run run)
 
 TrustMeasure kinetic(const char* stage, bool (*applies)(Run), problem::StageKind kind)
 {
-  return {fmt::format("kinetic over internal energy, {}", stage),
+  return {fmt::format("kinetic energy over the work, {}", stage),
           &limits::kinetic,
           applies,
-          [kind](Run run) { return kinetic_over_internal(run, kind); },
+          [kind](Run run) { return kinetic_over_work(run, kind); },
           in_percent,
           [stage](Run, Real value) {
-            return fmt::format("kinetic energy is {} of internal energy in the {}: drive slower", text::percent_words(value), stage);
+            return fmt::format("kinetic energy is {} of the work in the {}: drive slower", text::percent_words(value), stage);
           },
           text::percent_words};
 }
@@ -244,6 +253,22 @@ TrustMeasure size_of(const std::string& what, const Limit& limit)
           over_limit};
 }
 
+/// How deep a push went, in cells: of a pipe that begins above the soil.
+TrustMeasure depth_of_push(const std::string& body)
+{
+  return {"embedment at the end of the push, in cells h at the " + body,
+          &limits::push_in_cells,
+          [](Run run) { return kind_of(run.settings) == "pipe" && quantity_value(run, "w_end_of_push") > 0; },
+          [](Run run) { return quantity_value(run, "w_end_of_push") / near_cells(run).first; },
+          as_number,
+          [body](Run, Real value) {
+            return fmt::format(
+                "the push ends {:.2g} cells deep: take cells of a few parts of the embedment at the {}, or read it as not known", value,
+                body);
+          },
+          cells_limit};
+}
+
 bool dilates_strongly(Run run)
 {
   constexpr Real much = 10 * pi / 180;
@@ -289,8 +314,8 @@ TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
         noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
        soil_volumes(),
        {contact_gap(body), overlap(body), second_impulse(), momentum_balance(),
-        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), cells_of_dilating_soil(body), shear_bands(),
-        particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
+        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), depth_of_push(body), cells_of_dilating_soil(body),
+        shear_bands(), particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
 }
 
 TrustMeasures fem_measures(const std::string& body)

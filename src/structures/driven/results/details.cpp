@@ -4,8 +4,8 @@
 
 #include "core/error.hpp"
 #include "record/travel_curve.hpp"
-#include "structures/formulas/f114.hpp"
 #include "structures/driven/results/mechanism.hpp"
+#include "structures/formulas/f114.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -174,12 +174,7 @@ class DrivenDetails : public base::RunDetails {
 public:
   explicit DrivenDetails(const record::RunRecord& run) : run_(run) {}
 
-  std::vector<std::string> names() const override
-  {
-    std::vector<std::string> all;
-    for (const Detail& detail : details) all.emplace_back(detail.name);
-    return all;
-  }
+  std::vector<std::string> names() const override { return detail_names(); }
   std::optional<run_folder::Quantity> find(const std::string& name, std::optional<Real> at) const override
   {
     const Detail* const found = std::find_if(std::begin(details), std::end(details), [&](const Detail& d) { return name == d.name; });
@@ -194,6 +189,13 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> detail_names()
+{
+  std::vector<std::string> all;
+  for (const Detail& detail : details) all.emplace_back(detail.name);
+  return all;
+}
 
 std::unique_ptr<base::RunDetails> details_of(const record::RunRecord& run)
 {

@@ -12,4 +12,7 @@ namespace berm::driven {
 /// counted from the begin of the drag.
 std::unique_ptr<base::RunDetails> details_of(const record::RunRecord& run);
 
+/// Their names.
+std::vector<std::string> detail_names();
+
 }  // namespace berm::driven

@@ -1,17 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/driven/results/path_test.cpp
 #include "structures/driven/results/path.hpp"
+
+#include "structures/base/driven_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 namespace berm::driven {
 namespace {
 
 using problem::StageKind;
+using problem::StageRole;
 using problem::StageSettings;
 
-Stage pipe_stage(const StageSettings& s, Real held_force)
+/// A stage of kind drive as the push or drag that it is; empty where it drives neither x nor y.
+std::optional<StageSettings> as_push_or_drag(StageSettings s)
 {
-  Stage stage;
-  stage.name = s.name;
-  stage.kind = s.kind;
+  if (s.kind == StageKind::push || s.kind == StageKind::drag) return s;
+  if (s.kind != StageKind::drive) return {};
+  const problem::FreedomSettings &x = s.drive.x, &y = s.drive.y;
+  const auto moves = [](const problem::FreedomSettings& f) { return f.velocity.value_or(0) != 0 || f.force; };
+  if (moves(x)) {
+    s.kind = StageKind::drag;
+    s.velocity = x.velocity, s.force = x.force;
+    s.vertical = y.hold || y.force || y.free ? problem::Vertical::hold : problem::Vertical::fixed;
+    if (y.force) s.vertical_force = -*y.force;
+    if (y.velocity) s.vertical_velocity = -*y.velocity;
+    return s;
+  }
+  if (!moves(y)) return {};
+  s.kind = StageKind::push;
+  if (y.velocity) s.velocity = -*y.velocity;
+  if (y.force) s.force = -*y.force;
+  return s;
+}
+
+Stage stage_of(const StageSettings& s, Real held_force)
+{
+  Stage stage{.name = s.name, .kind = s.kind, .asked = s};
   if (s.kind == StageKind::push) {
     const Real last = s.load_factors.empty() ? 1 : s.load_factors.back();
     stage.upwards = s.velocity.value_or(0) * last < 0;
@@ -19,18 +47,87 @@ Stage pipe_stage(const StageSettings& s, Real held_force)
     return stage;
   }
   stage.direction = s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0 ? -1 : 1;
+  stage.by_force = s.force.has_value();
+  stage.varies = stage.by_force && !s.load_times.empty();
   stage.holds_V = s.vertical == problem::Vertical::hold && !s.vertical_velocity;
   if (s.vertical_force) stage.V_ramp = s.ramp;
   if (stage.holds_V && !std::isnan(held_force)) stage.held_force = held_force;
   return stage;
 }
 
-/// The rows of a stage, which is run once.
-std::vector<Index> rows_of(const run_folder::History& history, const std::string& stage)
+/// The parts of a drag by a velocity history between which it turns round.
+Stages parts_of(const Stage& whole)
 {
+  const StageSettings& s = whole.asked;
+  if (whole.kind != StageKind::drag || whole.by_force || s.load_times.empty()) return {whole};
+  Stages parts;
+  const auto begin_part = [&](Real time, Real factor) {
+    if (factor == 0) return;
+    const Real direction = factor * s.velocity.value_or(0) < 0 ? -1 : 1;
+    if (!parts.empty() && parts.back().direction == direction) return;
+    if (!parts.empty()) parts.back().to = time;
+    parts.push_back(whole);
+    parts.back().direction = direction;
+    parts.back().from = parts.size() == 1 ? 0 : time;
+  };
+  begin_part(0, s.load_factors.front());
+  for (std::size_t k = 1; k < s.load_times.size(); ++k) {
+    const Real before = s.load_factors[k - 1], after = s.load_factors[k];
+    const Real turns =
+        before * after < 0 ? std::lerp(s.load_times[k - 1], s.load_times[k], before / (before - after)) : s.load_times[k - 1];
+    begin_part(turns, after);
+  }
+  if (parts.size() > 1)
+    for (std::size_t k = 0; k < parts.size(); ++k) parts[k].name = fmt::format("{}_{}", s.name, k + 1);
+  return parts;
+}
+
+bool unloads(const Stage& stage, const Stages& before)
+{
+  if (stage.kind != StageKind::push) return false;
+  if (stage.upwards) return true;
+  if (!stage.force) return false;
+  for (auto earlier = before.rbegin(); earlier != before.rend(); ++earlier) {
+    if (earlier->asked.vertical_force) return *stage.force < *earlier->asked.vertical_force;
+    if (earlier->kind == StageKind::push && earlier->asked.until.force) return *stage.force < *earlier->asked.until.force;
+    if (earlier->kind == StageKind::push && earlier->force) return *stage.force < *earlier->force;
+  }
+  return true;
+}
+
+/// Marks the drags that lay the pipe: those of that role, and where no role is said those that longest_lay describes.
+void mark_what_lays(Stages& stages, Real D)
+{
+  bool said = false;
+  for (Stage& stage : stages) {
+    said = said || stage.asked.role != StageRole::automatic;
+    stage.lays = stage.kind == StageKind::drag && stage.asked.role == StageRole::lay;
+  }
+  if (said || !(D > 0)) return;
+  const auto travel = [](const Stage& stage) { return stage.asked.until.displacement.value_or(infinity); };
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    const Stage& stage = stages[k];
+    if (stage.kind != StageKind::drag || stage.by_force || travel(stage) > longest_lay * D) continue;
+    bool unloaded = false;
+    for (std::size_t later = k + 1; later < stages.size(); ++later) {
+      unloaded = unloaded || unloads(stages[later], Stages(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(later)));
+      if (unloaded && stages[later].kind == StageKind::drag && travel(stages[later]) > 2 * travel(stage)) stages[k].lays = true;
+    }
+  }
+}
+
+/// The rows of a stage, which is run once, or of a part of it.
+std::vector<Index> rows_of(const run_folder::History& history, const Stage& stage)
+{
+  const std::string& name = stage.asked.name.empty() ? stage.name : stage.asked.name;
   std::vector<Index> rows;
-  for (Index k = 0; k < history.rows(); ++k)
-    if (history.stage[k] == stage) rows.push_back(k);
+  const std::vector<Real>& time = history["time_s"];
+  Real began = nan;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (history.stage[k] != name) continue;
+    if (std::isnan(began)) began = time[std::max<Index>(0, k - 1)];
+    if ((stage.from <= 0 || time[k] > began + stage.from) && time[k] <= began + stage.to) rows.push_back(k);
+  }
   return rows;
 }
 
@@ -49,33 +146,59 @@ DragPath drag_path(const run_folder::History& history, const Stage& stage, std::
   return path;
 }
 
+template <class List>
+const DragPath& drag_or_none(const List& drags, std::size_t number)
+{
+  static const DragPath none_yet{};
+  return number < drags.size() ? drags[number] : none_yet;
+}
+
 }  // namespace
 
 Stages stages_of(const problem::Case& c, const std::vector<Real>& held_forces)
 {
   Stages stages;
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
-    const StageSettings& s = c.stage[k];
-    const bool still = s.velocity && *s.velocity == 0;
-    if (s.kind == StageKind::push || (s.kind == StageKind::drag && !still))
-      stages.push_back(pipe_stage(s, k < held_forces.size() ? held_forces[k] : nan));
+    const std::optional<StageSettings> s = as_push_or_drag(c.stage[k]);
+    const bool still = s && s->velocity && *s->velocity == 0;
+    if (!s || (s->kind == StageKind::drag && still)) continue;
+    for (Stage& part : parts_of(stage_of(*s, k < held_forces.size() ? held_forces[k] : nan))) stages.push_back(std::move(part));
   }
+  mark_what_lays(stages, base::body_scale(c).width);
   return stages;
+}
+
+std::optional<std::size_t> main_drag(const Stages& stages)
+{
+  std::optional<std::size_t> first, last;
+  std::size_t number = 0;
+  for (const Stage& stage : stages) {
+    if (stage.kind != StageKind::drag) continue;
+    if (stage.asked.role == StageRole::breakout) return number;
+    if (!first && !stage.lays) first = number;
+    last = number++;
+  }
+  return first ? first : last;
 }
 
 const DragPath& Path::drag() const
 {
-  static const DragPath none_yet{};
-  return drags.empty() ? none_yet : drags.front();
+  return drag_or_none(drags, 0);
+}
+
+const DragPath& Path::main_drag() const
+{
+  return drag_or_none(drags, main);
 }
 
 Path path_of(const run_folder::History& history, const Stages& stages)
 {
   Path path;
+  path.main = main_drag(stages).value_or(0);
   if (history.rows() == 0) return path;
   const std::vector<Real>&w = history["w_m"], &V = history.by_label("V");
   for (const Stage& stage : stages) {
-    std::vector<Index> rows = rows_of(history, stage.name);
+    std::vector<Index> rows = rows_of(history, stage);
     if (rows.empty()) continue;
     if (stage.kind == StageKind::drag) {
       path.drags.push_back(drag_path(history, stage, std::move(rows)));
@@ -83,7 +206,7 @@ Path path_of(const run_folder::History& history, const Stages& stages)
     }
     const bool unloads = stage.upwards || (stage.force && rows.front() > 0 && *stage.force < V[rows.front() - 1]);
     if (unloads || !path.drags.empty()) {
-      path.other_pushes.push_back({stage.name, std::move(rows)});
+      path.other_pushes.push_back({stage.name, stage.upwards, std::move(rows)});
       continue;
     }
     for (const Index k : rows) {

@@ -6,25 +6,38 @@
 
 namespace berm::driven {
 
-/// A stage of a case that pushes or drags the pipe.
+/// What moves the body one way: a stage of a case that pushes or drags it, or the part of one whose velocity does not turn round. A stage of kind drive whose x is
+/// driven is a drag, one that drives y alone a push.
 struct Stage {
-  std::string name;
+  std::string name;  ///< of the stage; STAGE_1, STAGE_2, ... where its velocity turns round
   problem::StageKind kind = problem::StageKind::push;
   bool upwards = false;              ///< a push by a velocity upwards
   std::optional<Real> force{};       ///< N/m, downwards, of a push by force: the last of its load history
   Real direction = 1;                ///< of a drag: +1 along x, -1 against it
+  bool by_force = false;             ///< a drag by a force
+  bool varies = false;               ///< that has a load history: it may turn round
   bool holds_V = true;               ///< of a drag: whether it holds a vertical force
   Real V_ramp = 0;                   ///< s, time that the drag takes to come to that force
   std::optional<Real> held_force{};  ///< N/m, that force; empty where it is not known
+  bool lays = false;                 ///< a drag that lays the pipe: what it meets is no answer
+  problem::StageSettings asked{};    ///< the stage of the case
+  Real from = 0, to = infinity;      ///< s since that began: the part of it
 };
 
-/// In the order in which they run; a drag that stands still (the pause of sweeps) is none.
+/// In the order in which they run; a stage that stands still (the pause of sweeps) is none.
 using Stages = std::vector<Stage>;
+
+/// A drag whose asked travel is at most this (over D), before an unloading after which a drag of more than twice as much comes, lays the pipe, unless roles are said.
+constexpr Real longest_lay = 0.25;
 
 /// The pushes and the drags of a case. `held_forces`: N/m by stage of the case, NaN where none is held; empty where they are not known.
 Stages stages_of(const problem::Case& c, const std::vector<Real>& held_forces = {});
 
-/// The way down: pushes before the first drag that load the pipe further, by row.
+/// The drag whose resistance is the answer: the first of role breakout, else the first that does not lay the pipe; the last where all do. Its number among the drags of
+/// stages, or none.
+std::optional<std::size_t> main_drag(const Stages& stages);
+
+/// The way down: pushes before the first drag that load the body further, by row.
 struct PushPath {
   std::vector<Index> rows;  ///< of the history
   std::vector<Real> w, V;   ///< m, N/m
@@ -39,9 +52,10 @@ struct DragPath {
   std::vector<Real> w{}, H{}, V{};  ///< m; N/m, H against its direction (positive where the soil resists)
 };
 
-/// A push that is no way down: it unloads or lifts the pipe, or follows a drag.
+/// A push that is no way down: it unloads or lifts the body, or follows a drag.
 struct OtherPush {
   std::string stage;
+  bool upwards = false;  ///< by a velocity: it lifts
   std::vector<Index> rows;
 };
 
@@ -50,9 +64,11 @@ struct Path {
   PushPath push;
   std::vector<OtherPush> other_pushes;
   std::vector<DragPath> drags;
+  std::size_t main = 0;  ///< among the drags, that whose resistance is the answer; one that has not begun yet is not among them
 
-  /// The first drag; one without rows where there is none.
+  /// The first drag, and the main one; one without rows where there is none.
   const DragPath& drag() const;
+  const DragPath& main_drag() const;
 };
 
 /// Takes pushes and drags out of a history. A push by a force below the V that it finds, or by a velocity upwards, unloads.

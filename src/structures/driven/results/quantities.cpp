@@ -3,8 +3,10 @@
 
 #include "record/travel_curve.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/driven/results/displacements.hpp"
 #include "structures/driven/results/path.hpp"
 #include "structures/driven/results/resistance.hpp"
+#include "structures/driven/results/uplift.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -47,6 +49,33 @@ std::optional<Real> if_known(Real value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
+/// A stage ends after the step that reaches its limit.
+bool meets(Real value, const std::optional<Real>& limit)
+{
+  constexpr Real step = 0.01;
+  return limit && std::abs(value - *limit) <= step * std::abs(*limit);
+}
+
+/// What these pushes give of an end at w.
+Prescribed given_by_push(const problem::StageSettings& s, Real w)
+{
+  Prescribed given;
+  given.w = meets(w, s.until.embedment);
+  given.V = s.force || (s.until.force && !given.w);
+  return given;
+}
+
+Prescribed given_by_drag(const Stage& stage, Real u)
+{
+  const problem::StageSettings& s = stage.asked;
+  Prescribed given;
+  given.u = meets(u, s.until.displacement);
+  given.H = stage.by_force;
+  given.V_always = s.vertical_force.has_value();
+  given.w_always = s.vertical == problem::Vertical::fixed && !s.vertical_velocity;
+  return given;
+}
+
 /// Half of the travel over which V of the push is averaged: in a short one a quarter of its way in the soil at most.
 Real half_of_push(const TravelCurve& V, const BodyScale& scale)
 {
@@ -63,7 +92,7 @@ void take_push(Results& results, const PushPath& path, const BodyScale& scale)
     if (k * push_spacing * D >= V.begin())
       results.push.push_back({k * push_spacing * D, V.at(std::min(k * push_spacing * D, V.end()), half)});
   results.push_end = PushPoint{V.end(), V.at(V.end(), half_of_push(V, scale))};
-  results.V_noise = if_known(noise_of(path.w, path.V, noise_of_V_from * D, scale));
+  results.V_noise = if_known(noise_of(path.w, path.V, std::max(V.begin(), Real(0)) + noise_of_V_from * D, scale));
 }
 
 /// V by the travel from the row before the push, of a pipe that is in the bed there.
@@ -106,8 +135,14 @@ DragPoint end_of(const TravelCurve& H, const TravelCurve& V, const TravelCurve& 
 
 DragResults drag_results(const DragPath& path, const run_folder::History& history, std::optional<Real> V_max, const BodyScale& scale)
 {
-  DragResults drag{.stage = path.stage.name};
+  DragResults drag{.stage = path.stage.name, .given = given_by_drag(path.stage, path.travel.back())};
   const Real D = scale.width;
+  if (path.stage.by_force) drag.moved = displacements_of(path, history, D);
+  if (path.stage.varies) {
+    take_vertical(drag, path, history);
+    drag.end = DragPoint{path.travel.back(), path.w.back(), path.H.back(), path.V.back()};
+    return drag;
+  }
   const TravelCurve H(path.travel, path.H), V(path.travel, path.V), w(path.travel, path.w);
   if (H.empty() || V.empty() || w.empty()) return drag;
   const Real half = averaging_half(scale);
@@ -125,8 +160,10 @@ DragResults drag_results(const DragPath& path, const run_folder::History& histor
   const Resistance resistance = resistance_to(H, scale);
   if (std::isnan(resistance.last_change)) return drag;
   drag.end = end_of(H, V, w, scale);
+  if (path.stage.by_force) return drag;
   if (resistance.breakout) drag.breakout = DragPeak{resistance.breakout->u, resistance.breakout->H};
   drag.residual = resistance.residual;
+  drag.berm = resistance.berm;
   return drag;
 }
 
@@ -141,12 +178,32 @@ void take_drags(Results& results, const Path& path, const run_folder::History& h
   for (const DragPath& drag : path.drags) results.drags.push_back(drag_results(drag, history, V_max, scale));
 }
 
-void take_other_pushes(Results& results, const Path& path, const run_folder::History& history)
+const problem::StageSettings& asked_of(const Stages& stages, const std::string& name)
+{
+  return std::find_if(stages.begin(), stages.end(), [&](const Stage& stage) { return stage.name == name; })->asked;
+}
+
+void take_other_pushes(Results& results, const Path& path, const run_folder::History& history, const Stages& stages, const BodyScale& scale)
 {
   for (const OtherPush& push : path.other_pushes) {
     const Index last = push.rows.back();
     const Real V = history.by_label("V")[last], w = history["w_m"][last];
-    if (std::isfinite(V) && std::isfinite(w)) results.other_pushes.push_back({push.stage, w, V});
+    if (std::isfinite(V) && std::isfinite(w))
+      results.other_pushes.push_back({push.stage, w, V, given_by_push(asked_of(stages, push.stage), w)});
+    if (!push.upwards) continue;
+    if (std::optional<UpliftResults> uplift = uplift_of(push, history, scale)) results.uplifts.push_back(*uplift);
+  }
+}
+
+/// Of all pushes before the first drag that the push end may be of.
+void take_what_the_push_is_given(Results& results, const Stages& stages)
+{
+  if (!results.push_end) return;
+  for (const Stage& stage : stages) {
+    if (stage.kind == problem::StageKind::drag) return;
+    const Prescribed given = given_by_push(stage.asked, results.push_end->w);
+    results.push_given.w = results.push_given.w || given.w;
+    results.push_given.V = results.push_given.V || given.V;
   }
 }
 
@@ -201,10 +258,12 @@ Results results_from(const run_folder::History& history, const BodyScale& scale,
 {
   const Path path = path_of(history, stages);
   Results results;
+  results.main = path.main;
   take_push(results, path.push, scale);
   take_travel(results, path.push, history, scale);
   take_drags(results, path, history, scale);
-  take_other_pushes(results, path, history);
+  take_other_pushes(results, path, history, stages, scale);
+  take_what_the_push_is_given(results, stages);
   take_second_impulse(results, path.push, history);
   take_contact(results, path, history);
   return results;
@@ -220,7 +279,7 @@ std::string key_results_table(const std::vector<run_folder::Quantity>& quantitie
   if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
   table += '\n';
   for (const run_folder::Quantity& q : quantities) {
-    if (q.name.ends_with("_over_gammaD2") || q.name.ends_with("_over_D")) continue;
+    if (q.kind == run_folder::QuantityKind::ratio) continue;
     const bool force = q.unit == "N/m" || q.unit == "N", length = q.unit == "m";
     const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
     const bool moment = q.unit == "N m";

@@ -42,6 +42,27 @@ std::optional<Real> residual_from(const TravelCurve& smooth, Real breakout, Real
   return std::nullopt;
 }
 
+/// The lowest mean of H over a stretch of 2 half, beyond `from`, in which it changes as little as at the end of a drag; empty where there is none.
+std::optional<Real> plateau_of(const TravelCurve& H, Real from, Real half)
+{
+  std::optional<Real> lowest;
+  for (Real u = from + half; u + half <= H.end(); u += half / 2) {
+    const Real mean = H.at(u, half), first = H.at(u - half / 2, half / 2), second = H.at(u + half / 2, half / 2), middle = H.at(u, half / 2);
+    // The means of two halves differ by half of what a straight line changes; a trough has a low middle.
+    const Real most = max_residual_change / 2 * mean;
+    if (mean > 0 && std::abs(second - first) < most && std::abs(middle - mean) < most && (!lowest || mean < *lowest)) lowest = mean;
+  }
+  return lowest;
+}
+
+/// Where H first comes to a value.
+Real first_at(const TravelCurve& smooth, Real value)
+{
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k)
+    if (smooth.value()[k] >= value) return smooth.travel()[k];
+  return smooth.end();
+}
+
 void take_if_larger(std::optional<Resistance::Point>& largest, Real u, Real H)
 {
   if (std::isfinite(H) && (!largest || H > largest->H)) largest = Resistance::Point{u, H};
@@ -68,6 +89,12 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
   const Real mean = H.at(H.end() - half, half);
   resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
   if (std::abs(resistance.last_change) < max_residual_change) resistance.residual = mean;
+  if (travel >= min_travel_to_a_berm * scale.width && mean > 0) {
+    // Without a breakout H grows from nothing: a plateau is a longer stretch then.
+    const std::optional<Real> plateau = resistance.breakout ? plateau_of(H, resistance.breakout->u, half)
+                                                            : plateau_of(H, first_at(smooth, mean / 2), std::max(half, travel / 8));
+    if (plateau && mean > (1 + min_berm) * *plateau) resistance.residual = plateau, resistance.berm = mean;
+  }
   if (resistance.residual && resistance.breakout) resistance.residual_from = residual_from(smooth, resistance.breakout->u, mean);
   return resistance;
 }
@@ -75,9 +102,10 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
 Resistance resistance_of(const DrivenRun& run)
 {
   const Path path = run.history.rows() > 0 ? path_of(run.history, run.stages) : Path{};
-  const DragPath& drag = path.drag();
+  const DragPath& drag = path.main_drag();
+  if (drag.stage.varies) return resistance_to({{}, {}}, run.scale);
   Resistance resistance = resistance_to({drag.travel, drag.H}, run.scale);
-  const std::optional<DragPeak> peak = run.results().drag().largest;
+  const std::optional<DragPeak> peak = run.results().main_drag().largest;
   if (!resistance.largest && peak) take_if_larger(resistance.largest, peak->u, peak->H);
   // The points need not be among the travels at which a long curve is looked at.
   for (const DragPoint& p : points_of(run).drag) take_if_larger(resistance.largest, p.u, p.H);

@@ -21,8 +21,12 @@ struct Resistance {
   /// are left out by half of that window; H must also stay below the peak over the next 0.1 D, which shorter waves of a dynamic method do not. Without noise
   /// that is a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
   std::optional<Point> breakout;
-  /// N/m: the mean of H over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes by less than 5 % of it.
+  /// N/m, the plateau of H: the mean over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes
+  /// by less than 5 % of it. Where H rises beyond an earlier such stretch by more than min_berm it has met a berm: then the plateau is the lowest of those after the
+  /// breakout; without one it is a quarter of the travel long, after H has first come to half of its mean at the end.
   std::optional<Real> residual;
+  /// N/m: the mean of H over the end of a drag that has risen from its plateau against a berm.
+  std::optional<Real> berm;
   /// m, of a drag that breaks out: from where H, averaged, first is as near to the residual as it must stay to be called so (max_residual_change).
   std::optional<Real> residual_from;
   Real last_change = 0;  ///< how much that line changes, over the mean; NaN without a drag
@@ -30,6 +34,8 @@ struct Resistance {
 
 /// The fall after a peak that makes it the breakout, and the change at the end of the drag below which H is called residual.
 constexpr Real min_fall = 0.05, max_residual_change = 0.05;
+/// The rise from the plateau to the end that makes the end the resistance of a berm, and the travel (over D) that a drag must have to meet one.
+constexpr Real min_berm = 0.15, min_travel_to_a_berm = 1;
 /// The travel (over D) over which noisy H must stay below the breakout.
 constexpr Real breakout_stays = 0.1;
 /// The end of the drag over which H must not change to be residual: over the travel of the drag, at least over D, but no more than a
@@ -42,7 +48,7 @@ Real residual_travel(Real travel, const BodyScale& scale);
 /// Of H (N/m) over u (m), without V.
 Resistance resistance_to(const record::TravelCurve& H, const BodyScale& scale);
 
-/// Of a run's first drag; where its history is lost, of what its quantities tell.
+/// Of a run's main drag, none of one by a force that varies; where its history is lost, of what its quantities tell.
 Resistance resistance_of(const DrivenRun& run);
 
 /// What to say of a drag whose H has no peak: "no peak: H grows to the end of the drag", whose `end` may be another.

@@ -63,7 +63,7 @@ RunPoints points_of(const DrivenRun& run)
   Results results = run.results();
   points.push = std::move(results.push);
   points.push_end = results.push_end;
-  points.drag = results.drag().points;
+  points.drag = results.main_drag().points;
   const Real begin = push_begin(run, points.first_w), end = points.push_end ? points.push_end->w : nan;
   std::erase_if(points.push,
                 [&](const PushPoint& p) { return std::abs(p.w - begin) < same_point * D || std::abs(p.w - end) < same_point * D; });

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
-#include "structures/formulas/f114.hpp"
-#include "structures/pipe/published/published_of_soil.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
+#include "structures/formulas/f114.hpp"
+#include "structures/pipe/published/published_of_soil.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -23,19 +23,19 @@ bool is_one_of(Real part, const Real (&parts)[size])
 /// The states without their comparisons.
 std::vector<ComparedState> states_of(const driven::DrivenRun& run)
 {
-  const RunPoints points = points_of(run);
+  const driven::RunPoints points = driven::points_of(run);
   const bool small_strain = run.settings.method == problem::Method::fem;
   const Real D = run.scale.width;
   std::vector<ComparedState> states;
   // Small strains leave the pipe where it began: what it carries on the way is no strength.
   if (!small_strain)
-    for (const PushPoint& p : points.push)
+    for (const driven::PushPoint& p : points.push)
       if (is_one_of(p.w / D, push_parts)) states.push_back({ComparedState::Kind::push, nan, p.w, p.V, {}});
   if (points.push_end) {
     const Real w = small_strain ? points.first_w : points.push_end->w;
     states.push_back({ComparedState::Kind::end_of_push, nan, w, points.push_end->V, {}});
   }
-  for (const DragPoint& p : points.drag)
+  for (const driven::DragPoint& p : points.drag)
     if (is_one_of(p.u / D, drag_parts)) states.push_back({ComparedState::Kind::drag, p.u, small_strain ? points.first_w : p.w, p.V, {}});
   return states;
 }
@@ -46,12 +46,12 @@ std::string remark_on_place(const driven::DrivenRun& run)
     return fmt::format(
         "This run is wished in place: the pipe lies at w = {:.3g} D from the start, below a flat surface, and strains are small. Formulas "
         "with heave are for a pipe that was pushed there.",
-        points_of(run).first_w / run.scale.width);
-  if (starts_embedded(run))
+        driven::points_of(run).first_w / run.scale.width);
+  if (driven::starts_embedded(run))
     return fmt::format(
         "In this run the pipe is wished in place at w = {:.3g} D and moves with large strains from there: the soil heaves beside it. "
         "Formulas for a pipe wished in place take a flat surface.",
-        points_of(run).first_w / run.scale.width);
+        driven::points_of(run).first_w / run.scale.width);
   return "In this run the pipe is pushed in from the surface: the soil heaves beside it. Formulas for a pipe wished in place take a flat "
          "surface and leave this out.";
 }
@@ -68,14 +68,14 @@ std::string remark_on_ground(const driven::DrivenRun& run)
 }
 
 /// The first drag where H breaks out, or is largest; empty where it has no such point.
-std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const RunPoints& points, Real& H)
+std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const driven::RunPoints& points, Real& H)
 {
-  const Resistance resistance = resistance_of(run);
-  const std::optional<Resistance::Point>& peak = resistance.breakout ? resistance.breakout : resistance.largest;
+  const driven::Resistance resistance = driven::resistance_of(run);
+  const std::optional<driven::Resistance::Point>& peak = resistance.breakout ? resistance.breakout : resistance.largest;
   if (!peak || run.history.rows() == 0) return {};
   const driven::Path path = driven::path_of(run.history, run.stages);
-  const DragPath& drag = path.drag();
-  const Real half = averaging_half(run.scale);
+  const driven::DragPath& drag = path.main_drag();
+  const Real half = base::averaging_half(run.scale);
   const bool small_strain = run.settings.method == problem::Method::fem;
   H = peak->H;
   return ComparedState{ComparedState::Kind::peak,
@@ -87,17 +87,17 @@ std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const RunPoin
 }
 
 /// Unloading and other stages may lie between the push and the drag.
-Real w_where_the_drag_begins(const driven::DrivenRun& run, const RunPoints& points)
+Real w_where_the_drag_begins(const driven::DrivenRun& run, const driven::RunPoints& points)
 {
   if (run.settings.method == problem::Method::fem) return points.first_w;  // small strains leave it there
   const driven::Path path = run.history.rows() > 0 ? driven::path_of(run.history, run.stages) : driven::Path{};
-  if (!path.drag().w.empty() && std::isfinite(path.drag().w.front())) return path.drag().w.front();
+  if (!path.main_drag().w.empty() && std::isfinite(path.main_drag().w.front())) return path.main_drag().w.front();
   return points.push_end ? points.push_end->w : points.first_w;
 }
 
 /// Comparisons of the first drag with the formulas of breakout, which at_peak(w, V, H) makes.
 template <class AtPeak>
-void add_breakout(PublishedValues& values, const driven::DrivenRun& run, const RunPoints& points, Real part, const AtPeak& at_peak)
+void add_breakout(PublishedValues& values, const driven::DrivenRun& run, const driven::RunPoints& points, Real part, const AtPeak& at_peak)
 {
   Real H = nan;
   if (std::optional<ComparedState> peak = peak_of(run, points, H)) {
@@ -106,7 +106,7 @@ void add_breakout(PublishedValues& values, const driven::DrivenRun& run, const R
     if (!peak->comparisons.empty()) values.states.push_back(*peak);
   }
   const Real w = w_where_the_drag_begins(run, points);
-  const auto breakout = resistance_of(run).breakout;
+  const auto breakout = driven::resistance_of(run).breakout;
   const Real u = breakout ? breakout->u : nan;
   values.states.push_back({ComparedState::Kind::breakout, u, w, nan, displacement_at_breakout(run.scale.width, w, u)});
 }
@@ -126,10 +126,11 @@ void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const Pip
   const auto* clay = std::get_if<ClayAround>(&soil);
   if (run.history.rows() == 0 || run.settings.method == problem::Method::fem) return;
   const driven::Path path = driven::path_of(run.history, run.stages);
-  const Real D = run.scale.width, half = averaging_half(run.scale);
+  const Real D = run.scale.width, half = base::averaging_half(run.scale);
   bool swept = false;
-  for (const DragResults& drag : run.results().drags) {
-    const auto found = std::find_if(path.drags.begin(), path.drags.end(), [&](const DragPath& p) { return p.stage.name == drag.stage; });
+  for (const driven::DragResults& drag : run.results().drags) {
+    const auto found =
+        std::find_if(path.drags.begin(), path.drags.end(), [&](const driven::DragPath& p) { return p.stage.name == drag.stage; });
     if (!drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end()) continue;
     if (swept && clay == nullptr) break;
     const Real middle = record::TravelCurve(found->travel, found->H).at(drag.end->u / 2, half);
@@ -137,18 +138,19 @@ void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const Pip
     std::vector<Comparison> comparisons = clay == nullptr ? sand_after_sweep(std::get<SandAround>(soil), sweep.w, sweep.V, sweep.H)
                                           : swept         ? clay_between_berms(*clay, sweep)
                                                           : clay_after_sweep(*clay, sweep);
-    if (!swept && drag.stage == path.drags.front().stage.name) {
-      const std::vector<Comparison> displacement = displacement_to_the_residual(D, resistance_of(run).residual_from.value_or(nan));
+    if (!swept && drag.stage == path.main_drag().stage.name) {
+      const std::vector<Comparison> displacement = displacement_to_the_residual(D, driven::resistance_of(run).residual_from.value_or(nan));
       comparisons.insert(comparisons.end(), displacement.begin(), displacement.end());
     }
-    values.states.push_back({ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V, std::move(comparisons), true, drag.stage});
+    values.states.push_back(
+        {ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V, std::move(comparisons), true, drag.stage, nan, sweep.w_begin});
     swept = true;
   }
 }
 
-Real H_at(const RunPoints& points, Real u)
+Real H_at(const driven::RunPoints& points, Real u)
 {
-  for (const DragPoint& p : points.drag)
+  for (const driven::DragPoint& p : points.drag)
     if (p.u == u) return p.H;
   return nan;
 }
@@ -183,9 +185,10 @@ PublishedValues published_beside(const driven::DrivenRun& run)
     return values;
   }
   values.states = states_of(run);
-  const RunPoints points = points_of(run);
-  const bool drags = !points.drag.empty() || resistance_of(run).breakout;
-  if (values.states.empty() && !drags) {
+  const driven::RunPoints points = driven::points_of(run);
+  const bool drags = !points.drag.empty() || driven::resistance_of(run).breakout;
+  const std::vector<driven::UpliftResults> uplifts = run.results().uplifts;
+  if (values.states.empty() && !drags && uplifts.empty()) {
     values.remarks.emplace_back("This run came to no state that a formula can be compared with.");
     return values;
   }
@@ -212,6 +215,9 @@ PublishedValues published_beside(const driven::DrivenRun& run)
     add_breakout(values, run, points, part,
                  [&](Real w, Real V, Real H) { return sand != nullptr ? sand_in_drag(*sand, w, V, H) : clay_at_breakout(*clay, w, V, H); });
   add_sweeps(values, run, soil, part);
+  for (const driven::UpliftResults& lift : uplifts)
+    if (std::vector<Comparison> beside = in_uplift(soil, lift.w_begin, lift.largest.H / part, lift.largest.u); !beside.empty())
+      values.states.push_back({ComparedState::Kind::uplift, lift.largest.u, lift.w_begin, nan, std::move(beside), lift.falls, lift.stage});
   if (clay != nullptr)
     for (ComparedState& state : values.states) state.strength = clay->at(state.w).strength;
   if (sand != nullptr && sand->cohesion > 0) put_out_of_range(values, "sand without cohesion");

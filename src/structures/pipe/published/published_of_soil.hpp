@@ -39,4 +39,7 @@ std::vector<Comparison> sand_after_sweep(const SandAround& sand, Real w, Real V,
 
 std::vector<std::string> remarks_on(const SandAround& sand);
 
+/// The largest resistance against a lift (N/m), and the travel to it (m), of a pipe whose invert was at w (m).
+std::vector<Comparison> in_uplift(const PipeSoil& soil, Real w, Real R, Real travel);
+
 }  // namespace berm::pipe

@@ -3,8 +3,8 @@
 #include "structures/pipe/report/pipe_report.hpp"
 
 #include "structures/base/display_units.hpp"
-#include "structures/pipe/published/published.hpp"
 #include "structures/driven/results/run_points.hpp"
+#include "structures/pipe/published/published.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -31,14 +31,19 @@ std::string state_words(const ComparedState& state, const driven::DrivenRun& run
   case ComparedState::Kind::push:
     return fmt::format("Pushed to {}", w);
   case ComparedState::Kind::end_of_push:
-    return fmt::format("{}{} {}", with_capital(end_of_push(run).at), run.settings.method == problem::Method::fem ? " from" : ",", w);
+    return fmt::format("{}{} {}", with_capital(driven::end_of_push(run).at), run.settings.method == problem::Method::fem ? " from" : ",",
+                       w);
   case ComparedState::Kind::drag:
     return fmt::format("Dragged {} D: {}, {}", text::short_number(state.u / D), w, V);
   case ComparedState::Kind::peak:
     return fmt::format("{} at u = {} D: {}, {}", state.is_breakout ? "Breakout of the drag" : "No peak in this drag: largest H,",
                        text::short_number(state.u / D), w, V);
   case ComparedState::Kind::end_of_drag:
-    return fmt::format("{}, {} D far: {}, {}", text::html_text(state.stage), text::short_number(state.u / D), w, V);
+    return fmt::format("{}, {} D far from w = {} D: {}, {}", text::html_text(state.stage), text::short_number(state.u / D),
+                       text::short_number(state.w_begin / D), w, V);
+  case ComparedState::Kind::uplift:
+    return fmt::format("{}, lifted from {}: {} after {} D", text::html_text(state.stage), w,
+                       state.is_breakout ? "peak" : "largest resistance, still growing,", text::short_number(state.u / D));
   case ComparedState::Kind::breakout:
     return fmt::format("Displacement at breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
   }

@@ -21,9 +21,11 @@ std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run)
 {
   std::vector<run_folder::Quantity> quantities;
   for (const AxialState& state : axial_states(run)) {
-    quantities.push_back({"wedging_of_" + state.stage, state.wedging(), "1", "effective normal force over V at the end of " + state.stage});
+    quantities.push_back({"wedging_of_" + state.stage, state.wedging(), "1", "effective normal force over V at the end of " + state.stage,
+                          run_folder::QuantityKind::answer, state.stage});
     quantities.push_back({"axial_friction_of_" + state.stage, state.resistance(), "N/m",
-                          "friction coefficient times the effective normal force at the end of " + state.stage});
+                          "friction coefficient times the effective normal force at the end of " + state.stage,
+                          run_folder::QuantityKind::answer, state.stage});
   }
   return quantities;
 }

@@ -128,10 +128,9 @@ TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
     run.history.values[0].push_back(k < 2 ? 5 : k == 12 ? 0.12 : 0.01);
     run.history.values[1].push_back(1);
   }
-  EXPECT_DOUBLE_EQ(measure_of(run, "kinetic over internal energy, push").value(run), 0.12);
-  EXPECT_DOUBLE_EQ(measure_of(run, "kinetic over internal energy, drag").value(run), 0.01);
-  EXPECT_TRUE(contains(quality_section({run}), "kinetic energy is 12 % of internal energy in the push: drive slower"))
-      << quality_section({run});
+  EXPECT_DOUBLE_EQ(measure_of(run, "kinetic energy over the work, push").value(run), 0.12);
+  EXPECT_DOUBLE_EQ(measure_of(run, "kinetic energy over the work, drag").value(run), 0.01);
+  EXPECT_TRUE(contains(quality_section({run}), "kinetic energy is 12 % of the work in the push: drive slower")) << quality_section({run});
 }
 
 TEST(trust, place_of_the_largest_energy_error_is_told)

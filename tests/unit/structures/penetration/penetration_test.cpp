@@ -64,7 +64,7 @@ TEST(Penetration, of_a_cone_gives_the_numbers_of_a_log)
 TEST(Penetration, tells_results_from_measures_of_them)
 {
   const record::RunRecord run = clay_cone().record();
-  const auto is_answer = [&](const char* name) { return structure_of(run).is_answer(run, *run.quantity(name)); };
+  const auto is_answer = [&](const char* name) { return run.quantity(name)->kind == run_folder::QuantityKind::answer; };
   EXPECT_TRUE(is_answer("N_kt_end"));
   EXPECT_TRUE(is_answer("q_t_at_z_1D"));
   EXPECT_FALSE(is_answer("N_kt_change"));

@@ -181,5 +181,46 @@ TEST(Stages, follow_the_case)
   EXPECT_FALSE(stages[2].holds_V || stages[2].held_force);
 }
 
+TEST(Stages, of_a_velocity_that_turns_round_are_several)
+{
+  problem::Case c = MadeRun{}.settings();
+  c.stage[1].load_times = {0, 1, 3, 4};
+  c.stage[1].load_factors = {0, 1, -1, 0};
+  const Stages stages = stages_of(c);
+  ASSERT_EQ(stages.size(), 3u);
+  EXPECT_EQ(stages[1].name, "drag_1");
+  EXPECT_EQ(stages[2].name, "drag_2");
+  EXPECT_EQ(stages[1].direction, 1);
+  EXPECT_EQ(stages[2].direction, -1);
+  EXPECT_DOUBLE_EQ(stages[1].to, 2);
+  Rows rows;
+  rows.add("push", 0, 0, 0, 0);
+  for (int k = 1; k <= 4; ++k) rows.add("drag", k < 3 ? 0.1 * k * D : (0.4 - 0.1 * k) * D, 0.1 * D, k < 3 ? 50 : -50, 300);
+  const Path path = path_of(rows.history, stages);
+  ASSERT_EQ(path.drags.size(), 2u);
+  EXPECT_NEAR(path.drags[0].travel.back(), 0.2 * D, 1e-12);
+  EXPECT_NEAR(path.drags[1].travel.back(), 0.2 * D, 1e-12);
+  EXPECT_EQ(path.drags[1].H.back(), 50);
+}
+
+TEST(Stages, of_kind_drive_are_pushes_and_drags_too)
+{
+  problem::Case c = MadeRun{}.settings();
+  problem::StageSettings drive = MadeRun::stage_of("drive", problem::StageKind::drive);
+  drive.velocity.reset();
+  drive.drive.y.hold = true;
+  c.stage.push_back(drive);
+  EXPECT_EQ(stages_of(c).size(), 2u) << "it drives nothing";
+  c.stage.back().drive.x.velocity = -0.1;
+  EXPECT_EQ(stages_of(c)[2].kind, StageKind::drag);
+  EXPECT_EQ(stages_of(c)[2].direction, -1);
+  EXPECT_TRUE(stages_of(c)[2].holds_V);
+  c.stage.back().drive.x.velocity.reset();
+  c.stage.back().drive.y = {};
+  c.stage.back().drive.y.velocity = 0.1;
+  EXPECT_EQ(stages_of(c)[2].kind, StageKind::push);
+  EXPECT_TRUE(stages_of(c)[2].upwards);
+}
+
 }  // namespace
 }  // namespace berm::driven::this_file

@@ -12,8 +12,7 @@ namespace berm::driven::this_file {
 namespace {
 
 const BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
-const Stages stages{Stage{.name = "push", .kind = problem::StageKind::push},
-                        Stage{.name = "drag", .kind = problem::StageKind::drag}};
+const Stages stages{Stage{.name = "push", .kind = problem::StageKind::push}, Stage{.name = "drag", .kind = problem::StageKind::drag}};
 
 std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const BodyScale& of, const Stages& by)
 {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/driven/results/displacements_test.cpp
+#include "structures/driven/results/displacements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace berm::driven {
+namespace {
+
+constexpr Real turn = 0.01;  // of D: less is no way back
+
+}  // namespace
+
+std::vector<HalfCycle> half_cycles_of(const DragPath& drag, const run_folder::History& history, Real D)
+{
+  std::vector<HalfCycle> cycles;
+  if (drag.rows.size() < 2) return cycles;
+  const std::vector<Real>&time = history["time_s"], &u = history["u_m"];
+  const Real t0 = time[drag.rows.front()];
+  const auto way = [&](std::size_t k) { return u[drag.rows[k]] - drag.u_begin; };
+  const auto add = [&](std::size_t from, std::size_t to) {
+    cycles.push_back({time[drag.rows[from]] - t0, time[drag.rows[to]] - t0, way(from), way(to), drag.w[to]});
+  };
+  std::size_t begin = 0, farthest = 0;
+  Real direction = 0;
+  for (std::size_t k = 1; k < drag.rows.size(); ++k) {
+    if (direction == 0) {
+      if (std::abs(way(k) - way(begin)) < turn * D) continue;
+      direction = way(k) > way(begin) ? 1 : -1;
+      farthest = k;
+    } else if (direction * (way(k) - way(farthest)) >= 0) {
+      farthest = k;
+    } else if (direction * (way(farthest) - way(k)) >= turn * D) {
+      add(begin, farthest);
+      begin = farthest, farthest = k, direction = -direction;
+    }
+  }
+  if (direction != 0) add(begin, farthest);
+  return cycles;
+}
+
+Displacements displacements_of(const DragPath& drag, const run_folder::History& history, Real D)
+{
+  Displacements moved;
+  const std::vector<Real>&time = history["time_s"], &u = history["u_m"];
+  const Real t0 = time[drag.rows.front()];
+  moved.u_largest = 0, moved.w_largest = drag.w.front();
+  for (std::size_t k = 0; k < drag.rows.size(); ++k) {
+    const Real way = u[drag.rows[k]] - drag.u_begin, since = time[drag.rows[k]] - t0;
+    if (std::abs(way) > std::abs(moved.u_largest)) moved.u_largest = way;
+    moved.w_largest = std::max(moved.w_largest, drag.w[k]);
+    if (!moved.time_half_D && std::abs(way) >= D / 2) moved.time_half_D = since;
+    if (!moved.time_D && std::abs(way) >= D) moved.time_D = since;
+  }
+  moved.u_end = u[drag.rows.back()] - drag.u_begin;
+  moved.w_end = drag.w.back();
+  moved.largest_half_cycle = 0;
+  const std::vector<HalfCycle> cycles = half_cycles_of(drag, history, D);
+  for (const HalfCycle& cycle : cycles)
+    moved.largest_half_cycle = std::max(moved.largest_half_cycle, std::abs(cycle.u_end - cycle.u_begin));
+  moved.half_cycles = static_cast<Real>(cycles.size());
+  return moved;
+}
+
+std::string half_cycles_csv(const run_folder::History& history, const Stages& stages, Real D)
+{
+  std::string csv;
+  for (const DragPath& drag : path_of(history, stages).drags) {
+    if (!drag.stage.varies) continue;
+    int number = 0;
+    for (const HalfCycle& c : half_cycles_of(drag, history, D))
+      csv += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", drag.stage.name, ++number, c.begin_s, c.end_s, c.u_begin, c.u_end,
+                         c.w_end);
+  }
+  return csv.empty() ? "" : "stage,half_cycle,begin_s,end_s,u_begin_m,u_end_m,w_end_m\n" + csv;
+}
+
+}  // namespace berm::driven

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/driven/results/results.hpp"
+
+namespace berm::driven {
+
+/// The ways of a drag by force between the turns of the body: a turn counts where the body goes back by a hundredth of D (m).
+std::vector<HalfCycle> half_cycles_of(const DragPath& drag, const run_folder::History& history, Real D);
+
+/// How far it moves the body.
+Displacements displacements_of(const DragPath& drag, const run_folder::History& history, Real D);
+
+/// The half cycles of all drags by force of a run as CSV: stage, half cycle, begin_s, end_s, u_begin_m, u_end_m, w_end_m; "" where there are none.
+std::string half_cycles_csv(const run_folder::History& history, const Stages& stages, Real D);
+
+}  // namespace berm::driven

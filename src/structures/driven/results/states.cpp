@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/driven/results/states_test.cpp
+#include "structures/driven/results/states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace berm::driven {
+namespace {
+
+using problem::StageRole;
+
+constexpr Real last_part = 0.05;  // of the time of a stage
+
+/// The state in a row: forces are means over the end of the stage that the row is of.
+State state_at(const run_folder::History& h, Index row, std::string name, std::string origin)
+{
+  const std::string& stage = h.stage[row];
+  Index begin = row;
+  while (begin > 0 && h.stage[begin - 1] == stage) --begin;
+  const std::vector<Real>& time = h["time_s"];
+  const Real from = time[row] - last_part * (time[row] - time[begin]);
+  Real H = 0, V = 0;
+  int rows = 0;
+  for (Index k = row; k >= begin && time[k] >= from; --k) {
+    if (!std::isfinite(h.by_label("H")[k]) || !std::isfinite(h.by_label("V")[k])) continue;
+    H += h.by_label("H")[k], V += h.by_label("V")[k];
+    ++rows;
+  }
+  const Real mean = rows > 0 ? 1. / rows : nan;
+  return {std::move(name), std::move(origin), stage, row, h["u_m"][row], h["w_m"][row], mean * H, mean * V};
+}
+
+/// The last row of a stage of the case; none where it has none.
+Index end_of_stage(const run_folder::History& h, const std::string& stage)
+{
+  const auto last = std::find(h.stage.rbegin(), h.stage.rend(), stage);
+  return last == h.stage.rend() ? none : static_cast<Index>(h.stage.rend() - last - 1);
+}
+
+/// The last row of the last stage of a role that has begun; none where there is none.
+Index end_of_role(const record::RunRecord& run, StageRole role)
+{
+  Index row = none;
+  for (const problem::StageSettings& stage : run.settings.stage)
+    if (stage.role == role)
+      if (const Index end = end_of_stage(run.history, stage.name); end != none) row = end;
+  return row;
+}
+
+/// The mean vertical force of a drag once it is what it shall be, N/m.
+Real held_V(const DragPath& drag, const run_folder::History& h)
+{
+  const std::vector<Real>& time = h["time_s"];
+  const Real from = time[drag.rows.front()] + drag.stage.V_ramp;
+  Real sum = 0;
+  int rows = 0;
+  for (std::size_t k = 1; k < drag.rows.size(); ++k)
+    if (time[drag.rows[k]] >= from && std::isfinite(drag.V[k])) sum += drag.V[k], ++rows;
+  return rows > 0 ? sum / rows : nan;
+}
+
+std::string end_words(const run_folder::History& h, Index row)
+{
+  return "end of stage " + h.stage[row];
+}
+
+}  // namespace
+
+States states_of(const record::RunRecord& run)
+{
+  States states;
+  const run_folder::History& h = run.history;
+  if (h.rows() == 0 || !h.has("w_m") || !h.has("u_m") || !h.has_label("V") || !h.has_label("H")) return states;
+  const Stages stages = stages_of(run.settings);
+  const Path path = path_of(h, stages);
+  const auto add = [&](const char* name, Index row, const std::string& why) {
+    if (row != none) states.push_back(state_at(h, row, name, end_words(h, row) + why));
+  };
+  if (const Index said = end_of_role(run, StageRole::touchdown); said != none)
+    add("touchdown", said, "");
+  else if (!path.push.rows.empty())
+    add("touchdown", path.push.rows.back(), "");
+  Index laid = end_of_role(run, StageRole::lay);
+  for (const DragPath& drag : path.drags)
+    if (drag.stage.lays) laid = std::max(laid == none ? 0 : laid, drag.rows.back());
+  add("laid", laid, "");
+  add("flooded", end_of_role(run, StageRole::flooded), "");
+  add("emptied", end_of_role(run, StageRole::emptied), "");
+  const DragPath& main = path.main_drag();
+  if (const Index said = end_of_role(run, StageRole::operation); said != none)
+    add("operation", said, "");
+  else if (!main.rows.empty()) {
+    add("operation", main.rows.front(), ", before " + main.stage.name);
+    if (const Real V = held_V(main, h); main.stage.holds_V && !std::isnan(V)) states.back().V = V;
+  } else if (!path.other_pushes.empty() || (!path.push.rows.empty() && h.rows() - 1 > path.push.rows.back()))
+    add("operation", h.rows() - 1, "");
+  for (const DragPath& drag : path.drags)
+    if (!drag.stage.lays) states.push_back(state_at(h, drag.rows.back(), "after_" + drag.stage.name, "end of " + drag.stage.name));
+  std::stable_sort(states.begin(), states.end(), [](const State& a, const State& b) { return a.row < b.row; });
+  return states;
+}
+
+const State* find_state(const States& states, const std::string& name)
+{
+  const auto found = std::find_if(states.begin(), states.end(), [&](const State& state) { return state.name == name; });
+  return found == states.end() ? nullptr : &*found;
+}
+
+bool has_states_between(const States& states)
+{
+  const auto there = [&](const char* name) { return find_state(states, name) != nullptr; };
+  if (there("laid") || there("flooded") || there("emptied")) return true;
+  const State *touchdown = find_state(states, "touchdown"), *operation = find_state(states, "operation");
+  return touchdown != nullptr && operation != nullptr && operation->row != touchdown->row;
+}
+
+}  // namespace berm::driven

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/driven/results/displacements.hpp"
+
+#include "samples/made_run.hpp"
+#include "structures/driven/results/driven_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::driven::this_file {
+namespace {
+
+constexpr Real D = 0.02;
+
+/// A pipe that a force moves to +0.8 D, back to +0.2 D and to +0.4 D, 1 s a row, with jitter that is no turn, while it sinks to 0.3 D and rises to 0.25 D.
+record::RunRecord moved()
+{
+  MadeRun made;
+  made.dragged = 0;
+  record::RunRecord run = made.record();
+  run.settings.stage.push_back(MadeRun::stage_of("storm", problem::StageKind::drag));
+  problem::StageSettings& storm = run.settings.stage.back();
+  storm.velocity.reset();
+  storm.force = 300;
+  storm.load_times = {0, 80, 140, 160};
+  storm.load_factors = {1, -1, 1, 0};
+  const auto add = [&](Real u, Real w) {
+    const Real row[] = {static_cast<Real>(run.history.rows()), u, w, 100, 800};
+    for (int k = 0; k < 5; ++k) run.history.values[k].push_back(row[k]);
+    run.history.stage.emplace_back("storm");
+  };
+  for (int k = 1; k <= 80; ++k) add((0.01 * k - (k % 10 == 0 ? 0.005 : 0)) * D, (0.1 + 0.0025 * k) * D);
+  for (int k = 1; k <= 60; ++k) add((0.8 - 0.01 * k) * D, 0.3 * D);
+  for (int k = 1; k <= 20; ++k) add((0.2 + 0.01 * k) * D, 0.25 * D);
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  return run;
+}
+
+TEST(Displacements, of_a_force_that_varies_are_largest_and_last_and_of_each_half_cycle)
+{
+  const record::RunRecord run = moved();
+  const Displacements m = *DrivenRun(run).results().main_drag().moved;
+  EXPECT_NEAR(m.u_largest, 0.795 * D, 0.006 * D);
+  EXPECT_NEAR(m.u_end, 0.4 * D, 1e-9);
+  EXPECT_NEAR(m.w_largest, 0.3 * D, 1e-9);
+  EXPECT_NEAR(m.w_end, 0.25 * D, 1e-9);
+  EXPECT_EQ(m.half_cycles, 3);
+  EXPECT_NEAR(m.largest_half_cycle, 0.795 * D, 0.006 * D);
+  EXPECT_NEAR(*m.time_half_D, 51, 1e-9) << "the first row beyond 0.5 D but for the jitter";
+  EXPECT_FALSE(m.time_D);
+  EXPECT_NEAR(run.quantity("u_end")->value, 0.4 * D, 1e-9);
+  EXPECT_NEAR(run.quantity("u_end_of_drag")->value, 0.4 * D, 1e-9) << "not the largest";
+}
+
+TEST(Displacements, are_no_resistance)
+{
+  const record::RunRecord run = moved();
+  for (const char* name : {"H_max", "H_breakout", "H_residual", "H_noise", "H_at_u_0.1D"}) EXPECT_EQ(run.quantity(name), nullptr) << name;
+  EXPECT_EQ(run.quantity("H_end_of_drag")->kind, run_folder::QuantityKind::prescribed);
+}
+
+TEST(Displacements, have_a_table_of_their_half_cycles)
+{
+  const record::RunRecord run = moved();
+  const std::string csv = half_cycles_csv(run.history, stages_of(run.settings), D);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+  EXPECT_NE(csv.find("\nstorm,2,"), std::string::npos);
+  EXPECT_EQ(half_cycles_csv(MadeRun{}.record().history, stages_of(MadeRun{}.settings()), D), "");
+}
+
+}  // namespace
+}  // namespace berm::driven::this_file

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/driven/results/states.hpp"
+
+#include "samples/lived_pipe.hpp"
+#include "structures/driven/results/driven_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::driven::this_file {
+namespace {
+
+constexpr Real D = 0.02;
+
+TEST(States, of_a_pipe_are_touchdown_laid_operation_and_the_end_of_each_sweep)
+{
+  const States states = states_of(lived_pipe());
+  std::vector<std::string> names;
+  for (const State& state : states) names.push_back(state.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"touchdown", "laid", "operation", "after_sweep_1", "after_sweep_2"}));
+  EXPECT_NEAR(states[0].w, 0.1 * D, 1e-9);
+  EXPECT_NEAR(states[1].w, 0.3 * D, 1e-9);
+  EXPECT_NEAR(states[1].V, 800, 1e-9);
+  EXPECT_NEAR(states[2].w, 0.29 * D, 1e-9);
+  EXPECT_NEAR(states[2].V, 300, 1e-9);
+  EXPECT_EQ(states[2].origin, "end of stage unload, before sweep_1");
+  EXPECT_TRUE(has_states_between(states));
+}
+
+TEST(States, of_a_push_and_a_drag_tell_no_more_than_these)
+{
+  const record::RunRecord run = MadeRun{}.record();
+  EXPECT_FALSE(has_states_between(states_of(run)));
+  EXPECT_EQ(run.quantity("operation.w"), nullptr);
+}
+
+TEST(States, are_those_whose_roles_are_said)
+{
+  record::RunRecord run = lived_pipe();
+  run.settings.stage[3].role = problem::StageRole::flooded;
+  const States states = states_of(run);
+  ASSERT_NE(find_state(states, "flooded"), nullptr);
+  EXPECT_EQ(find_state(states, "flooded")->stage, "unload");
+  EXPECT_EQ(find_state(states, "laid"), nullptr) << "where a role is said none is guessed";
+  run.settings.stage[3].role = problem::StageRole::automatic;
+  run.settings.stage[5].role = problem::StageRole::breakout;
+  EXPECT_EQ(find_state(states_of(run), "operation")->origin, "end of stage sweep_1, before sweep_2");
+}
+
+TEST(Results, of_states_and_of_the_main_drag_are_told)
+{
+  const record::RunRecord run = lived_pipe();
+  EXPECT_NEAR(run.quantity("operation.w")->value, 0.29 * D, 1e-9);
+  EXPECT_NEAR(run.quantity("laid.V")->value, 800, 1e-9);
+  EXPECT_EQ(run.quantity("operation.w")->of, "operation");
+  const Results results = DrivenRun(run).results();
+  EXPECT_EQ(results.main_drag().stage, "sweep_1");
+  EXPECT_EQ(results.prefix_of(results.main_drag()), "sweep_1.");
+  ASSERT_EQ(results.states.size(), 3u) << "read back from the quantities";
+}
+
+TEST(Resistance, of_a_sweep_that_ends_at_a_berm_is_its_plateau_and_that_of_the_berm)
+{
+  const record::RunRecord run = lived_pipe();
+  EXPECT_NEAR(run.quantity("sweep_1.H_residual")->value, 100, 1e-6);
+  EXPECT_EQ(run.quantity("sweep_1.H_berm"), nullptr);
+  EXPECT_NEAR(run.quantity("sweep_2.H_residual")->value, 80, 1e-6);
+  EXPECT_NEAR(run.quantity("sweep_2.H_berm")->value, 160, 1e-6);
+  EXPECT_EQ(run.quantity("sweep_2.H_breakout"), nullptr);
+}
+
+}  // namespace
+}  // namespace berm::driven::this_file
