@@ -25,6 +25,7 @@ struct Lateral {
   std::array<Real, 4> mobilised = {nan, nan, nan, nan};  ///< m, where H first reaches these parts of the peak
   Real u_peak = nan;                                     ///< m
   Real residual = nan;                                   ///< N/m, that stays at the end of the drag
+  Real berm = nan;                                       ///< N/m, met against a berm at the end of a sweep: never the residual
   Real end = nan;                                        ///< N/m, mean over the end of the drag, whether it stays or not
   Real u_residual = nan;  ///< m, of a drag that breaks out: from where H is as near to it as it must stay (pipe::max_residual_change)
   Real travel = nan;      ///< m
@@ -57,6 +58,7 @@ struct Axial {
   Real undrained = nan;  ///< N/m, with its adhesion over the length of the contact
   Real breakout_low = nan, breakout = nan,
        breakout_high = nan;  ///< m, displacement at which it is mobilised: estimates of a formula; NaN without resistance
+  std::string drained_source, undrained_source;  ///< formula with its citation, or "axial_friction_of_rest: computed with water"
 
   /// Takes these displacements for a pipe of this diameter, m.
   void mobilise(Real diameter);
@@ -67,11 +69,15 @@ std::string axial_breakout_source();
 
 /// What the bed does to the pipe of a run, in the size of the prototype where the run is a centrifuge's.
 struct Springs {
-  Real diameter = nan;   ///< m
-  Real embedment = nan;  ///< m, at the end of the push
-  Real scale = 1;        ///< size of the prototype over that of the model
-  Real weight = nan;     ///< N/m: gamma' D^2
-  Real strength = nan;   ///< N/m: s_u D, NaN where soil has friction
+  std::string run;           ///< name of the run folder
+  std::string state;         ///< its name, as "operation"
+  std::string state_origin;  ///< how it was found, as "end of stage unload"
+  Real V = nan;              ///< N/m, vertical force in that state
+  Real diameter = nan;       ///< m
+  Real embedment = nan;      ///< m, at the end of the push
+  Real scale = 1;            ///< size of the prototype over that of the model
+  Real weight = nan;         ///< N/m: gamma' D^2
+  Real strength = nan;       ///< N/m: s_u D, NaN where soil has friction
   std::vector<Lateral> lateral;
   Vertical vertical;
   Axial axial;
