@@ -171,7 +171,7 @@ TEST(Formats, never_have_a_stiffness_that_is_negative_or_none_and_say_why)
       EXPECT_EQ(one.text.find("104219"), std::string::npos) << format.name << ": " << one.name;
       EXPECT_FALSE(std::regex_search(one.text, std::regex("(^|[^a-z])-?nan([^a-z]|$)"))) << format.name << ": " << one.name;
     }
-  for (const ExportFiles& files : {table_files(design), json_files(design), sima_files(design)}) {
+  for (const ExportFiles& files : {table_files(design), json_files(design), sima_files(design), moordyn_files(design)}) {
     EXPECT_NE(files[0].text.find("stiffness of V over w in stage unload is not written: V fell from 1860 to 1000 N/m"), std::string::npos)
         << files[0].text;
     EXPECT_NE(files[0].text.find("stage pause is not written: w did not change in it"), std::string::npos) << files[0].text;
