@@ -31,6 +31,8 @@ ExportFiles ansys_files(const Design& design);
 /// springs_BEST.inp ...: seafloor contact components of RIFLEX, which know one friction coefficient: kN and m.
 ExportFiles sima_files(const Design& design);
 
+/// springs_BEST_SPRING.inp ...: nonlinear SPRING2 elements for 1 m of pipe, N and m.
+ExportFiles calculix_files(const Design& design);
 /// springs_BEST.py ...: a module with the points of zeroLength elements, N and m.
 ExportFiles opensees_files(const Design& design);
 /// springs_BEST.txt ...: friction and stiffness of the bottom, as options.
@@ -45,6 +47,7 @@ constexpr Format formats[] = {
     {"orcaflex", "tables of a seabed's tangential resistance", orcaflex_files},
     {"ansys", "COMBIN39 springs", ansys_files},
     {"sima", "seafloor contact of RIFLEX", sima_files},
+    {"calculix", "nonlinear SPRING2 elements", calculix_files},
     {"opensees", "zeroLength elements of OpenSeesPy", opensees_files},
     {"moordyn", "friction and stiffness of the bottom", moordyn_files},
     {"buckpy", "rows of the sheet Soils", buckpy_files},
