@@ -164,8 +164,8 @@ def report(
 
 
 def export(*folders: PathLike, to: str = "json", output: PathLike | None = None, program: PathLike | None = None) -> list[Path]:
-    """Springs of runs or studies for pipeline programs (table, json, abaqus, orcaflex, ansys, sima), to FOLDER/export or `output`; returns
-    the files. Throws InputError and RunError."""
+    """Springs of runs or studies for other programs (table, json, abaqus, orcaflex, ansys, sima, calculix, opensees, moordyn, buckpy), to
+    FOLDER/export or `output`; returns the files. Throws InputError and RunError."""
     words = ["export", *folders, "--to", to, *(["-o", output] if output is not None else [])]
     return [Path(line) for line in call(words, program=program).text.splitlines()]
 

@@ -20,36 +20,57 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The one list of the numbers of springs: visit(spring, name, kind, meaning, number).
+/// Which spring a number is of, and where it is from.
+struct Place {
+  std::string spring, travel, source;
+};
+
+/// The one list of the numbers of springs: visit(place, name, kind, meaning, number).
 template <class S, class Visit>
 void for_each_number(S& springs, const Visit& visit)
 {
   for (auto& l : springs.lateral) {
-    const std::string spring = "lateral " + l.stage;
-    visit(spring, "V", Kind::force, "mean vertical reaction in the drag", l.V);
-    visit(spring, "peak", Kind::force, l.breaks ? "H at breakout, its first peak" : "largest H: it has no peak", l.peak);
+    const Place drag{"lateral " + l.stage, l.stage, "computed"};
+    visit(drag, "V", Kind::force, "mean vertical reaction in the drag", l.V);
+    visit(drag, "peak", Kind::force, l.breaks ? "H at breakout, its first peak" : "largest H: it has no peak", l.peak);
     for (std::size_t k = 0; k < mobilised_parts.size(); ++k)
-      visit(spring, fmt::format("u_{:.0f}", 100 * mobilised_parts[k]), Kind::displacement,
+      visit(drag, fmt::format("u_{:.0f}", 100 * mobilised_parts[k]), Kind::displacement,
             "displacement at which H first reaches this percentage of the peak", l.mobilised[k]);
-    visit(spring, "u_peak", Kind::displacement, "displacement at the peak", l.u_peak);
-    visit(spring, "residual", Kind::force, "H that stays at the end of the drag", l.residual);
-    visit(spring, "end", Kind::force, "mean H over the end of the drag, whether it stays or not", l.end);
-    visit(spring, "u_residual", Kind::displacement, "displacement from which H is within 5 % of the residual", l.u_residual);
-    visit(spring, "travel", Kind::displacement, "travel of the drag: beyond it nothing is known", l.travel);
+    visit(drag, "u_peak", Kind::displacement, "displacement at the peak", l.u_peak);
+    visit(drag, "residual", Kind::force, "H that stays at the end of the drag", l.residual);
+    visit(drag, "berm_resistance", Kind::force, "H met against a berm at the end of a sweep, which is no residual", l.berm);
+    visit(drag, "end", Kind::force, "mean H over the end of the drag, whether it stays or not", l.end);
+    visit(drag, "u_residual", Kind::displacement, "displacement from which H is within 5 % of the residual", l.u_residual);
+    visit(drag, "travel", Kind::displacement, "travel of the drag: beyond it nothing is known", l.travel);
   }
   for (auto& point : springs.vertical.curve)
-    visit("vertical", fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force, "V in the push at an embedment", point.F);
+    visit(Place{"vertical", "push", "computed"}, fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force,
+          "V in the push at an embedment", point.F);
   for (auto& u : springs.vertical.unloading)
-    visit("vertical", u.stage + ".stiffness", Kind::stiffness,
+    visit(Place{"vertical", u.stage, "computed"}, u.stage + ".stiffness", Kind::stiffness,
           u.V_end < u.V_begin ? "secant stiffness of unloading" : "secant stiffness of loading in the bed", u.stiffness);
-  visit("vertical", "embedment", Kind::displacement, "embedment at the end of the push", springs.embedment);
-  visit("axial", "wedging", Kind::ratio, "normal force around the contact over V", springs.axial.wedging);
-  visit("axial", "drained", Kind::force, "drained resistance under the V of the first drag", springs.axial.drained);
-  visit("axial", "undrained", Kind::force, "undrained resistance", springs.axial.undrained);
-  const std::string from = " estimate of the displacement at axial breakout: " + axial_breakout_source();
-  visit("axial", "breakout_LE", Kind::displacement, "low" + from, springs.axial.breakout_low);
-  visit("axial", "breakout", Kind::displacement, "best" + from, springs.axial.breakout);
-  visit("axial", "breakout_HE", Kind::displacement, "high" + from, springs.axial.breakout_high);
+  const Place state{"vertical", "", springs.state_origin.empty() ? "computed" : "computed, " + springs.state_origin};
+  visit(state, "embedment", Kind::displacement, springs.state.empty() ? "embedment at the end of the push" : "embedment in the state",
+        springs.embedment);
+  visit(state, "V", Kind::force, "vertical force in the state", springs.V);
+  const auto formula = [](const std::string& source) { return Place{"axial", "", source.empty() ? "formula" : source}; };
+  auto& axial = springs.axial;
+  visit(formula(""), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
+  visit(formula(axial.drained_source), "drained", Kind::force,
+        std::isnan(springs.V) ? "drained resistance under the V of the first drag" : "drained resistance under the V of the state",
+        axial.drained);
+  visit(formula(axial.undrained_source), "undrained", Kind::force, "undrained resistance", axial.undrained);
+  const std::string from = " estimate of the displacement at axial breakout";
+  const Place breakout = formula(axial_breakout_source());
+  visit(breakout, "breakout_LE", Kind::displacement, "low" + from, axial.breakout_low);
+  visit(breakout, "breakout", Kind::displacement, "best" + from, axial.breakout);
+  visit(breakout, "breakout_HE", Kind::displacement, "high" + from, axial.breakout_high);
+}
+
+/// A number that may be written.
+bool is_usable(Kind kind, Real number)
+{
+  return kind == Kind::stiffness ? is_stiffness(number) : !std::isnan(number);
 }
 
 using Key = std::pair<std::string, std::string>;
@@ -58,8 +79,8 @@ std::map<Key, std::vector<Real>> numbers_of(const std::vector<Springs>& draws)
 {
   std::map<Key, std::vector<Real>> all;
   for (const Springs& springs : draws)
-    for_each_number(springs, [&](const std::string& spring, const std::string& name, Kind, const std::string&, Real number) {
-      if (!std::isnan(number)) all[{spring, name}].push_back(number);
+    for_each_number(springs, [&](const Place& place, const std::string& name, Kind kind, const std::string&, Real number) {
+      if (is_usable(kind, number)) all[{place.spring, name}].push_back(number);
     });
   return all;
 }
@@ -68,9 +89,16 @@ std::vector<Estimate> estimates_of(const Springs& best, const std::vector<Spring
 {
   const std::map<Key, std::vector<Real>> numbers = numbers_of(draws);
   std::vector<Estimate> estimates;
-  for_each_number(best, [&](const std::string& spring, const std::string& name, Kind kind, const std::string& meaning, Real number) {
-    Estimate e{.spring = spring, .name = name, .kind = kind, .meaning = meaning, .best = number, .fit = {}};
-    if (const auto found = numbers.find({spring, name}); found != numbers.end()) {
+  for_each_number(best, [&](const Place& place, const std::string& name, Kind kind, const std::string& meaning, Real number) {
+    Estimate e{.spring = place.spring,
+               .name = name,
+               .kind = kind,
+               .meaning = meaning,
+               .travel = place.travel,
+               .source = place.source,
+               .best = is_usable(kind, number) ? number : nan,
+               .fit = {}};
+    if (const auto found = numbers.find({place.spring, name}); found != numbers.end()) {
       const std::vector<Real>& values = found->second;
       e.size = values.size();
       e.low = study::sample_quantile(values, study::low_share);
@@ -88,8 +116,8 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
 {
   std::map<Key, const Estimate*> by_key;
   for (const Estimate& e : estimates) by_key[{e.spring, e.name}] = &e;
-  for_each_number(like, [&](const std::string& spring, const std::string& name, Kind kind, const std::string&, Real& number) {
-    const auto found = by_key.find({spring, name});
+  for_each_number(like, [&](const Place& place, const std::string& name, Kind kind, const std::string&, Real& number) {
+    const auto found = by_key.find({place.spring, name});
     if (found == by_key.end()) return;
     // V stays, too: with it the friction of low and high would be a quotient of quantiles.
     const bool in_place = kind == Kind::displacement || kind == Kind::ratio || name == "V";
@@ -210,6 +238,28 @@ const char* unit_of(Kind kind)
   }
 }
 
+bool is_stiffness(Real secant)
+{
+  return std::isfinite(secant) && secant > 0;
+}
+
+std::vector<std::string> refused_stiffnesses(const Springs& springs)
+{
+  std::vector<std::string> lines;
+  for (const Unloading& u : springs.vertical.unloading) {
+    if (is_stiffness(u.stiffness)) continue;
+    const bool fell = u.V_end < u.V_begin;
+    std::string why = "w did not change in it";
+    if (u.stiffness == 0)
+      why = "V did not change in it";
+    else if (u.stiffness < 0)
+      why = fmt::format("V {} from {:.6g} to {:.6g} N/m while the pipe {}, so that its secant is negative and no stiffness",
+                        fell ? "fell" : "rose", u.V_begin, u.V_end, fell ? "sank" : "rose");
+    lines.push_back(fmt::format("stiffness of V over w in stage {} is not written: {}", u.stage, why));
+  }
+  return lines;
+}
+
 Design design_of_sample(const std::string& name, const std::optional<Springs>& best, std::vector<Springs> draws)
 {
   Design design;
@@ -219,11 +269,14 @@ Design design_of_sample(const std::string& name, const std::optional<Springs>& b
   if (!best) {
     for (Estimate& e : design.estimates) e.best = nan;
     design.best = at(&Estimate::middle, draws.front(), design.estimates);
+    design.best.run = fmt::format("middle of {} runs of {}", draws.size(), name);
   }
   constexpr std::size_t least = 10;  // for 5 and 95 %
   if (draws.size() >= least) {
     design.low = at(&Estimate::low, design.best, design.estimates);
     design.high = at(&Estimate::high, design.best, design.estimates);
+    for (const auto& [set, percent] : {std::pair(&*design.low, 5), std::pair(&*design.high, 95)})
+      set->run = fmt::format("{} (forces at {} % of {} runs)", design.best.run.empty() ? name : design.best.run, percent, draws.size());
   } else {
     spdlog::warn("{}: {} runs of a sample tell neither 5 nor 95 %: there is no low and no high; take {} at least", name, draws.size(),
                  least);

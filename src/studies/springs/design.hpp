@@ -18,12 +18,19 @@ struct Estimate {
   std::string name;
   Kind kind = Kind::force;
   std::string meaning;
+  std::string travel;                        ///< that it was found in; of a state or a formula none
+  std::string source;                        ///< "computed", or the formula
   Real best = nan;                           ///< of the best run, or of the only one
   Real low = nan, middle = nan, high = nan;  ///< quantiles of 5, 50 and 95 % of the sample
   std::size_t size = 0;                      ///< runs of the sample that have this number
   Lognormal fit;
 };
 const char* unit_of(Kind kind);
+
+/// Whether a secant of V over w may be taken for a stiffness: it is positive. That of a stage in which the pipe sinks while V falls is not.
+bool is_stiffness(Real secant);
+/// Lines that say which stiffnesses are not written, and why.
+std::vector<std::string> refused_stiffnesses(const Springs& springs);
 
 /// Begins the lines that say why numbers are not to be used.
 inline constexpr const char* spoiled_line_begin = "(!)";

@@ -31,6 +31,15 @@ ExportFiles ansys_files(const Design& design);
 /// springs_BEST.inp ...: seafloor contact components of RIFLEX, which know one friction coefficient: kN and m.
 ExportFiles sima_files(const Design& design);
 
+/// springs_BEST_SPRING.inp ...: nonlinear SPRING2 elements for 1 m of pipe, N and m.
+ExportFiles calculix_files(const Design& design);
+/// springs_BEST.py ...: a module with the points of zeroLength elements, N and m.
+ExportFiles opensees_files(const Design& design);
+/// springs_BEST.txt ...: friction and stiffness of the bottom, as options.
+ExportFiles moordyn_files(const Design& design);
+/// soils.csv: coefficients of friction, a row for each travel of the sheet Soils.
+ExportFiles buckpy_files(const Design& design);
+
 constexpr Format formats[] = {
     {"table", "CSV tables for a spreadsheet", table_files},
     {"json", "all of it for a program to read", json_files},
@@ -38,6 +47,10 @@ constexpr Format formats[] = {
     {"orcaflex", "tables of a seabed's tangential resistance", orcaflex_files},
     {"ansys", "COMBIN39 springs", ansys_files},
     {"sima", "seafloor contact of RIFLEX", sima_files},
+    {"calculix", "nonlinear SPRING2 elements", calculix_files},
+    {"opensees", "zeroLength elements of OpenSeesPy", opensees_files},
+    {"moordyn", "friction and stiffness of the bottom", moordyn_files},
+    {"buckpy", "rows of the sheet Soils", buckpy_files},
 };
 
 /// The springs of a design by the name of their estimate: best, and low and high where there is a sample.

@@ -33,14 +33,17 @@ std::vector<Normal> normals(const Design& design, const Estimate& e)
   return list;
 }
 
+constexpr const char* springs_head =
+    "spring,number,unit,best,low (5 %),middle (50 %),high (95 %),runs,lognormal mean of ln,lognormal deviation of ln,lognormal distance,"
+    "lognormal at 5 % of tests,best over gamma' D^2,best over su D,best over V,best over D,meaning,run,state,travel,source\n";
+
 std::string springs_csv(const Design& design)
 {
   std::string text;
   for (const std::string& line : design.provenance) text += "# " + line + "\n";
   if (design.best.scale != 1) text += fmt::format("# prototype: {:.6g} times the size of the model\n", design.best.scale);
-  text += study::csv_line({"spring", "number", "unit", "best", "low (5 %)", "middle (50 %)", "high (95 %)", "runs", "lognormal mean of ln",
-                           "lognormal deviation of ln", "lognormal distance", "lognormal at 5 % of tests", "best over gamma' D^2",
-                           "best over su D", "best over V", "best over D", "meaning"});
+  for (const std::string& line : refused_stiffnesses(design.best)) text += "# " + line + "\n";
+  text += springs_head;
   for (const Estimate& e : design.estimates) {
     std::array<Real, 4> over = {nan, nan, nan, nan};
     for (const Normal& normal : normals(design, e)) {
@@ -64,7 +67,7 @@ std::string springs_csv(const Design& design)
                    exact(e.fit.distance),
                    verdict};
     for (const Real number : over) words.push_back(exact(number));
-    words.push_back(e.meaning);
+    for (const std::string& word : {e.meaning, design.best.run, design.best.state, e.travel, e.source}) words.push_back(word);
     text += study::csv_line(words);
   }
   return text;
@@ -75,15 +78,16 @@ std::string curves_csv(const Design& design)
   std::string text;
   for (const std::string& line : design.provenance)
     if (line.starts_with(spoiled_line_begin)) text += "# " + line + "\n";
-  text += study::csv_line({"spring", "estimate", "displacement (m)", "resistance (N/m)"});
-  const auto add = [&](const std::string& spring, const std::string& estimate, const Points& points) {
-    for (const Point& p : points) text += study::csv_line({spring, estimate, exact(p.x), exact(p.F)});
+  text += study::csv_line({"spring", "estimate", "displacement (m)", "resistance (N/m)", "run", "state", "travel", "source"});
+  const auto add = [&](const std::string& spring, const std::string& estimate, const Points& points, const Springs& s,
+                       const std::string& travel) {
+    for (const Point& p : points) text += study::csv_line({spring, estimate, exact(p.x), exact(p.F), s.run, s.state, travel, "computed"});
   };
   for (const auto& [set, springs] : sets_of(design)) {
-    for (const Lateral& l : springs->lateral) add("lateral " + l.stage, set, l.spring());
-    add("vertical", set, springs->vertical.curve);
+    for (const Lateral& l : springs->lateral) add("lateral " + l.stage, set, l.spring(), *springs, l.stage);
+    add("vertical", set, springs->vertical.curve, *springs, "push");
   }
-  for (const Lateral& l : design.best.lateral) add("lateral " + l.stage, "computed", l.curve);
+  for (const Lateral& l : design.best.lateral) add("lateral " + l.stage, "computed", l.curve, design.best, l.stage);
   return text;
 }
 
@@ -112,6 +116,7 @@ Json json_of(const Springs& s)
                        {"mobilised_m", mobilised},
                        {"u_peak_m", number(l.u_peak)},
                        {"residual_N_m", number(l.residual)},
+                       {"berm_resistance_N_m", number(l.berm)},
                        {"end_N_m", number(l.end)},
                        {"u_residual_m", number(l.u_residual)},
                        {"travel_m", number(l.travel)},
@@ -119,14 +124,23 @@ Json json_of(const Springs& s)
                        {"computed", json_of(l.curve)}});
   }
   for (const Unloading& u : s.vertical.unloading)
-    unloading.push_back(
-        {{"stage", u.stage}, {"V_begin_N_m", number(u.V_begin)}, {"V_end_N_m", number(u.V_end)}, {"stiffness_N_m2", number(u.stiffness)}});
-  return {{"lateral", lateral},
-          {"vertical", {{"curve", json_of(s.vertical.curve)}, {"unloading", unloading}}},
+    unloading.push_back({{"stage", u.stage},
+                         {"V_begin_N_m", number(u.V_begin)},
+                         {"V_end_N_m", number(u.V_end)},
+                         {"stiffness_N_m2", number(is_stiffness(u.stiffness) ? u.stiffness : nan)}});
+  return {{"run", s.run},
+          {"state", s.state},
+          {"state_origin", s.state_origin},
+          {"V_N_m", number(s.V)},
+          {"embedment_m", number(s.embedment)},
+          {"lateral", lateral},
+          {"vertical", {{"curve", json_of(s.vertical.curve)}, {"unloading", unloading}, {"refused", refused_stiffnesses(s)}}},
           {"axial",
            {{"wedging", number(s.axial.wedging)},
             {"drained_N_m", number(s.axial.drained)},
             {"undrained_N_m", number(s.axial.undrained)},
+            {"drained_source", s.axial.drained_source},
+            {"undrained_source", s.axial.undrained_source},
             {"breakout_m", number(s.axial.breakout)}}}};
 }
 
@@ -149,7 +163,8 @@ ExportFiles json_files(const Design& design)
                {"suD_N_m", number(s.strength)}};
   Json estimates = Json::array();
   for (const Estimate& e : design.estimates) {
-    Json entry = {{"spring", e.spring}, {"number", e.name}, {"unit", unit_of(e.kind)}, {"meaning", e.meaning}, {"best", number(e.best)}};
+    Json entry = {{"spring", e.spring}, {"number", e.name},   {"unit", unit_of(e.kind)}, {"meaning", e.meaning},
+                  {"travel", e.travel}, {"source", e.source}, {"best", number(e.best)}};
     if (e.size > 0)
       entry.update({{"low", number(e.low)},
                     {"middle", number(e.middle)},

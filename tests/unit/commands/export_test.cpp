@@ -65,7 +65,11 @@ TEST_F(Export, of_a_sample_writes_low_best_and_high_for_each_program)
                                                    {"abaqus", {"springs_low.inp", "springs_best.inp", "springs_high.inp"}},
                                                    {"orcaflex", {"springs_low.csv", "springs_best.csv", "springs_high.csv"}},
                                                    {"ansys", {"springs_low.mac", "springs_best.mac", "springs_high.mac"}},
-                                                   {"sima", {"springs_low.inp", "springs_best.inp", "springs_high.inp"}}};
+                                                   {"sima", {"springs_low.inp", "springs_best.inp", "springs_high.inp"}},
+                                                   {"calculix", {"springs_low_lateral_drag.inp", "springs_best_axial.inp"}},
+                                                   {"opensees", {"springs_low.py", "springs_best.py", "springs_high.py"}},
+                                                   {"moordyn", {"springs_low.txt", "springs_best.txt", "springs_high.txt"}},
+                                                   {"buckpy", {"soils.csv"}}};
   for (const auto& [format, files] : formats) {
     const Ended ended = berm({"export", "s", "--to", format, "-o", format});
     EXPECT_EQ(ended.status, 0) << ended.err;

@@ -83,6 +83,19 @@ TEST(Design, counts_only_the_draws_that_have_a_number)
   EXPECT_EQ(estimate(design_of_sample("pipe", with_peak(60), some), "lateral drag", "residual").size, 15u);
 }
 
+TEST(Design, counts_no_stiffness_that_is_negative_or_zero)
+{
+  std::vector<Springs> some = draws();
+  for (std::size_t k = 0; k < some.size(); ++k) some[k].vertical.unloading = {{"unload", 80, 40, k < 4 ? -1e5 : k < 6 ? 0 : 2e5}};
+  Springs best = with_peak(60);
+  best.vertical.unloading = {{"unload", 80, 40, -1e4}};
+  const Design design = design_of_sample("pipe", best, some);
+  const Estimate& e = estimate(design, "vertical", "unload.stiffness");
+  EXPECT_TRUE(std::isnan(e.best));
+  EXPECT_EQ(e.size, 14u);
+  EXPECT_EQ(e.low, 2e5);
+}
+
 TEST(Design, has_low_and_high_of_ten_draws_and_not_of_nine)
 {
   std::vector<Springs> some = draws();

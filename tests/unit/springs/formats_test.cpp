@@ -2,12 +2,14 @@
 #include "springs/formats.hpp"
 
 #include "samples/made_run.hpp"
+#include "samples/made_springs.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -80,16 +82,102 @@ TEST(Formats, each_estimate_gets_a_file_of_its_own)
   for (const Format& format : formats) {
     const ExportFiles files = format.files(design);
     ASSERT_FALSE(files.empty()) << format.name;
-    for (const ExportFile& one : files) EXPECT_FALSE(one.text.empty()) << one.name;
-    if (std::string(format.name) != "table" && std::string(format.name) != "json") {
-      EXPECT_EQ(files.size(), 3u) << format.name;
+    std::set<std::string> names;
+    for (const ExportFile& one : files) {
+      EXPECT_FALSE(one.text.empty()) << one.name;
+      EXPECT_TRUE(names.insert(one.name).second) << one.name << " twice";
     }
+    const std::string name = format.name;
+    if (name == "table" || name == "json") continue;
+    EXPECT_EQ(files.size(), name == "calculix" ? 9u
+                            : name == "buckpy" ? 1u
+                                               : 3u)
+        << name << ": a spring a file, a sheet, an estimate a file";
   }
   MadeRun run;
   EXPECT_EQ(abaqus_files(design_of_sample("one", springs_of(run.record()), std::vector<Springs>(10, springs_of(run.record())))).size(), 3u);
   Design alone;
   alone.best = springs_of(run.record());
   EXPECT_EQ(abaqus_files(alone).size(), 1u);
+}
+
+TEST(Formats, say_run_and_state_in_each_file_and_the_travel_and_formula_of_each_spring)
+{
+  const Design design = made_design();
+  for (const Format& format : formats) {
+    std::string all;
+    for (const ExportFile& one : format.files(design)) {
+      std::string text = one.text;
+      for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) {
+        // Comments go on behind their mark.
+        std::size_t end = at + 1;
+        while (end < text.size() && std::string("*#!' ").find(text[end]) != std::string::npos) ++end;
+        text.replace(at, end - at, " ");
+      }
+      EXPECT_NE(text.find("b1"), std::string::npos) << format.name << ": " << one.name;
+      EXPECT_NE(text.find("operation"), std::string::npos) << format.name << ": " << one.name;
+      all += text;
+    }
+    for (const char* words : {"sweep_1", "sweep_2", "White and Randolph 2007"})
+      EXPECT_NE(all.find(words), std::string::npos) << format.name << ": " << words;
+    if (std::string(format.name) == "table" || std::string(format.name) == "json") continue;
+    EXPECT_NE(all.find("travel sweep_2, computed, no residual, 1129 N/m against a berm at its end, which is no residual"),
+              std::string::npos)
+        << format.name << "\n"
+        << all;
+  }
+}
+
+TEST(Formats, have_the_berm_of_a_sweep_as_a_number_of_its_own_and_no_residual)
+{
+  const Design design = made_design();
+  const auto lateral = nlohmann::json::parse(json_files(design)[0].text)["springs"]["best"]["lateral"];
+  EXPECT_TRUE(lateral[1]["residual_N_m"].is_null());
+  EXPECT_EQ(lateral[1]["berm_resistance_N_m"], 1129);
+  EXPECT_EQ(lateral[0]["residual_N_m"], 500);
+  EXPECT_TRUE(lateral[0]["berm_resistance_N_m"].is_null());
+  const std::string table = file(table_files(design), "springs.csv").text;
+  EXPECT_NE(table.find("\nlateral sweep_2,berm_resistance,N/m,1129,"), std::string::npos) << table;
+  EXPECT_EQ(table.find("\nlateral sweep_2,residual,"), std::string::npos);
+  EXPECT_NE(table.find("\nlateral sweep_1,residual,N/m,500,"), std::string::npos);
+  EXPECT_EQ(file(sima_files(design), "springs_best.inp").text.find("R2BEST"), std::string::npos) << "no component of a residual";
+}
+
+TEST(Formats, of_tables_have_run_state_travel_and_source_of_each_number_at_the_end_of_its_line)
+{
+  const ExportFiles files = table_files(made_design());
+  const auto line_of = [&](const std::string& name, const std::string& begin) {
+    for (const std::string& line : lines_of(file(files, name).text))
+      if (line.starts_with(begin)) return line;
+    return "no line " + begin;
+  };
+  const auto ends = [](const std::string& line, const std::string& end) { EXPECT_TRUE(line.ends_with(end)) << line; };
+  ends(line_of("springs.csv", "spring,"), ",meaning,run,state,travel,source");
+  ends(line_of("springs.csv", "lateral sweep_1,peak,"), ",b1,operation,sweep_1,computed");
+  ends(line_of("springs.csv", "axial,undrained,"), ",b1,operation,,White and Randolph 2007");
+  ends(line_of("springs.csv", "axial,breakout,"), ",b1,operation,,\"DNVGL-RP-F114, table 4-2\"");
+  ends(line_of("springs.csv", "vertical,embedment,"), ",b1,operation,,\"computed, end of stage unload\"");
+  ends(line_of("curves.csv", "lateral sweep_2,low,"), ",b1 (forces at 5 % of 11 runs),operation,sweep_2,computed");
+  ends(line_of("curves.csv", "vertical,best,"), ",b1,operation,push,computed");
+}
+
+TEST(Formats, never_have_a_stiffness_that_is_negative_or_none_and_say_why)
+{
+  Springs springs = made_springs();
+  springs.vertical.unloading.push_back({"pause", 1000, 1100, nan});
+  const Design design = made_design(springs);
+  for (const Format& format : formats)
+    for (const ExportFile& one : format.files(design)) {
+      EXPECT_EQ(one.text.find("104219"), std::string::npos) << format.name << ": " << one.name;
+      EXPECT_FALSE(std::regex_search(one.text, std::regex("(^|[^a-z])-?nan([^a-z]|$)"))) << format.name << ": " << one.name;
+    }
+  for (const ExportFiles& files : {table_files(design), json_files(design), sima_files(design), moordyn_files(design)}) {
+    EXPECT_NE(files[0].text.find("stiffness of V over w in stage unload is not written: V fell from 1860 to 1000 N/m"), std::string::npos)
+        << files[0].text;
+    EXPECT_NE(files[0].text.find("stage pause is not written: w did not change in it"), std::string::npos) << files[0].text;
+  }
+  const auto vertical = nlohmann::json::parse(json_files(design)[0].text)["springs"]["best"]["vertical"];
+  for (const auto& unloading : vertical["unloading"]) EXPECT_TRUE(unloading["stiffness_N_m2"].is_null());
 }
 
 TEST(Formats, of_abaqus_is_force_then_displacement_ascending_through_the_origin_and_the_same_both_ways)

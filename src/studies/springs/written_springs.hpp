@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "springs/formats.hpp"
+
+// What the files of all programs have in common.
+
+namespace berm::springs {
+
+enum class Direction { lateral, axial, vertical };
+
+/// A spring as files have it.
+struct WrittenSpring {
+  Direction direction;
+  std::string travel;  ///< that it was found in; of a formula none
+  Points points;       ///< displacement and resistance per length one way, from the origin on; downwards positive
+  Real V;              ///< N/m, the normal force that coefficients of friction are over; NaN: there are none
+  std::string origin;  ///< run, state, travel and what it was found by, in one line
+};
+
+/// Of each travel, along the axis and downwards: those that are known.
+std::vector<WrittenSpring> springs_to_write(const Springs& springs);
+
+/// Where a lateral, the axial and the vertical spring are from: run, state, travel, formula.
+std::string origin_of(const Springs& springs, const Lateral& lateral);
+std::string axial_origin(const Springs& springs);
+std::string push_origin(const Springs& springs);
+
+/// From the displacement of breakout on the axial resistance stays; none where nothing is mobilised.
+Points axial_spring(const Springs& springs);
+/// N/m, the vertical force under which the pipe slides along its axis: that of the state, else that of the first drag.
+Real axial_V(const Springs& springs);
+/// V over the embedment from the surface on.
+Points push_of(const Springs& springs);
+
+/// A spring that resists both ways: its points mirrored, from the least displacement on.
+Points both_ways(const Points& spring);
+/// One that resists downwards only, over a displacement that is positive upwards: nothing where the pipe is lifted, up to `lift`.
+Points upwards_positive(const Points& push, Real lift);
+/// Level for another `length` beyond its last point, for programs that go on with the last slope.
+Points level_beyond(Points spring, Real length);
+
+/// N/m^2, V over w for small changes of V: of the first stage that unloads or reloads, else of the whole push; NaN where neither is known.
+struct NormalStiffness {
+  Real value = nan;
+  std::string origin;
+};
+NormalStiffness normal_stiffness(const Springs& springs);
+
+/// Without line ends and other marks that are no letters.
+std::string one_line(std::string text);
+/// A comment behind the mark that begins one, in lines of at most some 120 letters.
+std::string remark(const std::string& mark, const std::string& text);
+/// Comments at the head of a file: the provenance, `remarks` (units, how sure the format is), the size of the prototype.
+std::string comments(const Design& design, const std::string& mark, const std::vector<std::string>& remarks);
+
+/// A name of at most `max` letters, digits and _, in capitals.
+std::string identifier(const std::string& name, std::size_t max);
+
+/// One file for each estimate, made by body(set, springs).
+template <class Body>
+ExportFiles by_estimate(const Design& design, const char* extension, const Body& body)
+{
+  ExportFiles files;
+  for (const auto& [set, springs] : sets_of(design)) files.push_back({"springs_" + set + "." + extension, body(set, *springs)});
+  return files;
+}
+
+}  // namespace berm::springs
