@@ -163,10 +163,19 @@ def report(
     return Path(call(words, quiet=quiet, program=program).text.splitlines()[0])
 
 
-def export(*folders: PathLike, to: str = "json", output: PathLike | None = None, program: PathLike | None = None) -> list[Path]:
+def export(
+    *folders: PathLike,
+    to: str = "json",
+    output: PathLike | None = None,
+    state: str | None = None,
+    travels: Sequence[str] = (),
+    program: PathLike | None = None,
+) -> list[Path]:
     """Springs of runs or studies for other programs (table, json, abaqus, orcaflex, ansys, sima, calculix, opensees, moordyn, buckpy), to
-    FOLDER/export or `output`; returns the files. Throws InputError and RunError."""
+    FOLDER/export or `output`; of a state of the pipe (None: operation) and these drags (none: those after it). Returns the files. Throws
+    InputError and RunError."""
     words = ["export", *folders, "--to", to, *(["-o", output] if output is not None else [])]
+    words += [*(["--state", state] if state is not None else []), *(["--travels", ",".join(travels)] if travels else [])]
     return [Path(line) for line in call(words, program=program).text.splitlines()]
 
 

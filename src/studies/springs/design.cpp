@@ -50,14 +50,14 @@ void for_each_number(S& springs, const Visit& visit)
     visit(Place{"vertical", u.stage, "computed"}, u.stage + ".stiffness", Kind::stiffness,
           u.V_end < u.V_begin ? "secant stiffness of unloading" : "secant stiffness of loading in the bed", u.stiffness);
   const Place state{"vertical", "", springs.state_origin.empty() ? "computed" : "computed, " + springs.state_origin};
-  visit(state, "embedment", Kind::displacement, springs.state.empty() ? "embedment at the end of the push" : "embedment in the state",
+  visit(state, "embedment", Kind::displacement, "embedment in the state",
         springs.embedment);
   visit(state, "V", Kind::force, "vertical force in the state", springs.V);
   const auto formula = [](const std::string& source) { return Place{"axial", "", source.empty() ? "formula" : source}; };
   auto& axial = springs.axial;
   visit(formula(""), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
   visit(formula(axial.drained_source), "drained", Kind::force,
-        std::isnan(springs.V) ? "drained resistance under the V of the first drag" : "drained resistance under the V of the state",
+        "drained resistance under the V of the state",
         axial.drained);
   visit(formula(axial.undrained_source), "undrained", Kind::force, "undrained resistance", axial.undrained);
   const std::string from = " estimate of the displacement at axial breakout";

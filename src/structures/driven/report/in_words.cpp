@@ -100,7 +100,7 @@ std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, cons
   std::string words = fmt::format("Lifted from w = {} in \"{}\", {} meets an uplift resistance of {} after {}",
                                   shown.length_text(run.scale, uplift.w_begin), text::html_text(uplift.stage), subject_of(run.settings),
                                   shown.force_text(run.scale, uplift.largest.H), shown.length_text(run.scale, uplift.largest.u));
-  if (!uplift.falls) return words + ", still growing at the end of the lift. ";
+  if (!uplift.falls()) return words + ", still growing at the end of the lift. ";
   if (uplift.end)
     words += fmt::format(", and {} at the end, after {}", shown.force_text(run.scale, uplift.end->H),
                          shown.length_text(run.scale, uplift.end->u));

@@ -81,10 +81,12 @@ struct DragResults {
 struct UpliftResults {
   std::string stage{};
   DragPeak largest{nan, nan};      ///< travel upwards, m, and R, N/m: the peak where R falls after it
-  bool falls = false;              ///< whether R falls by 5 % after it
   Real half_travel = nan;          ///< m, travel at which R first is half of that
   Real w_begin = nan;              ///< m, embedment from which it is lifted
   std::optional<DragPoint> end{};  ///< u: travel; H: R, its mean over the end; V unused
+
+  /// Whether R is less at the end by 5 % or more.
+  bool falls() const { return end && end->H < 0.95 * largest.H; }
 };
 
 /// A push that unloads or lifts the body, or that follows a drag: where it ends.

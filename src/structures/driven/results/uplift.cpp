@@ -30,10 +30,9 @@ std::optional<UpliftResults> uplift_of(const OtherPush& lift, const run_folder::
   uplift.w_begin = path.w_begin;
   const auto& peak = resistance.breakout ? resistance.breakout : resistance.largest;
   uplift.largest = {peak->u, peak->H};
-  uplift.falls = resistance.breakout.has_value();
-  const record::TravelCurve smooth = R.smoothed(base::averaging_half(scale));
-  for (std::size_t k = 0; k < smooth.travel().size() && std::isnan(uplift.half_travel); ++k)
-    if (smooth.value()[k] >= peak->H / 2) uplift.half_travel = smooth.travel()[k];
+  // By row: half of it may be mobilised within less than what forces are averaged over.
+  for (std::size_t k = 0; k < R.travel().size() && std::isnan(uplift.half_travel); ++k)
+    if (R.value()[k] >= peak->H / 2) uplift.half_travel = R.travel()[k];
   const Real half = residual_travel(R.end() - R.begin(), scale) / 2;
   uplift.end = DragPoint{R.end(), history["w_m"][lift.rows.back()], R.at(R.end() - half, half), 0};
   return uplift;
