@@ -93,7 +93,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
     const FreedomDrive& drive = drives[f];
     switch (drive.by) {
     case FreedomDrive::By::velocity:
-      now.drive[f] = {false, velocity(f), drive.value};
+      now.drive[f] = {false, drive.named ? velocity(f) : 0, drive.value};
       break;
     case FreedomDrive::By::force:
       now.drive[f] = {true, present_force(f), drive.value};
