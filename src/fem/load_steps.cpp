@@ -190,7 +190,8 @@ Real LoadSteps::part_within_force(const IncrementEnd& end) const
   if (!limit || driven() == none || !end.converged) return 1;
   const Real before = resistance(model_.model, state_.state, state_.state.rigid_bodies[driven()].reaction),
              after = resistance(model_.model, state_.state, newton_.assembly().reaction());
-  return after > *limit * (1 + 1e-4) ? std::max(0.1, (*limit - before) / (after - before)) : 1;
+  const Real direction = lifts(model_.model, state_.state) ? -1 : 1;
+  return direction * (after - *limit) > std::abs(*limit) * 1e-4 ? std::max(0.1, (*limit - before) / (after - before)) : 1;
 }
 
 /// The equilibrium at the end of an increment; again with the strength there, as long as it lags and another pass helps. A pass that finds none or lags

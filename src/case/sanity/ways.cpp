@@ -17,6 +17,12 @@ Real travel_in(Real speed, Real time, Real ramp)
   return time < ramp ? speed * time * time / (2 * ramp) : speed * (time - ramp / 2);
 }
 
+/// Whether a body at a depth w has reached the stage's embedment: from above, or from below where it is lifted.
+bool at_embedment(const problem::StageSettings& s, Real down, Real w)
+{
+  return s.until.embedment && (down < 0 ? *s.until.embedment >= w : *s.until.embedment <= w);
+}
+
 /// The time that a stage takes to the first of its limits that the input says when it is reached; infinity where it says none.
 template <int dim>
 Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, const problem::StageDrives<dim>& drives, Real begin_w)
@@ -30,8 +36,8 @@ Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, 
   if (s.until.displacement && speed > 0) time = std::min(time, *s.until.displacement / speed + s.ramp / 2);
   const problem::FreedomDrive& vertical = drives[model.axes.up];
   const Real down = vertical.by == By::velocity ? -model.axes.sign * vertical.value : 0;
-  if (s.until.embedment && *s.until.embedment <= begin_w) return 0;
-  if (s.until.embedment && down > 0) time = std::min(time, (*s.until.embedment - begin_w) / down + s.ramp / 2);
+  if (at_embedment(s, down, begin_w)) return 0;
+  if (s.until.embedment && down != 0) time = std::min(time, (*s.until.embedment - begin_w) / down + s.ramp / 2);
   return time;
 }
 
@@ -69,6 +75,8 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
     way.begin_embedment = model.axes.sign * (model.surface_at(center) - way.axis[model.axes.up].begin) -
                           lowest_level<dim>(rigid.shape, model.axes.up_vector());
     for (int d = dim; d < bodies::freedoms<dim>; ++d) way.turns = way.turns || drives[d].by != By::velocity || drives[d].value != 0;
+    const problem::FreedomDrive& vertical = drives[model.axes.up];
+    const Real down = vertical.by == By::velocity ? -model.axes.sign * vertical.value : 0;
     const Real time = time_of(model, s, drives, way.begin_embedment);
     for (int d = 0; d < dim; ++d) {
       Move& move = way.axis[d];
@@ -79,7 +87,7 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
       if (by_velocity) move.end += travel_in(drives[d].value, time, s.ramp);
       move.known = move.known && by_velocity;
       move.at_most = move.at_most || s.until.force.has_value() ||
-                     (s.until.embedment && !(*s.until.embedment <= way.begin_embedment) && d != model.axes.up);
+                     (s.until.embedment && !at_embedment(s, down, way.begin_embedment) && d != model.axes.up);
     }
     now[way.rigid] = way.axis;
   }

@@ -117,6 +117,12 @@ void archive(Archive& k, const Model<dim>& model, StageState<dim>& stage)
   k("begin_time", stage.begin_time);
   k("begin_displacement", stage.begin_displacement);
   archive(k, "begin_orientation", stage.begin_orientation);
+  if (model.stages[stage.index].until.force)
+    k.table("approach", [&] {
+      k("begin", stage.approach.begin);
+      k("travel", stage.approach.travel);
+      k("mean_travel", stage.approach.mean_travel);
+    });
   k("excess_pressure", stage.excess_pressure);
   k.table("pressure_means", [&] { archive(k, stage.pressure_means); });
   for (int d = 0; d < bodies::freedoms<dim>; ++d)

@@ -11,7 +11,7 @@ using By = FreedomDrive::By;
 
 void set(FreedomDrive& drive, const FreedomSettings& settings)
 {
-  if (settings.velocity) drive = {By::velocity, *settings.velocity};
+  if (settings.velocity) drive = {By::velocity, *settings.velocity, 0, true};
   if (settings.force) drive = {By::force, *settings.force};
   if (settings.hold) drive = {By::hold, 0};
   if (settings.free) drive = {By::free, 0};
@@ -21,7 +21,7 @@ void set(FreedomDrive& drive, const FreedomSettings& settings)
 
 void set(FreedomDrive& drive, const TurnSettings& settings)
 {
-  if (settings.velocity) drive = {By::velocity, *settings.velocity};
+  if (settings.velocity) drive = {By::velocity, *settings.velocity, 0, true};
   if (settings.moment) drive = {By::force, *settings.moment};
   if (settings.fixed) drive = {By::velocity, 0};
   if (settings.free) drive = {By::free, 0};
@@ -50,8 +50,8 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
   for (int d = dim; d < bodies::freedoms<dim>; ++d) drives[d].by = turns ? By::free : By::velocity;
   const auto along_axis = [&](FreedomDrive& drive, const std::optional<Real>& velocity, const std::optional<Real>& force, Real sign) {
     if (velocity)
-      drive = {By::velocity, sign * *velocity};
-    else
+      drive = {By::velocity, sign * *velocity, 0, true};
+    else if (force)
       drive = {By::force, sign * *force};
   };
   const Real down = -axes.sign;
@@ -63,9 +63,10 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
     break;
   case StageKind::drag:
   case StageKind::sweep:
+    for (FreedomDrive& drive : drives) drive.named = true;
     along_axis(drives[axes.along], stage.velocity, stage.force, 1);
     if (stage.vertical_velocity)
-      vertical = {By::velocity, down * *stage.vertical_velocity};
+      vertical = {By::velocity, down * *stage.vertical_velocity, 0, true};
     else if (stage.vertical == Vertical::hold)
       vertical = stage.vertical_force ? FreedomDrive{By::force, down * *stage.vertical_force} : FreedomDrive{By::hold, 0};
     break;

@@ -16,8 +16,9 @@ struct FreedomDrive {
     free       ///< nothing but the contacts (a rotation that may turn)
   };
   By by = By::velocity;
-  Real value = 0;   ///< m/s, rad/s, N/m (in space: N), N (in space: N m), along the axis
-  Real spring = 0;  ///< stiffness of a spring to where the body was when the stage began, which a force goes with
+  Real value = 0;      ///< m/s, rad/s, N/m (in space: N), N (in space: N m), along the axis
+  Real spring = 0;     ///< stiffness of a spring to where the body was when the stage began, which a force goes with
+  bool named = false;  ///< by the stage: with its ramp; else it stands still from the stage's begin on
 };
 
 template <int dim>

@@ -149,6 +149,21 @@ struct LoadPointState {
   Index cell;
 };
 
+/// How a drive by velocity comes to the limit of force of its stage.
+struct ForceApproach {
+  Real begin = 0;        ///< N/m or N, the resistance when the stage began
+  Real travel = 0;       ///< m, of the drive since the resistance began to go to the limit
+  Real mean_travel = 0;  ///< m, its mean over as many steps as RigidState::smooth_reaction is one
+
+  /// N/m2 or N/m: how fast the averaged resistance changes with the travel; 0 while it does not. Both lag equally.
+  Real stiffness(Real resistance) const { return mean_travel > 0 ? std::abs(resistance - begin) / mean_travel : 0; }
+  /// The present resistance without its lag, N/m or N, where it was averaged to `resistance`.
+  Real without_lag(Real resistance) const
+  {
+    return resistance + (resistance < begin ? -1 : 1) * stiffness(resistance) * (travel - mean_travel);
+  }
+};
+
 /// Where the run stands in its list of stages.
 template <int dim>
 struct StageState {
@@ -157,6 +172,7 @@ struct StageState {
   Vec<dim> begin_displacement = Vec<dim>::Zero();  ///< of the driven rigid body
   bodies::Orientation<dim> begin_orientation;      ///< and its orientation then
   bodies::Drive drive[bodies::freedoms<dim>] = {};
+  ForceApproach approach;
   Real excess_pressure = 0;  ///< Pa, the largest magnitude of excess pore pressure in soil whose water flows, at this moment
   PressureMeans pressure_means;
 };

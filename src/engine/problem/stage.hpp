@@ -37,8 +37,8 @@ enum class StageRole {
 struct Until {
   std::optional<Real> time;           ///< s since the stage began
   std::optional<Real> displacement;   ///< m, |u - u at the stage's begin|; of a drive the distance from there
-  std::optional<Real> embedment;      ///< m, w
-  std::optional<Real> force;          ///< N per metre: V in a push, H in a drag
+  std::optional<Real> embedment;      ///< m, w: that or more, of a body that is lifted that or less
+  std::optional<Real> force;          ///< N per metre: H of a drag, V of a push, in one upwards that or less
   std::optional<Real> consolidation;  ///< degree of consolidation
   bool equilibrium = false;           ///< geostatic: as soon as the soil is at rest and in balance
 };

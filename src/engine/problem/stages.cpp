@@ -23,6 +23,15 @@ Real drag_direction(const Model<dim>& model, const State<dim>& state)
 
 namespace {
 
+/// What a limit of displacement counts: the distance of a drive, the way of a drag along its velocity, and to either side of one that a force or a load history
+/// moves.
+template <int dim>
+Real travel_in(const StageSettings& stage, const Vec<dim>& moved, int along)
+{
+  if (stage.kind == StageKind::drive) return moved.norm();
+  return stage.velocity && stage.load_times.empty() ? std::copysign(Real(1), *stage.velocity) * moved[along] : std::abs(moved[along]);
+}
+
 /// Gives the particles back what the stage says of the strength that remoulding took.
 template <int dim>
 void recover_strength(const Model<dim>& model, Real share, std::vector<bodies::Particles<dim>>& bodies)
@@ -70,6 +79,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   now.begin_displacement = rigid.displacement;
   now.begin_orientation = rigid.orientation;
+  now.approach = {resistance(model, state, rigid.smooth_reaction)};
   const StageDrives<dim> drives = drives_of(stage, model.axes, model.rigid_bodies[driven].rotation == bodies::Rotation::free);
   const auto velocity = [&](int f) -> Real {
     if (f < dim) return rigid.velocity[f];
@@ -93,7 +103,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
     const FreedomDrive& drive = drives[f];
     switch (drive.by) {
     case FreedomDrive::By::velocity:
-      now.drive[f] = {false, velocity(f), drive.value};
+      now.drive[f] = {false, drive.named ? velocity(f) : 0, drive.value};
       break;
     case FreedomDrive::By::force:
       now.drive[f] = {true, present_force(f), drive.value};
@@ -110,6 +120,35 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
 }
 
 template <int dim>
+bool lifts(const Model<dim>& model, const State<dim>& state)
+{
+  const StageSettings& stage = model.stages[state.stage.index];
+  const bodies::Drive& vertical = state.stage.drive[model.axes.up];
+  if (model.driven[state.stage.index] == none || !stage.load_times.empty()) return false;
+  if (!vertical.by_force) return model.axes.sign * vertical.to > 0;
+  return stage.kind != StageKind::drag && model.axes.sign * vertical.to > model.axes.sign * vertical.from;
+}
+
+template <int dim>
+bool force_reached(const Model<dim>& model, const State<dim>& state, Real resistance)
+{
+  const StageSettings& stage = model.stages[state.stage.index];
+  if (!stage.until.force) return false;
+  return stage.kind == StageKind::push && lifts(model, state) ? resistance <= *stage.until.force : resistance >= *stage.until.force;
+}
+
+template <int dim>
+Real beyond_force_limit(const Model<dim>& model, const State<dim>& state)
+{
+  const StageSettings& stage = model.stages[state.stage.index];
+  const Index driven = model.driven[state.stage.index];
+  if (driven == none || !stage.velocity || !stage.load_times.empty()) return nan;
+  const Real mean = resistance(model, state, state.rigid_bodies[driven].smooth_reaction);
+  if (!force_reached(model, state, mean)) return nan;
+  return std::abs(state.stage.approach.without_lag(mean) / *stage.until.force - 1);
+}
+
+template <int dim>
 bool stage_ended(const Model<dim>& model, const State<dim>& state)
 {
   const StageState<dim>& now = state.stage;
@@ -122,10 +161,12 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   if (driven == none) return false;
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   const Vec<dim> moved = rigid.displacement - now.begin_displacement;
-  const Real travel = stage.kind == StageKind::drive ? moved.norm() : std::abs(moved[model.axes.along]);
-  if (until.displacement && travel >= *until.displacement) return true;
-  if (until.embedment && travel_of(model, state, driven).w >= *until.embedment) return true;
-  return until.force && resistance(model, state, rigid.smooth_reaction) >= *until.force;
+  if (until.displacement && travel_in(stage, moved, model.axes.along) >= *until.displacement) return true;
+  if (until.embedment) {
+    const Real w = travel_of(model, state, driven).w;
+    if (lifts(model, state) ? w <= *until.embedment : w >= *until.embedment) return true;
+  }
+  return force_reached(model, state, resistance(model, state, rigid.smooth_reaction));
 }
 
 namespace {
@@ -145,6 +186,38 @@ Real moved_in_stage(const StageState<dim>& stage, const bodies::RigidState<dim>&
 }  // namespace
 
 template <int dim>
+Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity, Real dt)
+{
+  constexpr Real lags = 6, beyond = 0.02, felt = 0.005;
+  const StageSettings& stage = model.stages[state.stage.index];
+  if (!stage.until.force || !stage.velocity || !stage.load_times.empty()) return 1;
+  const Real now = resistance(model, state, state.rigid_bodies[model.driven[state.stage.index]].smooth_reaction);
+  const Real limit = *stage.until.force, direction = limit < state.stage.approach.begin ? -1 : 1;
+  if (direction * (now - state.stage.approach.begin) < felt * std::abs(limit - state.stage.approach.begin)) return 1;
+  const Real growth = state.stage.approach.stiffness(now) * std::abs(velocity) * bodies::averaged_steps * dt;
+  const Real left = std::max(direction * (limit - now), Real(0)) + beyond * std::abs(limit);
+  return left < lags * growth ? left / (lags * growth) : 1;
+}
+
+namespace {
+
+/// Counts the travel of a coming step from where the resistance has begun to go to its limit.
+template <int dim>
+void count_approach(const Model<dim>& model, State<dim>& state, Real step)
+{
+  constexpr Real begun = 1e-4;  // of its way
+  ForceApproach& approach = state.stage.approach;
+  const Real limit = *model.stages[state.stage.index].until.force;
+  const Real now = resistance(model, state, state.rigid_bodies[model.driven[state.stage.index]].smooth_reaction);
+  if ((now - approach.begin) * (limit - approach.begin) < begun * (limit - approach.begin) * (limit - approach.begin))
+    approach.travel = approach.mean_travel = 0;
+  approach.travel += std::abs(step);
+  approach.mean_travel += (approach.travel - approach.mean_travel) / bodies::averaged_steps;
+}
+
+}  // namespace
+
+template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
 {
   const StageSettings& stage = model.stages[state.stage.index];
@@ -159,6 +232,10 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
       for (int f = 0; f < bodies::freedoms<dim>; ++f) {
         now.by_force[f] = state.stage.drive[f].by_force;
         now.value[f] = drive_now(model, stage, state.stage.drive[f], f, since);
+        if (stage.until.force && !now.by_force[f] && f == main_freedom(model, stage)) {
+          now.value[f] *= part_of_velocity(model, state, now.value[f], dt);
+          count_approach(model, state, dt * now.value[f]);
+        }
         if (const Real stiffness = state.stage.drive[f].spring; stiffness > 0)
           now.value[f] -= stiffness * moved_in_stage(state.stage, rigid, f);
       }
@@ -184,10 +261,12 @@ Real expected_time(const StageSettings& stage)
     return stage.sweeps * (*stage.amplitude / std::abs(*stage.velocity) + stage.ramp / 2) + (stage.sweeps - 1) * stage.pause;
   Real min = stage.until.time.value_or(infinity);
   if (!stage.load_times.empty()) return min < infinity ? min : 0;
+  const bool lifted = stage.kind == StageKind::push && stage.velocity.value_or(0) < 0;  // from an embedment that it does not say
   if (stage.velocity && *stage.velocity != 0) {
     const Real speed = std::abs(*stage.velocity);
     if (stage.kind == StageKind::drag && stage.until.displacement) min = std::min(min, *stage.until.displacement / speed + stage.ramp / 2);
-    if (stage.kind == StageKind::push && stage.until.embedment) min = std::min(min, *stage.until.embedment / speed + stage.ramp / 2);
+    if (stage.kind == StageKind::push && stage.until.embedment && !lifted)
+      min = std::min(min, *stage.until.embedment / speed + stage.ramp / 2);
   }
   if (stage.kind == StageKind::drive && stage.until.displacement) {
     const Real speed =
@@ -208,6 +287,10 @@ Real expected_time(const std::vector<StageSettings>& stages)
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template RigidTravel travel_of(const Model<dim>&, const State<dim>&, Index);                                                             \
   template Real drag_direction(const Model<dim>&, const State<dim>&);                                                                      \
+  template bool lifts(const Model<dim>&, const State<dim>&);                                                                               \
+  template bool force_reached(const Model<dim>&, const State<dim>&, Real);                                                                 \
+  template Real beyond_force_limit(const Model<dim>&, const State<dim>&);                                                                  \
+  template Real part_of_velocity(const Model<dim>&, const State<dim>&, Real, Real);                                                        \
   template void begin_stage(const Model<dim>&, State<dim>&);                                                                               \
   template bool stage_ended(const Model<dim>&, const State<dim>&);                                                                         \
   template void move_rigids(State<dim>&);                                                                                                  \

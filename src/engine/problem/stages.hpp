@@ -34,7 +34,15 @@ inline Real ramped(const StageSettings& stage, const bodies::Drive& drive, Real 
   return drive.from + part * (factor * drive.to - drive.from);
 }
 
-/// The same of a freedom of the driven body: the load history multiplies what a push drives down and a drag along x, and nothing else.
+/// The freedom of a push down, or of a drag along x.
+template <int dim>
+int main_freedom(const Model<dim>& model, const StageSettings& stage)
+{
+  return stage.kind == StageKind::push ? model.axes.up : model.axes.along;
+}
+
+/// The same of a freedom of the driven body: a column of the load history gives its value; factors multiply what a push drives down and a drag along x, and
+/// nothing else.
 template <int dim>
 Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies::Drive& drive, int freedom, Real since)
 {
@@ -43,15 +51,38 @@ Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies
 }
 
 /// Sets the drives of the stage that state.stage.index names, and where its tractions go. A velocity starts from the present velocity and a force from the one that drove the body before, or else
-/// the one that balances the present (averaged) reaction, so that nothing jumps when the drive changes.
+/// the one that balances the present (averaged) reaction, so that nothing jumps when the drive changes. What a push or a drive does not name is still at once: it
+/// would coast through the ramp.
 template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state);
 
 /// True when a limit of the present stage is reached.
+/// Whether the present stage lifts its body, by a velocity upwards or a force above the one that it began with: w and V then fall to their limits. Not by a
+/// load history.
+template <int dim>
+bool lifts(const Model<dim>& model, const State<dim>& state);
+
+/// Whether the resistance (N/m or N, as resistance() has it) has come to the stage's limit of force; false without one.
+template <int dim>
+bool force_reached(const Model<dim>& model, const State<dim>& state, Real resistance);
+
+/// How far the resistance is beyond the limit of force that has ended the present stage, over that limit, without the lag of its mean; NaN where no such limit
+/// has ended a drive by velocity.
+template <int dim>
+Real beyond_force_limit(const Model<dim>& model, const State<dim>& state);
+
 template <int dim>
 bool stage_ended(const Model<dim>& model, const State<dim>& state);
 
 /// The velocity and angular velocity of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
+/// The part of its velocity that a drive has near its limit of force F, so that the mean R of the resistance over tau = 100 steps comes to it and not past it:
+///
+///   (1.02 F - R) / (6 k v tau), at most 1, with the stiffness k = dR/ds along the travel s:   dR/dt = (1.02 F - R) / (6 tau),
+///
+/// of which a mean with the lag tau does not swing over, also where the stiffness grows by half (4 is critical damping). 1 before R has begun to grow, without a limit, with a load history, and by a force.
+template <int dim>
+Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity, Real dt);
+
 /// inertia times angular acceleration = torque of the last step. Adds the work of gravity and drives on free bodies to the totals.
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);

@@ -28,6 +28,7 @@ namespace {
 
 constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01, max_stopped = 0.01;  // above them a warning
 
+constexpr Real max_beyond_force = 0.02;                                                           // of a limit of force, likewise
 /// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
 Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
 {
@@ -241,12 +242,26 @@ bool MpmMethod<d>::next_stage()
   }
   if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) return false;
   ++problem_.state.stage.index;
+  log_force_limit(stage);
   begin_stage(model(), problem_.state);
   return true;
 }
 
 template <int d>
 bool MpmMethod<d>::at_checkpoint_boundary() const
+/// How near to its limit of force the stage has ended that is over.
+template <int d>
+void MpmMethod<d>::log_force_limit(const problem::StageSettings& stage)
+{
+  const Real beyond = beyond_force_limit(model(), state());
+  if (!std::isfinite(beyond)) return;
+  beyond_force_limit_ = std::isfinite(beyond_force_limit_) ? std::max(beyond_force_limit_, beyond) : beyond;
+  spdlog::info("stage \"{}\" ended {:.2g} % beyond its limit of force", stage.name, 100 * beyond);
+  if (beyond > max_beyond_force)
+    spdlog::warn("stage \"{}\" ended {:.2g} % beyond its limit of force: drive slower, with a longer ramp, or push by a force", stage.name,
+                 100 * beyond);
+}
+
 {
   return state().step % mpm::steps_between_time_steps != 0;
 }
@@ -260,6 +275,8 @@ void MpmMethod<d>::archive(Archive& k)
   k("equilibrium", equilibrium_);
   k.table("state", [&] { problem::archive(k, model(), problem_.state); });
 }
+  if (std::any_of(model().stages.begin(), model().stages.end(), [](const auto& stage) { return stage.until.force.has_value(); }))
+    k("beyond_force_limit", beyond_force_limit_);
 
 template <int d>
 run_folder::Summary::Checks MpmMethod<d>::checks() const
@@ -269,6 +286,7 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
   if (std::isfinite(equilibrium_)) checks.emplace_back("out_of_balance_after_geostatic", equilibrium_);
   checks.emplace_back("momentum_error", mpm::momentum_error(state(), model().mesh.metric));
   checks.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
+  if (std::isfinite(beyond_force_limit_)) checks.emplace_back("beyond_force_limit", beyond_force_limit_);
   if (std::isfinite(recorder_.shaking())) checks.emplace_back("shaking_at_body", recorder_.shaking());
   const mpm::SoilCondition soil = mpm::soil_condition(model(), state());
   if (model().mpm.active_distance) checks.emplace_back("energy_of_soil_that_came_to_rest", stopped_over_work());

@@ -75,6 +75,8 @@ private:
   void divide_anew();
   bool is_at_rest() const;
   void log_equilibrium(const problem::StageSettings& stage) const;
+  void log_force_limit(const problem::StageSettings& stage);
+  void print_load_histories() const;
   Real stopped_over_work() const;
   void warn_of(const mpm::SoilCondition& soil) const;
 
@@ -92,5 +94,6 @@ private:
   CellWatch<d> cells_;
   Real equilibrium_ = nan;
 };
+  Real beyond_force_limit_ = nan;  ///< the largest of all stages, over the limit
 
 }  // namespace berm::simulation

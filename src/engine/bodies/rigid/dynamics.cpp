@@ -84,7 +84,6 @@ void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim
 template <int dim>
 void move_body(RigidState<dim>& state, Real dt)
 {
-  constexpr Real averaged_steps = 100;
   state.displacement += dt * state.velocity;
   state.orientation.turn_by(dt * state.angular_velocity);
   state.smooth_reaction += (state.reaction - state.smooth_reaction) / averaged_steps;

@@ -5,6 +5,8 @@
 
 namespace berm::bodies {
 
+constexpr Real averaged_steps = 100;  ///< steps that RigidState::smooth_reaction is averaged over
+
 /// Degrees of freedom of a rigid body: its displacements, then its rotation about z, in space those about x, y and z.
 template <int dim>
 constexpr int freedoms = dim == 2 ? 3 : 6;
