@@ -23,6 +23,14 @@ Real drag_direction(const Model<dim>& model, const State<dim>& state)
 
 namespace {
 
+/// From the centre of the driven body to where the stage drives it along the axes, at an orientation of the body, m.
+template <int dim>
+Vec<dim> arm_of(const StageSettings& stage, const bodies::RigidBody<dim>& body, const bodies::Orientation<dim>& orientation)
+{
+  if (stage.drive.point.empty()) return Vec<dim>::Zero();
+  return orientation.matrix() * (bodies::to_vec<dim>(stage.drive.point) - center_of<dim>(body.shape));
+}
+
 /// Gives the particles back what the stage says of the strength that remoulding took.
 template <int dim>
 void recover_strength(const Model<dim>& model, Real share, std::vector<bodies::Particles<dim>>& bodies)
@@ -71,8 +79,10 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   now.begin_displacement = rigid.displacement;
   now.begin_orientation = rigid.orientation;
   const StageDrives<dim> drives = drives_of(stage, model.axes, model.rigid_bodies[driven].rotation == bodies::Rotation::free);
+  const Vec<dim> there =
+      rigid.velocity + bodies::cross(rigid.angular_velocity, arm_of<dim>(stage, model.rigid_bodies[driven], rigid.orientation));
   const auto velocity = [&](int f) -> Real {
-    if (f < dim) return rigid.velocity[f];
+    if (f < dim) return there[f];
     if constexpr (dim == 2)
       return rigid.angular_velocity;
     else
@@ -121,7 +131,9 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   const Index driven = model.driven[now.index];
   if (driven == none) return false;
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
-  const Vec<dim> moved = rigid.displacement - now.begin_displacement;
+  const bodies::RigidBody<dim>& body = model.rigid_bodies[driven];
+  const Vec<dim> moved = rigid.displacement - now.begin_displacement + arm_of<dim>(stage, body, rigid.orientation) -
+                         arm_of<dim>(stage, body, now.begin_orientation);
   const Real travel = stage.kind == StageKind::drive ? moved.norm() : std::abs(moved[model.axes.along]);
   if (until.displacement && travel >= *until.displacement) return true;
   if (until.embedment && travel_of(model, state, driven).w >= *until.embedment) return true;
@@ -162,7 +174,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
         if (const Real stiffness = state.stage.drive[f].spring; stiffness > 0)
           now.value[f] -= stiffness * moved_in_stage(state.stage, rigid, f);
       }
-      drive_body(body, rigid, now, dt);
+      drive_body(body, rigid, now, dt, arm_of<dim>(stage, body, rigid.orientation));
     } else if (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic) {
       free_body(body, rigid, gravity, dt);
     } else {
