@@ -8,9 +8,10 @@
 #include "structures/cone/cone.hpp"
 #include "structures/footing/footing.hpp"
 #include "structures/generic/generic.hpp"
-#include "structures/penetration/penetration.hpp"
+#include "structures/lateral/shaft.hpp"
 #include "structures/pile/pile.hpp"
 #include "structures/pipe/pipe.hpp"
+#include "structures/skirt/skirt.hpp"
 #include "structures/t_bar/t_bar.hpp"
 
 #include <algorithm>
@@ -55,12 +56,14 @@ input::Listed& child(input::Listed& table, const std::string& key)
 
 const std::vector<const base::Structure*>& all_structures()
 {
-  static const penetration::Penetration cone(cone::reading()), ball(ball::reading()), t_bar(t_bar::reading()), pile(pile::reading());
+  static const penetration::Penetration cone(cone::reading()), ball(ball::reading()), t_bar(t_bar::reading());
+  static const lateral::Shaft pile(pile::reading());
+  static const skirt::Skirt skirt;
   static const footing::Footing footing;
   static const anchor::Anchor anchor;
   static const pipe::Pipe pipe;
   static const generic::Generic generic;
-  static const std::vector<const base::Structure*> all = {&cone, &ball, &t_bar, &pile, &footing, &anchor, &pipe, &generic};
+  static const std::vector<const base::Structure*> all = {&cone, &ball, &t_bar, &pile, &skirt, &footing, &anchor, &pipe, &generic};
   return all;
 }
 

@@ -21,6 +21,7 @@ void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std
   const std::string& driven = s.rigid.empty() ? c.rigid.front().first : s.rigid;
   for (const auto& [name, rigid] : c.rigid) {
     if (name != driven) continue;
+    d.check(rigid.mass > 0 || s.drive.point.empty(), path, fmt::format("drives [rigid.{}] at a point, which therefore needs a mass", name));
     d.check(rigid.mass > 0 || !has_force<dim>(drives), path, fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
     d.check(rigid.mass > 0 || rigid.moment_of_inertia || !has_moment<dim>(drives), path,
             fmt::format("a moment rotates [rigid.{}], which therefore needs a mass or a moment_of_inertia", name));
@@ -69,6 +70,13 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   turn("rotation_y", s.drive.rotation_y, !plane);
   turn("rotation_z", s.drive.rotation_z, !plane);
   d.check(!drive || any, path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
+  const std::string point = path + ".drive.point";
+  d.check(s.drive.point.empty() || drive, point, "is for kind = \"drive\"");
+  d.check(s.drive.point.empty() || c.method == Method::mpm, point, "finite elements drive a body at its centre: leave it out");
+  d.check(s.drive.point.empty() || static_cast<int>(s.drive.point.size()) == c.dimension(), point,
+          plane ? "needs two coordinates" : "needs three coordinates");
+  d.check(s.drive.point.empty() || (!s.drive.x.spring && !s.drive.y.spring && !s.drive.z.spring), point,
+          "does not go with springs along the axes, which hold the centre");
   const auto no_spring = [&](const char* key, const std::optional<Real>& stiffness) {
     d.check(!stiffness || c.method == Method::mpm, path + ".drive." + key + ".spring", "finite elements have no springs: leave it out");
   };

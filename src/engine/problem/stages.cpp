@@ -32,6 +32,14 @@ Real travel_in(const StageSettings& stage, const Vec<dim>& moved, int along)
   return stage.velocity && stage.load_times.empty() ? std::copysign(Real(1), *stage.velocity) * moved[along] : std::abs(moved[along]);
 }
 
+/// From the centre of the driven body to where the stage drives it along the axes, at an orientation of the body, m.
+template <int dim>
+Vec<dim> arm_of(const StageSettings& stage, const bodies::RigidBody<dim>& body, const bodies::Orientation<dim>& orientation)
+{
+  if (stage.drive.point.empty()) return Vec<dim>::Zero();
+  return orientation.matrix() * (bodies::to_vec<dim>(stage.drive.point) - center_of<dim>(body.shape));
+}
+
 /// Gives the particles back what the stage says of the strength that remoulding took.
 template <int dim>
 void recover_strength(const Model<dim>& model, Real share, std::vector<bodies::Particles<dim>>& bodies)
@@ -81,8 +89,10 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   now.begin_orientation = rigid.orientation;
   now.approach = {resistance(model, state, rigid.smooth_reaction)};
   const StageDrives<dim> drives = drives_of(stage, model.axes, model.rigid_bodies[driven].rotation == bodies::Rotation::free);
+  const Vec<dim> there =
+      rigid.velocity + bodies::cross(rigid.angular_velocity, arm_of<dim>(stage, model.rigid_bodies[driven], rigid.orientation));
   const auto velocity = [&](int f) -> Real {
-    if (f < dim) return rigid.velocity[f];
+    if (f < dim) return there[f];
     if constexpr (dim == 2)
       return rigid.angular_velocity;
     else
@@ -160,7 +170,9 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   const Index driven = model.driven[now.index];
   if (driven == none) return false;
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
-  const Vec<dim> moved = rigid.displacement - now.begin_displacement;
+  const bodies::RigidBody<dim>& body = model.rigid_bodies[driven];
+  const Vec<dim> moved = rigid.displacement - now.begin_displacement + arm_of<dim>(stage, body, rigid.orientation) -
+                         arm_of<dim>(stage, body, now.begin_orientation);
   if (until.displacement && travel_in(stage, moved, model.axes.along) >= *until.displacement) return true;
   if (until.embedment) {
     const Real w = travel_of(model, state, driven).w;
@@ -239,7 +251,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
         if (const Real stiffness = state.stage.drive[f].spring; stiffness > 0)
           now.value[f] -= stiffness * moved_in_stage(state.stage, rigid, f);
       }
-      drive_body(body, rigid, now, dt);
+      drive_body(body, rigid, now, dt, arm_of<dim>(stage, body, rigid.orientation));
     } else if (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic) {
       free_body(body, rigid, gravity, dt);
     } else {

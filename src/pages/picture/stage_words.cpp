@@ -46,6 +46,7 @@ std::string freedom_words(const problem::DriveSettings& drive, int dimension)
   add("x", drive.x);
   add("y", drive.y);
   add("z", drive.z);
+  if (!drive.point.empty()) words.push_back(fmt::format("at ({:.4g}) m", fmt::join(drive.point, ", ")));
   add_turn("rotation", drive.rotation);
   add_turn("rotation about x", drive.rotation_x);
   add_turn("rotation about y", drive.rotation_y);

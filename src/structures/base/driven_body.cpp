@@ -4,6 +4,7 @@
 #include "mesh/seabed.hpp"
 #include "problem/axes.hpp"
 #include "problem/ground.hpp"
+#include "structures/base/kind.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -95,7 +96,8 @@ BodyScale scale_in(const problem::Case& c, const problem::Ground& ground, const 
   const bool driven = std::any_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });
-  if (driven) scale.width = c.dimension() == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
+  if (driven || is_loaded_sideways(c))
+    scale.width = c.dimension() == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
   if (!touched) return scale;
   const Real depth = soil_depth(c, ground, reference_depth(c, ground));
   const material::Material material = touched->at("", depth);

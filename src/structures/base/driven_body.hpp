@@ -9,8 +9,8 @@ namespace berm::base {
 
 /// What the results of a case's main rigid body are made dimensionless with, and carried to the prototype.
 struct BodyScale {
-  Real width;               ///< D, m, in the model; 0: no push or drag moves the body, or there is none
-  Real unit_weight;         ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
+  Real width;        ///< D, m, in the model; 0: no push or drag moves the body and it is not loaded sideways (kind.hpp), or there is none
+  Real unit_weight;  ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
   Real gravity_level = 1;   ///< gravity in the model over that of the earth
   bool noisy = true;        ///< whether forces have the noise of a dynamic method
   int dimension = 2;        ///< of forces: 2 = per metre run, 3 = whole
@@ -25,7 +25,7 @@ BodyScale body_scale(const problem::Case& c);
 /// which its push ended, where these are known.
 BodyScale body_scale(const record::RunRecord& run);
 
-/// Whether a push or a drag moves the main rigid body of a case, and it has a width.
+/// Whether a push or a drag moves the main rigid body of a case, or it is loaded sideways (is_loaded_sideways), and it has a width.
 bool drives_a_body(const problem::Case& c);
 
 /// What to call the main rigid body of a case in a sentence: its name there, with spaces for _; "body" without one.

@@ -38,6 +38,12 @@ Formula axial_undrained(Real diameter, Real embedment, Real strength)
   return formula(strength * diameter * contact_angle(diameter, embedment), interface, embedment > 0);
 }
 
+Formula skirt_friction(Real outer, Real inner, Real depth, Real strength)
+{
+  constexpr Source both_faces{Label::exact, "shear strength over both faces", "z > 0"};
+  return formula(strength * pi * (outer + inner) * depth, both_faces, depth > 0 && outer > inner && inner > 0);
+}
+
 Estimates f114_axial_breakout_displacement(Real D)
 {
   return estimates(std::min(1.25 * mm, 0.0025 * D), std::min(5 * mm, 0.01 * D), std::max(50 * mm, 0.01 * D), displacement, D > 0);

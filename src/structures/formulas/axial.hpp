@@ -20,6 +20,10 @@ Formula axial_drained(Real diameter, Real embedment, Real delta, Real V);
 /// Undrained axial resistance, N/m, of an interface with this shear strength, Pa, over its whole length D b. [exact: where it acts all around]
 Formula axial_undrained(Real diameter, Real embedment, Real strength);
 
+/// The friction of both faces of a skirt or an open pile that slides along its axis, N: strength times pi (D + d) z, with this shear strength of the interface, Pa, on average, and the
+/// soil inside at the level of the bed. [exact: where it acts over both faces]
+Formula skirt_friction(Real outer_diameter, Real inner_diameter, Real depth, Real strength);
+
 /// Axial displacement at breakout, m: min(1.25 mm, 0.0025 D), min(5 mm, 0.01 D), max(50 mm, 0.01 D). [fit: DNV-RP-F114]
 Estimates f114_axial_breakout_displacement(Real diameter);
 

@@ -25,6 +25,9 @@ public:
   std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                               const std::filesystem::path& folder) const override;
 
+protected:
+  const Reading& own_reading() const { return reading_; }
+
 private:
   const Reading& reading_;
 };

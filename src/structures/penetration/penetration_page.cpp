@@ -110,6 +110,9 @@ Real value_of(const PenetrationRun& run, const std::string& name)
 /// The measures of the body: its area over which V stands, its angle.
 std::string body_words(const PenetrationRun& run)
 {
+  if (run.body.bore > 0)
+    return fmt::format("D = {}, wall of {}, area of the ring {}", text::length_words(run.whole_width()),
+                       text::length_words(run.body.wall()), area_words(run));
   std::string words = fmt::format("D = {}, area {}", text::length_words(run.whole_width()), area_words(run));
   if (run.whole_width() > 1.5 * run.area() && run.record.settings.force_dimension() == 2) words += " of the half that is modelled";
   if (run.body.conical) words += fmt::format(", apex angle {}", angle_of(run.body.apex_angle()));

@@ -44,7 +44,7 @@ void PenetrationRun::take_geometry()
   whole_width_ = body.width;
   if (c.geometry == problem::Geometry::axisymmetric) {
     whole_width_ = 2 * body.right;
-    area_ = pi * body.right * body.right;
+    area_ = pi * (body.right * body.right - body.bore * body.bore);
     return;
   }
   const bodies::RigidShapeSettings& shape = c.rigid[main_rigid(c)].second.shape;
@@ -52,7 +52,7 @@ void PenetrationRun::take_geometry()
     const auto* box = std::get_if<bodies::BoxSettings>(&shape);
     part_ = part_in_space(record, body, bodies::center_of<3>(bodies::make_shape<3>(shape))[2]);
     if (box != nullptr) area_ = part_ * box->size[0] * box->size[2];
-    if (bodies::is_round_from_above(shape)) area_ = part_ * pi * body.width * body.width / 4;
+    if (bodies::is_round_from_above(shape)) area_ = part_ * pi * (body.width * body.width / 4 - body.bore * body.bore);
     return;
   }
   const Walls walls = walls_of(record, body);
@@ -83,7 +83,7 @@ void PenetrationRun::take_rows()
     z_.push_back(z);
     const Real sides = shaft == nullptr ? 0 : (*shaft)[push.rows[k]];
     q_.push_back((push.V[k] - sides) / area_);
-    if (shaft != nullptr) friction_.push_back(z > 0 ? sides / (pi * body.width * z) : 0);
+    if (shaft != nullptr) friction_.push_back(z > 0 ? sides / shaft_area(z) : 0);
   }
   measure_ = measure_of_soil();
   q_curve_ = TravelCurve(z_, q_);
@@ -92,6 +92,11 @@ void PenetrationRun::take_rows()
   std::vector<Real> factors;
   for (std::size_t k = 0; k < z_.size(); ++k) factors.push_back(factor(z_[k], q_[k]));
   factor_curve_ = TravelCurve(z_, factors);
+}
+
+Real PenetrationRun::shaft_area(Real z) const
+{
+  return part_ * pi * (body.width * z + 2 * body.bore * std::min(z, body.lid));
 }
 
 Real PenetrationRun::displaced(Real z) const

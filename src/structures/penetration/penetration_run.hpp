@@ -40,7 +40,7 @@ public:
   SoilProfile soil;
   std::size_t number;  ///< on the page, which gives its colour
 
-  /// m2 of the part of the body that is modelled on a level plane (plane strain: m); NaN where it is not known.
+  /// m2 of the part of the body that is modelled on a level plane (plane strain: m), of a ring or a skirt that of its own; NaN where it is not known.
   Real area() const { return area_; }
   /// m, of the whole body: twice the modelled part where a wall of the mesh is its plane of symmetry.
   Real whole_width() const { return whole_width_; }
@@ -50,6 +50,8 @@ public:
   const std::vector<Real>& q() const { return q_; }
   /// Whether q is without the shaft; then the mean friction of the shaft that is in the soil by row, Pa.
   bool knows_shaft() const { return !friction_.empty(); }
+  /// m2 of the shaft in the soil of a body around an axis at a depth; of a skirt of both its faces, as if the soil inside lay at the level of the bed.
+  Real shaft_area(Real z) const;
   const std::vector<Real>& friction() const { return friction_; }
   const record::TravelCurve& friction_curve() const { return friction_curve_; }
   /// q less what the soil that the body takes the place of weighs, Pa.

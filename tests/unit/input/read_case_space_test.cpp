@@ -123,9 +123,10 @@ TEST(SurfaceOfAFile, is_looked_for_beside_the_case_and_refused_with_its_fault_an
 
 TEST(DrivesInSpace, are_velocity_force_free_held_or_spring_and_one_of_them)
 {
-  for (const char* drive : {"drive.x.spring = \"1 kN/m\"", "drive.x.free = true", "drive = {x.force = \"5 N\", x.spring = 10}",
-                            "drive.z.hold = true\ndrive.z.spring = 3", "drive.rotation_x.spring = \"2 kN m/rad\"",
-                            "drive.rotation_z.free = true", "drive.rotation_y.moment = \"3 N m\""})
+  for (const char* drive :
+       {"drive.x.spring = \"1 kN/m\"", "drive.x.free = true", "drive = {x.force = \"5 N\", x.spring = 10}",
+        "drive.z.hold = true\ndrive.z.spring = 3", "drive.rotation_x.spring = \"2 kN m/rad\"", "drive.rotation_z.free = true",
+        "drive.rotation_y.moment = \"3 N m\"", "drive.x.velocity = 1\ndrive.point = [0, \"4 m\", 0]"})
     EXPECT_EQ(refusal_in_space(space_case(box, drive)), "") << drive;
   const std::pair<const char*, const char*> rows[] = {
       {"drive.x.velocity = 1\ndrive.x.spring = 2", "stage.drive.drive.x.spring: does not go with what is prescribed"},
@@ -133,6 +134,8 @@ TEST(DrivesInSpace, are_velocity_force_free_held_or_spring_and_one_of_them)
       {"drive.x.free = true\ndrive.x.force = 2", "is driven in one way only"},
       {"drive.rotation.spring = 2", "is no freedom in space"},
       {"drive.x.spring = -1", "drive.x.spring"},
+      {"drive.x.velocity = 1\ndrive.point = [0, 4]", "stage.drive.drive.point: needs three coordinates"},
+      {"drive.x.spring = 1\ndrive.point = [0, 4, 0]", "does not go with springs"},
       {"drive.x.spring = \"1 kN\"", "wrong dimension"}};
   for (const auto& [drive, says] : rows)
     EXPECT_NE(refusal_in_space(space_case(box, drive)).find(says), std::string::npos) << refusal_in_space(space_case(box, drive));
@@ -145,6 +148,7 @@ TEST(DrivesInSpace, of_a_push_are_its_rotations_only)
     return refusal_in_space(text.replace(text.find("\"drive\"\nuntil"), 7, "\"push\""));
   };
   EXPECT_EQ(pushed("drive.rotation_z.spring = 2"), "");
+  EXPECT_NE(pushed("drive.point = [0, 4, 0]").find("is for kind = \"drive\""), std::string::npos);
   EXPECT_NE(pushed("drive.z.spring = 2").find("a push or a drag has velocity, force and vertical"), std::string::npos);
 }
 

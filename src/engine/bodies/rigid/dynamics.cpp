@@ -61,11 +61,57 @@ Angular<dim> moment_on(const RigidState<dim>& state, const DriveNow<dim>& drive)
   return moment;
 }
 
+/// The angular velocity that a moment of impulse gives about the axes that no drive prescribes.
+Real turned_by(const RigidBody<2>& body, const RigidState<2>&, Real impulse, const DriveNow<2>& drive)
+{
+  return drive.by_force[2] ? impulse / body.inertia : 0;
+}
+Vec<3> turned_by(const RigidBody<3>& body, const RigidState<3>& state, const Vec<3>& impulse, const DriveNow<3>& drive)
+{
+  Vec<3> is_given = Vec<3>::Zero();
+  for (int d = 0; d < 3; ++d) is_given[d] = drive.by_force[3 + d] ? 0 : 1;
+  if (is_given.minCoeff() > 0) return Vec<3>::Zero();
+  const Matrix<3> inverse = inverse_inertia(body, state.orientation);
+  Vec<3> turn = inverse * impulse;
+  const Matrix<3> driven = is_given.asDiagonal() * inverse * is_given.asDiagonal();
+  const Vec<3> holding = driven.ldlt().solve(Vec<3>(is_given.cwiseProduct(-turn)));
+  turn += inverse * is_given.cwiseProduct(holding);
+  for (int d = 0; d < 3; ++d)
+    if (is_given[d] != 0) turn[d] = 0;
+  return turn;
+}
+
+/// Drives the body at a point off its centre: first as if the velocities there were free, then an impulse J at the point makes them what they shall be,
+/// K J = v_prescribed - (v + omega x arm) with K_ij = delta_ij/m + ((I^-1 (arm x e_j)) x arm)_i.
+template <int dim>
+void drive_at_point(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, const Vec<dim>& arm, Real dt)
+{
+  Vec<dim> force = Vec<dim>::Zero();
+  for (int d = 0; d < dim; ++d) force[d] = drive.by_force[d] ? drive.value[d] : 0;
+  state.velocity += dt / body.mass * (force + state.reaction);
+  rotate(body, state, Angular<dim>(moment_on<dim>(state, drive) + moment_of(arm, force)), &drive, dt);
+  Matrix<dim> K = Matrix<dim>::Identity();
+  Vec<dim> missing = Vec<dim>::Zero();
+  const Vec<dim> there = state.velocity + cross(state.angular_velocity, arm);
+  for (int j = 0; j < dim; ++j) {
+    if (drive.by_force[j]) continue;
+    missing[j] = drive.value[j] - there[j];
+    Vec<dim> unit = Vec<dim>::Zero();
+    unit[j] = 1;
+    const Vec<dim> moved = unit / body.mass + cross(turned_by(body, state, moment_of(arm, unit), drive), arm);
+    for (int i = 0; i < dim; ++i) K(i, j) = drive.by_force[i] ? 0 : moved[i];
+  }
+  const Vec<dim> impulse = K.ldlt().solve(missing);
+  state.velocity += impulse / body.mass;
+  state.angular_velocity += turned_by(body, state, moment_of(arm, impulse), drive);
+}
+
 }  // namespace
 
 template <int dim>
-void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, Real dt)
+void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, Real dt, const Vec<dim>& arm)
 {
+  if (!arm.isZero(0)) return drive_at_point(body, state, drive, arm, dt);
   for (int d = 0; d < dim; ++d)
     state.velocity[d] = drive.by_force[d] ? state.velocity[d] + dt * (drive.value[d] + state.reaction[d]) / body.mass : drive.value[d];
   rotate(body, state, moment_on<dim>(state, drive), &drive, dt);
@@ -104,7 +150,7 @@ Real work_of_outside(const RigidBody<dim>& body, const RigidState<dim>& before, 
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void drive_body(const RigidBody<dim>&, RigidState<dim>&, const DriveNow<dim>&, Real);                                           \
+  template void drive_body(const RigidBody<dim>&, RigidState<dim>&, const DriveNow<dim>&, Real, const Vec<dim>&);                          \
   template void free_body(const RigidBody<dim>&, RigidState<dim>&, const Vec<dim>&, Real);                                                 \
   template void move_body(RigidState<dim>&, Real);                                                                                         \
   template Real work_of_outside(const RigidBody<dim>&, const RigidState<dim>&, const RigidState<dim>&, Real);

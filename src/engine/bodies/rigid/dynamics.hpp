@@ -33,8 +33,11 @@ struct DriveNow {
 ///
 /// In space I turns with the body: the angular momentum I omega of the middle of the step, whose orientation omega makes, is that of the middle of the last step
 /// plus dt (moment + torque). So it is kept to round-off where no moment acts and the step stays, and the energy has no drift.
+///
+/// `arm`, from its centre: where the velocities and forces along the axes act. There v + omega x arm is what is prescribed, by an impulse that also turns the body.
 template <int dim>
-void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, Real dt);
+void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, Real dt,
+                const Vec<dim>& arm = Vec<dim>::Zero());
 
 /// The same for a body under gravity (m/s2) and contact alone.
 template <int dim>

@@ -60,6 +60,59 @@ TEST(Kind, of_what_is_dragged_or_lifted_alone_is_a_pipe)
   EXPECT_EQ(kind_of(c), "pipe");
 }
 
+TEST(Kind, of_a_body_that_is_open_below_is_a_skirt_where_its_wall_is_slender)
+{
+  EXPECT_EQ(kind_with(profile({1.9, 2, 2, 1.9}, {0, 0, 4, 4})), "skirt");
+  EXPECT_EQ(kind_with(profile({0, 1.9, 1.9, 2, 2, 0}, {3.9, 3.9, 0, 0, 4, 4})), "skirt");  // with a lid
+  EXPECT_EQ(kind_with(profile({1.9, 1.95, 2, 2, 1.9}, {0.1, 0, 0.1, 4, 4})), "skirt");     // its tip cut askew
+  EXPECT_EQ(kind_with(profile({1, 2, 2, 1}, {0, 0, 0.5, 0.5})), "footing");                // a flat ring
+  EXPECT_EQ(kind_with(profile({0, 1, 1, 2, 2, 0}, {0.2, 0.2, 0, 0, 4, 4})), "footing");    // a recess
+  EXPECT_EQ(kind_with(profile({0, 1, 2, 2, 0}, {0.2, 0.2, 0, 9, 9})), "pile");             // a hollow base
+  EXPECT_EQ(kind_with(profile({1.9, 2, 2, 1.9}, {0, 0, 4, 4}), problem::Geometry::space), "skirt");
+}
+
+TEST(Kind, of_a_body_that_stands_in_the_bed_and_is_loaded_sideways_is_a_pile_or_a_skirt)
+{
+  const auto kind_sideways = [](const bodies::RigidShapeSettings& shape, const auto& change) {
+    MadePush made;
+    made.shape = shape;
+    made.geometry = problem::Geometry::space;
+    problem::Case c = made.settings();
+    c.gravity = {0, -standard_gravity, 0};
+    c.stage[0].kind = problem::StageKind::drive;
+    c.stage[0].velocity.reset();
+    c.stage[0].drive.x.velocity = 0.1;
+    change(c);
+    return kind_of(c);
+  };
+  const auto as_it_is = [](problem::Case&) {};
+  const bodies::CylinderSettings pile{{0, -2, 0}, {0, 1, 0}, 2, 12};
+  EXPECT_EQ(kind_sideways(pile, as_it_is), "pile");
+  EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, -1, 0}, {0, 1, 0}, 2, 2.5}, as_it_is), "pile");  // a caisson
+  EXPECT_EQ(kind_sideways(profile({1.9, 2, 2, 1.9}, {-4, -4, 0, 0}), as_it_is), "skirt");
+  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.stage[0].drive = {}, c.stage[0].drive.z.force = 5; }), "pile");
+  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.stage[0].kind = problem::StageKind::drag, c.stage[0].velocity = -1; }), "pile");
+  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.stage[0].drive = {}, c.stage[0].drive.y.force = 5; }), "other");  // pulled up
+  EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, 5.2, 0}, {0, 1, 0}, 2, 12}, as_it_is), "other");                    // 0.4 D deep
+  EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, -2, 0}, {1, 0, 0}, 2, 12}, as_it_is), "other");                     // it lies
+  EXPECT_EQ(kind_sideways(bodies::SphereSettings{{0, -2, 0}, 2}, as_it_is), "other");
+  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.rigid[0].second.structure = "anchor"; }), "other");
+  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.rigid[0].second.structure = "skirt"; }), "skirt");
+}
+
+TEST(Kind, a_ring_has_its_outer_width_and_its_bore)
+{
+  const BodyProfile ring = *body_profile(profile({1.9, 2, 2, 1.9}, {0, 0, 4, 4}));
+  EXPECT_NEAR(ring.width, 4, 1e-12);
+  EXPECT_NEAR(ring.bore, 1.9, 1e-12);
+  EXPECT_NEAR(ring.wall(), 0.1, 1e-12);
+  EXPECT_TRUE(std::isinf(ring.lid));
+  const BodyProfile bucket = *body_profile(profile({0, 2, 2, 1.8, 1.8, 0}, {4, 4, -1, -1, 3, 3}));
+  EXPECT_NEAR(bucket.bore, 1.8, 1e-12);
+  EXPECT_NEAR(bucket.lid, 4, 1e-12);
+  EXPECT_EQ(body_profile(MadePush::cone())->bore, 0);
+}
+
 TEST(Kind, a_cone_has_its_angle_and_the_height_of_its_shoulder)
 {
   const BodyProfile cone = *body_profile(MadePush::cone());

@@ -62,5 +62,13 @@ TEST(Axial, displacements_are_those_of_the_table)
   EXPECT_EQ(citation(large.best.source), "DNVGL-RP-F114, table 4-2");
 }
 
+// By hand: 3 kPa over pi (4 + 3.8) m times 1 m.
+TEST(Axial, friction_of_a_skirt_acts_on_both_of_its_faces)
+{
+  EXPECT_NEAR(skirt_friction(4, 3.8, 1, 3e3).value, 73513.27, 0.01);
+  EXPECT_TRUE(skirt_friction(4, 3.8, 1, 3e3).valid);
+  EXPECT_FALSE(skirt_friction(4, 0, 1, 3e3).valid);
+}
+
 }  // namespace
 }  // namespace berm::formulas::this_file

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/lateral/lateral_run.hpp"
+
+#include "samples/made_push.hpp"
+#include "structures/base/general_measures.hpp"
+#include "structures/lateral/lateral_results.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::lateral::this_file {
+namespace {
+
+constexpr Real height = 4, pivot = 5, depth_of_centre = 2;  // m, of the load above the bed, of what stays and of the centre below it
+
+/// A pile of 2 m that stands 8 m in the bed turns about a point 5 m below it, under a load of 100 MN times its tilt that acts 4 m above the bed along `sign` x,
+/// and a weight that hangs there.
+record::RunRecord pile(Real sign = 1, Real weight = 0)
+{
+  MadePush made;
+  made.geometry = problem::Geometry::space;
+  made.shape = bodies::CylinderSettings{{0, -depth_of_centre, 0}, {0, 1, 0}, 2, 12};
+  record::RunRecord run;
+  run.name = "made";
+  run.settings = made.settings();
+  run.settings.gravity = {0, -standard_gravity, 0};
+  problem::StageSettings rest, push_over;
+  rest.name = "rest", rest.kind = problem::StageKind::geostatic;
+  push_over.name = "push_over", push_over.kind = problem::StageKind::drive, push_over.rigid = "probe";
+  push_over.drive.x.velocity = sign * 0.2;
+  push_over.drive.rotation_z.free = true;
+  run.settings.stage = {rest, push_over};
+  const std::vector<std::string> names{"time_s", "u_m",  "w_m",   "H_N",   "V_N",   "Fx_N",       "Fy_N",       "Fz_N",      "dx_m",
+                                       "dy_m",   "dz_m", "Mx_Nm", "My_Nm", "Mz_Nm", "anglex_rad", "angley_rad", "anglez_rad"};
+  run.history = {columns_named(names), std::vector<std::vector<Real>>(names.size()), {}};
+  for (int k = -5; k <= 40; ++k) {
+    const Real tilt = std::max(0, k) * 1e-3, H = 100e6 * tilt, d = (pivot - depth_of_centre) * std::sin(tilt);
+    // About the centre the load and the weight have the moment of both across the axis, times the distance along it; the soil the opposite.
+    const Real M = (height + depth_of_centre) * (H + weight * std::tan(tilt));
+    const std::vector<Real> row{k + 5., sign * d, 8, sign * H, weight,   -sign * H, weight, 0,           sign * d,
+                                0,      0,        0, 0,        sign * M, 0,         0,      -sign * tilt};
+    for (std::size_t c = 0; c < names.size(); ++c) run.history.values[c].push_back(row[c]);
+    run.history.stage.emplace_back(k <= 0 ? "rest" : "push_over");
+  }
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  run.end = record::RunEnd::finished;
+  return run;
+}
+
+TEST(Lateral, load_is_told_with_its_height_displacements_tilt_and_pivot)
+{
+  for (const Real sign : {1., -1.}) {
+    const record::RunRecord run = pile(sign);
+    const auto value = [&](const char* name) { return base::quantity_value(run, name); };
+    EXPECT_STREQ(structures::structure_of(run.settings).word(), "pile");
+    EXPECT_NEAR(value("lateral_H_end"), 4e6, 1);
+    EXPECT_NEAR(value("lateral_height_end"), height, 1e-9);
+    EXPECT_NEAR(value("lateral_M_end"), 16e6, 1);
+    EXPECT_NEAR(value("lateral_tilt_end"), 0.04, 1e-9);
+    EXPECT_NEAR(value("lateral_u_end"), pivot * std::sin(0.04), 1e-9);
+    EXPECT_NEAR(value("lateral_u_load_end"), (pivot + height) * std::sin(0.04), 1e-9);
+    EXPECT_NEAR(value("lateral_pivot_end"), pivot, 1e-9);
+    EXPECT_NEAR(value("lateral_H_end_over_DLsu"), 4e6 / (10e3 * 2 * 8), 1e-6);
+    EXPECT_NEAR(value("lateral_H_max"), 4e6, 1);
+    // u = 0.02 D = 40 mm at a tilt of 8 mrad.
+    EXPECT_NEAR(value("lateral_H_at_u_0.02D"), 0.8e6, 1e2);
+    EXPECT_TRUE(std::isnan(value("lateral_H_at_u_0.2D")));  // u comes to 0.1 D
+    EXPECT_TRUE(std::isnan(value("w_end_of_push")));
+  }
+}
+
+TEST(Lateral, load_acts_where_its_line_cuts_the_leaning_axis_whatever_hangs_there)
+{
+  const record::RunRecord run = pile(1, 2e6);
+  EXPECT_NEAR(base::quantity_value(run, "lateral_height_end"), height, 1e-9);
+  EXPECT_NEAR(base::quantity_value(run, "lateral_M_end"), height * (4e6 + 2e6 * std::tan(0.04)), 1);
+}
+
+TEST(Lateral, results_are_said_in_words_and_stand_in_tables)
+{
+  const record::RunRecord run = pile();
+  const base::Structure& structure = structures::structure_of(run.settings);
+  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
+  const std::string words = structure.in_words(run, shown), table = structure.table_of(run);
+  EXPECT_NE(words.find("(D = 2 m, 8 m of it in the bed) carries H = 4000 kN at a displacement of 199.9 mm (0.1 D) at the bed"),
+            std::string::npos)
+      << words;
+  EXPECT_NE(words.find("The load acts 4 m above the bed"), std::string::npos) << words;
+  EXPECT_NE(words.find("about a point 5 m below the bed"), std::string::npos) << words;
+  EXPECT_NE(structure.key_results({{&run, 0}}, shown).find("pile-sideways-end"), std::string::npos);
+  EXPECT_NE(table.find("lateral_pivot_end"), std::string::npos) << table;
+  EXPECT_EQ(structure.paths(run).drags.size(), 1u);
+  EXPECT_EQ(run.quantity("lateral_H_end")->kind, run_folder::QuantityKind::answer);
+  EXPECT_NE(run.quantity("lateral_height_end")->kind, run_folder::QuantityKind::answer);
+}
+
+TEST(Lateral, run_without_rows_has_no_results)
+{
+  record::RunRecord run = pile();
+  run.history = {};
+  run.quantities.clear();
+  const base::Structure& structure = structures::structure_of(run.settings);
+  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
+  EXPECT_TRUE(structure.quantities(run, {}).empty());
+  EXPECT_EQ(structure.key_results({{&run, 0}}, shown), "");
+  EXPECT_EQ(structure.in_words(run, shown), "It was not loaded as far as a result.");
+  EXPECT_TRUE(structure.paths(run).drags.empty());
+  for (const base::TrustMeasure& measure : structure.measures(run.settings)) EXPECT_EQ(measure.what.find("pipe"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace berm::lateral::this_file
