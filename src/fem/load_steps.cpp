@@ -154,8 +154,19 @@ Real LoadSteps::up_to_the_end(Real dt) const
     cut(distance, *until.displacement);
   else if (until.displacement)
     cut(along(0), *until.displacement - std::abs(moved[0]));
-  if (until.embedment && travel(1, since, since + dt) < 0)
-    cut(along(1), *until.embedment - travel_of(model_.model, state_.state, driven()).w);
+  if (until.embedment && travel(1, since, since + dt) != 0) {
+    const Real left = *until.embedment - travel_of(model_.model, state_.state, driven()).w;
+    cut(along(1), lifts(model_.model, state_.state) ? -left : left);
+  }
+  return up_to_a_load(dt, since);
+}
+
+/// A load history is linear within an increment.
+Real LoadSteps::up_to_a_load(Real dt, Real since) const
+{
+  constexpr Real round_off = 1e-9;
+  for (const Real time : stage().load_times)
+    if (const Real left = time * stage().time_scale - since; left > round_off * dt) return std::min(dt, left);
   return dt;
 }
 
@@ -178,7 +189,8 @@ FemLoads LoadSteps::loads_after(Real dt) const
   const Real since = state_.state.time - now.begin_time;
   for (int f = 0; f < bodies::freedoms<2>; ++f) {
     const bodies::Drive& drive = now.drive[f];
-    loads.rigid[f] = {drive.by_force, drive.by_force ? ramped(stage(), drive, since + dt) : travel(f, since, since + dt)};
+    loads.rigid[f] = {drive.by_force,
+                      drive.by_force ? drive_now(model_.model, stage(), drive, f, since + dt) : travel(f, since, since + dt)};
   }
   return loads;
 }

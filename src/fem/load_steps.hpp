@@ -47,6 +47,7 @@ private:
   Real speed_of_body() const;
   Real travel(int freedom, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;
+  Real up_to_a_load(Real dt, Real since) const;
   FemLoads dead_loads(Real time) const;
   FemLoads loads_after(Real dt) const;
   Real part_within_force(const IncrementEnd& end) const;

@@ -2,7 +2,12 @@
 #include "input/load_history.hpp"
 
 #include "core/error.hpp"
+#include "input/message_text.hpp"
+#include "input/units.hpp"
+#include "problem/load_checks.hpp"
+#include "problem/time_scale.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 #include <fstream>
@@ -10,46 +15,189 @@
 namespace berm::input {
 namespace {
 
-/// The number that a field is, without the spaces around it; empty where it is none.
-std::optional<Real> number_of(std::string_view field)
+std::string trimmed(std::string_view field)
 {
-  const auto begin = field.find_first_not_of(" \t"), end = field.find_last_not_of(" \t\r");
-  if (begin == std::string_view::npos) return std::nullopt;
-  field = field.substr(begin, end + 1 - begin);
+  const auto begin = field.find_first_not_of(" \t\""), end = field.find_last_not_of(" \t\r\"");
+  return begin == std::string_view::npos ? "" : std::string(field.substr(begin, end + 1 - begin));
+}
+
+std::vector<std::string> fields_of(const std::string& line)
+{
+  std::vector<std::string> fields;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    fields.push_back(trimmed(std::string_view(line).substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return fields;
+}
+
+/// The number that a field is; empty where it is none.
+std::optional<Real> number_of(const std::string& field)
+{
   Real number = 0;
   const auto [rest, error] = std::from_chars(field.data(), field.data() + field.size(), number);
   if (error != std::errc() || rest != field.data() + field.size() || !std::isfinite(number)) return std::nullopt;
   return number;
 }
 
+/// "N_m" of a header is the unit N/m, "Nm_m" N m/m.
+std::string unit_in(const std::string& written)
+{
+  std::string unit = written;
+  if (const std::size_t line = unit.find('_'); line != std::string::npos) unit[line] = '/';
+  if (const std::size_t moment = unit.find("Nm"); moment != std::string::npos) unit.insert(moment + 1, " ");
+  return unit;
+}
+
+/// How a unit is written in a header.
+std::string unit_in_header(const char* unit)
+{
+  std::string written;
+  for (const char* c = unit; *c != '\0'; ++c)
+    if (*c != ' ') written += *c == '/' ? '_' : *c;
+  return written;
+}
+
+/// Reads one file.
+class LoadFile {
+public:
+  LoadFile(const problem::Case& c, problem::StageSettings& stage, const std::filesystem::path& file)
+      : stage_(stage),
+        file_(file.string()),
+        in_space_(c.force_dimension() == 3),
+        allowed_(problem::columns_for(c, stage))
+  {
+  }
+
+  void read()
+  {
+    std::ifstream lines(file_);
+    std::string line;
+    for (number_ = 1; std::getline(lines, line); ++number_) {
+      constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+      if (number_ == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+      if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+      const std::vector<std::string> fields = fields_of(line);
+      if (!begun_ && !number_of(fields.front()))
+        read_header(fields);
+      else
+        read_row(fields);
+      begun_ = true;
+    }
+    if (stage_.load_times.empty() || stage_.load_times.back() == 0)
+      throw InputError(fmt::format("{}: has no line of numbers with a time of more than 0", file_));
+  }
+
+private:
+  [[noreturn]] void refuse(const std::string& why) const { throw InputError(fmt::format("{}:{}: {}", file_, number_, why)); }
+
+  std::string unit_of(std::size_t k) const
+  {
+    const char* unit = problem::load_columns[k].unit;
+    return in_space_ ? unit_of_whole(unit) : unit;
+  }
+
+  /// Factor from the unit in a header to that of the engine.
+  Real scale_of(const std::string& header, const std::string& written, const std::string& si_unit) const
+  {
+    const std::string unit = unit_in(written);
+    // A moment per metre run, N m/m, is N.
+    if (unit.empty() || !same_dimension(unit, si_unit.empty() ? "1" : si_unit))
+      refuse(fmt::format("{} has no unit of {}: write {}", in_quotes(header), wanted(si_unit),
+                         in_quotes(header.substr(0, header.size() - written.size()) + (unit.empty() && !header.ends_with('_') ? "_" : "") +
+                                   unit_in_header(si_unit.c_str()))));
+    return to_si("1 " + unit, si_unit);
+  }
+
+  void read_header(const std::vector<std::string>& names)
+  {
+    const std::string& time = names.front();
+    if (!time.starts_with("time")) refuse(fmt::format("the first column is the time, \"time_s\", and not {}", in_quotes(time)));
+    const bool factors = names.size() == 2 && names.back() == "factor";
+    if (time != "time" || !factors) scales_.push_back(scale_of(time, time.size() > 5 ? time.substr(5) : "", "s"));
+    if (factors) return scales_.resize(1, 1);
+    if (names.size() < 2) refuse("names no column behind the time, such as time_s,H_N_m,V_N_m");
+    for (std::size_t n = 1; n < names.size(); ++n) read_name(names[n]);
+  }
+
+  /// Finds what a column is; the longest name that the header begins with, since "rotation" begins "rotation_z".
+  void read_name(const std::string& header)
+  {
+    std::vector<std::string> known = {"factor"};
+    std::vector<std::size_t> named;
+    for (const std::size_t k : allowed_) {
+      const std::string name = problem::load_columns[k].name;
+      known.push_back(name + "_" + unit_in_header(unit_of(k).c_str()));
+      if (!header.starts_with(name + "_")) continue;
+      if (!named.empty() && name.size() > std::string_view(problem::load_columns[named.front()].name).size()) named.clear();
+      if (named.empty() || name == problem::load_columns[named.front()].name) named.push_back(k);
+    }
+    if (named.empty())
+      refuse(fmt::format("{} is no column of the load history of this stage{}; other units are written likewise, as in kN_m",
+                         in_quotes(header), suggestion(header, known)));
+    const std::string written = header.substr(std::string_view(problem::load_columns[named.front()].name).size() + 1);
+    const auto fits = [&](std::size_t k) { return same_dimension(unit_in(written), unit_of(k)); };
+    const auto found = std::find_if(named.begin(), named.end(), fits);
+    const std::size_t k = found == named.end() ? named.front() : *found;
+    if (std::find(columns_.begin(), columns_.end(), k) != columns_.end())
+      refuse(fmt::format("{} is a second column of the same", in_quotes(header)));
+    scales_.push_back(scale_of(header, written, unit_of(k)));
+    columns_.push_back(k);
+  }
+
+  void read_row(const std::vector<std::string>& fields)
+  {
+    const std::size_t count = columns_.empty() ? 2 : 1 + columns_.size();
+    std::vector<Real> numbers;
+    for (const std::string& field : fields)
+      if (const auto number = number_of(field)) numbers.push_back(*number);
+    if (numbers.size() != count || fields.size() != count)
+      refuse(columns_.empty()
+                 ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "
+                   "names: time_s,H_N_m,V_N_m"
+                 : fmt::format("needs {} numbers with commas between them, one for each column", count));
+    const Real time = numbers.front() * (scales_.empty() ? 1 : scales_.front());
+    if (time < 0) refuse("times count from the begin of the stage: 0 or more");
+    if (!stage_.load_times.empty() && time <= stage_.load_times.back()) refuse("times must ascend");
+    stage_.load_times.push_back(time);
+    if (columns_.empty()) stage_.load_factors.push_back(numbers.back());
+    for (std::size_t n = 0; n < columns_.size(); ++n) stage_.loads.columns[columns_[n]].push_back(scales_[n + 1] * numbers[n + 1]);
+  }
+
+  problem::StageSettings& stage_;
+  std::string file_;
+  bool in_space_;
+  std::vector<std::size_t> allowed_;
+  std::vector<std::size_t> columns_;  ///< in the order of the file, without the time
+  std::vector<Real> scales_;          ///< to SI: of the time, then of each column
+  int number_ = 0;
+  bool begun_ = false;
+};
+
 }  // namespace
 
-void read_load_history(problem::StageSettings& stage, std::size_t stage_number, const std::filesystem::path& folder)
+void read_load_history(problem::Case& c, std::size_t stage_number, const std::filesystem::path& folder)
 {
-  if (stage.load_history.empty() && stage.load_times.empty()) return;
+  problem::StageSettings& stage = c.stage[stage_number];
+  if (!has_load_history(stage)) return;
+  const auto key = [&](const std::string& rest) { return fmt::format("stage[{}]{}", stage_number, rest); };
   if (!stage.load_history.empty()) {
     const std::filesystem::path file = folder / stage.load_history;
-    std::ifstream lines(file);
-    if (!lines) throw KeyError(fmt::format("stage[{}].load_history: {} cannot be read", stage_number, file.string()));
-    std::string line;
-    for (int number = 1; std::getline(lines, line); ++number) {
-      if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-      const std::size_t comma = line.find(',');
-      const auto time = number_of(std::string_view(line).substr(0, comma));
-      const auto factor = comma == std::string::npos ? std::nullopt : number_of(std::string_view(line).substr(comma + 1));
-      if (!time && !factor && stage.load_times.empty() && comma != std::string::npos) continue;
-      const auto refuse = [&](const char* why) { throw InputError(fmt::format("{}:{}: {}", file.string(), number, why)); };
-      if (!time || !factor) refuse("a line of a load history is two numbers, time in s and factor: 0.5, 1.2");
-      if (*time < 0) refuse("times count from the begin of the stage: 0 or more");
-      if (!stage.load_times.empty() && *time <= stage.load_times.back()) refuse("times must ascend");
-      stage.load_times.push_back(*time);
-      stage.load_factors.push_back(*factor);
-    }
-    if (stage.load_times.empty() || stage.load_times.back() == 0)
-      throw InputError(fmt::format("{}: has no line of two numbers, time in s (more than 0) and factor", file.string()));
+    if (!std::ifstream(file)) throw KeyError(fmt::format("{}: {} cannot be read", key(".load_history"), file.string()));
+    LoadFile(c, stage, file).read();
     stage.load_history.clear();
+    const std::string fault = problem::fault_of_loads(c, stage);
+    if (!fault.empty()) throw KeyError(key((fault.starts_with(": ") ? "" : ".") + fault));
   }
-  stage.until.time = std::min(stage.until.time.value_or(infinity), stage.load_times.back());
+  if (stage.time_scale == problem::automatic_time_scale) {
+    const std::optional<problem::TimeScale> found = problem::time_scale_of(c, stage);
+    if (!found)
+      throw KeyError(fmt::format("{}: is found for a record of forces in which a body of a width touches soil: give a number here",
+                                 key(".time_scale")));
+    stage.time_scale = found->scale;
+  }
+  stage.until.time = std::min(stage.until.time.value_or(infinity), stage.load_times.back() * stage.time_scale);
 }
 
 }  // namespace berm::input

@@ -41,6 +41,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           is_tension_that_of_clay,
                                                           do_tractions_press,
                                                           is_the_drive_slow,
+                                                          is_the_load_history_slow,
                                                           does_the_drive_begin_gently,
                                                           is_there_time_for_equilibrium,
                                                           is_the_mass_that_of_a_pipe,
@@ -140,6 +141,7 @@ bool is_by_force(const problem::StageSettings& stage)
 {
   using problem::StageKind;
   const problem::DriveSettings& d = stage.drive;
+  if (stage.loads.has_force()) return true;
   if (stage.kind == StageKind::drive) return d.x.force || d.y.force || d.z.force || d.x.hold || d.y.hold || d.z.hold;
   const bool holds = stage.kind == StageKind::drag && stage.vertical == problem::Vertical::hold && !stage.vertical_velocity;
   return drives(stage.kind) && (stage.force || holds);

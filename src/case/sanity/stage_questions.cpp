@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "problem/drainage.hpp"
+#include "problem/stages.hpp"
+#include "problem/time_scale.hpp"
+#include "run_folder/progress.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
 
@@ -13,10 +16,25 @@ namespace {
 using problem::StageKind;
 using problem::StageSettings;
 
-/// Whether the body is as deep as the limit when the stage begins.
-bool is_deep_already(const StageSettings& s, const Way& way)
+/// Downward speed where a velocity gives it, m/s.
+std::optional<Real> downward_velocity(const StageSettings& s)
 {
-  return s.until.embedment && way.begin_known && *s.until.embedment <= way.begin_embedment;
+  if (has_load_history(s)) return {};
+  if (s.kind == StageKind::push) return s.velocity;
+  if (s.kind == StageKind::drag && s.vertical == problem::Vertical::fixed) return 0;
+  return s.kind == StageKind::drag ? s.vertical_velocity : std::nullopt;
+}
+
+bool is_lifted(const StageSettings& s)
+{
+  return downward_velocity(s).value_or(0) < 0;
+}
+
+/// Whether the body is at the limit or beyond when the stage begins.
+bool is_there_already(const StageSettings& s, const Way& way)
+{
+  if (!s.until.embedment || !way.begin_known) return false;
+  return is_lifted(s) ? *s.until.embedment >= way.begin_embedment : *s.until.embedment <= way.begin_embedment;
 }
 
 /// What stops a stage is listed here, for one limit after the other: why it is never reached, or reached at once; "" where it can be.
@@ -24,14 +42,19 @@ std::string fault_of_embedment(const StageSettings& s, const Way& way)
 {
   if (!s.until.embedment) return "";
   const Real wanted = *s.until.embedment, w = way.begin_embedment;
-  const bool by_velocity = (s.kind == StageKind::push && s.velocity) ||
-                           (s.kind == StageKind::drag && (s.vertical_velocity || s.vertical == problem::Vertical::fixed));
-  const Real down = s.kind == StageKind::push ? s.velocity.value_or(0) : s.vertical_velocity.value_or(0);
-  if (is_deep_already(s, way))
+  const std::optional<Real> down = downward_velocity(s);
+  if (is_there_already(s, way) && is_lifted(s))
+    return fmt::format(
+        "{} is never reached: the body moves up (velocity {}) from w = {}; name a smaller one, make the velocity positive, or "
+        "end the stage by a time",
+        words_of(wanted, "m"), words_of(*down, "m/s"), words_of(w, "m"));
+  if (is_there_already(s, way))
     return fmt::format("{} is reached before the stage begins, with w = {}: name a larger one", words_of(wanted, "m"), words_of(w, "m"));
-  if (by_velocity && down <= 0)
-    return fmt::format("{} is never reached: the body moves {} (velocity {}); make the velocity positive, or end the stage by a time",
-                       words_of(wanted, "m"), down < 0 ? "up" : "not vertically", words_of(down, "m/s"));
+  if (down && *down == 0)
+    return fmt::format(
+        "{} is never reached: the body moves not vertically (velocity {}); make the velocity positive, or end the stage by a "
+        "time",
+        words_of(wanted, "m"), words_of(*down, "m/s"));
   return "";
 }
 
@@ -50,15 +73,32 @@ const char* force_unit(const problem::Case& c)
   return c.force_dimension() == 2 ? "N/m" : "N";
 }
 
-std::string fault_of_force(const StageSettings& s, const char* unit)
+/// The V that the stages before leave on the body of stage k, N/m or N, as far as the input says it: 0 where none drives it.
+std::optional<Real> force_before(const Scene& s, std::size_t k)
 {
-  if (!s.until.force) return "";
-  if (s.kind == StageKind::push && s.velocity && *s.velocity <= 0)
-    return fmt::format("{:.3g} {} is never reached: the body moves {} (velocity {}), and the soil's reaction falls; make the "
-                       "velocity positive, or end the stage by a time",
-                       *s.until.force, unit, *s.velocity < 0 ? "up" : "not at all", words_of(*s.velocity, "m/s"));
-  const Real largest = s.force.value_or(0) * max_load_factor(s);
-  if (s.kind == StageKind::push && s.force && largest < *s.until.force)
+  for (std::size_t before = k; before-- > 0;) {
+    const StageSettings& stage = s.c.stage[before];
+    if (s.ways[before].rigid != s.ways[k].rigid) continue;
+    if (has_load_history(stage)) return {};
+    if (stage.kind == StageKind::push && stage.force) return stage.force;
+    if (stage.kind == StageKind::push) return stage.until.force;
+    if (stage.kind != StageKind::drag || stage.vertical != problem::Vertical::hold || stage.vertical_velocity) return {};
+    if (stage.vertical_force) return stage.vertical_force;
+  }
+  return 0;
+}
+
+std::string fault_of_force(const StageSettings& s, const std::optional<Real>& before, const char* unit)
+{
+  if (!s.until.force || has_load_history(s)) return "";
+  if (s.kind == StageKind::push && s.velocity && *s.velocity == 0) return "is never reached: the body moves not at all (velocity 0 m/s)";
+  if (is_lifted(s) && before && *s.until.force >= *before)
+    return fmt::format(
+        "{0:.3g} {2} is reached before the stage begins: V is {1:.3g} {2} there, and falls while the body moves up (velocity "
+        "{3}); name a smaller one, less than 0 where the soil is to hold the body down; or make the velocity positive",
+        *s.until.force, *before, unit, words_of(*s.velocity, "m/s"));
+  const Real largest = s.force.value_or(0);
+  if (s.kind == StageKind::push && s.force && largest < *s.until.force && !(before.value_or(0) > *s.until.force))
     return fmt::format("{0:.3g} {2} is never reached: the drive gives {1:.3g} {2}", *s.until.force, largest, unit);
   if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "is never reached: velocity is 0";
   return "";
@@ -79,8 +119,8 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
     const StageSettings& stage = s.c.stage[k];
     if (s.ways[k].rigid == none) continue;
     const std::string w = fault_of_embedment(stage, s.ways[k]), u = fault_of_displacement(stage),
-                      force = fault_of_force(stage, force_unit(s.c));
-    const bool at_once = is_deep_already(stage, s.ways[k]);
+                      force = fault_of_force(stage, force_before(s, k), force_unit(s.c));
+    const bool at_once = is_there_already(stage, s.ways[k]);
     const bool ends = stage.until.time || (stage.until.embedment && w.empty()) || (stage.until.displacement && u.empty()) ||
                       (stage.until.force && force.empty());
     for (const auto& [key, fault] : {std::pair("embedment", w), {"displacement", u}, {"force", force}}) {
@@ -90,7 +130,7 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
       else
         found.refuse(stage_key(k, std::string("until.") + key), fault);
     }
-    const bool by_force_alone = s.is_mpm() && stage.force && !stage.until.time && !(stage.until.force);
+    const bool by_force_alone = s.is_mpm() && stage.force && !has_load_history(stage) && !stage.until.time && !(stage.until.force);
     if (by_force_alone)
       found.warn(stage_key(k, "until"),
                  fmt::format("may never be reached: a force of {:.3g} {} drives, and the soil may bear it before; add until.time as well",
@@ -128,6 +168,34 @@ void is_the_drive_slow(const Scene& s, Findings& found)
                            "the soil run at {:.3g} m/s); {} or less is slow enough{}",
                            words_of(speed, "m/s"), inertia, part, s.bodies[body].wave_speed,
                            words_of(rounded_down(limit * std::sqrt(problem::small_inertia / problem::large_inertia)), "m/s"), others));
+  }
+}
+
+void is_the_load_history_slow(const Scene& s, Findings& found)
+{
+  constexpr Real too_fast = 3, long_run = 2 * 3600;
+  if (!s.is_mpm()) return;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const StageSettings& stage = s.c.stage[k];
+    if (s.ways[k].rigid == none) continue;
+    const std::optional<problem::TimeScale> slow = time_scale_of(s.c, stage);
+    if (!slow) continue;
+    const Real half_wave = slow->half_wave * stage.time_scale;
+    if (half_wave < slow->shortest / too_fast)
+      found.warn(
+          stage_key(k, "time_scale"),
+          fmt::format("is {:.3g}: the load goes from one turning point to the next in {}, so fast that {} counts ({} or more is slow "
+                      "enough); take {:.2g}",
+                      stage.time_scale, words_of(half_wave, "s"), words_of(slow->reason), words_of(slow->shortest, "s"),
+                      slow->shortest / slow->half_wave));
+    const Real seconds =
+        s.cost.time_step > 0 ? expected_time(stage) / s.cost.time_step * s.cost.particles / s.cost.particle_steps_per_s : 0;
+    if (seconds > long_run && slow->scale < 0.7 * stage.time_scale)
+      found.warn(stage_key(k, "time_scale"),
+                 fmt::format("is {:.3g}, and the load history takes about {}: {:.2g} is slow enough, with half waves of {} ({} sets it); "
+                             "time_scale = \"automatic\" takes it",
+                             stage.time_scale, run_folder::words_of_duration(seconds), slow->scale, words_of(slow->shortest, "s"),
+                             words_of(slow->reason)));
   }
 }
 
@@ -234,7 +302,8 @@ void do_forces_press_down(const Scene& s, Findings& found)
     if (stage.kind == StageKind::push && stage.force && *stage.force < 0)
       found.warn(stage_key(k, "force"),
                  fmt::format("is {:.3g} {}: it lifts the body; a push down is positive", *stage.force, force_unit(s.c)));
-    const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity;
+    const bool varies = !stage.loads.of("V").empty() || !stage.loads.of("w").empty();
+    const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity && !varies;
     if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
       found.warn(stage_key(k, "vertical"), "holds the vertical force of the stage's begin, which is 0: nothing pressed the body down "
                                            "before; push it first, or give vertical_force");

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "mpm/diagnose.hpp"
+#include "problem/drives.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +17,10 @@ namespace {
 template <int dim>
 Real speed_of_drive(const problem::Model<dim>& model, const problem::State<dim>& state, int freedom)
 {
-  const Real speed = std::abs(state.stage.drive[freedom].to);
+  const problem::StageSettings& stage = model.stages[state.stage.index];
+  const int column = problem::load_column_of(stage, model.axes, freedom);
+  const Real speed =
+      std::abs(state.stage.drive[freedom].to) * (column == none ? 1 : problem::max_load(stage, static_cast<std::size_t>(column)));
   const Index driven = model.driven[state.stage.index];
   return freedom < dim || driven == none ? speed : speed * reach_of<dim>(model.rigid_bodies[driven].shape);
 }

@@ -56,8 +56,7 @@ std::vector<StageDrainage> drainage_of_stages(const Case& c, Real width, Real c_
   std::vector<StageDrainage> found;
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
     const StageSettings& stage = c.stage[k];
-    if (stage.kind == StageKind::geostatic || stage.kind == StageKind::sweep || !stage.load_history.empty() || !stage.load_times.empty())
-      continue;
+    if (stage.kind == StageKind::geostatic || stage.kind == StageKind::sweep || has_load_history(stage)) continue;
     const Real speed = speed_of(stage);
     found.push_back({k, speed > 0, speed > 0 ? speed * width / c_v : stage.until.time ? c_v * *stage.until.time / (width * width) : nan});
   }

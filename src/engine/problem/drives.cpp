@@ -79,7 +79,45 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
   case StageKind::free:
     break;
   }
+  for (std::size_t k = 0; k < load_columns.size(); ++k) {
+    if (stage.loads.columns[k].empty()) continue;
+    const auto [freedom, sign] = freedom_of<dim>(load_columns[k].along, axes);
+    if (freedom != none) drives[freedom] = {load_columns[k].by_force ? By::force : By::velocity, sign, drives[freedom].spring, true};
+  }
   return drives;
+}
+
+template <int dim>
+LoadedFreedom freedom_of(LoadAlong along, const Axes<dim>& axes)
+{
+  const int turn = static_cast<int>(along) - static_cast<int>(LoadAlong::rotation_x);
+  switch (along) {
+  case LoadAlong::horizontal:
+    return {axes.along, 1};
+  case LoadAlong::downwards:
+    return {axes.up, -axes.sign};
+  case LoadAlong::x:
+    return {0, 1};
+  case LoadAlong::y:
+    return {1, 1};
+  case LoadAlong::z:
+    return {dim == 3 ? 2 : none, 1};
+  case LoadAlong::rotation:
+    return {dim == 2 ? 2 : none, 1};
+  case LoadAlong::rotation_x:
+  case LoadAlong::rotation_y:
+  case LoadAlong::rotation_z:
+    break;
+  }
+  return {dim == 3 ? 3 + turn : none, 1};
+}
+
+template <int dim>
+int load_column_of(const StageSettings& stage, const Axes<dim>& axes, int freedom)
+{
+  for (std::size_t k = 0; k < load_columns.size(); ++k)
+    if (!stage.loads.columns[k].empty() && freedom_of<dim>(load_columns[k].along, axes).freedom == freedom) return static_cast<int>(k);
+  return none;
 }
 
 template <int dim>
@@ -95,6 +133,10 @@ bool has_moment(const StageDrives<dim>& drives)
   return std::any_of(drives.begin() + dim, drives.end(), [](const FreedomDrive& d) { return d.by == By::force || d.by == By::free; });
 }
 
+template LoadedFreedom freedom_of(LoadAlong, const Axes<2>&);
+template LoadedFreedom freedom_of(LoadAlong, const Axes<3>&);
+template int load_column_of(const StageSettings&, const Axes<2>&, int);
+template int load_column_of(const StageSettings&, const Axes<3>&, int);
 template StageDrives<2> drives_of(const StageSettings&, const Axes<2>&, bool);
 template StageDrives<3> drives_of(const StageSettings&, const Axes<3>&, bool);
 template bool has_force<2>(const StageDrives<2>&);

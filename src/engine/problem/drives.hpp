@@ -24,7 +24,20 @@ struct FreedomDrive {
 template <int dim>
 using StageDrives = std::array<FreedomDrive, bodies::freedoms<dim>>;
 
-/// The drives of a stage: those of [stage.drive], or what a push or a drag is short for. `turns`: whether the body may turn where no drive says.
+/// The freedom that a column of a load history drives; sign: -1 where the column counts against its axis. The freedom of one that the geometry has not is none.
+struct LoadedFreedom {
+  int freedom;
+  Real sign;
+};
+template <int dim>
+LoadedFreedom freedom_of(LoadAlong along, const Axes<dim>& axes);
+
+/// The column (of load_columns) of the stage's load history that drives a freedom; none where no one does.
+template <int dim>
+int load_column_of(const StageSettings& stage, const Axes<dim>& axes, int freedom);
+
+/// The drives of a stage: those of [stage.drive] and of the columns of its load history, whose value is +-1 and which a column multiplies; or what a push or a
+/// drag is short for. `turns`: whether the body may turn where no drive says.
 template <int dim>
 StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bool turns);
 

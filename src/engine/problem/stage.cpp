@@ -54,8 +54,14 @@ void describe(Describe& d, Until& until)
           {.meaning = "horizontal travel of the rigid body in this stage; in a stage of kind drive its distance from where the stage began",
            .unit = "m",
            .range = positive});
-  d.value("embedment", until.embedment, {.meaning = "depth of the rigid body's lowest point below the surface", .unit = "m"});
-  d.value("force", until.force, {.meaning = "soil reaction: V in a push, H in a drag", .unit = "N/m", .range = positive});
+  d.value("embedment", until.embedment,
+          {.meaning = "depth of the rigid body's lowest point below the surface, w; a body that is lifted ends where w has fallen to it",
+           .unit = "m"});
+  d.value("force", until.force,
+          {.meaning =
+               "soil reaction: V in a push, H in a drag. A drive by velocity slows down near it. In a push upwards V falls to it; less "
+               "than 0: the soil holds the body down",
+           .unit = "N/m"});
   d.value("consolidation", until.consolidation,
           {.meaning = "degree of consolidation U where water flows: 1 - the largest excess pore pressure in the soil now, over the largest "
                       "in this stage, both without waves (means over 8 H/c of the soil's height H and the speed c of waves)",
@@ -90,8 +96,11 @@ void describe(Describe& d, StageSettings& stage)
   d.value("vertical_force", stage.vertical_force, {.meaning = "in a drag: downward force, instead of the one held", .unit = "N/m"});
   d.value("vertical_velocity", stage.vertical_velocity,
           {.meaning = "in a drag: downward speed, instead of holding a force; less than 0 = upwards", .unit = "m/s"});
-  d.value("ramp", stage.ramp,
-          {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
+  d.value(
+      "ramp", stage.ramp,
+      {.meaning = "time in which the drive goes from what it was to its value; what a push or a drive does not name stands still at once",
+       .unit = "s",
+       .range = not_negative});
   d.table("drive", stage.drive,
           {.meaning = "degrees of freedom of the driven body, in a stage of kind drive; what is left out is fixed. Its rotations also in a "
                       "push or a drag"});
@@ -99,12 +108,19 @@ void describe(Describe& d, StageSettings& stage)
   d.value("sweeps", stage.sweeps, {.meaning = "in a sweep: number of drags; two make a cycle", .range = {0, 10000}});
   d.value("pause", stage.pause,
           {.meaning = "in a sweep: time between two drags, with the vertical force held", .unit = "s", .range = not_negative});
-  d.value(
-      "load_history", stage.load_history,
-      {.meaning =
-           "in a push or a drag: CSV file, beside the case file, of time (s since the stage began) and the factor of velocity or force"});
+  d.value("load_history", stage.load_history,
+          {.meaning = "CSV file, beside the case file, of the time since the stage began and, in a push or a drag, the factor of velocity "
+                      "or force; or of "
+                      "forces and velocities that vary together, which its header names: time_s,H_N_m,V_N_m"});
   d.value("load_times", stage.load_times, {.meaning = "instead of a file: the times, ascending", .unit = "s"});
   d.value("load_factors", stage.load_factors, {.meaning = "the factors at these times"});
+  d.optional_table("loads", stage.loads,
+                   {.meaning = "instead of factors: forces and velocities at these times, which drive the freedoms that they name"});
+  d.value("time_scale", stage.time_scale,
+          {.meaning = "time of the run over that of the load history, forces unchanged; automatic: the fastest at which inertia is small, "
+                      "1 at most",
+           .range = positive,
+           .words = {{"automatic", automatic_time_scale}}});
   d.value("strength_recovery", stage.strength_recovery,
           {.meaning =
                "share of the strength lost by remoulding that clay has regained when the stage begins, by consolidation or thixotropy "
@@ -120,29 +136,66 @@ void describe(Describe& d, StageSettings& stage)
            .range = positive});
 }
 
+namespace {
+
+Real max_size(const std::vector<Real>& values)
+{
+  Real max = 0;
+  for (const Real value : values) max = std::max(max, std::abs(value));
+  return max;
+}
+
+/// Of values at the stage's load_times.
+Real interpolated(const StageSettings& stage, const std::vector<Real>& values, Real since)
+{
+  const std::vector<Real>& t = stage.load_times;
+  const Real time = since / stage.time_scale;
+  const auto after = std::upper_bound(t.begin(), t.end(), time);
+  if (after == t.begin()) return values.front();
+  if (after == t.end()) return values.back();
+  const std::size_t k = after - t.begin();
+  return std::lerp(values[k - 1], values[k], (time - t[k - 1]) / (t[k] - t[k - 1]));
+}
+
+/// The speed along a freedom of a drive.
+Real speed_along(const StageSettings& stage, const std::optional<Real>& velocity, const char* key)
+{
+  return velocity.value_or(0) + max_size(stage.loads.of(key)) / stage.time_scale;
+}
+
+}  // namespace
+
 Real max_load_factor(const StageSettings& stage)
 {
-  Real max = stage.load_factors.empty() ? 1 : 0;
-  for (const Real factor : stage.load_factors) max = std::max(max, std::abs(factor));
-  return max;
+  return stage.load_factors.empty() ? 1 : max_size(stage.load_factors);
+}
+
+Real max_load(const StageSettings& stage, std::size_t k)
+{
+  return max_size(stage.loads.columns[k]) / (load_columns[k].by_force ? 1 : stage.time_scale);
 }
 
 Real speed_of(const StageSettings& stage)
 {
+  if (stage.loads.empty()) {
+    if (stage.kind != StageKind::drive)
+      return std::hypot(stage.velocity.value_or(0) * max_load_factor(stage), stage.vertical_velocity.value_or(0));
+    return std::hypot(stage.drive.x.velocity.value_or(0), stage.drive.y.velocity.value_or(0), stage.drive.z.velocity.value_or(0));
+  }
   if (stage.kind != StageKind::drive)
-    return std::hypot(stage.velocity.value_or(0) * max_load_factor(stage), stage.vertical_velocity.value_or(0));
-  return std::hypot(stage.drive.x.velocity.value_or(0), stage.drive.y.velocity.value_or(0), stage.drive.z.velocity.value_or(0));
+    return std::hypot(speed_along(stage, stage.velocity, "u"), speed_along(stage, stage.vertical_velocity, "w"));
+  return std::hypot(speed_along(stage, stage.drive.x.velocity, "x_velocity"), speed_along(stage, stage.drive.y.velocity, "y_velocity"),
+                    speed_along(stage, stage.drive.z.velocity, "z_velocity"));
 }
 
 Real load_factor(const StageSettings& stage, Real since)
 {
-  const std::vector<Real>&t = stage.load_times, &f = stage.load_factors;
-  if (t.empty()) return 1;
-  const auto after = std::upper_bound(t.begin(), t.end(), since);
-  if (after == t.begin()) return f.front();
-  if (after == t.end()) return f.back();
-  const std::size_t k = after - t.begin();
-  return std::lerp(f[k - 1], f[k], (since - t[k - 1]) / (t[k] - t[k - 1]));
+  return stage.load_factors.empty() ? 1 : interpolated(stage, stage.load_factors, since);
+}
+
+Real load_of_column(const StageSettings& stage, std::size_t k, Real since)
+{
+  return interpolated(stage, stage.loads.columns[k], since) / (load_columns[k].by_force ? 1 : stage.time_scale);
 }
 
 }  // namespace berm::problem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/describe.hpp"
+#include "problem/loads.hpp"
 
 namespace berm::problem {
 
@@ -79,20 +80,26 @@ struct StageSettings {
   Vertical vertical = Vertical::hold;
   std::optional<Real> vertical_force;     ///< N/m downwards in a drag, instead of the one held
   std::optional<Real> vertical_velocity;  ///< m/s downwards in a drag, instead of holding a force
-  Real ramp = 0;                          ///< s, time in which the drive goes from what it was to its value; 0 = at once
-  DriveSettings drive;                    ///< of a stage of kind drive
-  std::optional<Real> amplitude;          ///< m, of a sweep: the travel of each drag
-  int sweeps = 0;                         ///< of a sweep: how many drags, out and back in turn
-  Real pause = 0;                         ///< s, of a sweep: how long the body rests between two of them, its vertical force held
-  std::string load_history;               ///< a file of times and factors, as below
-  std::vector<Real>
-      load_times;  ///< s since the stage began, ascending; the drive's value goes with the factors, linear between them, constant after
+  /// s, time in which the drive goes from what it was to its value; 0 = at once. What a push or a drive does not name stands still at once.
+  Real ramp = 0;
+  DriveSettings drive;            ///< of a stage of kind drive
+  std::optional<Real> amplitude;  ///< m, of a sweep: the travel of each drag
+  int sweeps = 0;                 ///< of a sweep: how many drags, out and back in turn
+  Real pause = 0;                 ///< s, of a sweep: how long the body rests between two of them, its vertical force held
+  std::string load_history;       ///< a file of times and factors, or of times and columns, as below
+  /// s of the record, which begins with the stage, ascending; the drive's value goes with the factors, linear between them, constant after
+  std::vector<Real> load_times;
   std::vector<Real> load_factors;
+  LoadSettings loads;           ///< instead of factors: forces or velocities at these times
+  Real time_scale = 1;          ///< s of the run for each s of the record; automatic_time_scale until a case is read
   Real strength_recovery = 0;   ///< share of the strength lost by remoulding that the soil has regained when the stage begins
   std::optional<Real> damping;  ///< local damping of all bodies in this stage, instead of their own
   Until until;
   Real equilibrium = 0.01;  ///< geostatic: largest out-of-balance force over the weight that is accepted
 };
+
+/// Stands for the scale that berm finds (problem/time_scale.hpp).
+constexpr Real automatic_time_scale = 0;
 
 /// Whether the stage drives a rigid body.
 inline bool drives(StageKind kind)
@@ -106,13 +113,26 @@ inline bool ends_at_equilibrium(const StageSettings& stage)
   return stage.kind == StageKind::geostatic && (stage.until.equilibrium || !stage.until.time);
 }
 
+/// Whether a load history drives the stage, of factors or of columns.
+inline bool has_load_history(const StageSettings& stage)
+{
+  return !stage.load_history.empty() || !stage.load_times.empty();
+}
+
 /// The factor of the load history at a time since the stage began, s; 1 without one.
 Real load_factor(const StageSettings& stage, Real since);
+
+/// The value of column k (of load_columns) of the load history at a time since the stage began, s; a velocity grows as the time is shortened, so that the travel
+/// stays that of the record.
+Real load_of_column(const StageSettings& stage, std::size_t k, Real since);
 
 /// The largest factor of its load history, by size; 1 without one.
 Real max_load_factor(const StageSettings& stage);
 
-/// The speed of its drive, m/s; 0 where a force drives.
+/// The largest value of a column of its load history, by size; 0 where it is empty.
+Real max_load(const StageSettings& stage, std::size_t k);
+
+/// The largest speed of its drive, m/s; 0 where a force drives.
 Real speed_of(const StageSettings& stage);
 
 void describe(Describe& d, FreedomSettings& freedom);

@@ -3,6 +3,7 @@
 #include "problem/stage_checks.hpp"
 
 #include "problem/drives.hpp"
+#include "problem/load_checks.hpp"
 #include "problem/names.hpp"
 #include "problem/sweeps.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 template <int dim>
 void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
-  if (s.kind != StageKind::drive && !s.velocity && !s.force) return;
+  if (s.kind != StageKind::drive && !s.velocity && !s.force && s.loads.empty()) return;
   const StageDrives<dim> drives = drives_of<dim>(s, axes_of<dim>(bodies::to_vec<dim>(c.gravity)), false);
   const std::string& driven = s.rigid.empty() ? c.rigid.front().first : s.rigid;
   for (const auto& [name, rigid] : c.rigid) {
@@ -69,7 +70,7 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   turn("rotation_x", s.drive.rotation_x, !plane);
   turn("rotation_y", s.drive.rotation_y, !plane);
   turn("rotation_z", s.drive.rotation_z, !plane);
-  d.check(!drive || any, path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
+  d.check(!drive || any || has_load_history(s), path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
   const std::string point = path + ".drive.point";
   d.check(s.drive.point.empty() || drive, point, "is for kind = \"drive\"");
   d.check(s.drive.point.empty() || c.method == Method::mpm, point, "finite elements drive a body at its centre: leave it out");
@@ -101,18 +102,28 @@ void check_sweep(Describe& d, const StageSettings& s, const std::string& path)
           "a sweep ends after its drags");
 }
 
-void check_load_history(Describe& d, const StageSettings& s, const std::string& path)
+void check_load_history(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
-  const bool given = !s.load_times.empty() || !s.load_factors.empty();
+  const bool given = !s.load_times.empty() || !s.load_factors.empty() || !s.loads.empty();
+  d.check(given || !s.load_history.empty() || s.time_scale == 1, path + ".time_scale", "is that of a load history, and there is none");
   if (!given && s.load_history.empty()) return;
-  d.check(s.kind == StageKind::push || s.kind == StageKind::drag, path, "only a push or a drag has a load history");
+  d.check(s.kind == StageKind::push || s.kind == StageKind::drag || s.kind == StageKind::drive, path,
+          "only a push, a drag or a drive has a load history");
   d.check(!given || s.load_history.empty(), path + ".load_times", "does not go with load_history, which is a file of both");
-  if (!given) return;
-  d.check(s.load_times.size() == s.load_factors.size(), path + ".load_times", "needs as many times as load_factors has factors");
-  d.check(s.load_times.empty() || (s.load_times.front() >= 0 && s.load_times.back() > 0), path + ".load_times",
-          "are counted from the begin of the stage: the first must be 0 or more, the last more than 0");
-  d.check(std::adjacent_find(s.load_times.begin(), s.load_times.end(), std::greater_equal<>()) == s.load_times.end(), path + ".load_times",
-          "must ascend");
+  if (const std::string fault = fault_of_loads(c, s); !fault.empty()) {
+    const std::size_t colon = fault.find(": ");
+    d.check(false, colon == 0 ? path : path + "." + fault.substr(0, colon), fault.substr(colon + 2));
+  }
+}
+
+void check_force_limit(Describe& d, const StageSettings& s, const std::string& path)
+{
+  if (!s.until.force) return;
+  d.check(s.kind != StageKind::drive, path + ".until.force", "is V of a push or H of a drag");
+  const bool up = s.kind == StageKind::push && (s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0);
+  d.check(*s.until.force > 0 || (up && *s.until.force < 0), path + ".until.force",
+          up ? "must not be 0: V of a push upwards falls to it, and is less than 0 where the soil holds the body down"
+             : "must be more than 0; less than 0 it is for a push upwards, where the soil holds the body down");
 }
 
 void check_equilibrium(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
@@ -145,7 +156,8 @@ void check_stages(Describe& d, const Case& c)
     d.check(!driven || !c.rigid.empty(), path + ".kind", "there is no [rigid.NAME] to drive");
     d.check(!driven || !s.rigid.empty() || c.rigid.size() == 1, path, "must say which rigid body it drives: rigid = \"...\"",
             names_of(c.rigid));
-    d.check(!short_form || s.velocity.has_value() != s.force.has_value(), path, "needs either velocity or force, and not both");
+    d.check(!short_form || s.velocity.has_value() != s.force.has_value() || (!s.velocity && has_load_history(s)), path,
+            "needs either velocity or force, and not both");
     d.check(short_form || !s.velocity, path + ".velocity", "only a push or a drag has a velocity");
     d.check(short_form || !s.force, path + ".force", "only a push or a drag has a force");
     d.check(drag || !s.vertical_force, path + ".vertical_force", "only a drag has a vertical force; a push has `force`");
@@ -155,14 +167,11 @@ void check_stages(Describe& d, const Case& c)
     d.check(!s.vertical_velocity || !s.vertical_force, path + ".vertical_velocity", "does not go with vertical_force");
     check_drive(d, c, s, path);
     check_sweep(d, s, path);
-    check_load_history(d, s, path);
+    check_load_history(d, c, s, path);
     d.check(c.method == Method::mpm || s.pause == 0, path + ".pause", "the finite element method knows no time: leave the pause out");
-    d.check(c.method == Method::mpm || (s.load_history.empty() && s.load_times.empty()), path,
-            "the finite element method knows no time: a load history needs method = \"mpm\"");
     const Until& u = s.until;
-    d.check(!drive || !u.force, path + ".until.force", "is V of a push or H of a drag");
-    d.check(sweep || ends_at_equilibrium(s) || !s.load_history.empty() || !s.load_times.empty() || u.time || u.displacement ||
-                u.embedment || u.force || u.consolidation,
+    if (driven) check_force_limit(d, s, path);
+    d.check(sweep || ends_at_equilibrium(s) || has_load_history(s) || u.time || u.displacement || u.embedment || u.force || u.consolidation,
             path + ".until", "needs at least one of time, displacement, embedment, force, consolidation");
     check_equilibrium(d, c, s, path);
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until",

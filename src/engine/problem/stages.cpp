@@ -18,7 +18,7 @@ template <int dim>
 Real drag_direction(const Model<dim>& model, const State<dim>& state)
 {
   const StageSettings& stage = model.stages[state.stage.index];
-  return stage.kind == StageKind::drag && (stage.velocity ? *stage.velocity : *stage.force) < 0 ? -1 : 1;
+  return stage.kind == StageKind::drag && stage.velocity.value_or(stage.force.value_or(0)) < 0 ? -1 : 1;
 }
 
 namespace {
@@ -200,7 +200,7 @@ Real moved_in_stage(const StageState<dim>& stage, const bodies::RigidState<dim>&
 template <int dim>
 Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity, Real dt)
 {
-  constexpr Real lags = 6, beyond = 0.02, felt = 0.005;
+  constexpr Real lags = 16, beyond = 0.04, felt = 0.005;
   const StageSettings& stage = model.stages[state.stage.index];
   if (!stage.until.force || !stage.velocity || !stage.load_times.empty()) return 1;
   const Real now = resistance(model, state, state.rigid_bodies[model.driven[state.stage.index]].smooth_reaction);

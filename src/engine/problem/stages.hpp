@@ -46,8 +46,9 @@ int main_freedom(const Model<dim>& model, const StageSettings& stage)
 template <int dim>
 Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies::Drive& drive, int freedom, Real since)
 {
-  const int main = stage.kind == StageKind::push ? model.axes.up : model.axes.along;
-  return ramped(stage, drive, since, freedom == main ? load_factor(stage, since) : 1);
+  if (const int column = load_column_of(stage, model.axes, freedom); column != none)
+    return ramped(stage, drive, since, load_of_column(stage, static_cast<std::size_t>(column), since));
+  return ramped(stage, drive, since, freedom == main_freedom(model, stage) ? load_factor(stage, since) : 1);
 }
 
 /// Sets the drives of the stage that state.stage.index names, and where its tractions go. A velocity starts from the present velocity and a force from the one that drove the body before, or else
@@ -56,7 +57,6 @@ Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies
 template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state);
 
-/// True when a limit of the present stage is reached.
 /// Whether the present stage lifts its body, by a velocity upwards or a force above the one that it began with: w and V then fall to their limits. Not by a
 /// load history.
 template <int dim>
@@ -71,18 +71,20 @@ bool force_reached(const Model<dim>& model, const State<dim>& state, Real resist
 template <int dim>
 Real beyond_force_limit(const Model<dim>& model, const State<dim>& state);
 
+/// True when a limit of the present stage is reached.
 template <int dim>
 bool stage_ended(const Model<dim>& model, const State<dim>& state);
 
-/// The velocity and angular velocity of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
 /// The part of its velocity that a drive has near its limit of force F, so that the mean R of the resistance over tau = 100 steps comes to it and not past it:
 ///
-///   (1.02 F - R) / (6 k v tau), at most 1, with the stiffness k = dR/ds along the travel s:   dR/dt = (1.02 F - R) / (6 tau),
+///   (1.04 F - R) / (16 k v tau), at most 1, with the secant stiffness k = dR/ds along the travel s:   dR/dt = (1.04 F - R) / (16 tau),
 ///
-/// of which a mean with the lag tau does not swing over, also where the stiffness grows by half (4 is critical damping). 1 before R has begun to grow, without a limit, with a load history, and by a force.
+/// of which a mean with the lag tau does not swing over, also where the soil becomes several times as stiff (4 instead of 16 is critical damping). 1 before R has
+/// begun to grow, without a limit, with a load history, and by a force.
 template <int dim>
 Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity, Real dt);
 
+/// The velocity and angular velocity of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
 /// inertia times angular acceleration = torque of the last step. Adds the work of gravity and drives on free bodies to the totals.
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);

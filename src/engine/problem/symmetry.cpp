@@ -122,6 +122,9 @@ Case part_of_whole(Case c)
           &drive.rotation_y.moment, &drive.rotation_z.moment, &drive.x.spring, &drive.y.spring, &drive.z.spring, &drive.rotation_x.spring,
           &drive.rotation_y.spring, &drive.rotation_z.spring})
       if (*of_whole) **of_whole *= part;
+    for (std::size_t k = 0; k < load_columns.size(); ++k)
+      if (load_columns[k].by_force)
+        for (Real& load : stage.loads.columns[k]) load *= part;
   }
   return c;
 }

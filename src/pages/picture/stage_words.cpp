@@ -15,14 +15,27 @@ std::string vertical_words(const problem::StageSettings& stage, int dimension)
 {
   if (stage.kind != problem::StageKind::drag) return "";
   if (stage.vertical == problem::Vertical::fixed) return ", w fixed";
+  if (!stage.loads.of("V").empty() || !stage.loads.of("w").empty()) return "";
   if (stage.vertical_velocity) return fmt::format(", {} down", text::speed_words(*stage.vertical_velocity));
   if (stage.vertical_force) return fmt::format(", V = {}", text::force_words(*stage.vertical_force, dimension));
   return ", V held";
 }
 
+/// "H and V of a load history".
+std::string load_words(const problem::LoadSettings& loads)
+{
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < problem::load_columns.size(); ++k)
+    if (!loads.columns[k].empty()) names.emplace_back(problem::load_columns[k].name);
+  return names.empty() ? "" : fmt::format("{} of a load history", fmt::join(names, " and "));
+}
+
 std::string rate_words(const problem::StageSettings& stage, int dimension)
 {
-  return stage.velocity ? text::speed_words(*stage.velocity) : stage.force ? text::force_words(*stage.force, dimension) : "";
+  const std::string words = stage.velocity ? text::speed_words(*stage.velocity)
+                            : stage.force  ? text::force_words(*stage.force, dimension)
+                                           : "";
+  return words + (words.empty() || stage.loads.empty() ? "" : ", ") + load_words(stage.loads);
 }
 
 /// "x 10 mm/s, y held, rotation 0.5 rad/s".
@@ -52,6 +65,13 @@ std::string freedom_words(const problem::DriveSettings& drive, int dimension)
   add_turn("rotation about y", drive.rotation_y);
   add_turn("rotation about z", drive.rotation_z);
   return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// Of a stage of kind drive.
+std::string drive_kind_words(const problem::StageSettings& stage, int dimension)
+{
+  const std::string words = freedom_words(stage.drive, dimension), loads = load_words(stage.loads);
+  return words + (words.empty() || loads.empty() ? "" : ", ") + loads;
 }
 
 /// ", rotation about z on a spring of 3e+05 N m/rad" of a push or a drag.
@@ -89,7 +109,7 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
   case problem::StageKind::push:
     return rate_words(stage, dimension) + " down" + turn_words(stage, dimension);
   case problem::StageKind::drive:
-    return freedom_words(stage.drive, dimension);
+    return drive_kind_words(stage, dimension);
   case problem::StageKind::drag:
   case problem::StageKind::sweep:
     return rate_words(stage, dimension) + " along x" + vertical_words(stage, dimension) + turn_words(stage, dimension);
@@ -104,7 +124,7 @@ std::string stage_words(const problem::StageSettings& stage, int dimension)
   // The user's own name says more than the kind only where it is another word.
   const std::string called = stage.name == kind ? kind : fmt::format("{} ({})", kind, stage.name);
   const bool drive = stage.kind == problem::StageKind::drive;
-  const std::string rate = drive ? freedom_words(stage.drive, dimension) : rate_words(stage, dimension),
+  const std::string rate = drive ? drive_kind_words(stage, dimension) : rate_words(stage, dimension),
                     vertical = vertical_words(stage, dimension) + turn_words(stage, dimension);
   const bool to_a_level = stage.until.embedment.has_value();
   return fmt::format("{}{}{}{}{}", called, rate.empty() ? "" : " " + rate, vertical, to_a_level ? " to " : ", ",

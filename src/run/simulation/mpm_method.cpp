@@ -12,6 +12,7 @@
 #include "problem/archive_state.hpp"
 #include "problem/equilibrium.hpp"
 #include "problem/stages.hpp"
+#include "problem/time_scale.hpp"
 #include "run_folder/frames.hpp"
 #include "run_folder/progress.hpp"
 #include "simulation/good_sense.hpp"
@@ -27,8 +28,8 @@ namespace berm::simulation {
 namespace {
 
 constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01, max_stopped = 0.01;  // above them a warning
-
 constexpr Real max_beyond_force = 0.02;                                                           // of a limit of force, likewise
+
 /// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
 Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
 {
@@ -78,6 +79,7 @@ problem::Problem<dim> build_for(const RunRequest& request, const io::ScratchFold
 template <int d>
 MpmMethod<d>::MpmMethod(const RunRequest& request, const io::ScratchFolder& scratch)
     : memory_before_(memory_in_use()),
+      case_(request.settings),
       problem_(build_for<d>(request, scratch)),
       history_interval_(interval_of(request.settings)),
       recorder_(request.settings, model(), state()),
@@ -240,28 +242,30 @@ bool MpmMethod<d>::next_stage()
     equilibrium_ = recorder_.out_of_balance();
     log_equilibrium(stage);
   }
+  log_force_limit(stage);
   if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) return false;
   ++problem_.state.stage.index;
-  log_force_limit(stage);
   begin_stage(model(), problem_.state);
   return true;
 }
 
-template <int d>
-bool MpmMethod<d>::at_checkpoint_boundary() const
-/// How near to its limit of force the stage has ended that is over.
+/// How near to its limit of force the stage has ended that is over, by the last row of the history.
 template <int d>
 void MpmMethod<d>::log_force_limit(const problem::StageSettings& stage)
 {
-  const Real beyond = beyond_force_limit(model(), state());
-  if (!std::isfinite(beyond)) return;
+  const bool of_main = model().driven[state().stage.index] == model().main_rigid;
+  if (!of_main || !std::isfinite(problem::beyond_force_limit(model(), state()))) return;
+  const Real force =
+      stage.kind == problem::StageKind::push ? recorder_.vertical() : drag_direction(model(), state()) * recorder_.horizontal();
+  const Real beyond = std::abs(force / (model().parts * *stage.until.force) - 1);
   beyond_force_limit_ = std::isfinite(beyond_force_limit_) ? std::max(beyond_force_limit_, beyond) : beyond;
-  spdlog::info("stage \"{}\" ended {:.2g} % beyond its limit of force", stage.name, 100 * beyond);
+  spdlog::info("stage \"{}\" ended {:.2g} % from its limit of force", stage.name, 100 * beyond);
   if (beyond > max_beyond_force)
-    spdlog::warn("stage \"{}\" ended {:.2g} % beyond its limit of force: drive slower, with a longer ramp, or push by a force", stage.name,
-                 100 * beyond);
+    spdlog::warn("stage \"{}\" ended {:.2g} % from its limit of force: drive slower, or push by a force", stage.name, 100 * beyond);
 }
 
+template <int d>
+bool MpmMethod<d>::at_checkpoint_boundary() const
 {
   return state().step % mpm::steps_between_time_steps != 0;
 }
@@ -273,10 +277,10 @@ void MpmMethod<d>::archive(Archive& k)
   k.table("recorder", [&] { recorder_.archive(k); });
   k.table("cells", [&] { cells_.archive(k); });
   k("equilibrium", equilibrium_);
-  k.table("state", [&] { problem::archive(k, model(), problem_.state); });
-}
   if (std::any_of(model().stages.begin(), model().stages.end(), [](const auto& stage) { return stage.until.force.has_value(); }))
     k("beyond_force_limit", beyond_force_limit_);
+  k.table("state", [&] { problem::archive(k, model(), problem_.state); });
+}
 
 template <int d>
 run_folder::Summary::Checks MpmMethod<d>::checks() const
@@ -284,9 +288,9 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
   run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()}};
   if (recorder_.largest_work() > 0) checks.emplace_back("filter_over_work", state().totals.filter / recorder_.largest_work());
   if (std::isfinite(equilibrium_)) checks.emplace_back("out_of_balance_after_geostatic", equilibrium_);
+  if (std::isfinite(beyond_force_limit_)) checks.emplace_back("beyond_force_limit", beyond_force_limit_);
   checks.emplace_back("momentum_error", mpm::momentum_error(state(), model().mesh.metric));
   checks.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
-  if (std::isfinite(beyond_force_limit_)) checks.emplace_back("beyond_force_limit", beyond_force_limit_);
   if (std::isfinite(recorder_.shaking())) checks.emplace_back("shaking_at_body", recorder_.shaking());
   const mpm::SoilCondition soil = mpm::soil_condition(model(), state());
   if (model().mpm.active_distance) checks.emplace_back("energy_of_soil_that_came_to_rest", stopped_over_work());
@@ -353,10 +357,23 @@ void MpmMethod<d>::print_check(const Context& context)
   for (const problem::StageSettings& stage : model().stages)
     if (!(expected_time(stage) > 0))
       fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
+  print_load_histories();
   fmt::print("  steps        about {:.0f}, {} rows of history\n", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
   fmt::print("  time         about {} with {} ({:.3g} million particle-steps/s)\n",
              run_folder::words_of_duration(total / pace.dt * pace.seconds_a_step), words_of_workers(context),
              static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
+}
+
+/// How fast load histories of forces run, and how fast they may.
+template <int d>
+void MpmMethod<d>::print_load_histories() const
+{
+  for (const problem::StageSettings& stage : case_.stage)
+    if (const std::optional<problem::TimeScale> slow = time_scale_of(case_, stage))
+      fmt::print(
+          "  load history of stage \"{}\": half waves of {:.3g} s in {:.3g} s, time_scale = {:.3g}; {:.3g} s or more is slow enough ({} "
+          "sets it)\n",
+          stage.name, slow->half_wave, slow->half_wave * stage.time_scale, stage.time_scale, slow->shortest, words_of(slow->reason));
 }
 
 template <int d>

@@ -81,6 +81,7 @@ private:
   void warn_of(const mpm::SoilCondition& soil) const;
 
   Real memory_before_;  ///< bytes in use before the problem was built
+  problem::Case case_;
   problem::Problem<d> problem_;
   run_folder::MpmCounts counts_;
   Real history_interval_;
@@ -93,7 +94,7 @@ private:
   BigIndex next_division_ = 0, steps_between_divisions_ = 0;
   CellWatch<d> cells_;
   Real equilibrium_ = nan;
-};
   Real beyond_force_limit_ = nan;  ///< the largest of all stages, over the limit
+};
 
 }  // namespace berm::simulation

@@ -199,7 +199,8 @@ void Run<Method>::next_stage()
   finished_ = !method_.next_stage();
   if (finished_) return;
   const bodies::Drive& vertical = state().stage.drive[model().axes.up];
-  if (stage().kind == problem::StageKind::drag && vertical.by_force)
+  const bool varies = load_column_of(stage(), model().axes, model().axes.up) != none;
+  if (stage().kind == problem::StageKind::drag && vertical.by_force && !varies)
     held_forces_[static_cast<std::size_t>(state().stage.index)] = -model().axes.sign * model().parts * vertical.to;
 }
 

@@ -61,6 +61,9 @@ void make_faster(problem::StageSettings& stage)
   stage.ramp /= 2;
   if (stage.until.time) *stage.until.time /= 2;
   for (Real& time : stage.load_times) time /= 2;
+  for (std::size_t k = 0; k < problem::load_columns.size(); ++k)
+    if (!problem::load_columns[k].by_force)
+      for (Real& velocity : stage.loads.columns[k]) velocity *= 2;
 }
 
 bool knows_speed(const problem::Case& c)

@@ -13,20 +13,39 @@ using problem::load_factor;
 
 class LoadHistory : public testing::Test {
 protected:
-  problem::StageSettings read(const std::string& text, std::optional<Real> time = {})
+  /// A case in the plane whose only stage, a drag, has the history "storm.csv"; it drags by a force where the file is of factors.
+  static problem::Case case_with_history(bool of_factors)
   {
-    folder_.write("storm.csv", text);
+    problem::Case c;
+    bodies::RigidSettings pipe;
+    pipe.mass = 100;
+    c.rigid = {{"pipe", pipe}};
     problem::StageSettings stage;
     stage.name = "storm";
+    stage.kind = problem::StageKind::drag;
+    if (of_factors) stage.force = 400;
     stage.load_history = "storm.csv";
-    stage.until.time = time;
-    read_load_history(stage, 0, folder_.path());
-    return stage;
+    c.stage = {stage};
+    return c;
   }
-  std::string refusal(const std::string& text)
+  problem::StageSettings read(problem::Case c, const std::string& text)
+  {
+    folder_.write("storm.csv", text);
+    read_load_history(c, 0, folder_.path());
+    return c.stage[0];
+  }
+  problem::StageSettings read(const std::string& text, std::optional<Real> time = {})
+  {
+    problem::Case c = case_with_history(true);
+    c.stage[0].until.time = time;
+    return read(c, text);
+  }
+  problem::StageSettings read_columns(const std::string& text) { return read(case_with_history(false), text); }
+  std::string refusal(const std::string& text, bool of_factors = true) { return refusal(case_with_history(of_factors), text); }
+  std::string refusal(const problem::Case& c, const std::string& text)
   {
     try {
-      read(text);
+      read(c, text);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -70,10 +89,93 @@ TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
   EXPECT_NE(refusal("-1,1\n").find("storm.csv:1: times count from the begin"), std::string::npos);
   EXPECT_NE(refusal("0,1\n").find("storm.csv: has no line"), std::string::npos);
   EXPECT_NE(refusal("time,factor\n").find("storm.csv: has no line"), std::string::npos);
-  problem::StageSettings stage;
-  stage.name = "storm";
-  stage.load_history = "none.csv";
-  EXPECT_THROW(read_load_history(stage, 0, folder_.path()), InputError);
+  EXPECT_NE(refusal("0,1,2\n1,2,3\n").find("of more columns the first line is their names"), std::string::npos);
+  problem::Case c = case_with_history(true);
+  c.stage[0].load_history = "none.csv";
+  EXPECT_THROW(read_load_history(c, 0, folder_.path()), InputError);
+}
+
+TEST_F(LoadHistory, has_columns_that_its_header_names_with_their_units)
+{
+  const problem::StageSettings stage = read_columns("# a storm\ntime_s,H_kN_m,V_N_m\n0,0.1,400\n2,-0.2,300\n");
+  EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 2}));
+  EXPECT_EQ(stage.loads.of("H"), (std::vector<Real>{100, -200}));
+  EXPECT_EQ(stage.loads.of("V"), (std::vector<Real>{400, 300}));
+  EXPECT_TRUE(stage.load_factors.empty());
+  EXPECT_EQ(stage.until.time, 2);
+  EXPECT_EQ(read_columns("time_min, u_mm_s\n0, 0\n0.5, 20\n").loads.of("u").back(), 0.02);
+  EXPECT_EQ(read_columns("time_min, u_mm_s\n0, 0\n0.5, 20\n").until.time, 30);
+  EXPECT_EQ(read("time_s,factor\n0,0\n2,1\n").load_factors.back(), 1);
+}
+
+TEST_F(LoadHistory, of_a_drive_has_columns_of_its_freedoms)
+{
+  problem::Case c = case_with_history(false);
+  c.stage[0].kind = problem::StageKind::drive;
+  const problem::StageSettings plane = read(c, "time_s,x_N_m,y_mm_s,rotation_Nm_m\n0,1,2,3\n1,1,2,3\n");
+  EXPECT_EQ(plane.loads.of("x_force").back(), 1);
+  EXPECT_EQ(plane.loads.of("y_velocity").back(), 0.002);
+  EXPECT_EQ(plane.loads.of("rotation_moment").back(), 3);
+  c.geometry = problem::Geometry::space;
+  const problem::StageSettings space = read(c, "time_s,x_kN,z_m_s,rotation_z_Nm,rotation_x_rad_s\n0,1,2,3,4\n1,1,2,3,4\n");
+  EXPECT_EQ(space.loads.of("x_force").back(), 1000);
+  EXPECT_EQ(space.loads.of("z_velocity").back(), 2);
+  EXPECT_EQ(space.loads.of("rotation_z_moment").back(), 3);
+  EXPECT_EQ(space.loads.of("rotation_x_velocity").back(), 4);
+}
+
+TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
+{
+  const auto says = [&](const std::string& header, const std::string& words) {
+    const std::string answer = refusal(header + "\n0,1\n1,2\n", false);
+    EXPECT_NE(answer.find("storm.csv:1: "), std::string::npos) << header << ": " << answer;
+    EXPECT_NE(answer.find(words), std::string::npos) << header << ": " << answer;
+  };
+  says("time_s,h_N_m", "did you mean \"H_N_m\"? (allowed: factor, H_N_m, V_N_m, u_m_s, w_m_s)");
+  says("time_s,x_N_m", "no column of the load history of this stage");
+  says("t,H_N_m", "the first column is the time, \"time_s\"");
+  says("time,H_N_m", "\"time\" has no unit");
+  says("time_m,H_N_m", "\"time_m\" has no unit of a time");
+  says("time_s,H_N", "\"H_N\" has no unit of a force per length");
+  says("time_s,H_N", "write \"H_N_m\"");
+  says("time_s,H_m_s", "has no unit of a force per length");
+  says("time_s,H_N_m,H_kN_m", "\"H_kN_m\" is a second column of the same");
+  says("time_s", "names no column behind the time");
+  EXPECT_NE(refusal("time_s,H_N_m,V_N_m\n0,1,2\n1,2\n", false).find("storm.csv:3: needs 3 numbers"), std::string::npos);
+}
+
+TEST_F(LoadHistory, that_does_not_go_with_its_stage_is_refused_with_the_key)
+{
+  EXPECT_NE(refusal("time_s,H_N_m\n0,1\n1,2\n").find("stage[0].loads.H: drives what another key"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n1,2\n", false).find("stage[0]: needs either velocity or force"), std::string::npos);
+  EXPECT_NE(refusal("time_s,V_N_m\n0,1\n1,2\n", false).find("stage[0]: needs either velocity, force or a column H or u"),
+            std::string::npos);
+  EXPECT_EQ(refusal("time_s,V_N_m\n0,1\n1,2\n"), "") << "the constant force drags";
+  problem::Case light = case_with_history(false);
+  light.rigid[0].second.mass = 0;
+  EXPECT_NE(refusal(light, "time_s,H_N_m\n0,1\n1,2\n").find("[rigid.pipe], which therefore needs a mass"), std::string::npos);
+  problem::Case held = case_with_history(false);
+  held.stage[0].vertical_force = 3;
+  EXPECT_NE(refusal(held, "time_s,H_N_m,V_N_m\n0,1,2\n1,2,3\n").find("stage[0].loads.V: drives what another key"), std::string::npos);
+  problem::Case elements = case_with_history(false);
+  elements.method = problem::Method::fem;
+  EXPECT_NE(refusal(elements, "time_s,u_m_s\n0,1\n1,2\n").find("knows no time"), std::string::npos);
+  EXPECT_EQ(refusal(elements, "time_s,H_N_m\n0,1\n1,2\n"), "");
+  problem::Case drive = case_with_history(false);
+  drive.stage[0].kind = problem::StageKind::drive;
+  EXPECT_NE(refusal(drive, "0,1\n1,2\n").find("stage[0].load_factors: multiply what a push or a drag drives"), std::string::npos);
+}
+
+TEST_F(LoadHistory, of_which_the_time_is_scaled_ends_its_stage_earlier)
+{
+  problem::Case c = case_with_history(false);
+  c.stage[0].time_scale = 0.1;
+  const problem::StageSettings stage = read(c, "time_s,H_N_m\n0,0\n20,100\n");
+  EXPECT_EQ(stage.load_times.back(), 20) << "the times stay those of the record";
+  EXPECT_EQ(stage.until.time, 2);
+  c.stage[0].time_scale = problem::automatic_time_scale;
+  EXPECT_NE(refusal(c, "time_s,H_N_m\n0,0\n20,100\n").find("stage[0].time_scale: is found for a record of forces"), std::string::npos)
+      << "the pipe touches no soil here";
 }
 
 }  // namespace

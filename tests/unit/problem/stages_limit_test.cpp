@@ -58,7 +58,7 @@ TEST(Stage, with_a_limit_of_force_keeps_its_velocity_where_the_limit_is_far)
   run.problem.state.stage.approach = {0, 1, 1};  // 100 N/m in 1 m: V grows by 1 N/m while its mean lags
   EXPECT_EQ(part_of_velocity(run.problem.model, run.problem.state, 0.1, dt), 1);
   run.problem.state.stage.approach = {0, 1e-3, 1e-3};  // 1000 N/m
-  EXPECT_NEAR(part_of_velocity(run.problem.model, run.problem.state, 0.1, dt), (1.02 * 500 - 100) / (6 * 1000), 1e-12);
+  EXPECT_NEAR(part_of_velocity(run.problem.model, run.problem.state, 0.1, dt), (1.04 * 500 - 100) / (16 * 1000), 1e-12);
 }
 
 TEST(Stage, that_lifts_its_body_ends_where_w_has_fallen_to_its_embedment)

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/input/load_history_test.cpp
+#include "problem/load_checks.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+
+namespace berm::problem {
+namespace {
+
+bool is_turn(LoadAlong along)
+{
+  return along == LoadAlong::rotation || along == LoadAlong::rotation_x || along == LoadAlong::rotation_y || along == LoadAlong::rotation_z;
+}
+
+/// Whether the stage's other keys drive the freedom of a column.
+bool is_driven_otherwise(const StageSettings& s, const LoadColumn& column)
+{
+  const auto shift = [&](const FreedomSettings& f) { return f.velocity || f.force || f.hold || f.free || (f.spring && !column.by_force); };
+  const auto turn = [&](const TurnSettings& f) { return f.velocity || f.moment || f.fixed || f.free || (f.spring && !column.by_force); };
+  switch (column.along) {
+  case LoadAlong::horizontal:
+    return s.velocity || s.force;
+  case LoadAlong::downwards:
+    return s.kind == StageKind::push ? s.velocity || s.force : s.vertical_force || s.vertical_velocity || s.vertical == Vertical::fixed;
+  case LoadAlong::x:
+    return shift(s.drive.x);
+  case LoadAlong::y:
+    return shift(s.drive.y);
+  case LoadAlong::z:
+    return shift(s.drive.z);
+  case LoadAlong::rotation:
+    return turn(s.drive.rotation);
+  case LoadAlong::rotation_x:
+    return turn(s.drive.rotation_x);
+  case LoadAlong::rotation_y:
+    return turn(s.drive.rotation_y);
+  case LoadAlong::rotation_z:
+    return turn(s.drive.rotation_z);
+  }
+  return false;
+}
+
+std::string fault_of_times(const StageSettings& s)
+{
+  const std::vector<Real>& t = s.load_times;
+  if (s.loads.empty() && t.size() != s.load_factors.size()) return "load_times: needs as many times as load_factors has factors";
+  if (t.empty() || t.front() < 0 || !(t.back() > 0))
+    return "load_times: are counted from the begin of the stage: the first must be 0 or more, the last more than 0";
+  if (std::adjacent_find(t.begin(), t.end(), std::greater_equal<>()) != t.end()) return "load_times: must ascend";
+  return "";
+}
+
+/// A force needs a mass to move, a moment what it turns.
+std::string fault_of_inertia(const Case& c, const StageSettings& s, const LoadColumn& column)
+{
+  for (const auto& [name, rigid] : c.rigid) {
+    if (!column.by_force || (!s.rigid.empty() && name != s.rigid)) continue;
+    if (!(rigid.mass > 0) && !(is_turn(column.along) && rigid.moment_of_inertia))
+      return fmt::format(": column {} of its load history {} [rigid.{}], which therefore needs a mass{}", column.name,
+                         is_turn(column.along) ? "turns" : "moves", name, is_turn(column.along) ? " or a moment_of_inertia" : "");
+  }
+  return "";
+}
+
+std::string fault_of_column(const Case& c, const StageSettings& s, std::size_t k)
+{
+  const LoadColumn& column = load_columns[k];
+  const std::string key = fmt::format("loads.{}: ", column.key);
+  const std::vector<std::size_t> allowed = columns_for(c, s);
+  if (std::find(allowed.begin(), allowed.end(), k) == allowed.end()) {
+    std::string words;
+    for (const std::size_t other : allowed) words += (words.empty() ? "" : ", ") + std::string(load_columns[other].key);
+    return key + fmt::format("drives nothing in this stage (allowed: {})", words);
+  }
+  if (s.loads.columns[k].size() != s.load_times.size()) return key + "needs as many values as load_times has times";
+  for (std::size_t other = k + 1; other < load_columns.size(); ++other)
+    if (load_columns[other].along == column.along && !s.loads.columns[other].empty())
+      return key + fmt::format("does not go with {}: a freedom is driven in one way only", load_columns[other].key);
+  if (is_driven_otherwise(s, column)) return key + "drives what another key of the stage drives: leave one of them out";
+  if (c.method == Method::fem && !column.by_force)
+    return key + "the finite element method knows no time: it takes a load history of forces, not of velocities";
+  return fault_of_inertia(c, s, column);
+}
+
+}  // namespace
+
+std::vector<std::size_t> columns_for(const Case& c, const StageSettings& stage)
+{
+  const bool space = c.dimension() == 3, around_axis = c.geometry == Geometry::axisymmetric;
+  const auto mirrored = [&](const char* axis) { return std::find(c.symmetry.begin(), c.symmetry.end(), axis) != c.symmetry.end(); };
+  const auto goes = [&](LoadAlong along) {
+    const bool drive = stage.kind == StageKind::drive;
+    switch (along) {
+    case LoadAlong::horizontal:
+      return stage.kind == StageKind::drag;
+    case LoadAlong::downwards:
+      return stage.kind == StageKind::drag || stage.kind == StageKind::push;
+    case LoadAlong::x:
+      return drive && !around_axis && !mirrored("x");
+    case LoadAlong::y:
+      return drive;
+    case LoadAlong::z:
+      return drive && space && !mirrored("z");
+    case LoadAlong::rotation:
+      return drive && !space && !around_axis;
+    case LoadAlong::rotation_x:
+      return drive && space && !mirrored("z");
+    case LoadAlong::rotation_y:
+      return drive && space && !mirrored("x") && !mirrored("z");
+    case LoadAlong::rotation_z:
+      return drive && space && !mirrored("x");
+    }
+    return false;
+  };
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < load_columns.size(); ++k)
+    if (goes(load_columns[k].along)) found.push_back(k);
+  return found;
+}
+
+std::string fault_of_loads(const Case& c, const StageSettings& s)
+{
+  if (s.load_times.empty() && s.load_factors.empty() && s.loads.empty()) return "";
+  if (const std::string fault = fault_of_times(s); !fault.empty()) return fault;
+  if (!s.loads.empty() && !s.load_factors.empty()) return "load_factors: does not go with loads, which are no factors";
+  if (s.loads.empty() && s.kind == StageKind::drive)
+    return "load_factors: multiply what a push or a drag drives; a drive has a load history with columns, such as time_s,x_N_m";
+  for (std::size_t k = 0; k < load_columns.size(); ++k)
+    if (!s.loads.columns[k].empty())
+      if (const std::string fault = fault_of_column(c, s, k); !fault.empty()) return fault;
+  const bool short_form = s.kind == StageKind::push || s.kind == StageKind::drag;
+  const LoadAlong main = s.kind == StageKind::push ? LoadAlong::downwards : LoadAlong::horizontal;
+  bool by_column = false;
+  for (std::size_t k = 0; k < load_columns.size(); ++k)
+    by_column = by_column || (load_columns[k].along == main && !s.loads.columns[k].empty());
+  if (short_form && !by_column && s.velocity.has_value() == s.force.has_value())
+    return s.loads.empty() ? ": needs either velocity or force, and not both"
+                           : fmt::format(": needs either velocity, force or a column {} of its load history, and not two of them",
+                                         s.kind == StageKind::push ? "V or w" : "H or u");
+  if (c.method == Method::fem && s.velocity)
+    return "velocity: the finite element method knows no time: it takes a load history of forces, not of velocities";
+  return "";
+}
+
+}  // namespace berm::problem

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::problem {
+
+/// The columns (of load_columns) that the load history of a stage may have, by its kind and the geometry.
+std::vector<std::size_t> columns_for(const Case& c, const StageSettings& stage);
+
+/// What is wrong with the load history of a stage, of which no file is left to read: "KEY: MESSAGE" with the key below the stage ("" = the stage itself); "" where
+/// nothing is.
+std::string fault_of_loads(const Case& c, const StageSettings& stage);
+
+}  // namespace berm::problem

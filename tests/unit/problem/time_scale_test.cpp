@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/time_scale.hpp"
+
+#include "material/mohr_coulomb.hpp"
+#include "sample_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::problem::this_file {
+namespace {
+
+/// A pipe of 0.4 m, 100 kg/m, on clay of 2 kPa, under waves of H with a period of 10 s.
+Case pipe_in_waves(Real largest)
+{
+  StageSettings storm = stage_of(StageKind::drag, "storm");
+  for (int k = 0; k <= 400; ++k) {
+    storm.load_times.push_back(0.1 * k);
+    storm.loads.of("H").push_back(largest * std::sin(2 * pi * 0.1 * k / 10) + 0.02 * largest * (k % 2));  // and the noise of a record
+  }
+  storm.loads.of("V").assign(401, 500);
+  Case c = pipe_over_box({storm});
+  c.rigid[0].second.mass = 100;
+  material::MohrCoulomb clay;
+  clay.density = 1600;
+  clay.young_modulus = 1e6;
+  clay.poisson_ratio = 0.49;
+  clay.cohesion = 2000;
+  c.material = {{"clay", clay}};
+  c.body[0].second.material = "clay";
+  contact::ContactSettings skin;
+  skin.body = "bed";
+  skin.rigid = "pipe";
+  c.contact = {{"skin", skin}};
+  return c;
+}
+
+TEST(TimeScale, is_the_fastest_at_which_inertia_is_small)
+{
+  const Case c = pipe_in_waves(400);
+  const std::optional<TimeScale> found = time_scale_of(c, c.stage[0]);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->half_wave, 5, 0.3) << "of the waves, not of the noise";
+  const Real soil = 0.04 / std::sqrt(0.003 * 2000 / 1600), body = std::sqrt(4 * 100 * 0.04 / (0.03 * 500));
+  EXPECT_GT(body, soil);
+  EXPECT_NEAR(found->shortest, body, 1e-12);
+  EXPECT_EQ(found->reason, TimeScale::Reason::mass);
+  EXPECT_GE(found->scale, found->shortest / found->half_wave);
+  EXPECT_LT(found->scale, found->shortest / found->half_wave + 0.01);
+}
+
+TEST(TimeScale, is_limited_by_the_soil_where_the_force_is_large)
+{
+  const Case c = pipe_in_waves(40000);
+  const std::optional<TimeScale> found = time_scale_of(c, c.stage[0]);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->shortest, 0.04 / std::sqrt(0.003 * 2000 / 1600), 1e-12);
+  EXPECT_EQ(found->reason, TimeScale::Reason::soil);
+}
+
+TEST(TimeScale, is_none_of_velocities_nor_without_soil_or_history)
+{
+  Case c = pipe_in_waves(400);
+  StageSettings moved = c.stage[0];
+  std::swap(moved.loads.of("H"), moved.loads.of("u"));
+  EXPECT_FALSE(time_scale_of(c, moved));
+  EXPECT_FALSE(time_scale_of(c, stage_of(StageKind::drag)));
+  c.contact.clear();
+  EXPECT_FALSE(time_scale_of(c, c.stage[0]));
+}
+
+}  // namespace
+}  // namespace berm::problem::this_file
