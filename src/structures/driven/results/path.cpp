@@ -21,35 +21,58 @@ std::optional<StageSettings> as_push_or_drag(StageSettings s)
   if (s.kind == StageKind::push || s.kind == StageKind::drag) return s;
   if (s.kind != StageKind::drive) return {};
   const problem::FreedomSettings &x = s.drive.x, &y = s.drive.y;
-  const auto moves = [](const problem::FreedomSettings& f) { return f.velocity.value_or(0) != 0 || f.force; };
-  if (moves(x)) {
+  const auto moves = [&](const problem::FreedomSettings& f, const char* force, const char* velocity) {
+    return f.velocity.value_or(0) != 0 || f.force || !s.loads.of(force).empty() || !s.loads.of(velocity).empty();
+  };
+  if (moves(x, "x_force", "x_velocity")) {
     s.kind = StageKind::drag;
     s.velocity = x.velocity, s.force = x.force;
     s.vertical = y.hold || y.force || y.free ? problem::Vertical::hold : problem::Vertical::fixed;
     if (y.force) s.vertical_force = -*y.force;
     if (y.velocity) s.vertical_velocity = -*y.velocity;
+    s.loads.of("H") = s.loads.of("x_force");
+    s.loads.of("u") = s.loads.of("x_velocity");
     return s;
   }
-  if (!moves(y)) return {};
+  if (!moves(y, "y_force", "y_velocity")) return {};
   s.kind = StageKind::push;
   if (y.velocity) s.velocity = -*y.velocity;
   if (y.force) s.force = -*y.force;
+  for (const auto& [down, up] : {std::pair{"V", "y_force"}, {"w", "y_velocity"}})
+    for (const Real value : s.loads.of(up)) s.loads.of(down).push_back(-value);
   return s;
+}
+
+/// The value of a drive at the end of its load history: `constant` times the last factor, or the last of the column; empty where it has neither.
+std::optional<Real> last_value(const StageSettings& s, const std::optional<Real>& constant, const char* column)
+{
+  if (const std::vector<Real>& values = s.loads.of(column); !values.empty()) return values.back();
+  if (!constant) return {};
+  return *constant * (s.load_factors.empty() ? 1 : s.load_factors.back());
+}
+
+/// The velocity of a drag over its load history; none where it is constant.
+std::vector<Real> velocities(const StageSettings& s)
+{
+  if (!s.loads.of("u").empty()) return s.loads.of("u");
+  std::vector<Real> list;
+  if (s.velocity)
+    for (const Real factor : s.load_factors) list.push_back(factor * *s.velocity);
+  return list;
 }
 
 Stage stage_of(const StageSettings& s, Real held_force)
 {
   Stage stage{.name = s.name, .kind = s.kind, .asked = s};
   if (s.kind == StageKind::push) {
-    const Real last = s.load_factors.empty() ? 1 : s.load_factors.back();
-    stage.upwards = s.velocity.value_or(0) * last < 0;
-    if (s.force) stage.force = *s.force * last;
+    stage.upwards = last_value(s, s.velocity, "w").value_or(0) < 0;
+    stage.force = last_value(s, s.force, "V");
     return stage;
   }
   stage.direction = s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0 ? -1 : 1;
-  stage.by_force = s.force.has_value();
+  stage.by_force = s.force || !s.loads.of("H").empty();
   stage.varies = stage.by_force && !s.load_times.empty();
-  stage.holds_V = s.vertical == problem::Vertical::hold && !s.vertical_velocity;
+  stage.holds_V = s.vertical == problem::Vertical::hold && !s.vertical_velocity && s.loads.of("V").empty() && s.loads.of("w").empty();
   if (s.vertical_force) stage.V_ramp = s.ramp;
   if (stage.holds_V && !std::isnan(held_force)) stage.held_force = held_force;
   return stage;
@@ -59,23 +82,24 @@ Stage stage_of(const StageSettings& s, Real held_force)
 Stages parts_of(const Stage& whole)
 {
   const StageSettings& s = whole.asked;
-  if (whole.kind != StageKind::drag || whole.by_force || s.load_times.empty()) return {whole};
+  const std::vector<Real> velocity = whole.kind == StageKind::drag && !whole.by_force ? velocities(s) : std::vector<Real>();
+  if (velocity.empty()) return {whole};
   Stages parts;
-  const auto begin_part = [&](Real time, Real factor) {
-    if (factor == 0) return;
-    const Real direction = factor * s.velocity.value_or(0) < 0 ? -1 : 1;
+  const auto begin_part = [&](Real time, Real value) {
+    if (value == 0) return;
+    const Real direction = value < 0 ? -1 : 1;
     if (!parts.empty() && parts.back().direction == direction) return;
     if (!parts.empty()) parts.back().to = time;
     parts.push_back(whole);
     parts.back().direction = direction;
     parts.back().from = parts.size() == 1 ? 0 : time;
   };
-  begin_part(0, s.load_factors.front());
-  for (std::size_t k = 1; k < s.load_times.size(); ++k) {
-    const Real before = s.load_factors[k - 1], after = s.load_factors[k];
-    const Real turns =
-        before * after < 0 ? std::lerp(s.load_times[k - 1], s.load_times[k], before / (before - after)) : s.load_times[k - 1];
-    begin_part(turns, after);
+  const auto time = [&](std::size_t k) { return s.time_scale * s.load_times[k]; };
+  begin_part(0, velocity.front());
+  for (std::size_t k = 1; k < velocity.size(); ++k) {
+    const Real before = velocity[k - 1], after = velocity[k];
+    const bool crosses = before * after < 0;
+    begin_part(crosses ? std::lerp(time(k - 1), time(k), before / (before - after)) : time(k - 1), after);
   }
   if (parts.size() > 1)
     for (std::size_t k = 0; k < parts.size(); ++k) parts[k].name = fmt::format("{}_{}", s.name, k + 1);

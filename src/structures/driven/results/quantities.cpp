@@ -61,7 +61,7 @@ Prescribed given_by_push(const problem::StageSettings& s, Real w)
 {
   Prescribed given;
   given.w = meets(w, s.until.embedment);
-  given.V = s.force || (s.until.force && !given.w);
+  given.V = s.force || !s.loads.of("V").empty() || (s.until.force && !given.w);
   return given;
 }
 
@@ -71,7 +71,7 @@ Prescribed given_by_drag(const Stage& stage, Real u)
   Prescribed given;
   given.u = meets(u, s.until.displacement);
   given.H = stage.by_force;
-  given.V_always = s.vertical_force.has_value();
+  given.V_always = s.vertical_force || !s.loads.of("V").empty();
   given.w_always = s.vertical == problem::Vertical::fixed && !s.vertical_velocity;
   return given;
 }
