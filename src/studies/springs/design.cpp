@@ -44,21 +44,23 @@ void for_each_number(S& springs, const Visit& visit)
     visit(drag, "travel", Kind::displacement, "travel of the drag: beyond it nothing is known", l.travel);
   }
   for (auto& point : springs.vertical.curve)
-    visit(Place{"vertical", "push", "computed"}, fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force,
-          "V in the push at an embedment", point.F);
+    visit(Place{"vertical", point.x > springs.vertical.pushed_to ? "" : "push", "computed"},
+          fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force,
+          point.x > springs.vertical.pushed_to ? "largest V that the bed has carried as deep: a lower bound"
+                                               : "V in the push at an embedment",
+          point.F);
   for (auto& u : springs.vertical.unloading)
     visit(Place{"vertical", u.stage, "computed"}, u.stage + ".stiffness", Kind::stiffness,
-          u.V_end < u.V_begin ? "secant stiffness of unloading" : "secant stiffness of loading in the bed", u.stiffness);
+          u.V_end < u.V_begin ? "stiffness of unloading, the slope of the line fitted to w over V"
+                              : "stiffness of loading in the bed, the slope of the line fitted to w over V",
+          u.stiffness);
   const Place state{"vertical", "", springs.state_origin.empty() ? "computed" : "computed, " + springs.state_origin};
-  visit(state, "embedment", Kind::displacement, "embedment in the state",
-        springs.embedment);
+  visit(state, "embedment", Kind::displacement, "embedment in the state", springs.embedment);
   visit(state, "V", Kind::force, "vertical force in the state", springs.V);
   const auto formula = [](const std::string& source) { return Place{"axial", "", source.empty() ? "formula" : source}; };
   auto& axial = springs.axial;
   visit(formula(""), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
-  visit(formula(axial.drained_source), "drained", Kind::force,
-        "drained resistance under the V of the state",
-        axial.drained);
+  visit(formula(axial.drained_source), "drained", Kind::force, "drained resistance under the V of the state", axial.drained);
   visit(formula(axial.undrained_source), "undrained", Kind::force, "undrained resistance", axial.undrained);
   const std::string from = " estimate of the displacement at axial breakout";
   const Place breakout = formula(axial_breakout_source());
@@ -238,9 +240,9 @@ const char* unit_of(Kind kind)
   }
 }
 
-bool is_stiffness(Real secant)
+bool is_stiffness(Real slope)
 {
-  return std::isfinite(secant) && secant > 0;
+  return std::isfinite(slope) && slope > 0;
 }
 
 std::vector<std::string> refused_stiffnesses(const Springs& springs)
@@ -249,11 +251,9 @@ std::vector<std::string> refused_stiffnesses(const Springs& springs)
   for (const Unloading& u : springs.vertical.unloading) {
     if (is_stiffness(u.stiffness)) continue;
     const bool fell = u.V_end < u.V_begin;
-    std::string why = "w did not change in it";
-    if (u.stiffness == 0)
-      why = "V did not change in it";
-    else if (u.stiffness < 0)
-      why = fmt::format("V {} from {:.6g} to {:.6g} N/m while the pipe {}, so that its secant is negative and no stiffness",
+    std::string why = "w does not follow V in it";
+    if (u.stiffness < 0)
+      why = fmt::format("V {} from {:.6g} to {:.6g} N/m while the pipe {}, so that the slope is negative and no stiffness",
                         fell ? "fell" : "rose", u.V_begin, u.V_end, fell ? "sank" : "rose");
     lines.push_back(fmt::format("stiffness of V over w in stage {} is not written: {}", u.stage, why));
   }

@@ -51,7 +51,7 @@ Lateral lateral_of(const driven::DragPath& drag, const driven::DragResults& resu
   return lateral;
 }
 
-/// The slope of V over w by the line fitted to w over V, which is what the stage drives; NaN where w does not grow with V.
+/// The slope of V over w by the line fitted to w over V, which is what the stage drives; NaN where they do not go together.
 Real stiffness_of(const std::vector<Index>& rows, const std::vector<Real>& w, const std::vector<Real>& V)
 {
   constexpr Real least_correlation = 0.7;
@@ -63,7 +63,7 @@ Real stiffness_of(const std::vector<Index>& rows, const std::vector<Real>& w, co
     const Real dw = w[k] - mean_w, dV = V[k] - mean_V;
     wV += dw * dV, VV += dV * dV, ww += dw * dw;
   }
-  return wV > least_correlation * std::sqrt(ww * VV) ? VV / wV : nan;
+  return std::abs(wV) > least_correlation * std::sqrt(ww * VV) ? VV / wV : nan;
 }
 
 Unloading unloading_of(const std::string& stage, std::vector<Index> rows, const run_folder::History& history)
@@ -126,6 +126,7 @@ void carry_to_prototype(Springs& s, Real scale)
     carry(l.curve);
   }
   carry(s.vertical.curve);
+  s.vertical.pushed_to *= scale;
   for (Unloading& u : s.vertical.unloading)
     for (Real* number : {&u.V_begin, &u.V_end}) *number *= scale;
 }
@@ -187,9 +188,14 @@ void check_travels(const driven::Path& path, const std::vector<std::string>& tra
 {
   std::vector<std::string> names;
   for (const driven::DragPath& drag : path.drags) names.push_back(drag.stage.name);
-  for (const std::string& travel : travels)
-    if (std::ranges::find(names, travel) == names.end())
+  for (const std::string& travel : travels) {
+    const auto found = std::ranges::find(names, travel);
+    if (found == names.end())
       throw InputError(fmt::format("--travels: {} has no drag {}{}", folder, input::in_quotes(travel), input::suggestion(travel, names)));
+    if (path.drags[static_cast<std::size_t>(found - names.begin())].stage.by_force)
+      throw InputError(
+          fmt::format("--travels: {} of {} is driven by a force: it tells displacements, no resistance", input::in_quotes(travel), folder));
+  }
 }
 
 /// V that the bed has carried over w: of the push, then of each state to this one that is deeper than all before.
@@ -234,15 +240,19 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
   springs.diameter = run.scale.width;
   if (run.scale.unit_weight > 0) springs.weight = run.scale.unit_weight * run.scale.width * run.scale.width;
   if (const Real strength = strength_at(record, state.w); strength > 0) springs.strength = strength * run.scale.width;
-  if (!starts_embedded(run))
+  if (!starts_embedded(run)) {
     springs.vertical.curve = carried(results, states, state, springs.diameter);
-  else if (!path.push.rows.empty())
+    if (results.push_end) springs.vertical.pushed_to = results.push_end->w + driven::same_point * springs.diameter;
+  } else if (!path.push.rows.empty()) {
     springs.vertical.unloading.push_back(unloading_of("push", path.push.rows, run.history));
+  }
   for (const driven::OtherPush& push : path.other_pushes)
     springs.vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
   for (std::size_t k = 0; k < path.drags.size(); ++k)
-    if (is_asked(path.drags[k], state, selection.travels))
-      springs.lateral.push_back(lateral_of(path.drags[k], k < results.drags.size() ? results.drags[k] : driven::DragResults{}, run.scale));
+    if (is_asked(path.drags[k], state, selection.travels)) {
+      const auto found = std::ranges::find(results.drags, path.drags[k].stage.name, &driven::DragResults::stage);
+      springs.lateral.push_back(lateral_of(path.drags[k], found == results.drags.end() ? driven::DragResults{} : *found, run.scale));
+    }
   springs.axial = axial_of(run, state);
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);
   return springs;

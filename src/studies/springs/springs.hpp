@@ -42,8 +42,8 @@ struct Lateral {
 struct Unloading {
   std::string stage;
   Real V_begin = nan, V_end = nan;  ///< N/m
-  Real stiffness =
-      nan;  ///< N/m of V per m of w, by the line fitted to w over V; NaN where w does not follow V: a negative stiffness is none
+  /// N/m of V per m of w, by the line fitted to w over V; not more than 0 where w moves against V, NaN where neither changes or they do not go together.
+  Real stiffness = nan;
 };
 
 /// How the bed resists the pipe downwards.
@@ -51,6 +51,7 @@ struct Vertical {
   /// The V that the bed has carried over the embedment: at multiples of 0.05 D and at the end of the push, and beyond that in each state as far as that of these
   /// springs; none where the pipe lay in the bed from the start.
   Points curve;
+  Real pushed_to = infinity;  ///< m: points beyond it are of later states, and lower bounds
   std::vector<Unloading> unloading;
 };
 

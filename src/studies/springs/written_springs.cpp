@@ -125,7 +125,7 @@ Points level_beyond(Points spring, Real length)
 NormalStiffness normal_stiffness(const Springs& s)
 {
   for (const Unloading& u : s.vertical.unloading)
-    if (is_stiffness(u.stiffness)) return {u.stiffness, sentence({run_words(s), "travel " + u.stage, "secant, computed"})};
+    if (is_stiffness(u.stiffness)) return {u.stiffness, sentence({run_words(s), "travel " + u.stage, "slope, computed"})};
   if (const Points push = push_of(s); push.size() > 1)
     return {push.back().F / push.back().x, "secant to the end of the push: " + push_origin(s)};
   return {};

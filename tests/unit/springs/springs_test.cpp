@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "samples/lived_pipe.hpp"
+#include "springs/design.hpp"
 
 #include <gtest/gtest.h>
 
@@ -156,6 +157,10 @@ TEST(Springs, are_those_of_the_state_and_the_travels_that_are_asked_for)
   EXPECT_EQ(laid.lateral[0].stage, "sweep_2");
   EXPECT_THROW(springs_of(lived_pipe(), {.state = "lied"}), InputError);
   EXPECT_THROW(springs_of(lived_pipe(), {.travels = {"sweep_9"}}), InputError);
+  record::RunRecord by_force = lived_pipe();
+  by_force.settings.stage.back().velocity.reset();
+  by_force.settings.stage.back().force = -100;
+  EXPECT_THROW(springs_of(by_force, {.travels = {"sweep_2"}}), InputError);
 }
 
 TEST(Springs, have_no_stiffness_where_the_pipe_sinks_while_it_is_unloaded)
@@ -164,7 +169,11 @@ TEST(Springs, have_no_stiffness_where_the_pipe_sinks_while_it_is_unloaded)
   std::vector<Real>& w = run.history.values[2];
   for (Index k = 0; k < run.history.rows(); ++k)
     if (run.history.stage[k] == "unload") w[k] = 0.6 * 0.02 - w[k];
-  EXPECT_TRUE(std::isnan(springs_of(run).vertical.unloading.at(0).stiffness));
+  const Springs s = springs_of(run);
+  EXPECT_LT(s.vertical.unloading.at(0).stiffness, 0);
+  const std::vector<std::string> refused = refused_stiffnesses(s);
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_NE(refused[0].find("V fell from 800 to 300 N/m while the pipe sank"), std::string::npos) << refused[0];
 }
 
 TEST(Springs, are_refused_of_a_run_without_a_pipe)

@@ -69,8 +69,10 @@ std::string states_words(const DrivenRun& run, const Results& results, const bas
   std::string words;
   for (const StateResults& state : results.states) {
     if (state.name != "laid" && state.name != "operation") continue;
-    words += state.name == "laid" ? fmt::format("Laid, by {} small drags, it", std::ranges::count_if(run.stages, &Stage::lays))
-                                  : std::string("In operation it");
+    const auto drags = std::ranges::count_if(run.stages, &Stage::lays);
+    words += state.name == "operation" ? std::string("In operation it")
+             : drags == 0              ? std::string("Laid, it")
+                                       : fmt::format("Laid, by {} {}, it", drags, drags == 1 ? "drag" : "drags");
     words += fmt::format(" lies at w = {} under V = {}. ", shown.length_text(run.scale, state.w), shown.force_text(run.scale, state.V));
   }
   return words;
@@ -100,7 +102,10 @@ std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, cons
   std::string words = fmt::format("Lifted from w = {} in \"{}\", {} meets an uplift resistance of {} after {}",
                                   shown.length_text(run.scale, uplift.w_begin), text::html_text(uplift.stage), subject_of(run.settings),
                                   shown.force_text(run.scale, uplift.largest.H), shown.length_text(run.scale, uplift.largest.u));
-  if (!uplift.falls()) return words + ", still growing at the end of the lift. ";
+  if (!uplift.falls()) {
+    const bool at_end = uplift.end && uplift.end->u - uplift.largest.u < residual_travel(uplift.end->u, run.scale);
+    return words + (at_end ? ", still growing at the end of the lift. " : ", and keeps it to the end. ");
+  }
   if (uplift.end)
     words += fmt::format(", and {} at the end, after {}", shown.force_text(run.scale, uplift.end->H),
                          shown.length_text(run.scale, uplift.end->u));

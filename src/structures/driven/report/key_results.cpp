@@ -218,7 +218,7 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
               {shown.force_cells(run.scale, H), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, u), {{words}}}));
     };
     if (resistance.largest) add(0, "largest", resistance.largest->u, resistance.largest->H, "");
-    if (std::isnan(resistance.last_change)) continue;
+    if (std::isnan(resistance.last_change) || run.results().main_drag().moved) continue;
     if (resistance.breakout)
       add(1, "breakout", resistance.breakout->u, resistance.breakout->H, "first peak");
     else
@@ -300,7 +300,7 @@ std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits
   return table.html() +
          text::html_paragraph(
              "u counts along x from where the stage began; a turn counts where the body goes back by 0.01 D. half_cycles.csv of "
-             "the run folder has each half cycle.",
+             "the run folder has each half cycle of a force that varies.",
              "quiet");
 }
 

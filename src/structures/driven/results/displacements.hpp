@@ -11,7 +11,7 @@ std::vector<HalfCycle> half_cycles_of(const DragPath& drag, const run_folder::Hi
 /// How far it moves the body.
 Displacements displacements_of(const DragPath& drag, const run_folder::History& history, Real D);
 
-/// The half cycles of all drags by force of a run as CSV: stage, half cycle, begin_s, end_s, u_begin_m, u_end_m, w_end_m; "" where there are none.
+/// The half cycles of all drags of a run by a force that varies as CSV: stage, half cycle, begin_s, end_s, u_begin_m, u_end_m, w_end_m; "" where there are none.
 std::string half_cycles_csv(const run_folder::History& history, const Stages& stages, Real D);
 
 }  // namespace berm::driven

@@ -61,7 +61,7 @@ std::vector<std::string> known_names(const problem::Case& c)
     for (const char* axis : {"Mx", "My", "Mz"})
       for (const char* end : {"_end_of_push", "_end_of_drag"}) names.push_back(std::string(axis) + end);
   for (const problem::StageSettings& stage : c.stage)
-    for (const char* begin : {"U_of_", "t50_of_", "T50_of_"}) names.push_back(begin + stage.name);
+    for (const char* begin : {"U_of_", "t50_of_", "T50_of_"}) names.push_back(without_number(begin + stage.name));
   for (const std::string& detail : detail_names()) names.push_back(detail);
   return names;
 }

@@ -21,13 +21,15 @@ std::optional<StageSettings> as_push_or_drag(StageSettings s)
   if (s.kind == StageKind::push || s.kind == StageKind::drag) return s;
   if (s.kind != StageKind::drive) return {};
   const problem::FreedomSettings &x = s.drive.x, &y = s.drive.y;
+  for (const auto& [down, up] : {std::pair{"V", "y_force"}, {"w", "y_velocity"}})
+    for (const Real value : s.loads.of(up)) s.loads.of(down).push_back(-value);
   const auto moves = [&](const problem::FreedomSettings& f, const char* force, const char* velocity) {
     return f.velocity.value_or(0) != 0 || f.force || !s.loads.of(force).empty() || !s.loads.of(velocity).empty();
   };
   if (moves(x, "x_force", "x_velocity")) {
     s.kind = StageKind::drag;
     s.velocity = x.velocity, s.force = x.force;
-    s.vertical = y.hold || y.force || y.free ? problem::Vertical::hold : problem::Vertical::fixed;
+    s.vertical = y.hold || y.force || y.free || !s.loads.of("V").empty() ? problem::Vertical::hold : problem::Vertical::fixed;
     if (y.force) s.vertical_force = -*y.force;
     if (y.velocity) s.vertical_velocity = -*y.velocity;
     s.loads.of("H") = s.loads.of("x_force");
@@ -38,9 +40,19 @@ std::optional<StageSettings> as_push_or_drag(StageSettings s)
   s.kind = StageKind::push;
   if (y.velocity) s.velocity = -*y.velocity;
   if (y.force) s.force = -*y.force;
-  for (const auto& [down, up] : {std::pair{"V", "y_force"}, {"w", "y_velocity"}})
-    for (const Real value : s.loads.of(up)) s.loads.of(down).push_back(-value);
   return s;
+}
+
+/// Whether a push by velocity goes up for most of its way.
+bool goes_up(const StageSettings& s)
+{
+  std::vector<Real> velocity = s.loads.of("w");
+  if (velocity.empty())
+    for (const Real factor : s.load_factors) velocity.push_back(factor * s.velocity.value_or(0));
+  if (velocity.empty()) return s.velocity.value_or(0) < 0;
+  Real way = 0;
+  for (std::size_t k = 1; k < velocity.size(); ++k) way += (velocity[k] + velocity[k - 1]) / 2 * (s.load_times[k] - s.load_times[k - 1]);
+  return way < 0;
 }
 
 /// The value of a drive at the end of its load history: `constant` times the last factor, or the last of the column; empty where it has neither.
@@ -65,7 +77,7 @@ Stage stage_of(const StageSettings& s, Real held_force)
 {
   Stage stage{.name = s.name, .kind = s.kind, .asked = s};
   if (s.kind == StageKind::push) {
-    stage.upwards = last_value(s, s.velocity, "w").value_or(0) < 0;
+    stage.upwards = goes_up(s);
     stage.force = last_value(s, s.force, "V");
     return stage;
   }
@@ -229,7 +241,9 @@ Path path_of(const run_folder::History& history, const Stages& stages)
       continue;
     }
     const bool unloads = stage.upwards || (stage.force && rows.front() > 0 && *stage.force < V[rows.front() - 1]);
-    if (unloads || !path.drags.empty()) {
+    // After an unloading only what goes beyond the push loads the body further.
+    const bool reloads = !path.other_pushes.empty() && stage.force && !path.push.V.empty() && *stage.force <= path.push.V.back();
+    if (unloads || reloads || !path.drags.empty()) {
       path.other_pushes.push_back({stage.name, stage.upwards, std::move(rows)});
       continue;
     }

@@ -133,6 +133,20 @@ DragPoint end_of(const TravelCurve& H, const TravelCurve& V, const TravelCurve& 
   return {H.end(), w.at(w.end(), averaging_half(scale)), H.at(H.end() - half, half), V.at(V.end() - half, half)};
 }
 
+/// The end of a drag by a force that varies: forces are means over its last twentieth in time.
+DragPoint end_in_time(const DragPath& path, const std::vector<Real>& time)
+{
+  constexpr Real last_part = 0.05;
+  const Real begin = time[path.rows.front()], end = time[path.rows.back()], from = end - last_part * (end - begin);
+  DragPoint point{path.travel.back(), path.w.back(), 0, 0};
+  int rows = 0;
+  for (std::size_t k = 0; k < path.rows.size(); ++k)
+    if (time[path.rows[k]] >= from && std::isfinite(path.H[k]) && std::isfinite(path.V[k]))
+      point.H += path.H[k], point.V += path.V[k], ++rows;
+  point.H /= rows, point.V /= rows;
+  return point;
+}
+
 DragResults drag_results(const DragPath& path, const run_folder::History& history, std::optional<Real> V_max, const BodyScale& scale)
 {
   DragResults drag{.stage = path.stage.name, .given = given_by_drag(path.stage, path.travel.back())};
@@ -140,7 +154,7 @@ DragResults drag_results(const DragPath& path, const run_folder::History& histor
   if (path.stage.by_force) drag.moved = displacements_of(path, history, D);
   if (path.stage.varies) {
     take_vertical(drag, path, history);
-    drag.end = DragPoint{path.travel.back(), path.w.back(), path.H.back(), path.V.back()};
+    drag.end = end_in_time(path, history["time_s"]);
     return drag;
   }
   const TravelCurve H(path.travel, path.H), V(path.travel, path.V), w(path.travel, path.w);

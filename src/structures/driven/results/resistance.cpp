@@ -47,7 +47,8 @@ std::optional<Real> plateau_of(const TravelCurve& H, Real from, Real half)
 {
   std::optional<Real> lowest;
   for (Real u = from + half; u + half <= H.end(); u += half / 2) {
-    const Real mean = H.at(u, half), first = H.at(u - half / 2, half / 2), second = H.at(u + half / 2, half / 2), middle = H.at(u, half / 2);
+    const Real mean = H.at(u, half), first = H.at(u - half / 2, half / 2), second = H.at(u + half / 2, half / 2),
+               middle = H.at(u, half / 2);
     // The means of two halves differ by half of what a straight line changes; a trough has a low middle.
     const Real most = max_residual_change / 2 * mean;
     if (mean > 0 && std::abs(second - first) < most && std::abs(middle - mean) < most && (!lowest || mean < *lowest)) lowest = mean;

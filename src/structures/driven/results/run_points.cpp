@@ -25,12 +25,10 @@ Real placed_w(const record::RunRecord& run)
                                          : bodies::lowest_level<3>(bodies::make_shape<3>(shape), Vec<3>::UnitY()));
 }
 
-/// Whether the run's history ends in a stage of this kind.
-bool ends_in(const DrivenRun& run, problem::StageKind kind)
+/// Whether the run's history ends in one of these stages, by name.
+bool ends_in(const DrivenRun& run, const std::vector<std::string>& stages)
 {
-  return run.history.rows() > 0 && std::any_of(run.stages.begin(), run.stages.end(), [&](const Stage& stage) {
-           return stage.kind == kind && stage.name == run.history.stage.back();
-         });
+  return run.history.rows() > 0 && std::find(stages.begin(), stages.end(), run.history.stage.back()) != stages.end();
 }
 
 bool knows_w(const run_folder::History& history)
@@ -72,13 +70,22 @@ RunPoints points_of(const DrivenRun& run)
 
 StageEnd end_of_push(const DrivenRun& run)
 {
-  const bool last = run.history.rows() > 0 ? ends_in(run, problem::StageKind::push) : run.results().drags.empty();
+  std::vector<std::string> pushes;
+  for (const Stage& stage : run.stages) {
+    if (stage.kind == problem::StageKind::drag) break;
+    pushes.push_back(stage.asked.name);
+  }
+  const bool last = run.history.rows() > 0 ? ends_in(run, pushes) : run.results().drags.empty();
   return end_of(run, "push", run.end == record::RunEnd::finished || !last);
 }
 
 StageEnd end_of_drag(const DrivenRun& run)
 {
-  const bool last = run.history.rows() == 0 || ends_in(run, problem::StageKind::drag);
+  const std::optional<std::size_t> main = main_drag(run.stages);
+  std::size_t number = 0;
+  bool last = run.history.rows() == 0;
+  for (const Stage& stage : run.stages)
+    if (stage.kind == problem::StageKind::drag && number++ == main) last = last || ends_in(run, {stage.asked.name});
   return end_of(run, "drag", run.end == record::RunEnd::finished || !last);
 }
 

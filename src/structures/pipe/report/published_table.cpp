@@ -43,7 +43,7 @@ std::string state_words(const ComparedState& state, const driven::DrivenRun& run
                        text::short_number(state.w_begin / D), w, V);
   case ComparedState::Kind::uplift:
     return fmt::format("{}, lifted from {}: {} after {} D", text::html_text(state.stage), w,
-                       state.is_breakout ? "peak" : "largest resistance, still growing,", text::short_number(state.u / D));
+                       state.is_breakout ? "peak" : "largest resistance", text::short_number(state.u / D));
   case ComparedState::Kind::breakout:
     return fmt::format("Displacement at breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
   }

@@ -80,6 +80,18 @@ TEST(Path, a_push_upwards_or_after_a_drag_is_no_part_of_the_way_down)
   EXPECT_EQ(path.other_pushes[0].stage, "back");
 }
 
+TEST(Path, what_loads_less_than_the_push_after_an_unloading_is_no_way_down)
+{
+  Rows rows = unloaded_and_swept();
+  for (std::string& stage : rows.history.stage)
+    if (stage == "out" || stage == "back") stage = "flood";
+  const Stages stages{push_by_velocity("push"), push_by_force("unload", 300), push_by_force("flood", 500)};
+  const Path path = path_of(rows.history, stages);
+  EXPECT_EQ(path.push.rows.size(), 100u);
+  ASSERT_EQ(path.other_pushes.size(), 2u);
+  EXPECT_EQ(path.other_pushes[1].stage, "flood");
+}
+
 TEST(Path, each_drag_counts_travel_and_resistance_along_its_own_direction)
 {
   const Path path = path_of(unloaded_and_swept().history, sweep_stages);
@@ -215,6 +227,14 @@ TEST(Stages, of_kind_drive_are_pushes_and_drags_too)
   EXPECT_EQ(stages_of(c)[2].kind, StageKind::drag);
   EXPECT_EQ(stages_of(c)[2].direction, -1);
   EXPECT_TRUE(stages_of(c)[2].holds_V);
+  c.stage.back().drive.y = {};
+  c.stage.back().load_times = {0, 1};
+  c.stage.back().loads.of("y_force") = {-300, -200};
+  EXPECT_FALSE(stages_of(c)[2].holds_V);
+  EXPECT_EQ(stages_of(c)[2].asked.loads.of("V"), (std::vector<Real>{300, 200})) << "downwards";
+  EXPECT_EQ(stages_of(c)[2].asked.vertical, problem::Vertical::hold) << "w is not fixed";
+  c.stage.back().loads = {};
+  c.stage.back().load_times = {};
   c.stage.back().drive.x.velocity.reset();
   c.stage.back().drive.y = {};
   c.stage.back().drive.y.velocity = 0.1;

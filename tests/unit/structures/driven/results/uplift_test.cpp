@@ -50,6 +50,11 @@ TEST(Uplift, stands_in_the_words_and_beside_formulas)
   const base::Structure& pipe = structures::structure_of(run.settings);
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
   EXPECT_NE(pipe.in_words(run, shown).find("uplift resistance"), std::string::npos);
+  EXPECT_EQ(pipe.in_words(run, shown).find("growing"), std::string::npos) << "it falls";
+  const record::RunRecord level = lifted([](Real u) { return u < 0.05 ? -1.8e4 * u : -900; });
+  EXPECT_NE(pipe.in_words(level, shown).find("keeps it to the end"), std::string::npos) << pipe.in_words(level, shown);
+  const record::RunRecord grows = lifted([](Real u) { return -1000 * u; });
+  EXPECT_NE(pipe.in_words(grows, shown).find("still growing"), std::string::npos) << pipe.in_words(grows, shown);
   const base::Runs runs = {{&run, 0}};
   EXPECT_NE(pipe.key_results(runs, shown).find("key-uplift"), std::string::npos);
   EXPECT_NE(pipe.published_values(runs, shown).find("lifted from w = 2.5 D"), std::string::npos);
