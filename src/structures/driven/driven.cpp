@@ -34,7 +34,7 @@ std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& ru
   take_berms(results, DrivenRun(run));
   if (const States states = states_of(run); has_states_between(states))
     for (const char* name : state_names)
-      if (const State* state = find_state(states, name)) results.states.push_back({name, state->w, state->V});
+      if (const State* state = find_state(states, name)) results.states.push_back({name, state->w, state->V, state->V_given});
   std::vector<run_folder::Quantity> list = quantities_of(results, scale);
   for (run_folder::Quantity& moment : moments_in_space(run)) list.push_back(std::move(moment));
   return list;

@@ -232,7 +232,7 @@ void describe_states(Visitor& v, std::vector<StateResults>& states)
 {
   for (StateResults& state : states) {
     v.of(state.name, state.name);
-    v.force("V", state.V, "vertical reaction in this state");
+    v.force("V", state.V, "vertical force in this state", kind_of(state.V_given));
     v.length("w", state.w, "embedment in this state");
   }
 }

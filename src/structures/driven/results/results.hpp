@@ -85,8 +85,8 @@ struct UpliftResults {
   Real w_begin = nan;              ///< m, embedment from which it is lifted
   std::optional<DragPoint> end{};  ///< u: travel; H: R, its mean over the end; V unused
 
-  /// Whether R is less at the end by 5 % or more.
-  bool falls() const { return end && end->H < 0.95 * largest.H; }
+  /// Whether R is less at the end by 5 % or more, and largest before the last tenth of the travel, whose mean the end is.
+  bool falls() const { return end && end->H < 0.95 * largest.H && largest.u < 0.9 * end->u; }
 };
 
 /// A push that unloads or lifts the body, or that follows a drag: where it ends.
@@ -99,7 +99,8 @@ struct OtherPushResults {
 /// The body at rest between its travels (results/states.hpp).
 struct StateResults {
   std::string name;
-  Real w, V;  ///< m, N/m
+  Real w, V;             ///< m, N/m
+  bool V_given = false;  ///< by the input
 };
 
 /// What of a driven body's run is worth a number of its own. A number that is not known, or that does not apply, is left out.

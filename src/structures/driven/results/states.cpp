@@ -61,6 +61,15 @@ Real held_V(const DragPath& drag, const run_folder::History& h)
   return rows > 0 ? sum / rows : nan;
 }
 
+/// The vertical force that a stage of the case gives at its end, N/m downwards; empty where it gives none.
+std::optional<Real> given_V(const Stages& stages, const std::string& name)
+{
+  const auto found = std::find_if(stages.begin(), stages.end(), [&](const Stage& stage) { return stage.asked.name == name; });
+  if (found == stages.end()) return {};
+  if (found->kind == problem::StageKind::push) return found->force;
+  return found->asked.vertical_force;
+}
+
 std::string end_words(const run_folder::History& h, Index row)
 {
   return "end of stage " + h.stage[row];
@@ -76,7 +85,9 @@ States states_of(const record::RunRecord& run)
   const Stages stages = stages_of(run.settings);
   const Path path = path_of(h, stages);
   const auto add = [&](const char* name, Index row, const std::string& why) {
-    if (row != none) states.push_back(state_at(h, row, name, end_words(h, row) + why));
+    if (row == none) return;
+    states.push_back(state_at(h, row, name, end_words(h, row) + why));
+    if (const std::optional<Real> V = given_V(stages, h.stage[row])) states.back().V = *V, states.back().V_given = true;
   };
   if (const Index said = end_of_role(run, StageRole::touchdown); said != none)
     add("touchdown", said, "");
@@ -93,7 +104,8 @@ States states_of(const record::RunRecord& run)
     add("operation", said, "");
   else if (!main.rows.empty()) {
     add("operation", main.rows.front(), ", before " + main.stage.name);
-    if (const Real V = held_V(main, h); main.stage.holds_V && !std::isnan(V)) states.back().V = V;
+    if (const Real V = held_V(main, h); main.stage.holds_V && !std::isnan(V) && !states.back().V_given) states.back().V = V;
+    if (const std::optional<Real>& V = main.stage.asked.vertical_force) states.back().V = *V, states.back().V_given = true;
   } else if (!path.other_pushes.empty() || (!path.push.rows.empty() && h.rows() - 1 > path.push.rows.back()))
     add("operation", h.rows() - 1, "");
   for (const DragPath& drag : path.drags)
