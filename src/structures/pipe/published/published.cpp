@@ -217,7 +217,8 @@ PublishedValues published_beside(const driven::DrivenRun& run)
   add_sweeps(values, run, soil, part);
   for (const driven::UpliftResults& lift : uplifts)
     if (std::vector<Comparison> beside = in_uplift(soil, lift.w_begin, lift.largest.H / part, lift.largest.u); !beside.empty())
-      values.states.push_back({ComparedState::Kind::uplift, lift.largest.u, lift.w_begin, nan, std::move(beside), lift.falls(), lift.stage});
+      values.states.push_back(
+          {ComparedState::Kind::uplift, lift.largest.u, lift.w_begin, nan, std::move(beside), lift.falls(), lift.stage});
   if (clay != nullptr)
     for (ComparedState& state : values.states) state.strength = clay->at(state.w).strength;
   if (sand != nullptr && sand->cohesion > 0) put_out_of_range(values, "sand without cohesion");
