@@ -176,11 +176,10 @@ Watched<dim> WatchPoint<dim>::read(const problem::Model<dim>& model, const bodie
 
   Watched<dim> now{Vec<dim>::Zero(), Vec<dim>::Zero(), {}, 0};
   Index cell = none;
-  Vec<dim> place = place_;
   for (std::size_t k = 0; k < movers.size(); ++k) {
     now.displacement += neighbours_[k].part * (movers[k].x - neighbours_[k].first);
     now.velocity += neighbours_[k].part * movers[k].v;
-    if (movers[k].id == nearest_) cell = movers[k].cell, place += movers[k].x - neighbours_[k].first;
+    if (movers[k].id == nearest_) cell = movers[k].cell;
   }
 
   const int pressure_place = pore_pressure_place(model.bodies[body_].soil.materials.front());
@@ -207,7 +206,7 @@ Watched<dim> WatchPoint<dim>::read(const problem::Model<dim>& model, const bodie
     if (!(patch.volume > 0)) continue;
     means.push_back(patch);
     volumes.push_back(patch.volume);
-    places.push_back(units * (patch.moment / patch.volume - place));
+    places.push_back(units * (patch.moment / patch.volume - place_ - now.displacement));
   }
   const std::vector<Real> parts = linear_fit_at_origin<dim>(places, volumes);
   for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -126,7 +126,7 @@ TEST(Faults, a_pipe_that_drives_the_soil_out_of_the_mesh_ends_the_run_with_place
 TEST(Faults, a_pipe_pulled_out_through_the_top_of_the_mesh_ends_the_run)
 {
   const Place place;
-  const Ended out = place.run({"--set", "stage.push.velocity=-20 m/s", "--set", "stage.push.until={time=\"10 ms\", force=1e12}"});
+  const Ended out = place.run({"--set", "stage.push.velocity=-20 m/s", "--set", "stage.push.until={time=\"10 ms\", force=-1e12}"});
   EXPECT_EQ(out.status, 1);
   expect_parts(out.err, {"may leave the mesh", "\"pipe\" has left the mesh through its top", "where the mesh ends at 0.06 m"});
   place.expect_results_of_a_failure();

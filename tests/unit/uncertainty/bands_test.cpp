@@ -56,6 +56,7 @@ TEST(Bands, are_not_there_for_what_the_input_prescribes)
   record::RunRecord run = made(1.1);
   EXPECT_NE(bands_of(run, first_order()).find("w_end_of_push"), nullptr);
   run.settings.stage[0].until.embedment = 0.002;
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
   const run_folder::Uncertainty u = bands_of(run, first_order());
   EXPECT_EQ(u.find("w_end_of_push"), nullptr);
   EXPECT_NE(u.find("V_end_of_push"), nullptr);
