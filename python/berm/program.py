@@ -172,7 +172,7 @@ def export(
     program: PathLike | None = None,
 ) -> list[Path]:
     """Springs of runs or studies for other programs (table, json, abaqus, orcaflex, ansys, sima, calculix, opensees, moordyn, buckpy), to
-    FOLDER/export or `output`; of a state of the pipe (None: operation) and these drags (none: those after it). Returns the files. Throws
+    FOLDER/export or `output`; of a state of the pipe (None: operation) and these drags (none: those in it). Returns the files. Throws
     InputError and RunError."""
     words = ["export", *folders, "--to", to, *(["-o", output] if output is not None else [])]
     words += [*(["--state", state] if state is not None else []), *(["--travels", ",".join(travels)] if travels else [])]

@@ -76,7 +76,7 @@ Command add_export(CLI::App& program)
   app->add_option("--to", options->format, words + " (default: table)")->check(CLI::IsMember(names));
   app->add_option("--state", options->selection.state,
                   "state of the pipe: touchdown, laid, flooded, emptied, operation, after_DRAG (default: operation, else touchdown)");
-  app->add_option("--travels", options->selection.travels, "drags, with commas between them (default: those after that state)")
+  app->add_option("--travels", options->selection.travels, "drags, with commas between them (default: those in that state)")
       ->delimiter(',');
   app->add_option("-o,--output", options->output, "folder for the files (default: DIR/export)");
   return {app, [options] {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace berm::springs {
 namespace {
@@ -177,11 +178,23 @@ driven::State state_of(const driven::States& states, const std::string& asked, c
   throw InputError(fmt::format("--state: {} has no state {}{}", folder, input::in_quotes(asked), input::suggestion(asked, names)));
 }
 
+/// The row of the state of the pipe's life that follows, beyond all rows where none does.
+Index next_state(const driven::States& states, const driven::State& state)
+{
+  Index next = std::numeric_limits<Index>::max();
+  for (const char* name : driven::state_names)
+    if (const driven::State* other = driven::find_state(states, name); other != nullptr && other->row > state.row)
+      next = std::min(next, other->row);
+  return next;
+}
+
 /// Whether the springs of a drag are asked for.
-bool is_asked(const driven::DragPath& drag, const driven::State& state, const std::vector<std::string>& travels)
+bool is_asked(const driven::DragPath& drag, const driven::States& states, const driven::State& state,
+              const std::vector<std::string>& travels)
 {
   if (!travels.empty()) return std::ranges::find(travels, drag.stage.name) != travels.end();
-  return !drag.stage.lays && !drag.stage.by_force && drag.rows.front() >= state.row;
+  const Index begin = drag.rows.front();
+  return !drag.stage.lays && !drag.stage.by_force && begin >= state.row && begin < next_state(states, state);
 }
 
 void check_travels(const driven::Path& path, const std::vector<std::string>& travels, const std::string& folder)
@@ -249,7 +262,7 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
   for (const driven::OtherPush& push : path.other_pushes)
     springs.vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
   for (std::size_t k = 0; k < path.drags.size(); ++k)
-    if (is_asked(path.drags[k], state, selection.travels)) {
+    if (is_asked(path.drags[k], states, state, selection.travels)) {
       const auto found = std::ranges::find(results.drags, path.drags[k].stage.name, &driven::DragResults::stage);
       springs.lateral.push_back(lateral_of(path.drags[k], found == results.drags.end() ? driven::DragResults{} : *found, run.scale));
     }

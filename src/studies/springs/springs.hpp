@@ -90,7 +90,7 @@ struct Springs {
 /// Which springs of a run.
 struct Selection {
   std::string state{};                 ///< "" = operation, else touchdown
-  std::vector<std::string> travels{};  ///< drags; none: those that begin in that state or later and do not lay the pipe
+  std::vector<std::string> travels{};  ///< drags; none: those that begin in that state, before the next one, and do not lay the pipe
 };
 
 /// Of a run of a pipe in the plane. Throws RunError where it is no such run, or has neither push nor drag, InputError where it has no such state or travel.

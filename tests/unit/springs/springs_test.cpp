@@ -155,6 +155,8 @@ TEST(Springs, are_those_of_the_state_and_the_travels_that_are_asked_for)
   EXPECT_NEAR(laid.V, 800, 1e-9);
   ASSERT_EQ(laid.lateral.size(), 1u);
   EXPECT_EQ(laid.lateral[0].stage, "sweep_2");
+  EXPECT_TRUE(springs_of(lived_pipe(), {.state = "laid"}).lateral.empty()) << "its drags are those of operation";
+  EXPECT_EQ(springs_of(lived_pipe(), {.state = "after_sweep_1"}).lateral.at(0).stage, "sweep_2");
   EXPECT_THROW(springs_of(lived_pipe(), {.state = "lied"}), InputError);
   EXPECT_THROW(springs_of(lived_pipe(), {.travels = {"sweep_9"}}), InputError);
   record::RunRecord by_force = lived_pipe();

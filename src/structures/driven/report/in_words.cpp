@@ -234,7 +234,7 @@ std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& sho
     return "Nothing is known of its forces: it did not come as far as a push or a drag.";
   std::string words;
   if (points.push_end) words += push_words(run, points, shown);
-  words += other_push_words(run, results, true, shown) + states_words(run, results, shown);
+  words += results.states.empty() ? other_push_words(run, results, true, shown) : states_words(run, results, shown);
   const DragResults& main = results.main_drag();
   if (resistance.largest && !main.moved) {
     words +=
