@@ -15,17 +15,6 @@
 #include <algorithm>
 
 namespace berm::driven {
-namespace {
-
-DrivenRuns driven_runs(const base::Runs& runs)
-{
-  DrivenRuns all;
-  for (const auto& [record, number] : runs) all.emplace_back(*record, number);
-  return all;
-}
-
-}  // namespace
-
 std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   if (run.history.rows() == 0) return {};

@@ -8,17 +8,6 @@
 #include "structures/pipe/results/axial_results.hpp"
 
 namespace berm::pipe {
-namespace {
-
-driven::DrivenRuns pipes_of(const base::Runs& runs)
-{
-  driven::DrivenRuns all;
-  for (const auto& [record, number] : runs) all.emplace_back(*record, number);
-  return all;
-}
-
-}  // namespace
-
 std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   std::vector<run_folder::Quantity> list = Driven::quantities(run, held_forces);
@@ -37,12 +26,12 @@ std::vector<std::string> Pipe::quantity_names(const problem::Case& c) const
 
 std::string Pipe::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
 {
-  return Driven::key_results(runs, shown) + axial_table(pipes_of(runs), shown);
+  return Driven::key_results(runs, shown) + axial_table(driven::driven_runs(runs), shown);
 }
 
 std::string Pipe::published_values(const base::Runs& runs, const base::DisplayUnits& shown) const
 {
-  return pipe::published_values(pipes_of(runs), shown);
+  return pipe::published_values(driven::driven_runs(runs), shown);
 }
 
 base::EmbeddedBody Pipe::embedded(const problem::Case& c) const

@@ -38,6 +38,30 @@ protected:
   TemporaryFolder folder_;
 };
 
+TEST_F(Export, refuses_a_state_and_a_travel_that_the_run_has_not)
+{
+  ASSERT_EQ(berm({"run", "case.toml", "-o", "r"}).status, 0);
+  const Ended state = berm({"export", "r", "--state", "operatoin"}), travel = berm({"export", "r", "--travels", "nowhere"});
+  EXPECT_EQ(state.status, 2);
+  EXPECT_NE(state.err.find("has no state \"operatoin\"; did you mean \"operation\"?"), std::string::npos) << state.err;
+  EXPECT_EQ(travel.status, 2);
+  EXPECT_NE(travel.err.find("has no drag \"nowhere\""), std::string::npos) << travel.err;
+  EXPECT_FALSE(exists("r/export"));
+  ASSERT_EQ(berm({"export", "r", "--to", "json", "--state", "operation"}).status, 0);
+  EXPECT_EQ(json("r/export/springs.json")["springs"]["best"]["state"], "operation");
+}
+
+TEST_F(Export, refuses_a_study_whose_measure_no_run_can_have)
+{
+  std::string misspelt = sample_of_strength;
+  misspelt.replace(misspelt.find("quantity = \"H_max\""), 18, "quantity = \"Hmax\"");
+  folder_.write("study.toml", misspelt);
+  const Ended study = berm({"study", "study.toml", "-o", "s"});
+  EXPECT_EQ(study.status, 2);
+  EXPECT_NE(study.err.find("has no \"Hmax\"; did you mean \"H_max\"?"), std::string::npos) << study.err;
+  EXPECT_FALSE(exists("s")) << "no run is begun";
+}
+
 TEST_F(Export, of_a_sample_writes_low_best_and_high_for_each_program)
 {
   folder_.write("study.toml", sample_of_strength);

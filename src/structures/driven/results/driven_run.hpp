@@ -2,6 +2,7 @@
 #pragma once
 
 #include "record/run_record.hpp"
+#include "structures/base/structure.hpp"
 #include "structures/driven/results/quantities.hpp"
 
 namespace berm::driven {
@@ -25,5 +26,13 @@ struct DrivenRun {
 };
 
 using DrivenRuns = std::vector<DrivenRun>;
+
+/// The runs of a page as those of driven bodies.
+inline DrivenRuns driven_runs(const base::Runs& runs)
+{
+  DrivenRuns all;
+  for (const auto& [record, number] : runs) all.emplace_back(*record, number);
+  return all;
+}
 
 }  // namespace berm::driven

@@ -118,15 +118,18 @@ Stages parts_of(const Stage& whole)
   return parts;
 }
 
-bool unloads(const Stage& stage, const Stages& before)
+/// Whether a stage of a case unloads, as far as those before it tell.
+bool unloads(const Stages& stages, std::size_t number)
 {
+  const Stage& stage = stages[number];
   if (stage.kind != StageKind::push) return false;
   if (stage.upwards) return true;
   if (!stage.force) return false;
-  for (auto earlier = before.rbegin(); earlier != before.rend(); ++earlier) {
-    if (earlier->asked.vertical_force) return *stage.force < *earlier->asked.vertical_force;
-    if (earlier->kind == StageKind::push && earlier->asked.until.force) return *stage.force < *earlier->asked.until.force;
-    if (earlier->kind == StageKind::push && earlier->force) return *stage.force < *earlier->force;
+  while (number-- > 0) {
+    const Stage& earlier = stages[number];
+    if (earlier.asked.vertical_force) return *stage.force < *earlier.asked.vertical_force;
+    if (earlier.kind == StageKind::push && earlier.asked.until.force) return *stage.force < *earlier.asked.until.force;
+    if (earlier.kind == StageKind::push && earlier.force) return *stage.force < *earlier.force;
   }
   return true;
 }
@@ -146,7 +149,7 @@ void mark_what_lays(Stages& stages, Real D)
     if (stage.kind != StageKind::drag || stage.by_force || travel(stage) > longest_lay * D) continue;
     bool unloaded = false;
     for (std::size_t later = k + 1; later < stages.size(); ++later) {
-      unloaded = unloaded || unloads(stages[later], Stages(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(later)));
+      unloaded = unloaded || unloads(stages, later);
       if (unloaded && stages[later].kind == StageKind::drag && travel(stages[later]) > 2 * travel(stage)) stages[k].lays = true;
     }
   }
@@ -215,6 +218,15 @@ std::optional<std::size_t> main_drag(const Stages& stages)
     last = number++;
   }
   return first ? first : last;
+}
+
+std::vector<Real> settled_V(const DragPath& drag, const std::vector<Real>& time)
+{
+  const Real from = time[drag.rows.front()] + drag.stage.V_ramp;
+  std::vector<Real> force;
+  for (std::size_t k = 1; k < drag.rows.size(); ++k)  // the first row is the last of the stage before
+    if (time[drag.rows[k]] >= from && !std::isnan(drag.V[k])) force.push_back(drag.V[k]);
+  return force;
 }
 
 const DragPath& Path::drag() const

@@ -52,6 +52,9 @@ struct DragPath {
   std::vector<Real> w{}, H{}, V{};  ///< m; N/m, H against its direction (positive where the soil resists)
 };
 
+/// V of a drag by row, once it is what it shall be: without the ramp to another force, N/m. `time`: s, of all rows of the history.
+std::vector<Real> settled_V(const DragPath& drag, const std::vector<Real>& time);
+
 /// A push that is no way down: it unloads or lifts the body, or follows a drag.
 struct OtherPush {
   std::string stage;

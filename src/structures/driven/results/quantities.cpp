@@ -110,11 +110,7 @@ void take_travel(Results& results, const PushPath& path, const run_folder::Histo
 /// V of a drag from the row on in which it is what it shall be: mean, and error of what is held.
 void take_vertical(DragResults& drag, const DragPath& path, const run_folder::History& history)
 {
-  const std::vector<Real>& time = history["time_s"];
-  const Real from = time[path.rows.front()] + path.stage.V_ramp;
-  std::vector<Real> force;
-  for (std::size_t k = 1; k < path.rows.size(); ++k)  // the first row is the last of the stage before
-    if (time[path.rows[k]] >= from && !std::isnan(path.V[k])) force.push_back(path.V[k]);
+  const std::vector<Real> force = settled_V(path, history["time_s"]);
   if (force.empty()) return;
   const Real mean = std::accumulate(force.begin(), force.end(), Real{0}) / static_cast<Real>(force.size());
   drag.V = mean;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace berm::driven {
 namespace {
@@ -47,18 +48,6 @@ Index end_of_role(const record::RunRecord& run, StageRole role)
     if (stage.role == role)
       if (const Index end = end_of_stage(run.history, stage.name); end != none) row = end;
   return row;
-}
-
-/// The mean vertical force of a drag once it is what it shall be, N/m.
-Real held_V(const DragPath& drag, const run_folder::History& h)
-{
-  const std::vector<Real>& time = h["time_s"];
-  const Real from = time[drag.rows.front()] + drag.stage.V_ramp;
-  Real sum = 0;
-  int rows = 0;
-  for (std::size_t k = 1; k < drag.rows.size(); ++k)
-    if (time[drag.rows[k]] >= from && std::isfinite(drag.V[k])) sum += drag.V[k], ++rows;
-  return rows > 0 ? sum / rows : nan;
 }
 
 /// The vertical force that a stage of the case gives at its end, N/m downwards; empty where it gives none.
@@ -104,8 +93,10 @@ States states_of(const record::RunRecord& run)
     add("operation", said, "");
   else if (!main.rows.empty()) {
     add("operation", main.rows.front(), ", before " + main.stage.name);
-    if (const Real V = held_V(main, h); main.stage.holds_V && !std::isnan(V) && !states.back().V_given) states.back().V = V;
-    if (const std::optional<Real>& V = main.stage.asked.vertical_force) states.back().V = *V, states.back().V_given = true;
+    const std::vector<Real> V = settled_V(main, h["time_s"]);
+    if (main.stage.holds_V && !V.empty() && !states.back().V_given)
+      states.back().V = std::accumulate(V.begin(), V.end(), Real{0}) / static_cast<Real>(V.size());
+    if (const std::optional<Real>& given = main.stage.asked.vertical_force) states.back().V = *given, states.back().V_given = true;
   } else if (!path.other_pushes.empty() || (!path.push.rows.empty() && h.rows() - 1 > path.push.rows.back()))
     add("operation", h.rows() - 1, "");
   for (const DragPath& drag : path.drags)

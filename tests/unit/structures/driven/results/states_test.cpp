@@ -26,6 +26,18 @@ TEST(States, of_a_pipe_are_touchdown_laid_operation_and_the_end_of_each_sweep)
   EXPECT_TRUE(has_states_between(states));
 }
 
+TEST(States, have_the_force_that_their_stage_gives_and_not_how_V_wavers_at_its_end)
+{
+  record::RunRecord run = lived_pipe();
+  run.settings.stage[1].vertical_force = run.settings.stage[2].vertical_force = 800;
+  for (Index k = 0; k < run.history.rows(); ++k)
+    if (run.history.stage[k] == "unload" || run.history.stage[k] == "lay_2") run.history.values[4][k] *= 1.1;
+  const States states = states_of(run);
+  EXPECT_EQ(find_state(states, "laid")->V, 800);
+  EXPECT_EQ(find_state(states, "operation")->V, 300);
+  EXPECT_TRUE(find_state(states, "operation")->V_given);
+}
+
 TEST(States, of_a_push_and_a_drag_tell_no_more_than_these)
 {
   const record::RunRecord run = MadeRun{}.record();
