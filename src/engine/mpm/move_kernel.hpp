@@ -230,13 +230,15 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     });
     if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], motion);
     if (grid.full_cells) done.internal *= grid.weight[cell];
-    done.internal += grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    done.viscous = grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    done.internal += done.viscous;
     return done;
   };
   // The particles are in the cache still where their moments follow at once.
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.active_chunks(), move_in_cell,
                                               [&](Index c) { sum_moments_of(mesh, particles, particles.active()[c], grid); });
   state.totals.internal += work_done.internal;
+  state.totals.viscosity += work_done.viscous;
   state.totals.filter += work_done.filtered;
 }
 

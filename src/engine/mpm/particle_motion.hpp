@@ -28,11 +28,13 @@ bool clamp_to_cell(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 /// What a pass over the particles takes to the totals, J.
 struct WorkDone {
   Real internal = 0;
+  Real viscous = 0;   ///< part of it that the bulk viscosity takes
   Real filtered = 0;  ///< kinetic energy that the filter takes out
 
   WorkDone& operator+=(const WorkDone& other)
   {
     internal += other.internal;
+    viscous += other.viscous;
     filtered += other.filtered;
     return *this;
   }

@@ -82,8 +82,9 @@ namespace {
 template <int dim>
 void archive(Archive& k, Totals<dim>& totals)
 {
-  static_assert(sizeof(totals) == (5 + 7 * dim) * sizeof(Real));
+  static_assert(sizeof(totals) == (6 + 7 * dim) * sizeof(Real));
   k("internal", totals.internal);
+  k("viscosity", totals.viscosity);
   k("external", totals.external);
   k("damping", totals.damping);
   k("filter", totals.filter);

@@ -121,11 +121,12 @@ struct Model {
 template <int dim>
 struct Totals {
   // Work, J/m. kinetic + internal + damping + filter + friction = external + what the method itself adds or loses.
-  Real internal = 0;  ///< stored and dissipated by the material
-  Real external = 0;  ///< of gravity, of tractions and of the driven rigid bodies
-  Real damping = 0;   ///< taken out by local damping
-  Real filter = 0;    ///< taken out of particle velocities that the nodes cannot carry
-  Real friction = 0;  ///< taken out at the contacts
+  Real internal = 0;   ///< stored and dissipated by the material
+  Real viscosity = 0;  ///< of it dissipated by the bulk viscosity
+  Real external = 0;   ///< of gravity, of tractions and of the driven rigid bodies
+  Real damping = 0;    ///< taken out by local damping
+  Real filter = 0;     ///< taken out of particle velocities that the nodes cannot carry
+  Real friction = 0;   ///< taken out at the contacts
   // Momentum of the deformable bodies at the start, and the impulses given to them since, N s/m.
   Vec<dim> first_momentum = Vec<dim>::Zero();
   Vec<dim> gravity_impulse = Vec<dim>::Zero();

@@ -286,7 +286,10 @@ template <int d>
 run_folder::Summary::Checks MpmMethod<d>::checks() const
 {
   run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()}};
-  if (recorder_.largest_work() > 0) checks.emplace_back("filter_over_work", state().totals.filter / recorder_.largest_work());
+  if (recorder_.largest_work() > 0) {
+    checks.emplace_back("filter_over_work", state().totals.filter / recorder_.largest_work());
+    checks.emplace_back("viscosity_over_work", state().totals.viscosity / recorder_.largest_work());
+  }
   if (std::isfinite(equilibrium_)) checks.emplace_back("out_of_balance_after_geostatic", equilibrium_);
   if (std::isfinite(beyond_force_limit_)) checks.emplace_back("beyond_force_limit", beyond_force_limit_);
   checks.emplace_back("momentum_error", mpm::momentum_error(state(), model().mesh.metric));

@@ -198,8 +198,12 @@ Real near_particles(const problem::Case& c)
   if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension());
   const auto near = settings.region_particles_per_cell.find("near");
   if (near != settings.region_particles_per_cell.end()) return near->second;
-  // The default of the bodies' filling.
-  return settings.particles_per_cell > 0 ? settings.particles_per_cell : c.dimension() == 2 ? 9 : 8;
+  return filled_particles(settings, c.dimension());
+}
+
+int filled_particles(const bodies::BodySettings& body, int dim)
+{
+  return body.particles_per_cell > 0 ? body.particles_per_cell : dim == 2 ? 9 : 8;
 }
 
 }  // namespace berm::base

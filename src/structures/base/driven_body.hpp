@@ -87,4 +87,7 @@ NearCells near_cells(const record::RunRecord& run);
 /// Particles a cell there, of the body that it touches; NaN where it is not known or there are none. Of a block or disk: particles per square of the cell size.
 Real near_particles(const problem::Case& settings);
 
+/// Particles a cell of a body that is filled cell by cell, where its regions have none of their own: as given, or the default of the filling.
+int filled_particles(const bodies::BodySettings& body, int dim);
+
 }  // namespace berm::base

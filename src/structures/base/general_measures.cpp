@@ -25,6 +25,8 @@ inline constexpr Limit filter{
     0.02, 0.05,
     "a filter that takes 4 % of the work leaves a column of sand 5 % short of where it comes to, one that takes 12 % leaves it 23 % short "
     "(docs/decisions/0059)"};
+inline constexpr Limit viscosity{0.02, 0.05, "as of the filter: what it takes is resistance that the soil does not have"};
+inline constexpr Limit damping{0.02, 0.05, "as of the filter: what it takes is resistance that the soil does not have"};
 inline constexpr Limit out_of_balance{0.01, 0.05,
                                       "a bed that has not settled is far above, a settled one far below (docs/theory.md, section 5)"};
 inline constexpr Limit at_bounds{0.001, 0.01, "soil at a bound of its volume no longer follows its law (docs/theory.md, section 7)"};
@@ -53,6 +55,33 @@ std::string energy_words(Run run, Real value)
 {
   const std::string where = energy_error(run).where;
   return text::percent_words(value) + (where.empty() ? "" : fmt::format(" ({})", where));
+}
+
+/// The largest work of a history, J/m or J; NaN where it has none.
+Real largest_work(const run_folder::History& h)
+{
+  if (h.rows() == 0 || !h.has_label("external") || !h.has_label("internal")) return nan;
+  Real work = 0;
+  for (const char* label : {"external", "internal"})
+    for (const Real value : h.by_label(label)) work = std::max(work, std::abs(value));
+  return work;
+}
+
+/// What local damping took in the pushes and drags, over the largest work of the run; NaN where that is not known.
+Real damping_over_work(Run run)
+{
+  const run_folder::History& h = run.history;
+  const Real work = largest_work(h);
+  if (!(work > 0) || !h.has_label("damping")) return nan;
+  const std::vector<Real>& damping = h.by_label("damping");
+  Real taken = 0;
+  for (Index k = 1; k < h.rows(); ++k) {
+    const bool driven = std::any_of(run.settings.stage.begin(), run.settings.stage.end(), [&](const problem::StageSettings& stage) {
+      return stage.name == h.stage[k] && (stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag);
+    });
+    if (driven) taken += damping[k] - damping[k - 1];
+  }
+  return taken / work;
 }
 
 /// The soil that loses most in shear bands; empty where none has a strength.
@@ -88,12 +117,12 @@ EnergyError energy_error(const record::RunRecord& run)
 {
   EnergyError found{run.check("energy_error"), ""};
   const run_folder::History& h = run.history;
-  if (h.rows() == 0 || !h.has_label("energy error") || !h.has_label("external") || !h.has_label("internal")) return found;
-  Real largest = 0, work = 0;
+  const Real work = largest_work(h);
+  if (std::isnan(work) || !h.has_label("energy error")) return found;
+  Real largest = 0;
   Index row = none;
   for (Index k = 0; k < h.rows(); ++k) {
     const Real error = std::abs(h.by_label("energy error")[k]);
-    work = std::max({work, std::abs(h.by_label("external")[k]), std::abs(h.by_label("internal")[k])});
     if (error > largest) largest = error, row = k;
   }
   if (std::isnan(found.over_work) && work > 0) found.over_work = largest / work;
@@ -112,9 +141,8 @@ EnergyError energy_error(const record::RunRecord& run)
 Real work_of_contact(const record::RunRecord& run)
 {
   const run_folder::History& h = run.history;
-  if (h.rows() == 0 || !h.has_label("friction") || !h.has_label("external") || !h.has_label("internal")) return nan;
-  Real work = 0;
-  for (Index k = 0; k < h.rows(); ++k) work = std::max({work, std::abs(h.by_label("external")[k]), std::abs(h.by_label("internal")[k])});
+  const Real work = largest_work(h);
+  if (std::isnan(work) || !h.has_label("friction")) return nan;
   return work > 0 ? std::max(Real(0), -h.by_label("friction").back() / work) : 0;
 }
 
@@ -143,19 +171,33 @@ TrustMeasure energy_balance(problem::Method method)
           text::percent_words};
 }
 
-TrustMeasure energy_that_the_filter_takes()
+TrustMeasures energy_that_the_method_takes()
 {
-  return {"energy that the velocity filter takes, over the work",
-          &limits::filter,
-          [](Run run) { return has_soil(run) && run.settings.mpm.velocity_filter > 0; },
-          [](Run run) { return run.check("filter_over_work"); },
-          in_percent,
-          [](Run, Real value) {
-            return fmt::format("the velocity filter took {} of the work, which slows soil that flows: take finer cells, or a smaller "
-                               "mpm.velocity_filter",
-                               text::percent_words(value));
-          },
-          text::percent_words};
+  return {{"energy that the velocity filter takes, over the work", &limits::filter,
+           [](Run run) { return has_soil(run) && run.settings.mpm.velocity_filter > 0; },
+           [](Run run) { return run.check("filter_over_work"); }, in_percent,
+           [](Run, Real value) {
+             return fmt::format("the velocity filter took {} of the work, which slows soil that flows: take finer cells, or a smaller "
+                                "mpm.velocity_filter",
+                                text::percent_words(value));
+           },
+           text::percent_words},
+          {"energy that the bulk viscosity takes, over the work", &limits::viscosity,
+           [](Run run) { return has_soil(run) && run.settings.mpm.bulk_viscosity > 0; },
+           [](Run run) { return run.check("viscosity_over_work"); }, in_percent,
+           [](Run, Real value) {
+             return fmt::format("the bulk viscosity took {} of the work: drive slower, take finer cells, or a smaller mpm.bulk_viscosity",
+                                text::percent_words(value));
+           },
+           text::percent_words},
+          {"energy that local damping takes while a body is driven, over the work", &limits::damping,
+           [](Run run) { return drives_a_body(run.settings) && !std::isnan(damping_over_work(run)); }, damping_over_work, in_percent,
+           [](Run, Real value) {
+             return fmt::format(
+                 "local damping took {} of the work while the body was driven: take a smaller damping there, or drive slower",
+                 text::percent_words(value));
+           },
+           text::percent_words}};
 }
 
 TrustMeasure balance_after_geostatic(const std::string& when)

@@ -24,8 +24,8 @@ bool has_soil(const record::RunRecord& run);
 /// Energy that does not balance.
 TrustMeasure energy_balance(problem::Method method);
 
-/// Kinetic energy that the velocity filter takes from soil.
-TrustMeasure energy_that_the_filter_takes();
+/// What keeps soil still takes: the velocity filter, the bulk viscosity, and local damping while a body is driven.
+TrustMeasures energy_that_the_method_takes();
 
 /// The out-of-balance force after the geostatic stage; `when` ends the sentence "the bed was out of balance by ... of its weight".
 TrustMeasure balance_after_geostatic(const std::string& when);

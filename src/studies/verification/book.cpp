@@ -10,6 +10,7 @@
 #include "verification/book_html.hpp"
 #include "verification/book_index.hpp"
 #include "verification/requirements.hpp"
+#include "verification/trust_page.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -114,12 +115,13 @@ std::string example_page(const ExamplePage& page, const fs::path& output)
 
 }  // namespace
 
-void write_book(const fs::path& output, const std::vector<ExamplePage>& pages)
+void write_book(const fs::path& output, const std::vector<ExamplePage>& pages, const std::vector<TrustQuestion>& questions)
 {
   io::make_folder(output);
   for (const ExamplePage& page : pages) io::write_atomically(output / (page.example.name + ".html"), example_page(page, output));
   io::write_atomically(output / "requirements.html", requirements_page(pages));
-  io::write_atomically(output / "index.html", index_page(pages));
+  io::write_atomically(output / "trust.html", trust_page(questions));
+  io::write_atomically(output / "index.html", index_page(pages, words_of(questions)));
 }
 
 }  // namespace berm::verification

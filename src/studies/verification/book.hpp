@@ -12,8 +12,11 @@ struct ExamplePage {
   std::vector<ExpectationResult> findings;  ///< of example.expectations
 };
 
-/// Writes the verification book: OUTPUT/index.html with the numbers of each chapter, and a page OUTPUT/EXAMPLE.html for each example with its README, and
-/// for each problem its numbers, figures and files. The pages need nothing but what is in OUTPUT; the run folders are expected there. Throws RunError.
-void write_book(const std::filesystem::path& output, const std::vector<ExamplePage>& pages);
+struct TrustQuestion;
+
+/// Writes the verification book: OUTPUT/index.html with the numbers of each chapter, a page OUTPUT/EXAMPLE.html for each example with its README, and
+/// for each problem its numbers, figures and files, and OUTPUT/trust.html. The pages need nothing but what is in OUTPUT; the run folders are expected there.
+/// Throws RunError.
+void write_book(const std::filesystem::path& output, const std::vector<ExamplePage>& pages, const std::vector<TrustQuestion>& questions);
 
 }  // namespace berm::verification

@@ -88,7 +88,7 @@ std::vector<ProblemTime> longest_problems(const std::vector<ExamplePage>& pages)
   return times;
 }
 
-std::string index_page(const std::vector<ExamplePage>& pages)
+std::string index_page(const std::vector<ExamplePage>& pages, const std::string& trust)
 {
   std::string contents, tables;
   for (std::size_t k = 0; k < expectations::chapter_words.size(); ++k) {
@@ -107,6 +107,7 @@ std::string index_page(const std::vector<ExamplePage>& pages)
   std::string html = "<h1>berm: verification book</h1>\n";
   html += fmt::format("<p>What berm {} gives for problems with known answers: {}</p>\n", BERM_VERSION, summary_words(pages));
   html += "<p>" + link_to("requirements.html", "What is promised, where it is derived, and which run proves it") + "</p>\n";
+  html += fmt::format("<p>{}: {}.</p>\n", link_to("trust.html", "Do the pages say what is right?"), text::html_text(trust));
   html += "<ul>\n" + contents + "</ul>\n" + tables + longest_html(pages);
   return text::plain_page("berm: verification book", html);
 }

@@ -5,6 +5,7 @@
 #include "verification/book_index.hpp"
 #include "verification/requirements.hpp"
 #include "verification/run_problems.hpp"
+#include "verification/trust_page.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -113,6 +114,8 @@ jobs::Outcome verify(const VerifyRequest& request)
   const std::vector<ExamplePage> pages = pages_of(examples, results);
   print_numbers(pages);
   print_longest(pages);
+  const std::vector<TrustQuestion> questions = trust_questions(pages);
+  fmt::print("\n{}\n", words_of(questions));
   std::fflush(stdout);
   const auto count = [&](auto is) {
     return std::count_if(results.begin(), results.end(), [&](const ProblemResult& result) { return is(result.end.kind); });
@@ -123,7 +126,7 @@ jobs::Outcome verify(const VerifyRequest& request)
     fmt::print(stderr, "{}: {} of {} problems are done; the same command {}\n", queued ? "queued" : "interrupted",
                static_cast<std::ptrdiff_t>(results.size()) - unfinished, results.size(),
                queued ? "collects the others" : "goes on from there");
-  write_book(request.output, pages);
+  write_book(request.output, pages, questions);
   fmt::print(stderr, "the book is {}\n", (request.output / "index.html").string());
   if (unfinished > 0) return jobs::Outcome::unfinished;
   return all_met(pages) ? jobs::Outcome::done : jobs::Outcome::failed;

@@ -308,8 +308,10 @@ TrustMeasure particles_of_cells(const std::string& body)
 TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
 {
   return joined(
-      {{energy_balance(problem::Method::mpm), energy_that_the_filter_takes(), kinetic("push", pushes, problem::StageKind::push),
-        kinetic("drag", drags, problem::StageKind::drag), balance_after_geostatic("when the push began"), held(body),
+      {{energy_balance(problem::Method::mpm)},
+       energy_that_the_method_takes(),
+       {kinetic("push", pushes, problem::StageKind::push), kinetic("drag", drags, problem::StageKind::drag),
+        balance_after_geostatic("when the push began"), held(body),
         noise("V", "push", limits::noise_of_V, pushes, [](Run run) { return quantity_value(run, "V_noise"); }),
         noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
        soil_volumes(),

@@ -73,6 +73,20 @@ TEST(trust, cells_are_not_called_fine_where_nothing_judges_them)
   EXPECT_FALSE(contains(html, "nothing is wrong"));
 }
 
+TEST(trust, what_viscosity_and_damping_take_is_told_apart)
+{
+  record::RunRecord run = sample_record(sample_case());
+  run.summary->checks["viscosity_over_work"] = 0.03;
+  EXPECT_TRUE(contains(quality_section({run}), "the bulk viscosity took 3 % of the work"));
+  run.summary->checks["viscosity_over_work"] = 0.01;
+  EXPECT_FALSE(contains(quality_section({run}), "the bulk viscosity took"));
+  EXPECT_FALSE(contains(quality_section({run}), "local damping took"));
+  run.history.columns = columns_named({"time_s", "internal_J_m", "damping_J_m", "external_J_m"});
+  run.history.values = {{0, 1, 2}, {0, 80, 100}, {0, 50, 59}, {0, 60, 90}};
+  run.history.stage = {"geostatic", "geostatic", "push"};
+  EXPECT_TRUE(contains(quality_section({run}), "local damping took 9 % of the work while the body was driven")) << quality_section({run});
+}
+
 TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
 {
   record::RunRecord run = sample_record(sample_case());

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/quality/quality_section_test.cpp
+#include "report/quality/judgement.hpp"
+
+#include "structures/base/general_measures.hpp"
+#include "structures/structures.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm::report {
+namespace {
+
+using text::Standing;
+using Words = std::vector<std::string>;
+
+constexpr Real max_work_of_contact = 0.01;   // of all work: round-off and the contact's springs give less
+constexpr std::size_t max_log_warnings = 5;  // of a run; a finite element run may warn at every increment
+
+bool holds(const Words& words, const std::string& one)
+{
+  return std::find(words.begin(), words.end(), one) != words.end();
+}
+
+/// Why the measures of a run are not good, except what has spoiled it; a measure that is bad makes the run bad.
+void add_measures(Judgement& all, const record::RunRecord& run, const Words& spoiled)
+{
+  Words not_known;
+  for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings)) {
+    if (!measure.applies(run)) continue;
+    const Real value = measure.value(run);
+    if (std::isnan(value)) {
+      not_known.emplace_back(measure.what);
+      continue;
+    }
+    const Standing standing = measure.limit == nullptr ? Standing::good : judge(*measure.limit, value);
+    if (standing == Standing::bad) all.standing = Standing::bad;
+    if (standing == Standing::good) continue;
+    const std::string warning = measure.warning(run, value);
+    if (!holds(spoiled, warning)) all.warnings.push_back(warning + ".");
+  }
+  if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
+    all.warnings.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
+  if (const Real given = base::work_of_contact(run); given > max_work_of_contact)
+    all.warnings.push_back(fmt::format("contact gave {:.2g} % of the work instead of taking energy.", 100 * given));
+  if (!run.summary && !not_known.empty())
+    all.warnings.push_back(fmt::format("there is no summary of the run, so this is not known: {}.", fmt::join(not_known, "; ")));
+}
+
+/// What the case and the log warn of.
+void add_warnings(Judgement& all, const record::RunRecord& run)
+{
+  const Words of_the_case = run.summary ? run.summary->warnings : Words();
+  for (const std::string& warning : of_the_case) all.warnings.push_back("the case is doubtful: " + warning);
+  std::size_t in_log = 0;
+  for (const std::string& warning : run.warnings)
+    if (!warning.starts_with("the answer is spoiled: ") && !holds(of_the_case, warning) && ++in_log <= max_log_warnings)
+      all.warnings.push_back("run.log: " + warning);
+  if (in_log > max_log_warnings) all.warnings.push_back(fmt::format("run.log has {} more warnings.", in_log - max_log_warnings));
+}
+
+}  // namespace
+
+Judgement judgement_of(const record::RunRecord& run)
+{
+  const Words spoiled = run.summary ? run.summary->spoiled : Words();
+  Judgement all{spoiled.empty() ? Standing::good : Standing::bad, {}};
+  for (const std::string& why : spoiled)
+    all.warnings.push_back("the answer is spoiled, and its numbers, which have the mark (!), are not to be used: " + why + ".");
+  add_measures(all, run, spoiled);
+  add_warnings(all, run);
+  if (all.standing == Standing::good && !all.warnings.empty()) all.standing = Standing::fair;
+  return all;
+}
+
+}  // namespace berm::report

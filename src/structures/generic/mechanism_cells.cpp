@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/generic/mechanism_cells_test.cpp
+#include "structures/generic/mechanism_cells.hpp"
+
+#include "core/error.hpp"
+#include "structures/base/driven_body.hpp"
+
+#include <algorithm>
+
+namespace berm::generic {
+namespace {
+
+constexpr Real a_tenth = 0.1, a_hundredth = 0.01;
+
+/// The interval that holds the middle 98 % of the values.
+struct Interval {
+  Real low, high;
+
+  explicit Interval(std::vector<Real> values)
+  {
+    const auto value_at = [&](Real part) {
+      const auto place = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<Real>(values.size() - 1));
+      std::nth_element(values.begin(), place, values.end());
+      return *place;
+    };
+    low = value_at(a_hundredth);
+    high = value_at(1 - a_hundredth);
+  }
+  Real length() const { return high - low; }
+  /// Whether both ends are those of another, but for a twentieth of its length.
+  bool is_about(const Interval& other) const
+  {
+    constexpr Real a_twentieth = 0.05;
+    return std::max(std::abs(low - other.low), std::abs(high - other.high)) < a_twentieth * other.length();
+  }
+};
+
+/// Coordinates along an axis of those points that are wanted.
+std::vector<Real> places(const run_folder::SavedSoil& soil, const std::vector<std::size_t>& points, int axis)
+{
+  const std::vector<Real>& all = axis == 0 ? soil.x : axis == 1 ? soil.y : soil.z;
+  std::vector<Real> chosen;
+  for (const std::size_t k : points) chosen.push_back(all[k]);
+  return chosen;
+}
+
+/// The points of the bodies that count.
+std::vector<std::size_t> counted_points(const run_folder::SavedSoil& soil, const std::vector<Real>& points_of_cell)
+{
+  std::vector<std::size_t> points;
+  for (std::size_t k = 0; k < soil.x.size(); ++k)
+    if (!std::isnan(points_of_cell.at(static_cast<std::size_t>(soil.body[k])))) points.push_back(k);
+  return points;
+}
+
+/// Points that a cell of each body had at the start: NaN of bodies without a strength and of those on a lattice of their own.
+std::vector<Real> points_of_cell(const problem::Case& c)
+{
+  std::vector<Real> points;
+  for (const auto& [name, body] : c.body) {
+    const Index material = problem::index_of(c.material, body.material);
+    const bool counts = !body.block && !body.disk && material != none && yields(c.material[material].second);
+    points.push_back(counts ? base::filled_particles(body, c.dimension()) : nan);
+  }
+  return points;
+}
+
+}  // namespace
+
+Real cells_across_mechanism(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const std::vector<Real>& points_of_cell,
+                            int dim)
+{
+  const std::vector<std::size_t> at_start = counted_points(start, points_of_cell);
+  std::vector<std::size_t> sheared = counted_points(now, points_of_cell);
+  if (at_start.empty() || sheared.empty()) return nan;
+  const std::vector<float>& strain = now["deviatoric_strain"];
+  std::vector<Real> strains;
+  for (const std::size_t k : sheared) strains.push_back(strain[k]);
+  const Real least = a_tenth * Interval(strains).high;
+  std::erase_if(sheared, [&](std::size_t k) { return !(strain[k] >= least); });
+  Real cells = 0, smallest = infinity;
+  for (const std::size_t k : sheared) cells += now.volume[k] * points_of_cell[static_cast<std::size_t>(now.body[k])];
+  for (int axis = 0; axis < dim; ++axis) {
+    const Interval side(places(now, sheared, axis));
+    if (!side.is_about(Interval(places(start, at_start, axis)))) smallest = std::min(smallest, side.length());
+  }
+  const Real cell = cells / static_cast<Real>(sheared.size());
+  return std::isfinite(smallest) ? smallest / (dim == 2 ? std::sqrt(2 * cell) : std::cbrt(6 * cell)) : nan;
+}
+
+Real cells_across_mechanism(const record::RunRecord& run)
+{
+  if (!has_mechanism_cells(run)) return nan;
+  try {
+    const std::vector<run_folder::FrameFiles> frames = run_folder::frame_files(run.folder / "frames");
+    if (frames.size() < 2) return nan;
+    return cells_across_mechanism(run_folder::read_soil(frames.front().soil), run_folder::read_soil(frames.back().soil),
+                                  points_of_cell(run.settings), run.settings.dimension());
+  } catch (const RunError&) {  // the film says which frame is damaged
+    return nan;
+  }
+}
+
+bool has_mechanism_cells(const record::RunRecord& run)
+{
+  const std::vector<Real> points = points_of_cell(run.settings);
+  return run.settings.method == problem::Method::mpm && std::any_of(points.begin(), points.end(), [](Real p) { return !std::isnan(p); });
+}
+
+}  // namespace berm::generic
