@@ -83,6 +83,7 @@ Command add_export(CLI::App& program)
             messages_to_stderr();
             const auto* format = std::find_if(std::begin(springs::formats), std::end(springs::formats),
                                               [&](const springs::Format& one) { return one.name == options->format; });
+            options->selection.whole_life = format->whole_life && options->selection.state.empty();
             for (const Job& job : jobs_of(*options)) write(job.design, *format, job.folder);
             return 0;
           }};

@@ -59,7 +59,7 @@ void for_each_number(S& springs, const Visit& visit)
   visit(state, "V", Kind::force, "vertical force in the state", springs.V);
   const auto formula = [](const std::string& source) { return Place{"axial", "", source.empty() ? "formula" : source}; };
   auto& axial = springs.axial;
-  visit(formula(""), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
+  visit(formula(axial.wedging_source), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
   visit(formula(axial.drained_source), "drained", Kind::force, "drained resistance under the V of the state", axial.drained);
   visit(formula(axial.undrained_source), "undrained", Kind::force, "undrained resistance", axial.undrained);
   const std::string from = " estimate of the displacement at axial breakout";

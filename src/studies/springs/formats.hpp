@@ -16,6 +16,7 @@ struct Format {
   const char* name;  ///< on the command line
   const char* meaning;
   ExportFiles (*files)(const Design& design);
+  bool whole_life = false;  ///< it takes the drags of all states, unless some are asked for
 };
 
 /// springs.csv: each number with its estimates and fit; curves.csv: the springs point by point, and what was computed. SI units.
@@ -50,7 +51,7 @@ constexpr Format formats[] = {
     {"calculix", "nonlinear SPRING2 elements", calculix_files},
     {"opensees", "zeroLength elements of OpenSeesPy", opensees_files},
     {"moordyn", "friction and stiffness of the bottom", moordyn_files},
-    {"buckpy", "rows of the sheet Soils", buckpy_files},
+    {"buckpy", "rows of the sheet Soils", buckpy_files, true},
 };
 
 /// The springs of a design by the name of their estimate: best, and low and high where there is a sample.

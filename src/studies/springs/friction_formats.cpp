@@ -82,7 +82,8 @@ ExportFiles buckpy_files(const Design& design)
        "page writes LE-BE-HE.",
        "LE, BE, HE: 95, 50 and 5 % probability of exceedance. Low and high have the forces of a sample at 5 and at 95 %, over the V of the "
        "best run. Without a sample there is only BE.",
-       "Hydrotest are travels with hydro or flood in their name or in that of the state, operation are all others; an empty cell is not "
+       "Hydrotest are travels of the flooded pipe and those with hydro or flood in their name, operation are all others; an empty cell is "
+       "not "
        "known from these runs."});
   Words head = {"Pipeline", "Friction Set"};
   for (const char* what : {"Axial", "Lateral Hydrotest", "Lateral Operation"})
@@ -91,7 +92,7 @@ ExportFiles buckpy_files(const Design& design)
   text += study::csv_line(head);
   std::vector<const Lateral*> hydrotest, operation;
   for (const Lateral& l : design.best.lateral)
-    (is_hydrotest(design.best.state) || is_hydrotest(l.stage) ? hydrotest : operation).push_back(&l);
+    (is_hydrotest(design.best.state) || is_hydrotest(l.state) || is_hydrotest(l.stage) ? hydrotest : operation).push_back(&l);
   if (operation.empty() && hydrotest.empty()) text += study::csv_line(row_of(design, nullptr, nullptr));
   for (const Lateral* l : operation) text += study::csv_line(row_of(design, hydrotest.empty() ? nullptr : hydrotest[0], l));
   if (operation.empty())

@@ -96,7 +96,7 @@ Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
     axial.drained = drained.value, axial.drained_source = citation(drained.source);
     for (const base::SurfaceForce& force : base::surface_forces_of(run.record))
       if (force.stage == state.stage && force.V > 0) {
-        axial.wedging = force.N_eff / force.V;
+        axial.wedging = force.N_eff / force.V, axial.wedging_source = "computed effective normal force over V, " + state.stage;
         axial.drained = std::tan(contact->friction_angle) * force.N_eff;
         axial.drained_source = "axial_friction_of_" + state.stage + ": friction of the interface times the computed effective normal force";
       }
@@ -189,12 +189,22 @@ Index next_state(const driven::States& states, const driven::State& state)
 }
 
 /// Whether the springs of a drag are asked for.
-bool is_asked(const driven::DragPath& drag, const driven::States& states, const driven::State& state,
-              const std::vector<std::string>& travels)
+bool is_asked(const driven::DragPath& drag, const driven::States& states, const driven::State& state, const Selection& selection)
 {
-  if (!travels.empty()) return std::ranges::find(travels, drag.stage.name) != travels.end();
+  if (!selection.travels.empty()) return std::ranges::find(selection.travels, drag.stage.name) != selection.travels.end();
+  if (drag.stage.lays || drag.stage.by_force) return false;
   const Index begin = drag.rows.front();
-  return !drag.stage.lays && !drag.stage.by_force && begin >= state.row && begin < next_state(states, state);
+  return selection.whole_life || (begin >= state.row && begin < next_state(states, state));
+}
+
+/// The name of the state of the pipe's life in which a drag begins; "" where there is none.
+std::string life_at(const driven::States& states, const driven::DragPath& drag)
+{
+  const driven::State* latest = nullptr;
+  for (const char* name : driven::state_names)
+    if (const driven::State* state = driven::find_state(states, name); state != nullptr && state->row <= drag.rows.front())
+      if (latest == nullptr || state->row >= latest->row) latest = state;
+  return latest == nullptr ? "" : latest->name;
 }
 
 void check_travels(const driven::Path& path, const std::vector<std::string>& travels, const std::string& folder)
@@ -262,9 +272,10 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
   for (const driven::OtherPush& push : path.other_pushes)
     springs.vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
   for (std::size_t k = 0; k < path.drags.size(); ++k)
-    if (is_asked(path.drags[k], states, state, selection.travels)) {
+    if (is_asked(path.drags[k], states, state, selection)) {
       const auto found = std::ranges::find(results.drags, path.drags[k].stage.name, &driven::DragResults::stage);
       springs.lateral.push_back(lateral_of(path.drags[k], found == results.drags.end() ? driven::DragResults{} : *found, run.scale));
+      springs.lateral.back().state = life_at(states, path.drags[k]);
     }
   springs.axial = axial_of(run, state);
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);

@@ -20,6 +20,7 @@ constexpr std::array<Real, 4> mobilised_parts = {0.25, 0.5, 0.75, 0.95};
 /// How the bed resists the pipe sideways: one drag. Numbers that are not known are NaN.
 struct Lateral {
   std::string stage;                                     ///< of the case
+  std::string state;                                     ///< of the pipe's life in which the drag begins; "" where that is not known
   Real V = nan;                                          ///< N/m, mean vertical reaction meanwhile
   bool breaks = false;                                   ///< there is a first peak; else the peak is the largest H
   Real peak = nan;                                       ///< N/m
@@ -57,10 +58,10 @@ struct Vertical {
 
 /// How the bed resists the pipe along its axis. A run in the plane across the pipe cannot compute it: it is by formula, but for the normal force on a pipe in soil with water.
 struct Axial {
-  Real wedging = nan;                            ///< normal force around the contact over V
-  Real drained = nan;                            ///< N/m, at V of the state, with the friction of the interface
-  Real undrained = nan;                          ///< N/m, with its adhesion over the length of the contact
-  std::string drained_source, undrained_source;  ///< the formula, or the quantity of the run
+  Real wedging = nan;                                            ///< normal force around the contact over V
+  Real drained = nan;                                            ///< N/m, at V of the state, with the friction of the interface
+  Real undrained = nan;                                          ///< N/m, with its adhesion over the length of the contact
+  std::string wedging_source, drained_source, undrained_source;  ///< the formula, or the quantity of the run
   Real breakout_low = nan, breakout = nan,
        breakout_high = nan;  ///< m, displacement at which it is mobilised: estimates of a formula; NaN without resistance
 
@@ -91,6 +92,7 @@ struct Springs {
 struct Selection {
   std::string state{};                 ///< "" = operation, else touchdown
   std::vector<std::string> travels{};  ///< drags; none: those that begin in that state, before the next one, and do not lay the pipe
+  bool whole_life = false;             ///< without travels: the drags of all states, but those that lay the pipe
 };
 
 /// Of a run of a pipe in the plane. Throws RunError where it is no such run, or has neither push nor drag, InputError where it has no such state or travel.

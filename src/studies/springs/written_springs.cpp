@@ -44,7 +44,8 @@ std::vector<std::pair<std::string, const Springs*>> sets_of(const Design& design
 
 std::string origin_of(const Springs& s, const Lateral& l)
 {
-  return sentence({run_words(s), state_words(s), "travel " + l.stage, "computed", std::isnan(l.residual) ? "no residual" : "",
+  const std::string other = l.state.empty() || l.state == s.state ? "" : fmt::format(" of the pipe in state {}", l.state);
+  return sentence({run_words(s), state_words(s), "travel " + l.stage + other, "computed", std::isnan(l.residual) ? "no residual" : "",
                    std::isnan(l.berm) ? "" : fmt::format("{:.6g} N/m against a berm at its end, which is no residual", l.berm)});
 }
 

@@ -93,6 +93,11 @@ TEST(BuckPyFormat, puts_a_travel_of_the_flooded_pipe_into_the_columns_of_the_hyd
   ASSERT_EQ(both.size(), 1u);
   EXPECT_EQ(both[0].at("Lateral Hydrotest BE"), "0.5");
   EXPECT_EQ(both[0].at("Lateral Operation BE"), "0.8");
+  s.lateral[0].stage = "sweep";
+  s.lateral[0].state = "flooded";
+  const Row by_state = buckpy_rows(made_design(s)).at(0);
+  EXPECT_EQ(by_state.at("Lateral Hydrotest BE"), "0.5");
+  EXPECT_NE(by_state.at("Soil Description").find("travel sweep of the pipe in state flooded"), std::string::npos);
   s = made_springs();
   s.state = "flooded";
   const std::vector<Row> flooded = buckpy_rows(made_design(s));

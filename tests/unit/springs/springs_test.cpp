@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "samples/lived_pipe.hpp"
+#include "samples/made_run_in_water.hpp"
 #include "springs/design.hpp"
 
 #include <gtest/gtest.h>
@@ -118,6 +119,15 @@ TEST(Springs, along_the_axis_are_those_of_the_interface)
   EXPECT_TRUE(std::isnan(springs_of(clay.record()).axial.breakout)) << "smooth: nothing is mobilised";
 }
 
+TEST(Springs, along_the_axis_are_computed_where_water_was)
+{
+  const Springs s = springs_of(MadeRunInWater{}.record_with_normal_force());
+  EXPECT_NEAR(s.axial.wedging, 1.1, 1e-9);
+  EXPECT_NEAR(s.axial.drained, 550 * std::tan(70. / 3 * degree), 1e-9);
+  for (const std::string& source : {s.axial.wedging_source, s.axial.drained_source})
+    EXPECT_NE(source.find("computed effective normal force"), std::string::npos) << source;
+}
+
 TEST(Springs, are_refused_of_a_finished_run_whose_history_has_lost_its_drag)
 {
   record::RunRecord record = run_with_peak().record();
@@ -138,6 +148,7 @@ TEST(Springs, are_those_of_the_pipe_in_operation)
   EXPECT_NEAR(s.V, 300, 1e-9);
   ASSERT_EQ(s.lateral.size(), 2u) << "no drag of the laying";
   EXPECT_EQ(s.lateral[0].stage, "sweep_1");
+  EXPECT_EQ(s.lateral[0].state, "operation");
   EXPECT_NEAR(s.lateral[1].residual, 80, 1e-6);
   EXPECT_NEAR(s.lateral[1].berm, 160, 1e-6);
   // Adhesion of 0.4 times 1 kPa over the contact of 0.29 D.
@@ -156,6 +167,7 @@ TEST(Springs, are_those_of_the_state_and_the_travels_that_are_asked_for)
   ASSERT_EQ(laid.lateral.size(), 1u);
   EXPECT_EQ(laid.lateral[0].stage, "sweep_2");
   EXPECT_TRUE(springs_of(lived_pipe(), {.state = "laid"}).lateral.empty()) << "its drags are those of operation";
+  EXPECT_EQ(springs_of(lived_pipe(), {.state = "laid", .whole_life = true}).lateral.size(), 2u) << "but for those that lay it";
   EXPECT_EQ(springs_of(lived_pipe(), {.state = "after_sweep_1"}).lateral.at(0).stage, "sweep_2");
   EXPECT_THROW(springs_of(lived_pipe(), {.state = "lied"}), InputError);
   EXPECT_THROW(springs_of(lived_pipe(), {.travels = {"sweep_9"}}), InputError);

@@ -238,6 +238,17 @@ TEST(trust, cells_that_grow_along_the_path_are_a_warning_with_both_sizes)
   EXPECT_TRUE(contains(html, "cells at the pipe are D/3.17 on a part of its way, D/20 at the start")) << html;
 }
 
+TEST(trust, a_push_that_ends_within_its_first_cell_is_a_warning)
+{
+  record::RunRecord run = sample_record(sample_case());
+  for (const auto& [w, words] : {std::pair(0.4e-3, "badge bad"), std::pair(1.5e-3, "badge fair"), std::pair(2e-3, "badge good")}) {
+    run.quantities.push_back({"w_end_of_push", w, "m"});
+    EXPECT_TRUE(contains(row_of(quality_section({run}), "embedment at the end of the push, in cells"), words)) << w;
+    EXPECT_EQ(contains(quality_section({run}), "the push ends 0.4 cells deep"), w < 0.5e-3) << w;
+    run.quantities.pop_back();
+  }
+}
+
 TEST(trust, cells_of_a_mesh_of_the_user_are_those_that_the_run_found)
 {
   record::RunRecord run = sample_record(sample_case());
