@@ -117,7 +117,7 @@ void describe(Describe& d, StageSettings& stage)
   d.optional_table("loads", stage.loads,
                    {.meaning = "instead of factors: forces and velocities at these times, which drive the freedoms that they name"});
   d.value("time_scale", stage.time_scale,
-          {.meaning = "time of the run over that of the load history, forces unchanged; automatic: the fastest at which inertia is small, "
+          {.meaning = "time of the run over that of the load history, forces and travels unchanged; automatic: the fastest at which inertia is small, "
                       "1 at most",
            .range = positive,
            .words = {{"automatic", automatic_time_scale}}});
@@ -157,6 +157,12 @@ Real interpolated(const StageSettings& stage, const std::vector<Real>& values, R
   return std::lerp(values[k - 1], values[k], (time - t[k - 1]) / (t[k] - t[k - 1]));
 }
 
+/// What a factor is divided by: a velocity keeps its travel while the time is scaled.
+Real slower(const StageSettings& stage)
+{
+  return stage.velocity ? stage.time_scale : 1;
+}
+
 /// The speed along a freedom of a drive.
 Real speed_along(const StageSettings& stage, const std::optional<Real>& velocity, const char* key)
 {
@@ -167,7 +173,7 @@ Real speed_along(const StageSettings& stage, const std::optional<Real>& velocity
 
 Real max_load_factor(const StageSettings& stage)
 {
-  return stage.load_factors.empty() ? 1 : max_size(stage.load_factors);
+  return stage.load_factors.empty() ? 1 : max_size(stage.load_factors) / slower(stage);
 }
 
 Real max_load(const StageSettings& stage, std::size_t k)
@@ -190,7 +196,7 @@ Real speed_of(const StageSettings& stage)
 
 Real load_factor(const StageSettings& stage, Real since)
 {
-  return stage.load_factors.empty() ? 1 : interpolated(stage, stage.load_factors, since);
+  return stage.load_factors.empty() ? 1 : interpolated(stage, stage.load_factors, since) / slower(stage);
 }
 
 Real load_of_column(const StageSettings& stage, std::size_t k, Real since)

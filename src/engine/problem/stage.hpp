@@ -119,7 +119,7 @@ inline bool has_load_history(const StageSettings& stage)
   return !stage.load_history.empty() || !stage.load_times.empty();
 }
 
-/// The factor of the load history at a time since the stage began, s; 1 without one.
+/// The factor of the load history at a time since the stage began, s; 1 without one. That of a velocity grows as the time is shortened.
 Real load_factor(const StageSettings& stage, Real since);
 
 /// The value of column k (of load_columns) of the load history at a time since the stage began, s; a velocity grows as the time is shortened, so that the travel

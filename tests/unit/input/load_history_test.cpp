@@ -80,6 +80,17 @@ TEST_F(LoadHistory, is_linear_between_its_times_and_constant_after)
   EXPECT_EQ(load_factor(problem::StageSettings{}, 9), 1);
 }
 
+TEST_F(LoadHistory, in_a_shorter_time_keeps_its_forces_and_its_travels)
+{
+  problem::StageSettings stage = read("1,2\n3,6\n");
+  stage.time_scale = 0.5;
+  stage.velocity.reset();
+  EXPECT_EQ(load_factor(stage, 1), 4);
+  stage.velocity = 0.1;
+  EXPECT_EQ(load_factor(stage, 1), 8) << "twice as fast for half as long";
+  EXPECT_NEAR(speed_of(stage), 0.1 * 12, 1e-12);
+}
+
 TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
 {
   EXPECT_NE(refusal("0,1\n1,x\n").find("storm.csv:2: a line of a load history is two numbers"), std::string::npos);
