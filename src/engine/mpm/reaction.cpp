@@ -85,6 +85,17 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   return reaction;
 }
 
+/// Adds the impulses of all points along the bed to the depth slices of the rigid body.
+template <int dim>
+void add_to_slices(const problem::Model<dim>& model, problem::State<dim>& state, Index rigid, const contact::ContactPoints<dim>& points)
+{
+  const problem::DepthSlices& slices = model.depth_slices[rigid];
+  if (slices.count == 0) return;
+  const Real center = model.axes.height(center_now(model.rigid_bodies[rigid], state.rigid_bodies[rigid]));
+  for (const contact::ContactPoint<dim>& point : points.list)
+    state.slice_impulses[rigid][slices.at(model.axes.height(point.position) - center)] += point.impulse[model.axes.along];
+}
+
 }  // namespace
 
 template <int dim>
@@ -118,6 +129,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
     sums.effective_impulse += all.effective;
     sums.impulse_sum += all.sum;
     sums.impulse_times_gap += all.times_gap;
+    add_to_slices(model, state, contact.rigid, workspace.contact_points[k]);
   }
 }
 

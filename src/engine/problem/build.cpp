@@ -156,6 +156,19 @@ Real rate_smoothing(const Model<dim>& model)
   return time < infinity ? time : 0;
 }
 
+/// Of a rigid body with so many. Throws KeyError where it is not in the soil.
+template <int dim>
+DepthSlices depth_slices_of(int count, const Model<dim>& model, const bodies::RigidBody<dim>& rigid)
+{
+  if (count == 0) return {};
+  const Vec<dim> center = center_of<dim>(rigid.shape);
+  const Real bed = model.axes.sign * model.surface_at(center), depth = bed - bodies::lowest_level<dim>(rigid.shape, model.axes.up_vector());
+  if (!(depth > 0 && std::isfinite(depth)))
+    throw KeyError(
+        fmt::format("rigid.{}.depth_slices: the body is not in the soil at the start, so there is no height to be sliced", rigid.name));
+  return {count, bed - model.axes.height(center), depth / count};
+}
+
 }  // namespace
 
 template <int dim>
@@ -195,6 +208,8 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     for (const bodies::RigidBody<2>& rigid : model.rigid_bodies) shapes.push_back(rigid.shape);
     model.ground = ground_in(c, model.mesh, shapes);
   }
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
+    model.depth_slices.push_back(depth_slices_of(c.rigid[r].second.depth_slices, model, model.rigid_bodies[r]));
   for (const auto& [name, settings] : c.body) {
     const BodySoil soil = soil_of(c, settings);
     const material::Material& first = soil.materials.front();
@@ -245,6 +260,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   model.patches = make_patches(model.mesh, model.mpm.volumetric_projection ? mesh::patch_cells<dim> : 1);
   state.rigid_bodies.resize(model.rigid_bodies.size());
   state.contact_sums.resize(model.rigid_bodies.size());
+  for (const DepthSlices& slices : model.depth_slices) state.slice_impulses.emplace_back(slices.count, 0);
   state.listed_poses.assign(model.rigid_bodies.size(), bodies::Pose<dim>::nowhere());
   const bool by_gravity = loads_by_gravity(c, model.ground);
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model);

@@ -90,6 +90,9 @@ void check_rigids(Describe& d, const Case& c)
   for (const auto& [name, rigid] : c.rigid) {
     const std::string path = "rigid." + name;
     bodies::check(d, path, rigid, c.dimension());
+    d.check(rigid.depth_slices == 0 || (c.method == Method::mpm && c.geometry != Geometry::axisymmetric), path + ".depth_slices",
+            "is for the material point method in space or in plane strain: around an axis horizontal forces balance, and finite elements "
+            "do not tell them apart");
     const auto* profile = std::get_if<bodies::ProfileSettings>(&rigid.shape);
     d.check(c.geometry != Geometry::plane_strain || profile == nullptr || !is_ring(*profile), path + ".x",
             "of a ring, off the axis all around, is for axisymmetry and space; in plane strain use shape = \"polygon\"");

@@ -9,6 +9,7 @@
 #include "problem/axes.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
+#include "problem/depth_slices.hpp"
 #include "problem/ground.hpp"
 #include "problem/interface.hpp"
 #include "problem/pressure_means.hpp"
@@ -85,6 +86,7 @@ struct Model {
   mesh::Patches patches;  ///< that share one volume change; each cell alone without the volumetric projection
   std::vector<Body<dim>> bodies;
   std::vector<bodies::RigidBody<dim>> rigid_bodies;
+  std::vector<DepthSlices> depth_slices;  ///< by rigid body
   std::vector<Contact> contacts;
   std::vector<Traction> tractions;
   std::vector<LoadPoint<dim>> load_points;
@@ -205,6 +207,7 @@ struct State {
       pressure_sums;  ///< by body: weighted excess pore pressures of the window in hand, Pa; empty where none flows
   std::vector<bodies::RigidState<dim>> rigid_bodies;
   std::vector<contact::ContactSums<dim>> contact_sums;  ///< by rigid body
+  std::vector<std::vector<Real>> slice_impulses;  ///< by rigid body and slice (DepthSlices): given to the soil along the bed, N s/m or N s
   /// By rigid body: its pose when the cells near it were last listed (contact/detect.hpp), on which the order of sums depends.
   std::vector<bodies::Pose<dim>> listed_poses;
   std::vector<Vec<dim>>

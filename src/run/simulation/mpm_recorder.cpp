@@ -16,6 +16,7 @@ template <int dim>
 MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
     : last_time_(start.time),
       last_sums_(start.contact_sums),
+      last_slice_impulses_(start.slice_impulses),
       last_pair_impulses_(start.pair_impulses)
 {
   row_.count_parts(model.parts);
@@ -36,6 +37,8 @@ void MpmRecorder<dim>::archive(Archive& k)
   k("last_time", last_time_);
   for (std::size_t r = 0; r < last_sums_.size(); ++r)
     k.table(fmt::format("contact_sums_{}", r), [&] { problem::archive(k, last_sums_[r]); });
+  for (std::size_t r = 0; r < last_slice_impulses_.size(); ++r)
+    if (!last_slice_impulses_[r].empty()) k.fixed(fmt::format("slice_impulses_{}", r), last_slice_impulses_[r]);
   for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
   k("out_of_balance", out_of_balance_);
   k("shaking", shaking_);
@@ -189,6 +192,26 @@ void MpmRecorder<dim>::observe_effective_normals(const problem::Model<dim>& mode
 }
 
 template <int dim>
+void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  const Real time = state.time - last_time_;
+  for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {
+    const problem::DepthSlices& slices = model.depth_slices[r];
+    if (slices.count == 0) continue;
+    if (r == model.main_rigid)
+      row_.of_main(model.rigid_bodies[r].name);
+    else
+      row_.of(model.rigid_bodies[r].name);
+    for (Index k = 0; k < slices.count; ++k) {
+      const Real impulse = state.slice_impulses[r][k] - last_slice_impulses_[r][k];
+      row_(fmt::format("H{}", k + 1), time > 0 ? impulse / time : 0, run_folder::newtons<dim>,
+           fmt::format("horizontal force on the soil from {:.4g} to {:.4g} m below the bed", k * slices.thickness,
+                       (k + 1) * slices.thickness));
+    }
+  }
+}
+
+template <int dim>
 void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace,
                                run_folder::HistoryFile& file)
 {
@@ -223,11 +246,13 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   observe_tractions(model, state);
   observe_watches(model, state);
   observe_effective_normals(model, state);
+  observe_depth_slices(model, state);
   file.add(row_);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, workspace); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
   last_sums_ = state.contact_sums;
+  last_slice_impulses_ = state.slice_impulses;
   last_pair_impulses_ = state.pair_impulses;
 }
 

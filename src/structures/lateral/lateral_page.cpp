@@ -6,6 +6,7 @@
 #include "plot/figure.hpp"
 #include "record/panels.hpp"
 #include "structures/lateral/lateral_results.hpp"
+#include "structures/lateral/p_y.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -124,7 +125,10 @@ std::string lateral_key_results(const LateralRuns& runs, const std::string& id)
   LateralRuns known;
   for (const LateralRun& run : runs)
     if (!run.empty() && !run.H_curve().empty()) known.push_back(run);
-  return known.empty() ? "" : summary_table(known, id + "-sideways-end") + travel_table(known, id + "-sideways-u");
+  if (known.empty()) return "";
+  std::string html = summary_table(known, id + "-sideways-end") + travel_table(known, id + "-sideways-u");
+  for (const LateralRun& run : known) html += py_table(run, fmt::format("{}-p-y-{}", id, run.number));
+  return html;
 }
 
 bool draw_lateral_curves(const run_folder::RunFolder& folder, const LateralRun& run)
@@ -172,6 +176,8 @@ std::vector<std::string> draw_lateral_figures(const LateralRuns& runs, const std
   std::vector<std::string> drawn;
   for (const auto& [figure, ending] : {std::pair{&load, "_H_u"}, {&moment, "_M_tilt"}})
     if (!figure->curves.empty() && draw_png_and_svg(folder, name + ending, *figure)) drawn.push_back(name + ending);
+  for (const LateralRun& run : runs)
+    for (std::string& py : draw_py_figure(run, fmt::format("{}_p_y_{}", name, run.number), folder)) drawn.push_back(std::move(py));
   return drawn;
 }
 

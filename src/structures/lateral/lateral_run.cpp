@@ -82,6 +82,7 @@ LateralPath lateral_path(const record::RunRecord& run)
   const auto above_bed = [&](Index row) { return axes.height(Vec<3>(center + d[row])) - bed; };
   path.rows = rows;
   path.length = history["w_m"][first];
+  path.direction = along[axes.along];
   for (const Index row : rows) {
     const Real tilt = (angle[row] - angle[first]).dot(about), height = above_bed(row);
     // Across the axis and about its point at the bed: the force of the load, and its moment.
@@ -112,6 +113,11 @@ LateralRun::LateralRun(const record::RunRecord& run, std::size_t number_on_page)
   if (H_.empty()) return;
   half_ = std::min(base::averaging_half(scale), largest_half * (H_.end() - H_.begin()));
   take_results();
+}
+
+Real LateralRun::strength_at(Real depth) const
+{
+  return strength > 0 ? penetration::SoilProfile(record).at(depth).strength : nan;
 }
 
 void LateralRun::take_results()

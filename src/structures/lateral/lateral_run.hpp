@@ -17,6 +17,7 @@ struct LateralPath {
   std::vector<Real> H, M;    ///< N along the load; N m about its axis at the bed, with the sign of H above the bed
   std::vector<Real> height;  ///< m above the bed, where the line of the load cuts its axis
   Real length = nan;         ///< m, in the bed when the load begins
+  Real direction = 0;        ///< +1 or -1: of the load along the axis in which u and H of the history count; 0: it goes across
 
   bool empty() const { return rows.empty(); }
 };
@@ -47,6 +48,8 @@ public:
   const LateralResults& results() const { return results_; }
   /// H over the largest u so far, and the same freed from noise; N.
   const record::TravelCurve& H_curve() const { return H_; }
+  /// Undrained strength at a depth below the bed, Pa; NaN of soil with friction.
+  Real strength_at(Real depth) const;
   Real H_at(Real u) const { return H_.empty() ? nan : H_.at(u, half_); }
   /// H over s_u D L.
   Real over_strength(Real H) const { return H / (strength * width * path.length); }

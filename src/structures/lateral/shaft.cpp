@@ -2,9 +2,11 @@
 // Tests: tests/unit/structures/lateral/lateral_run_test.cpp
 #include "structures/lateral/shaft.hpp"
 
+#include "io/atomic_file.hpp"
 #include "structures/driven/report/report.hpp"
 #include "structures/lateral/lateral_page.hpp"
 #include "structures/lateral/lateral_results.hpp"
+#include "structures/lateral/p_y.hpp"
 
 #include <algorithm>
 
@@ -54,6 +56,7 @@ std::string Shaft::table_of(const record::RunRecord& run) const
 
 bool Shaft::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
 {
+  if (const std::string csv = py_csv(LateralRun(run)); !csv.empty()) io::write_atomically(folder.file("py.csv"), csv);
   return is_pushed(run) ? Penetration::draw_curves(folder, run, bands) : draw_lateral_curves(folder, LateralRun(run));
 }
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/axes.hpp"
+
+#include <algorithm>
+
+namespace berm::problem {
+
+/// Slices of the part of a rigid body that is in the soil at the start, from the bed down to its lowest point, all of one thickness. They go up and down with its centre.
+struct DepthSlices {
+  Index count = 0;     ///< 0: forces on the body are not told apart by depth
+  Real top = 0;        ///< m, height of the bed over its centre at the start (Axes::height)
+  Real thickness = 0;  ///< m
+
+  /// The slice that has a point of the surface so high over the centre, m; what lies beyond counts to the first or the last.
+  Index at(Real height_over_center) const
+  {
+    return std::clamp(static_cast<Index>(std::floor((top - height_over_center) / thickness)), Index(0), count - 1);
+  }
+};
+
+}  // namespace berm::problem

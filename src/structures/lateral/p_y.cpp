@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/lateral/p_y_test.cpp
+#include "structures/lateral/p_y.hpp"
+
+#include "plot/figure.hpp"
+#include "text/html.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::lateral {
+namespace {
+
+constexpr int points = 20;             // of a curve, but for its start
+constexpr std::size_t max_curves = 8;  // of a picture
+
+int slices_of(const LateralRun& run)
+{
+  return run.record.settings.rigid[main_rigid(run.record.settings)].second.depth_slices;
+}
+
+}  // namespace
+
+std::vector<PyCurve> py_curves(const LateralRun& run)
+{
+  std::vector<PyCurve> curves;
+  if (run.empty() || run.H_curve().empty() || run.path.direction == 0) return curves;
+  const run_folder::History& history = run.record.history;
+  const int count = slices_of(run);
+  const Real thickness = history["w_m"].front() / count, end = run.H_curve().end();
+  for (int k = 0; k < count; ++k) {
+    const std::string column = fmt::format("H{}_N", k + 1);
+    if (!history.has(column)) return {};
+    PyCurve curve{(k + 0.5) * thickness, {}, {}, {}};
+    std::vector<Real> y, p;
+    for (std::size_t row = 0; row < run.path.rows.size(); ++row) {
+      y.push_back(run.path.u[row] - curve.z * std::sin(run.path.tilt[row]));
+      p.push_back(run.path.direction * history[column][run.path.rows[row]] / thickness);
+    }
+    const record::TravelCurve y_curve(run.path.u, y), p_curve(run.path.u, p);
+    for (int n = 0; n <= points; ++n) {
+      const Real u = std::lerp(p_curve.begin(), end, Real(n) / points);
+      curve.u.push_back(u), curve.y.push_back(y_curve.at(u, run.half())), curve.p.push_back(p_curve.at(u, run.half()));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+std::string py_csv(const LateralRun& run)
+{
+  std::string text;
+  for (const PyCurve& curve : py_curves(run))
+    for (std::size_t k = 0; k < curve.u.size(); ++k)
+      text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}\n", curve.z, curve.u[k], curve.y[k], curve.p[k]);
+  return text.empty() ? "" : "z_m,u_m,y_m,p_N_m\n" + text;
+}
+
+std::string py_table(const LateralRun& run, const std::string& id)
+{
+  text::HtmlTable table(id, fmt::format("{}: resistance p per metre of depth at the end", run.record.name));
+  table.columns({{"depth below the bed, m"}, {"y, mm", true}, {"p, kN/m", true}, {"p/(s<sub>u</sub> D)", true}});
+  const auto number = [](Real value) { return text::HtmlCell{text::table_number(value), true}; };
+  for (const PyCurve& curve : py_curves(run))
+    table.row({{text::table_number(curve.z)},
+               number(1e3 * curve.y.back()),
+               number(curve.p.back() / 1e3),
+               number(curve.p.back() / (run.strength_at(curve.z) * run.width))});
+  return table.empty() ? "" : table.html();
+}
+
+std::vector<std::string> draw_py_figure(const LateralRun& run, const std::string& name, const std::filesystem::path& folder)
+{
+  const std::vector<PyCurve> curves = py_curves(run);
+  if (curves.empty()) return {};
+  plot::Figure figure{fmt::format("{}: p-y curves by depth", run.record.name), "y (mm)", "p (kN/m)", {}, plot::from_zero};
+  const std::size_t every = (curves.size() + max_curves - 1) / max_curves;
+  for (std::size_t k = 0; k < curves.size(); k += every) {
+    const std::size_t number = figure.curves.size();
+    figure.curves.push_back({text::length_words(curves[k].z), plot::curve_style(number, number), plot::scaled(curves[k].y, 1e3),
+                             plot::scaled(curves[k].p, 1e-3)});
+  }
+  return draw_png_and_svg(folder, name, figure) ? std::vector{name} : std::vector<std::string>{};
+}
+
+}  // namespace berm::lateral

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The force of the soil on a rigid body by depth.
+#include "simulate.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::this_file {
+namespace {
+
+constexpr Real K0 = 0.5, gamma = 18e3, cell = 0.05;
+constexpr int slices = 4;
+
+/// A smooth wall at rest to the left of elastic soil 1 m high with nu / (1 - nu) = K0, on a smooth base.
+problem::Case wall_at_rest()
+{
+  problem::Case c = elastic_box(2, {2, 1}, {40, 20}, 20e6, 1. / 3, 1800);
+  mesh::BoxMesh box;
+  box.lower = {-0.3, 0};
+  box.size = {2.3, 1.2};
+  box.cells = {46, 24};
+  c.mesh = box;
+  c.gravity = {0, -gamma / 1800};
+  c.surface = 1;
+  bodies::BodySettings& soil = c.body[0].second;
+  soil.regions.clear();
+  soil.block = bodies::BlockSettings{{1, 0.5}, {2, 1}, 0, 1. / 60};
+  soil.k0 = K0;
+  soil.damping = 0.7;
+  c.support = {{"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}};
+  bodies::BoxSettings shape;
+  shape.center = {-0.15, 0.5};
+  shape.size = {0.3, 1};
+  bodies::RigidSettings wall;
+  wall.shape = shape;
+  wall.depth_slices = slices;
+  c.rigid = {{"wall", wall}};
+  contact::ContactSettings contact;
+  contact.body = "body";
+  contact.rigid = "wall";
+  c.contact = {{"smooth", contact}};
+  return c;
+}
+
+TEST(DepthSlices, have_the_pressure_at_rest_that_grows_with_depth)
+{
+  Simulation<2> run(wall_at_rest());
+  run.run_until(0.2);
+  const std::vector<Real> before = run.state().slice_impulses[0];
+  const Real all_before = run.state().contact_sums[0].impulse[0], begin = run.state().time;
+  run.run_until(0.3);
+  const Real time = run.state().time - begin, all = (run.state().contact_sums[0].impulse[0] - all_before) / time;
+  Real sum = 0;
+  for (int k = 0; k < slices; ++k) {
+    const Real force = (run.state().slice_impulses[0][k] - before[k]) / time;
+    sum += force;
+    // A contact hands a force to nodes up to a cell away: half a cell of depth, at most.
+    EXPECT_NEAR(force, K0 * gamma * (k + 0.5) / slices / slices, K0 * gamma * cell / 2 / slices) << k;
+  }
+  EXPECT_NEAR(sum, all, 1e-9 * all);
+  EXPECT_NEAR(all, K0 * gamma / 2, 0.02 * K0 * gamma / 2);
+}
+
+TEST(DepthSlices, are_refused_of_a_body_above_the_soil)
+{
+  problem::Case c = wall_at_rest();
+  std::get<bodies::BoxSettings>(c.rigid[0].second.shape).center = {-0.15, 1.6};
+  EXPECT_THROW(Simulation<2>{c}, InputError);
+}
+
+}  // namespace
+}  // namespace berm::this_file
