@@ -122,7 +122,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
       if (grids[b].filter_speed > 0) {
         grids[b].filter = CellField<FilterOfCell<dim>>::zeros(model.mesh.cell_count());
-        if (dim == 3) grids[b].filter_pull = CellField<Vec<dim>>::zeros(model.mesh.cell_count());
+        grids[b].filter_pull = CellField<Vec<dim>>::zeros(model.mesh.cell_count());
       }
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);

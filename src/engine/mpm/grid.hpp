@@ -50,7 +50,7 @@ struct HoopMoments {
 template <int dim>
 struct FilterOfCell {
   Real part = 0;                      ///< of the difference between their velocities and the smooth one that is taken out
-  Vec<dim> shift = Vec<dim>::Zero();  ///< m/s, what they get back, so that the cell, in space the patch, keeps its momentum
+  Vec<dim> shift = Vec<dim>::Zero();  ///< m/s, what they get back, so that the patch keeps its momentum
 };
 
 /// How the particles of a cell swell in a step. Apart from the moments, which other cells' particles have summed again while those of this one still move.
@@ -127,7 +127,7 @@ struct BodyGrid {
   Real shift_across = 1;    ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
   Real bulk_viscosity = 0;  ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
-  CellField<Vec<dim>> filter_pull;      ///< N s, momentum that the filter would take from the cell; only in space
+  CellField<Vec<dim>> filter_pull;      ///< N s, momentum that the filter would take from the cell
   CellField<FilterOfCell<dim>> filter;  ///< of this step; empty without the filter
   Real total_mass = infinity;           ///< of the body, kg
 

@@ -27,7 +27,8 @@ Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& gri
 
 namespace {
 
-/// The filter of the cells, which moves no momentum between them; in space between patches, since a tetrahedron may have one particle.
+/// The filter of the cells, which moves no momentum between patches. There are as many patches as nodes, about, and twice as many cells: velocities of cells that
+/// cancel at the nodes would stay where each cell kept its own.
 template <int dim>
 void find_filter(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
@@ -43,26 +44,19 @@ void find_filter(const problem::Model<dim>& model, const bodies::Particles<dim>&
     }
     return Vec<dim>(part * lost);
   };
-  if constexpr (dim == 2) {
-    for_each("filter of cells", particles.active_chunks(), [&](Index c) {
-      const Real part = part_of(active[c]);
-      grid.filter[active[c]] = {part, pull_on(active[c], part) / grid.moments[active[c]].m};
+  const auto pull = [&](Index cell) { grid.filter_pull[cell] = pull_on(cell, part_of(cell)); };
+  for_each("filter of cells", particles.active_chunks(), [&](Index c) { pull(active[c]); });
+  for (const Index cell : grid.halo.partners)
+    if (grid.moments[cell].m > 0) pull(cell);
+  for_each("filter of cells", particles.active_chunks(), [&](Index c) {
+    Vec<dim> of_patch = Vec<dim>::Zero();
+    Real mass = 0;
+    mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
+      of_patch += grid.filter_pull[member];
+      mass += grid.moments[member].m;
     });
-  } else {
-    const auto pull = [&](Index cell) { grid.filter_pull[cell] = pull_on(cell, part_of(cell)); };
-    for_each("filter of cells", particles.active_chunks(), [&](Index c) { pull(active[c]); });
-    for (const Index cell : grid.halo.partners)
-      if (grid.moments[cell].m > 0) pull(cell);
-    for_each("filter of cells", particles.active_chunks(), [&](Index c) {
-      Vec<dim> of_patch = Vec<dim>::Zero();
-      Real mass = 0;
-      mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
-        of_patch += grid.filter_pull[member];
-        mass += grid.moments[member].m;
-      });
-      grid.filter[active[c]] = {part_of(active[c]), of_patch / mass};
-    });
-  }
+    grid.filter[active[c]] = {part_of(active[c]), of_patch / mass};
+  });
 }
 
 }  // namespace

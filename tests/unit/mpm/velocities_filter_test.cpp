@@ -76,7 +76,7 @@ TYPED_TEST(VelocityFilter, takes_noise_out_and_books_its_energy_but_keeps_moment
   EXPECT_NEAR(soil.problem.state.totals.filter, before.kinetic - after.kinetic, 1e-10 * before.kinetic);
 }
 
-TYPED_TEST(VelocityFilter, keeps_the_momentum_of_each_cell_in_space_of_each_patch)
+TYPED_TEST(VelocityFilter, keeps_the_momentum_of_each_patch)
 {
   constexpr int dim = TypeParam::value;
   auto velocities = noise<dim>();
@@ -91,12 +91,9 @@ TYPED_TEST(VelocityFilter, keeps_the_momentum_of_each_cell_in_space_of_each_patc
   Real change = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (int d = 0; d < dim; ++d) {
-      Real gained = soil.grid().moments[cell].mv[d] - before[cell].mv[d];
-      if (dim == 3) {
-        gained = 0;
-        mesh::for_each_in_patch(soil.problem.model.patches, cell,
-                                [&](Index member) { gained += soil.grid().moments[member].mv[d] - before[member].mv[d]; });
-      }
+      Real gained = 0;
+      mesh::for_each_in_patch(soil.problem.model.patches, cell,
+                              [&](Index member) { gained += soil.grid().moments[member].mv[d] - before[member].mv[d]; });
       EXPECT_NEAR(gained, 0, 1e-12 * before[cell].m);
       change = std::max(change, std::abs(soil.grid().moments[cell].mvx[d][0] - before[cell].mvx[d][0]) / before[cell].m);
     }
