@@ -201,6 +201,19 @@ Real near_particles(const problem::Case& c)
   return filled_particles(settings, c.dimension());
 }
 
+bool covers_the_mesh(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
+  if (rigid == none || box == nullptr || c.dimension() != 2) return false;
+  const bodies::RigidShape<2> shape = bodies::make_shape<2>(c.rigid[rigid].second.shape);
+  const int along = problem::axes_of<2>(bodies::to_vec<2>(c.gravity)).along;
+  Vec<2> right = Vec<2>::Zero();
+  right[along] = 1;
+  const Real lower = box->lower.empty() ? 0 : box->lower[along];
+  return bodies::lowest_level<2>(shape, right) <= lower && -bodies::lowest_level<2>(shape, Vec<2>(-right)) >= lower + box->size[along];
+}
+
 int filled_particles(const bodies::BodySettings& body, int dim)
 {
   return body.particles_per_cell > 0 ? body.particles_per_cell : dim == 2 ? 9 : 8;

@@ -28,6 +28,9 @@ BodyScale body_scale(const record::RunRecord& run);
 /// Whether a push or a drag moves the main rigid body of a case, or it is loaded sideways (is_loaded_sideways), and it has a width.
 bool drives_a_body(const problem::Case& c);
 
+/// Whether the main rigid body reaches from one side of the mesh to the other, as the plate of an oedometer: a box mesh in the plane.
+bool covers_the_mesh(const problem::Case& c);
+
 /// What to call the main rigid body of a case in a sentence: its name there, with spaces for _; "body" without one.
 std::string body_word(const problem::Case& c);
 

@@ -22,6 +22,10 @@ inline constexpr base::Limit steady{LastTravel::max_change, 0.15,
                                     "what still changes is a value on the way, and no factor of steady penetration"};
 inline constexpr base::Limit walls{
     2, 1, "around a cylindrical cavity in clay the plastic zone reaches D/2 sqrt(I_r); a wall within it holds the soil back", true};
+inline constexpr base::Limit below_footing{1, 0.3,
+                                           "undrained soil fails down to 0.7 B below a footing; strips and circles on 1 to 1.2 B of soil "
+                                           "are right (examples/strip_footing, circular_footing)",
+                                           true};
 inline constexpr base::Limit below{3, 1, "the soil yields one to two diameters below a body; a base that near carries it", true};
 
 }  // namespace limits
@@ -77,7 +81,7 @@ base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& 
 {
   const std::string body = base::body_word(c);
   base::TrustMeasures own = {
-      {fmt::format("change of {} over the end of the push", reading.in_clay.plain), &limits::steady, base::always,
+      {fmt::format("change of {} over the end of the push", reading.in_clay.plain), &limits::steady, base::has_soil,
        [&reading](Run run) { return change_of(run, reading); }, base::in_percent,
        [](Run, Real value) {
          return fmt::format("the resistance still changes by {} over the end of the push: push deeper", text::percent_words(value));
@@ -85,19 +89,19 @@ base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& 
        text::percent_words},
       reading.pushes_aside
           ? base::TrustMeasure{
-                "nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::always,
+                "nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::has_soil,
                 [&reading](Run run) { return walls_over_plastic(run, reading); }, base::as_number,
                 [](Run, Real value) { return fmt::format("the nearest wall is {:.2g} plastic radii away: make the mesh wider", value); },
                 plain_limit}
           : base::TrustMeasure{"nearest wall from the middle, over D",
                                nullptr,
-                               base::always,
+                               base::has_soil,
                                [&reading](Run run) { return walls_over_D(run, reading); },
                                base::as_number,
                                {},
                                nullptr},
-      {fmt::format("soil below the {} at the end, over D", body), &limits::below, base::always,
-       [&reading](Run run) { return base_over_D(run, reading); }, base::as_number,
+      {fmt::format("soil below the {} at the end, over D", body), reading.keeps_push ? &limits::below_footing : &limits::below,
+       base::has_soil, [&reading](Run run) { return base_over_D(run, reading); }, base::as_number,
        [body](Run, Real value) { return fmt::format("the base is {:.2g} D below the {}: make the mesh deeper", value, body); },
        plain_limit}};
   if (reading.keeps_push) own.erase(own.begin());  // on its way to failure a footing is not steady

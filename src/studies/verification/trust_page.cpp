@@ -28,14 +28,22 @@ bool is_known(const Expectation& e)
          e.tolerance;
 }
 
+/// Whether it is an answer of the run: a column, or a quantity that is neither given by the case nor says how good others are.
+bool is_answer(const Expectation& e, const record::RunRecord& run)
+{
+  if (!e.observable.column.empty()) return true;
+  const run_folder::Quantity* quantity = run.quantity(e.observable.quantity);
+  return quantity != nullptr && (quantity->kind == run_folder::QuantityKind::answer || quantity->kind == run_folder::QuantityKind::ratio);
+}
+
 /// The finding of a run that is farthest off; none where none is known.
-Index farthest_off(const ExamplePage& page, const std::string& run)
+Index farthest_off(const ExamplePage& page, const std::string& name, const record::RunRecord& run)
 {
   Index farthest = none;
   Real largest = -1;
   for (std::size_t k = 0; k < page.findings.size(); ++k) {
     const Expectation& e = page.example.expectations[k];
-    if (e.run != run || !is_known(e)) continue;
+    if (e.run != name || !is_known(e) || !is_answer(e, run)) continue;
     const Real error = std::abs(error_of(e, page.findings[k].number));
     if (error > largest) largest = error, farthest = static_cast<Index>(k);
   }
@@ -73,12 +81,13 @@ std::vector<TrustQuestion> trust_questions(const std::vector<ExamplePage>& pages
   for (const ExamplePage& page : pages)
     for (std::size_t k = 0; k < page.results.size(); ++k) {
       const auto& [name, run] = page.example.runs[k];
-      const Index farthest = farthest_off(page, name);
-      if (run.element || farthest == none || page.results[k].end.kind != jobs::JobEnd::Kind::finished) continue;
+      if (run.element || page.results[k].end.kind != jobs::JobEnd::Kind::finished) continue;
+      const record::RunRecord record = structures::read_run(page.results[k].folder);
+      const Index farthest = farthest_off(page, name, record);
+      if (farthest == none) continue;
       const Expectation& e = page.example.expectations[farthest];
       const ExpectationResult& f = page.findings[farthest];
-      questions.push_back({f.problem, page.example.name, name, f.what, f.exact, error_of(e, f.number),
-                           report::judgement_of(structures::read_run(page.results[k].folder))});
+      questions.push_back({f.problem, page.example.name, name, f.what, f.exact, error_of(e, f.number), report::judgement_of(record)});
     }
   return questions;
 }

@@ -29,9 +29,9 @@ inline constexpr Limit shaking{0.07, 0.15, "sand that is shaken loses strength, 
 inline constexpr Limit noise_of_V{0.02, 0.05, "noise grows with the size of the cells (examples/mesh_study)"};
 inline constexpr Limit noise_of_H{0.09, 0.18,
                                   "sand without cohesion slides in jerks, whatever the contact scheme (examples/contact_schemes)"};
-inline constexpr Limit gap{0.17, 0.25,
-                           "half a particle's width is no gap; contact at all nodes of cut cells holds soil farther off and makes V larger "
-                           "(examples/contact_schemes)"};
+inline constexpr Limit gap{0.02, 0.05,
+                           "the body is as much larger as the soil is held off; contact at all nodes of cut cells holds it farther off and "
+                           "makes V larger (examples/contact_schemes)"};
 inline constexpr Limit overlap{0.002, 0.01, "no particle should be deeper than 0.002 D in the body (examples/probe_test)"};
 inline constexpr Limit second_impulse{0.01, 0.05,
                                       "the second contact correction is no force; it stays small with every contact scheme "
@@ -179,18 +179,17 @@ TrustMeasure shaking(const std::string& body)
 
 TrustMeasure contact_gap(const std::string& body)
 {
-  return {fmt::format("mean contact gap, in cells h at the {}", body),
+  const auto words = [body](Run run, Real larger) {
+    return fmt::format("{:.2g} h: the {} acts up to {} larger", quantity_value(run, "gap_mean") / near_cells(run).first, body,
+                       text::percent_words(larger));
+  };
+  return {"mean contact gap, twice over D",
           &limits::gap,
           always,
-          [](Run run) { return quantity_value(run, "gap_mean") / near_cells(run).first; },
-          [body](Run run, Real value) {
-            return fmt::format("{:.2g} h: the {} acts up to {} larger", value, body, text::percent_words(acts_larger(run)));
-          },
-          [body](Run run, Real value) {
-            return fmt::format("gap is {:.2g} h: the {} acts up to {} larger (2 gap/D)", value, body,
-                               text::percent_words(acts_larger(run)));
-          },
-          cells_limit};
+          acts_larger,
+          words,
+          [words](Run run, Real larger) { return "gap is " + words(run, larger) + " (2 gap/D)"; },
+          text::percent_words};
 }
 
 TrustMeasure overlap(const std::string& body)
@@ -237,7 +236,7 @@ TrustMeasure size_of(const std::string& what, const Limit& limit)
 {
   return {what,
           &limit,
-          always,
+          [](Run run) { return !covers_the_mesh(run.settings); },
           [](Run run) { return body_scale(run.settings).width / largest_met(run); },
           [](Run run, Real value) {
             const Real first = near_cells(run).first, over = body_scale(run.settings).width / first;
@@ -258,7 +257,7 @@ TrustMeasure depth_of_push(const std::string& body)
 {
   return {"embedment at the end of the push, in cells h at the " + body,
           &limits::push_in_cells,
-          [](Run run) { return kind_of(run.settings) == "pipe" && quantity_value(run, "w_end_of_push") > 0; },
+          [](Run run) { return kind_of(run.settings) == "pipe" && has_soil(run) && quantity_value(run, "w_end_of_push") > 0; },
           [](Run run) { return quantity_value(run, "w_end_of_push") / near_cells(run).first; },
           as_number,
           [body](Run, Real value) {

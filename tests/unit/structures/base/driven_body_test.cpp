@@ -33,6 +33,20 @@ TEST(DrivenBody, is_none_where_no_push_or_drag_moves_it)
   EXPECT_FALSE(touched_material(c));
 }
 
+TEST(DrivenBody, covers_the_mesh_where_it_reaches_from_side_to_side)
+{
+  problem::Case c = MadeRun{}.settings();
+  EXPECT_FALSE(covers_the_mesh(c)) << "a pipe on a seabed";
+  mesh::BoxMesh box;
+  box.lower = {-0.005, 0};
+  box.size = {0.01, 1};
+  c.mesh = box;
+  EXPECT_TRUE(covers_the_mesh(c)) << "20 mm wide, over 10 mm";
+  box.size = {0.016, 1};
+  c.mesh = box;
+  EXPECT_FALSE(covers_the_mesh(c)) << "open on the right";
+}
+
 TEST(DrivenBody, has_the_strength_of_its_lowest_point_at_the_end_of_the_push)
 {
   MadeRun run;
