@@ -116,11 +116,13 @@ void describe(Describe& d, StageSettings& stage)
   d.value("load_factors", stage.load_factors, {.meaning = "the factors at these times"});
   d.optional_table("loads", stage.loads,
                    {.meaning = "instead of factors: forces and velocities at these times, which drive the freedoms that they name"});
-  d.value("time_scale", stage.time_scale,
-          {.meaning = "time of the run over that of the load history, forces and travels unchanged; automatic: the fastest at which inertia is small, "
-                      "1 at most",
-           .range = positive,
-           .words = {{"automatic", automatic_time_scale}}});
+  d.value(
+      "time_scale", stage.time_scale,
+      {.meaning =
+           "time of the run over that of the load history, forces and travels unchanged; automatic: the fastest at which inertia is small, "
+           "1 at most",
+       .range = positive,
+       .words = {{"automatic", automatic_time_scale}}});
   d.value("strength_recovery", stage.strength_recovery,
           {.meaning =
                "share of the strength lost by remoulding that clay has regained when the stage begins, by consolidation or thixotropy "

@@ -137,7 +137,8 @@ TEST_F(Verify, writes_a_book_that_needs_no_network)
                       "source = \"-10 and -5\"\nwhy = \"round-off\"\nrequirement = \"r\"\nderived = \"d\"\n");
   EXPECT_EQ(verify({}).status, 1);
   const std::string book = "out/verification/";
-  EXPECT_EQ(names_in(folder_ / "out/verification"), (Words{"fall.html", "fall/", "figures/", "index.html", "requirements.html", "trust.html"}));
+  EXPECT_EQ(names_in(folder_ / "out/verification"),
+            (Words{"fall.html", "fall/", "figures/", "index.html", "requirements.html", "trust.html"}));
   const std::string index = text_of_file(folder_ / (book + "index.html")), page = text_of_file(folder_ / (book + "fall.html"));
   for (const char* part :
        {"fall.html#earth", "-10 m/s^2", ">met<", ">MISSED<", "2 numbers met, 1 missed", "order of stone_vy_m_s acceleration"})
