@@ -127,7 +127,6 @@ struct BodyGrid {
   Real shift_across = 1;    ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
   Real bulk_viscosity = 0;  ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
-  CellField<Vec<dim>> filter_pull;      ///< N s, momentum that the filter would take from the cell
   CellField<FilterOfCell<dim>> filter;  ///< of this step; empty without the filter
   Real total_mass = infinity;           ///< of the body, kg
 
@@ -173,7 +172,6 @@ struct BodyGrid {
     if (hoop.size() > 0) hoop[cell] = {};
     if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {}, water.outflow[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
-    if (filter_pull.size() > 0) filter_pull[cell].setZero();
   }
   /// Leaves of the sums of an inactive cell the volume of its particles, by which its neighbours know that they lie within the body.
   void deactivate(Index cell)

@@ -44,15 +44,12 @@ void find_filter(const problem::Model<dim>& model, const bodies::Particles<dim>&
     }
     return Vec<dim>(part * lost);
   };
-  const auto pull = [&](Index cell) { grid.filter_pull[cell] = pull_on(cell, part_of(cell)); };
-  for_each("filter of cells", particles.active_chunks(), [&](Index c) { pull(active[c]); });
-  for (const Index cell : grid.halo.partners)
-    if (grid.moments[cell].m > 0) pull(cell);
   for_each("filter of cells", particles.active_chunks(), [&](Index c) {
     Vec<dim> of_patch = Vec<dim>::Zero();
     Real mass = 0;
     mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
-      of_patch += grid.filter_pull[member];
+      if (!(grid.moments[member].m > 0)) return;
+      of_patch += pull_on(member, part_of(member));
       mass += grid.moments[member].m;
     });
     grid.filter[active[c]] = {part_of(active[c]), of_patch / mass};
