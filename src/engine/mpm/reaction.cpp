@@ -85,12 +85,12 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   return reaction;
 }
 
-/// Adds the impulses of all points along the bed to the depth slices of the rigid body.
+/// Adds the impulses of all points along the bed to the depth slices of the rigid body. A plane of symmetry across the bed balances them.
 template <int dim>
 void add_to_slices(const problem::Model<dim>& model, problem::State<dim>& state, Index rigid, const contact::ContactPoints<dim>& points)
 {
   const problem::DepthSlices& slices = model.depth_slices[rigid];
-  if (slices.count == 0) return;
+  if (slices.count == 0 || model.mirrored[model.axes.along]) return;
   const Real center = model.axes.height(center_now(model.rigid_bodies[rigid], state.rigid_bodies[rigid]));
   for (const contact::ContactPoint<dim>& point : points.list)
     state.slice_impulses[rigid][slices.at(model.axes.height(point.position) - center)] += point.impulse[model.axes.along];

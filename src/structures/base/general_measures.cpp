@@ -29,8 +29,8 @@ inline constexpr Limit filter{
     "(docs/decisions/0059)"};
 inline constexpr Limit viscosity{0.02, 0.05, "as of the filter: what it takes is resistance that the soil does not have"};
 inline constexpr Limit damping{0.05, 0.15,
-                               "what it takes is resistance that the soil does not have; a cylinder that is pressed on an elastic block "
-                               "within 5 % is right to 1 % (examples/hertz)"};
+                               "what it takes is resistance that the soil does not have; a sphere pressed on an elastic block, with 5 % of "
+                               "the work taken, sinks to 1 % as deep as it should (examples/hertz)"};
 inline constexpr Limit out_of_balance{0.01, 0.05,
                                       "a bed that has not settled is far above, a settled one far below (docs/theory.md, section 5)"};
 inline constexpr Limit at_bounds{0.001, 0.01, "soil at a bound of its volume no longer follows its law (docs/theory.md, section 7)"};
