@@ -124,8 +124,9 @@ void write_sections(const fs::path& folder)
     runs[0].origin = run_folder::Origin{{}, {}, "case.toml", {}};
     runs[0].end = record::RunEnd::finished;
     report::run_data(runs[0]);
-    report::results_section(runs);
-    report::quality_section(runs);
+    const std::vector<report::Judgement> judgements = report::judgements_of(runs);
+    report::results_section(runs, judgements);
+    report::quality_section(runs, judgements);
     report::expectations_section(runs, sheets);
     report::claims_section(runs, sheets);
   });

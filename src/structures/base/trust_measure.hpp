@@ -28,6 +28,7 @@ struct TrustMeasure {
   std::function<std::string(const record::RunRecord&, Real)> words;    ///< of a value that is known
   std::function<std::string(const record::RunRecord&, Real)> warning;  ///< where it is not good, as a sentence without its full stop
   std::string (*limit_words)(Real);                                    ///< a limit in the unit of the value
+  bool of_cells = false;  ///< whether it judges if cells are fine enough where no body of a width is driven
 };
 using TrustMeasures = std::vector<TrustMeasure>;
 

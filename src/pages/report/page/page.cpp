@@ -123,11 +123,13 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style,
                       style_of_foot(document_foot(runs.front())));
-  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, first_look(runs.front())) + setup_section(runs);
+  const std::vector<Judgement> judgements = judgements_of(runs);
+  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, judgements, first_look(runs.front())) +
+          setup_section(runs);
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
-  page += quality_section(runs) + what_is_expected + what_is_claimed + origin_section(runs) + "</main>\n";
+  page += quality_section(runs, judgements) + what_is_expected + what_is_claimed + origin_section(runs) + "</main>\n";
   page += blocks;
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
   page += page_script;

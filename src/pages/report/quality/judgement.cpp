@@ -23,20 +23,28 @@ bool holds(const Words& words, const std::string& one)
   return std::find(words.begin(), words.end(), one) != words.end();
 }
 
+std::vector<JudgedMeasure> judged_measures(const record::RunRecord& run)
+{
+  std::vector<JudgedMeasure> judged;
+  for (base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings)) {
+    if (!measure.applies(run)) continue;
+    const Real value = measure.value(run);
+    const Standing standing = std::isnan(value)          ? Standing::unknown
+                              : measure.limit == nullptr ? Standing::good
+                                                         : judge(*measure.limit, value);
+    judged.push_back({std::move(measure), value, standing});
+  }
+  return judged;
+}
+
 /// Why the measures of a run are not good, except what has spoiled it; a measure that is bad makes the run bad.
 void add_measures(Judgement& all, const record::RunRecord& run, const Words& spoiled)
 {
   Words not_known;
-  for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings)) {
-    if (!measure.applies(run)) continue;
-    const Real value = measure.value(run);
-    if (std::isnan(value)) {
-      not_known.emplace_back(measure.what);
-      continue;
-    }
-    const Standing standing = measure.limit == nullptr ? Standing::good : judge(*measure.limit, value);
+  for (const auto& [measure, value, standing] : all.measures) {
+    if (standing == Standing::unknown) not_known.push_back(measure.what);
     if (standing == Standing::bad) all.standing = Standing::bad;
-    if (standing == Standing::good) continue;
+    if (standing == Standing::unknown || standing == Standing::good) continue;
     const std::string warning = measure.warning(run, value);
     if (!holds(spoiled, warning)) all.warnings.push_back(warning + ".");
   }
@@ -65,12 +73,19 @@ void add_warnings(Judgement& all, const record::RunRecord& run)
 Judgement judgement_of(const record::RunRecord& run)
 {
   const Words spoiled = run.summary ? run.summary->spoiled : Words();
-  Judgement all{spoiled.empty() ? Standing::good : Standing::bad, {}};
+  Judgement all{spoiled.empty() ? Standing::good : Standing::bad, judged_measures(run), {}};
   for (const std::string& why : spoiled)
     all.warnings.push_back("the answer is spoiled, and its numbers, which have the mark (!), are not to be used: " + why + ".");
   add_measures(all, run, spoiled);
   add_warnings(all, run);
   if (all.standing == Standing::good && !all.warnings.empty()) all.standing = Standing::fair;
+  return all;
+}
+
+std::vector<Judgement> judgements_of(const std::vector<record::RunRecord>& runs)
+{
+  std::vector<Judgement> all;
+  for (const record::RunRecord& run : runs) all.push_back(judgement_of(run));
   return all;
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/quality/quality_section.hpp"
 
-#include "report/quality/judgement.hpp"
 #include "structures/base/driven_body.hpp"
-#include "structures/base/general_measures.hpp"
-#include "structures/generic/mechanism_cells.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
 #include "text/run_columns.hpp"
@@ -17,6 +14,9 @@
 namespace berm::report {
 namespace {
 
+using Runs = std::vector<record::RunRecord>;
+using Judgements = std::vector<Judgement>;
+
 std::string reason_of(const base::TrustMeasure& measure)
 {
   if (measure.limit == nullptr) return "";
@@ -26,40 +26,45 @@ std::string reason_of(const base::TrustMeasure& measure)
                      limit.large ? "below" : "above", bad, text::html_text(limit.reason));
 }
 
-std::string content_of(const base::TrustMeasure& measure, const record::RunRecord& run)
+std::string content_of(const JudgedMeasure& judged, const record::RunRecord& run)
 {
   constexpr std::array words{"good", "fair", "bad", "not known"};
-  const Real value = measure.value(run);
-  if (std::isnan(value)) return html_badge(text::Standing::unknown, "not known");
-  const std::string text = text::html_text(measure.words(run, value));
-  if (measure.limit == nullptr) return text;
-  const text::Standing standing = judge(*measure.limit, value);
-  return fmt::format("{} {}", text, html_badge(standing, words[static_cast<std::size_t>(standing)]));
+  if (judged.standing == text::Standing::unknown) return html_badge(judged.standing, "not known");
+  const std::string text = text::html_text(judged.measure.words(run, judged.value));
+  if (judged.measure.limit == nullptr) return text;
+  return fmt::format("{} {}", text, html_badge(judged.standing, words[static_cast<std::size_t>(judged.standing)]));
 }
 
-std::string table_of(const std::vector<record::RunRecord>& runs, problem::Method method, const std::string& id, const std::string& caption)
+std::string table_of(const Runs& runs, const Judgements& judgements, problem::Method method, const std::string& id,
+                     const std::string& caption)
 {
   text::RunColumns columns("", "", "judged by");
   bool any = false;
-  for (const record::RunRecord& run : runs) {
-    if (run.settings.method != method) continue;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (runs[k].settings.method != method) continue;
     any = true;
     std::vector<text::RunEntry> entries;
-    for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings))
-      if (measure.applies(run))
-        entries.push_back({measure.what, text::html_text(measure.what), content_of(measure, run), true, "", reason_of(measure)});
-    columns.run(run.name, entries);
+    for (const JudgedMeasure& judged : judgements[k].measures)
+      entries.push_back(
+          {judged.measure.what, text::html_text(judged.measure.what), content_of(judged, runs[k]), true, "", reason_of(judged.measure)});
+    columns.run(runs[k].name, entries);
   }
   return any ? columns.table(id, caption).html() : "";
 }
 
+bool judges_cells(const Judgement& judgement)
+{
+  return std::any_of(judgement.measures.begin(), judgement.measures.end(),
+                     [](const JudgedMeasure& judged) { return judged.measure.of_cells && judged.standing != text::Standing::unknown; });
+}
+
 /// Which runs have cells that no measure judges: without a driven body there is no width to compare them with.
-std::string words_on_cells(const std::vector<record::RunRecord>& runs)
+std::string words_on_cells(const Runs& runs, const Judgements& judgements)
 {
   std::vector<std::string> names;
-  for (const record::RunRecord& run : runs)
-    if (!base::drives_a_body(run.settings) && std::isnan(generic::cells_across_mechanism(run)))
-      names.push_back("<strong>" + text::html_text(run.name) + "</strong>");
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (!base::drives_a_body(runs[k].settings) && !judges_cells(judgements[k]))
+      names.push_back("<strong>" + text::html_text(runs[k].name) + "</strong>");
   if (names.empty()) return "";
   return fmt::format("<p class=\"cells\">Cells are not judged: {}. No body of a width is driven, and the frames show no soil that yields "
                      "in cells, so no measure tells how far the answer depends on the "
@@ -67,13 +72,13 @@ std::string words_on_cells(const std::vector<record::RunRecord>& runs)
                      fmt::join(names, ", "));
 }
 
-std::string warning_list(const std::vector<record::RunRecord>& runs)
+std::string warning_list(const Runs& runs, const Judgements& judgements)
 {
   std::string items;
-  for (const record::RunRecord& run : runs)
-    for (const std::string& words : judgement_of(run).warnings)
-      items += fmt::format("<li class=\"warning\"><strong>{}</strong>: {}</li>\n", text::html_text(run.name), text::html_text(words));
-  const std::string cells = words_on_cells(runs);
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (const std::string& words : judgements[k].warnings)
+      items += fmt::format("<li class=\"warning\"><strong>{}</strong>: {}</li>\n", text::html_text(runs[k].name), text::html_text(words));
+  const std::string cells = words_on_cells(runs, judgements);
   if (!items.empty()) return fmt::format("<ul class=\"warnings\">\n{}</ul>\n", items) + cells;
   return cells.empty() ? text::html_paragraph("By these measures nothing is wrong.")
                        : text::html_paragraph("These measures find nothing, but do not tell whether the cells are fine enough.") + cells;
@@ -81,11 +86,11 @@ std::string warning_list(const std::vector<record::RunRecord>& runs)
 
 }  // namespace
 
-std::string quality_section(const std::vector<record::RunRecord>& runs)
+std::string quality_section(const Runs& runs, const Judgements& judgements)
 {
-  std::string content = warning_list(runs);
-  content += table_of(runs, problem::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
-  content += table_of(runs, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
+  std::string content = warning_list(runs, judgements);
+  content += table_of(runs, judgements, problem::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
+  content += table_of(runs, judgements, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
   for (const base::Structure* structure : structures::all_structures())
     content += structure->quality_note(structures::runs_of(*structure, runs));
   return text::html_section("trust", "Can it be trusted?", content);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "record/run_record.hpp"
+#include "report/quality/judgement.hpp"
 
 namespace berm::report {
 
 /// Energy balance, quasi-static indicators, contact and mesh of all runs of the page, as HTML, with warnings in words.
-std::string quality_section(const std::vector<record::RunRecord>& runs);
+std::string quality_section(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements);
 
 }  // namespace berm::report

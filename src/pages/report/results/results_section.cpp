@@ -13,15 +13,11 @@ namespace {
 using Runs = std::vector<record::RunRecord>;
 
 /// Which of the measures of trust are bad, in a sentence with a link to them, HTML; "" where none is.
-std::string doubts_in_words(const record::RunRecord& run)
+std::string doubts_in_words(const record::RunRecord& run, const Judgement& judgement)
 {
   std::vector<std::string> bad;
-  for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings)) {
-    if (measure.limit == nullptr || !measure.applies(run)) continue;
-    const Real value = measure.value(run);
-    if (judge(*measure.limit, value) == text::Standing::bad)
-      bad.push_back(text::html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
-  }
+  for (const auto& [measure, value, standing] : judgement.measures)
+    if (standing == text::Standing::bad) bad.push_back(text::html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
   return bad.empty() ? ""
                      : fmt::format("Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
 }
@@ -31,26 +27,27 @@ bool is_spoiled(const record::RunRecord& run)
   return run.summary && !run.summary->spoiled.empty();
 }
 
-std::string words_of(const record::RunRecord& run, const base::DisplayUnits& shown, bool several)
+std::string words_of(const record::RunRecord& run, const Judgement& judgement, const base::DisplayUnits& shown, bool several)
 {
   const std::string name = several ? fmt::format("<strong>{}</strong> ", text::html_text(run.name)) : "";
   const std::string results = structures::structure_of(run.settings).in_words(run, shown);
-  const std::string doubts = doubts_in_words(run);
+  const std::string doubts = doubts_in_words(run, judgement);
   return fmt::format("<p>{}{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ",
                      is_spoiled(run) ? "(!) <strong>The answer is spoiled; do not use these numbers.</strong> " : "", results,
                      doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
 }
 
 /// The sentences of the first run, and folded those of the others.
-std::string words_of(const Runs& runs, const base::DisplayUnits& shown, const std::string& first_look)
+std::string words_of(const Runs& runs, const std::vector<Judgement>& judgements, const base::DisplayUnits& shown,
+                     const std::string& first_look)
 {
-  std::string html = words_of(runs.front(), shown, runs.size() > 1) + first_look;
+  std::string html = words_of(runs.front(), judgements.front(), shown, runs.size() > 1) + first_look;
   if (runs.size() == 1) return html;
   std::vector<std::string> names;
   std::string others;
   for (std::size_t k = 1; k < runs.size(); ++k) {
     names.push_back(text::html_text(runs[k].name));
-    others += words_of(runs[k], shown, true);
+    others += words_of(runs[k], judgements[k], shown, true);
   }
   return html + fmt::format("<details id=\"other-runs\"><summary>What the other {} met: {}</summary>\n{}</details>\n",
                             runs.size() == 2 ? "run" : "runs", fmt::join(names, ", "), others);
@@ -65,10 +62,10 @@ base::DisplayUnits units_of(const Runs& runs)
 
 }  // namespace
 
-std::string results_section(const Runs& runs, const std::string& first_look)
+std::string results_section(const Runs& runs, const std::vector<Judgement>& judgements, const std::string& first_look)
 {
   const base::DisplayUnits shown = units_of(runs);
-  std::string html = words_of(runs, shown, first_look), key, published;
+  std::string html = words_of(runs, judgements, shown, first_look), key, published;
   for (const base::Structure* structure : structures::all_structures()) {
     const base::Runs of_structure = structures::runs_of(*structure, runs);
     key += structure->key_results(of_structure, shown);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "record/run_record.hpp"
+#include "report/quality/judgement.hpp"
 #include "structures/base/published_point.hpp"
 
 namespace berm::report {
 
 /// Key results of all runs of the page, as HTML, beside what design codes and published formulas give for the same soil. What the first run met stands first, then
 /// `first_look`, HTML, and the other runs below it.
-std::string results_section(const std::vector<record::RunRecord>& runs, const std::string& first_look = "");
+std::string results_section(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements,
+                            const std::string& first_look = "");
 
 /// How the water drained in each stage, of the runs whose water flows, as HTML with its heading; "" where none does.
 std::string consolidation_table(const std::vector<record::RunRecord>& runs);

@@ -11,6 +11,11 @@
 namespace berm::report::this_file {
 namespace {
 
+std::string trust_of(const std::vector<record::RunRecord>& runs)
+{
+  return quality_section(runs, judgements_of(runs));
+}
+
 void set_gap(record::RunRecord& run, Real metres)
 {
   for (run_folder::Quantity& quantity : run.quantities) {
@@ -37,7 +42,7 @@ std::string row_of(const std::string& html, const std::string& heading)
 TEST(trust, nothing_wrong_is_said)
 {
   const std::string html =
-      quality_section({sample_record(sample_case({"material.sand.friction_angle=9 deg", "material.sand.dilation_angle=9 deg"}))});
+      trust_of({sample_record(sample_case({"material.sand.friction_angle=9 deg", "material.sand.dilation_angle=9 deg"}))});
   EXPECT_TRUE(contains(html, "nothing is wrong")) << html;
   EXPECT_FALSE(contains(html, "li class=\"warning\"")) << html;
 }
@@ -45,7 +50,7 @@ TEST(trust, nothing_wrong_is_said)
 TEST(trust, cells_that_are_fine_enough_for_other_soil_are_bad_where_it_dilates)
 {
   const auto said = [](const char* dilation_angle) {
-    return contains(quality_section({sample_record(sample_case({std::string("material.sand.dilation_angle=") + dilation_angle}))}),
+    return contains(trust_of({sample_record(sample_case({std::string("material.sand.dilation_angle=") + dilation_angle}))}),
                     "too strong in soil that dilates");
   };
   EXPECT_TRUE(said("35 deg"));
@@ -57,7 +62,7 @@ TEST(trust, a_filter_that_takes_much_of_the_work_is_bad)
   record::RunRecord run = sample_record(sample_case());
   for (const auto& [part, bad] : {std::pair(0.01, false), std::pair(0.11, true)}) {
     run.summary->checks["filter_over_work"] = part;
-    EXPECT_EQ(contains(quality_section({run}), "slows soil that flows"), bad) << part;
+    EXPECT_EQ(contains(trust_of({run}), "slows soil that flows"), bad) << part;
   }
 }
 
@@ -65,35 +70,47 @@ TEST(trust, a_filter_that_takes_much_of_the_work_is_bad)
 TEST(trust, cells_are_not_called_fine_where_nothing_judges_them)
 {
   record::RunRecord run = sample_record(sample_case());
-  ASSERT_FALSE(contains(quality_section({run}), "Cells are not judged"));
+  ASSERT_FALSE(contains(trust_of({run}), "Cells are not judged"));
   for (problem::StageSettings& stage : run.settings.stage) stage.kind = problem::StageKind::free;
   run.quantities.clear();
-  const std::string html = quality_section({run});
+  const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "Cells are not judged: <strong>" + run.name)) << html;
   EXPECT_FALSE(contains(html, "nothing is wrong"));
+}
+
+TEST(trust, cells_over_the_radius_of_a_disk_are_judged)
+{
+  for (const auto& [cells, words] : {std::pair(64.0, "badge good"), std::pair(32.0, "badge fair"), std::pair(16.0, "badge bad")}) {
+    record::RunRecord run = sample_record(sample_case());
+    run.settings.mesh = mesh::BoxMesh{.lower = {0, 0}, .size = {0.8, 0.8}, .cells = {cells, cells}};
+    run.settings.rigid.clear();
+    run.settings.body.front().second.disk = bodies::DiskSettings{.center = {0.4, 0.4}, .diameter = 0.4, .spacing = 0.01};
+    EXPECT_TRUE(contains(row_of(trust_of({run}), "cells over the radius of the smallest disk"), words)) << cells;
+    EXPECT_FALSE(contains(trust_of({run}), "Cells are not judged"));
+  }
 }
 
 TEST(trust, what_viscosity_and_damping_take_is_told_apart)
 {
   record::RunRecord run = sample_record(sample_case());
   run.summary->checks["viscosity_over_work"] = 0.03;
-  EXPECT_TRUE(contains(quality_section({run}), "the bulk viscosity took 3 % of the work"));
+  EXPECT_TRUE(contains(trust_of({run}), "the bulk viscosity took 3 % of the work"));
   run.summary->checks["viscosity_over_work"] = 0.01;
-  EXPECT_FALSE(contains(quality_section({run}), "the bulk viscosity took"));
-  EXPECT_FALSE(contains(quality_section({run}), "local damping took"));
+  EXPECT_FALSE(contains(trust_of({run}), "the bulk viscosity took"));
+  EXPECT_FALSE(contains(trust_of({run}), "local damping took"));
   run.history.columns = columns_named({"time_s", "internal_J_m", "damping_J_m", "external_J_m"});
   run.history.values = {{0, 1, 2}, {0, 80, 100}, {0, 50, 59}, {0, 60, 90}};
   run.history.stage = {"geostatic", "geostatic", "push"};
-  EXPECT_TRUE(contains(quality_section({run}), "local damping took 9 % of the work while the body was driven")) << quality_section({run});
+  EXPECT_TRUE(contains(trust_of({run}), "local damping took 9 % of the work while the body was driven")) << trust_of({run});
 }
 
 TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
 {
   record::RunRecord run = sample_record(sample_case());
   set_gap(run, 0.05e-3);
-  EXPECT_FALSE(contains(quality_section({run}), "gap is"));
+  EXPECT_FALSE(contains(trust_of({run}), "gap is"));
   set_gap(run, 0.4e-3);
-  const std::string html = quality_section({run});
+  const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "gap is 0.4 h: the pipe acts up to 4 % larger")) << html;
   EXPECT_TRUE(contains(row_of(html, "mean contact gap"), "badge fair"));
 }
@@ -102,8 +119,8 @@ TEST(trust, gap_is_counted_in_cells_at_the_pipe_and_judged_by_the_size_of_the_pi
 {
   record::RunRecord run = sample_record(sample_case({"mesh.near_size=2 mm"}));
   set_gap(run, 0.8e-3);
-  EXPECT_TRUE(contains(quality_section({run}), "gap is 0.4 h: the pipe acts up to 8 % larger")) << quality_section({run});
-  EXPECT_TRUE(contains(row_of(quality_section({run}), "mean contact gap"), "badge bad"));
+  EXPECT_TRUE(contains(trust_of({run}), "gap is 0.4 h: the pipe acts up to 8 % larger")) << trust_of({run});
+  EXPECT_TRUE(contains(row_of(trust_of({run}), "mean contact gap"), "badge bad"));
 }
 
 TEST(trust, verdicts_change_at_their_limits)
@@ -124,12 +141,12 @@ TEST(trust, verdicts_change_at_their_limits)
 TEST(trust, verdicts_of_the_page_follow_the_numbers)
 {
   record::RunRecord run = sample_record(sample_case());
-  EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "0.4 % <span class=\"badge good\">"));
+  EXPECT_TRUE(contains(row_of(trust_of({run}), "energy that does not balance"), "0.4 % <span class=\"badge good\">"));
   run.summary->checks["energy_error"] = 0.03;
-  EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "badge fair"));
+  EXPECT_TRUE(contains(row_of(trust_of({run}), "energy that does not balance"), "badge fair"));
   run.summary->checks["energy_error"] = 0.3;
-  EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "badge bad"));
-  EXPECT_TRUE(contains(quality_section({run}), "30 % of the work is not balanced"));
+  EXPECT_TRUE(contains(row_of(trust_of({run}), "energy that does not balance"), "badge bad"));
+  EXPECT_TRUE(contains(trust_of({run}), "30 % of the work is not balanced"));
 }
 
 TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
@@ -145,7 +162,7 @@ TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
   }
   EXPECT_DOUBLE_EQ(measure_of(run, "kinetic energy over the work, push").value(run), 0.12);
   EXPECT_DOUBLE_EQ(measure_of(run, "kinetic energy over the work, drag").value(run), 0.01);
-  EXPECT_TRUE(contains(quality_section({run}), "kinetic energy is 12 % of the work in the push: drive slower")) << quality_section({run});
+  EXPECT_TRUE(contains(trust_of({run}), "kinetic energy is 12 % of the work in the push: drive slower")) << trust_of({run});
 }
 
 TEST(trust, place_of_the_largest_energy_error_is_told)
@@ -162,20 +179,19 @@ TEST(trust, place_of_the_largest_energy_error_is_told)
 
 TEST(trust, plain_triangles_are_a_warning)
 {
-  const std::string html = quality_section({sample_record(sample_case({"mpm.volumetric_projection=false"}))});
+  const std::string html = trust_of({sample_record(sample_case({"mpm.volumetric_projection=false"}))});
   EXPECT_TRUE(contains(html, "plain triangles lock")) << html;
 }
 
 TEST(trust, coarse_cells_are_a_warning)
 {
   record::RunRecord run = sample_record(sample_case({"mesh.near_size=4 mm"}));
-  EXPECT_TRUE(contains(quality_section({run}), "cells at the pipe are D/5: resistance on a coarse mesh is too large"))
-      << quality_section({run});
+  EXPECT_TRUE(contains(trust_of({run}), "cells at the pipe are D/5: resistance on a coarse mesh is too large")) << trust_of({run});
 }
 
 TEST(trust, friction_that_shear_bands_lose_is_a_warning)
 {
-  const std::string html = quality_section({sample_record(sample_case())});  // 1 - sin 35 deg / tan 35 deg
+  const std::string html = trust_of({sample_record(sample_case())});  // 1 - sin 35 deg / tan 35 deg
   EXPECT_TRUE(contains(html, "can lose 18 % of its friction in shear bands")) << html;
   EXPECT_TRUE(contains(html, "phi* = 29.8 deg")) << html;
   EXPECT_TRUE(contains(row_of(html, "friction that shear bands can lose"), "badge fair"));
@@ -186,7 +202,7 @@ TEST(trust, run_without_a_summary_says_what_is_not_known)
   record::RunRecord run = sample_record(sample_case());
   run.summary.reset();
   run.end = record::RunEnd::unfinished;
-  const std::string html = quality_section({run});
+  const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "there is no summary of the run")) << html;
   EXPECT_TRUE(contains(row_of(html, "momentum that does not balance"), "<span class=\"badge none\">not known</span>"));
   EXPECT_FALSE(contains(html, "nothing is wrong"));
@@ -196,21 +212,21 @@ TEST(trust, finite_elements_have_rows_of_their_own_only)
 {
   record::RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
   run.settings.method = problem::Method::fem;
-  const std::string html = quality_section({run});
+  const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "part of the stress beyond the strength"));
   EXPECT_TRUE(contains(row_of(html, "strength that lags behind the pressure"), "badge good"));
   EXPECT_TRUE(contains(html, "0 of 1\u00a0000"));
   for (const char* words : {"noise of V", "contact gap", "momentum", "particles per cell", "kinetic", "V that the drag holds"})
     EXPECT_FALSE(contains(html, words)) << words;
   run.summary->checks["largest_overstress"] = 0.06;
-  EXPECT_TRUE(contains(quality_section({run}), "6 % of the stress is beyond the soil's strength"));
+  EXPECT_TRUE(contains(trust_of({run}), "6 % of the stress is beyond the soil's strength"));
 }
 
 TEST(trust, warnings_of_the_log_are_there_and_not_too_many)
 {
   record::RunRecord run = sample_record(sample_case());
   for (int k = 0; k < 8; ++k) run.warnings.push_back("<careful> " + std::to_string(k));
-  const std::string html = quality_section({run});
+  const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "run.log: &lt;careful&gt; 0"));
   EXPECT_TRUE(contains(html, "run.log has 3 more warnings"));
   EXPECT_FALSE(contains(html, "<careful>"));
@@ -221,7 +237,7 @@ TEST(trust, what_was_doubtful_of_a_case_is_there_once_and_all_of_it)
   record::RunRecord run = sample_record(sample_case());
   for (int k = 0; k < 8; ++k) run.summary->warnings.push_back("case.toml:3: k0: doubt " + std::to_string(k));
   run.warnings = run.summary->warnings;
-  const std::string html = quality_section({run});
+  const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "the case is doubtful: case.toml:3: k0: doubt 7")) << html;
   EXPECT_FALSE(contains(html, "run.log")) << html;
 }
@@ -231,9 +247,9 @@ TEST(trust, cells_that_grow_along_the_path_are_a_warning_with_both_sizes)
   record::RunRecord run = sample_record(sample_case());
   run.summary->checks["cells_at_body_first_m"] = 0.95e-3;
   run.summary->checks["cells_at_body_largest_m"] = 1e-3;
-  EXPECT_TRUE(contains(row_of(quality_section({run}), "cells at the pipe"), "D/20 (1 mm)")) << "cells of one size differ a little";
+  EXPECT_TRUE(contains(row_of(trust_of({run}), "cells at the pipe"), "D/20 (1 mm)")) << "cells of one size differ a little";
   run.summary->checks["cells_at_body_largest_m"] = 6e-3;
-  const std::string html = quality_section({run}), row = row_of(html, "cells at the pipe");
+  const std::string html = trust_of({run}), row = row_of(html, "cells at the pipe");
   EXPECT_TRUE(contains(row, "D/20 at the start, D/3.17 where they are largest")) << row;
   EXPECT_TRUE(contains(row, "badge bad")) << row;
   EXPECT_TRUE(contains(html, "cells at the pipe are D/3.17 on a part of its way, D/20 at the start")) << html;
@@ -244,8 +260,8 @@ TEST(trust, a_push_that_ends_within_its_first_cell_is_a_warning)
   record::RunRecord run = sample_record(sample_case());
   for (const auto& [w, words] : {std::pair(0.4e-3, "badge bad"), std::pair(1.5e-3, "badge fair"), std::pair(2e-3, "badge good")}) {
     run.quantities.push_back({"w_end_of_push", w, "m"});
-    EXPECT_TRUE(contains(row_of(quality_section({run}), "embedment at the end of the push, in cells"), words)) << w;
-    EXPECT_EQ(contains(quality_section({run}), "the push ends 0.4 cells deep"), w < 0.5e-3) << w;
+    EXPECT_TRUE(contains(row_of(trust_of({run}), "embedment at the end of the push, in cells"), words)) << w;
+    EXPECT_EQ(contains(trust_of({run}), "the push ends 0.4 cells deep"), w < 0.5e-3) << w;
     run.quantities.pop_back();
   }
 }
@@ -254,9 +270,9 @@ TEST(trust, cells_of_a_mesh_of_the_user_are_those_that_the_run_found)
 {
   record::RunRecord run = sample_record(sample_case());
   run.settings.mesh = mesh::GmshFile{"mine.msh"};
-  EXPECT_TRUE(contains(row_of(quality_section({run}), "cells at the pipe"), "not known"));
+  EXPECT_TRUE(contains(row_of(trust_of({run}), "cells at the pipe"), "not known"));
   run.summary->checks["cells_at_body_first_m"] = run.summary->checks["cells_at_body_largest_m"] = 2e-3;
-  EXPECT_TRUE(contains(row_of(quality_section({run}), "cells at the pipe"), "D/10 (2 mm)"));
+  EXPECT_TRUE(contains(row_of(trust_of({run}), "cells at the pipe"), "D/10 (2 mm)"));
 }
 
 }  // namespace

@@ -14,11 +14,16 @@ bool holds(const std::string& html, const std::string& part)
   return html.find(part) != std::string::npos;
 }
 
+std::string answer_of(const std::vector<record::RunRecord>& runs)
+{
+  return results_section(runs, judgements_of(runs));
+}
+
 TEST(answer, says_in_words_what_the_pipe_met)
 {
   MadeRun made;
   made.dragged = 0.02;
-  const std::string html = results_section({made.record()});
+  const std::string html = answer_of({made.record()});
   EXPECT_TRUE(holds(
       html, "Pushed to w = 0.1 D (2 mm, 0.1 m in the prototype), the pipe carries V = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²)."))
       << html;
@@ -47,7 +52,7 @@ record::RunRecord with_a_second_drag(Real V)
 
 TEST(answer, a_drag_under_another_vertical_force_says_so)
 {
-  const std::string other = results_section({with_a_second_drag(400)}), same = results_section({with_a_second_drag(800)});
+  const std::string other = answer_of({with_a_second_drag(400)}), same = answer_of({with_a_second_drag(800)});
   EXPECT_TRUE(holds(other, "One more drag follows with V held, 0.4 kN/m")) << other;
   EXPECT_TRUE(holds(other, "it meets at its end H = 0.3 kN/m")) << other;
   EXPECT_TRUE(holds(same, "One more drag follows: it meets at its end H = 0.3 kN/m")) << same;
@@ -55,7 +60,7 @@ TEST(answer, a_drag_under_another_vertical_force_says_so)
 
 TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_scale)
 {
-  const std::string html = results_section({MadeRun{}.record()});
+  const std::string html = answer_of({MadeRun{}.record()});
   EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V, kN/m</th><th scope=\"col\" class=\"number\">V/(γ′ D²)</th>"
                           "<th scope=\"col\" class=\"number\">V in the prototype, kN/m</th>"));
   EXPECT_TRUE(holds(html, "times the gravity level (50)"));
@@ -75,12 +80,12 @@ TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_sca
 TEST(answer, tells_how_sure_it_is_where_that_is_known)
 {
   record::RunRecord run = MadeRun{}.record();
-  EXPECT_FALSE(holds(results_section({run}), "converged"));
+  EXPECT_FALSE(holds(answer_of({run}), "converged"));
   run.summary.emplace();
   run_folder::Uncertainty& u = run.summary->uncertainty.emplace();
   u.quantities = {
       {"V_end_of_push", "N/m", {800, 718, 53}}, {"V_at_w_0.05D", "N/m", {400, 360, 28}}, {"H_at_u_0.3D", "N/m", {180, 170, 12}}};
-  const std::string html = results_section({run});
+  const std::string html = answer_of({run});
   EXPECT_TRUE(holds(html, "carries V = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), converged 0.72 ± 0.05 kN/m.")) << html;
   EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V converged, kN/m</th>")) << html;
   EXPECT_TRUE(holds(html, "<td class=\"number\">20.00</td><td class=\"number\">0.360 ± 0.028</td>")) << html;
@@ -88,7 +93,7 @@ TEST(answer, tells_how_sure_it_is_where_that_is_known)
   EXPECT_TRUE(holds(html, "not what the soil law or its parameters do")) << html;
   u = {};
   u.missing = "the run cells_2 failed: <no memory>";
-  EXPECT_TRUE(holds(results_section({run}), "has no bands: the run cells_2 failed: &lt;no memory&gt;."));
+  EXPECT_TRUE(holds(answer_of({run}), "has no bands: the run cells_2 failed: &lt;no memory&gt;."));
 }
 
 TEST(answer, a_number_with_its_half_width_has_as_many_decimals_as_this)
@@ -105,11 +110,11 @@ TEST(answer, a_model_under_one_gravity_has_no_prototype)
 {
   MadeRun made;
   made.gravity_level = 1;
-  const std::string html = results_section({made.record()});
+  const std::string html = answer_of({made.record()});
   EXPECT_FALSE(holds(html, "prototype")) << html;
   EXPECT_TRUE(holds(html, "V/(γ′ D²)"));
   made.gravity_level = 0;
-  EXPECT_FALSE(holds(results_section({made.record()}), "prototype"));
+  EXPECT_FALSE(holds(answer_of({made.record()}), "prototype"));
 }
 
 TEST(answer, clay_is_measured_by_its_strength)
@@ -117,7 +122,7 @@ TEST(answer, clay_is_measured_by_its_strength)
   MadeRun made;
   made.law = MadeRun::clay_law();
   made.contact.friction_angle = 0;
-  const std::string html = results_section({made.record()});
+  const std::string html = answer_of({made.record()});
   EXPECT_TRUE(holds(html, "V/(D s<sub>u</sub>)"));
   EXPECT_FALSE(holds(html, "V/(γ′ D²)"));
   EXPECT_TRUE(holds(html, "40 D s<sub>u</sub>")) << html;  // 800 N/m over 0.02 m x 1 kPa
@@ -127,10 +132,10 @@ TEST(answer, a_value_out_of_range_is_marked)
 {
   MadeRun made;
   made.law.dilation_angle = 0;
-  const std::string html = results_section({made.record()});
+  const std::string html = answer_of({made.record()});
   EXPECT_TRUE(holds(html, "<tr class=\"out_of_range\"><th scope=\"row\">V</th>"));
   EXPECT_TRUE(holds(html, "out of range: φ = ψ = 35°, δ = 0 or 2/3 φ, 0.05 ≤ w/D ≤ 0.5")) << html;
-  EXPECT_FALSE(holds(results_section({MadeRun{}.record()}), "out_of_range"));
+  EXPECT_FALSE(holds(answer_of({MadeRun{}.record()}), "out_of_range"));
 }
 
 TEST(answer, breakout_is_told_where_there_is_one)
@@ -138,7 +143,7 @@ TEST(answer, breakout_is_told_where_there_is_one)
   MadeRun made;
   made.dragged = 0.02;
   made.H = [](Real u) { return u < 0.006 ? 5e4 * u : u < 0.012 ? std::lerp(300, 200, (u - 0.006) / 0.006) : 200; };
-  const std::string html = results_section({made.record()});
+  const std::string html = answer_of({made.record()});
   EXPECT_TRUE(holds(html, "H peaks first at u = 0.304 D (6.08 mm, 0.304 m in the prototype) with 0.298 kN/m")) << html;
   EXPECT_TRUE(holds(html, "then comes to 0.2 kN/m")) << html;
   EXPECT_TRUE(holds(html, "Displacement at breakout of the drag from w = 0.1 D<")) << html;
@@ -148,7 +153,7 @@ TEST(answer, breakout_is_told_where_there_is_one)
 
 TEST(answer, formulas_that_are_only_recalled_are_not_shown)
 {
-  const std::string html = results_section({MadeRun{}.record()});
+  const std::string html = answer_of({MadeRun{}.record()});
   EXPECT_TRUE(holds(html, "id=\"published-0\"")) << html;
   EXPECT_TRUE(holds(html, "DNVGL-RP-F114, table 4-4; BE, best estimate")) << html;
   EXPECT_TRUE(holds(html, "DNVGL-RP-F114, 4.4.2.3; passive wedge and friction, Kp with δ"));
@@ -158,7 +163,7 @@ TEST(answer, formulas_that_are_only_recalled_are_not_shown)
   MadeRun clay;
   clay.law = MadeRun::clay_law();
   clay.contact.friction_angle = 0;
-  const std::string in_clay = results_section({clay.record()});
+  const std::string in_clay = answer_of({clay.record()});
   EXPECT_TRUE(holds(in_clay, "DNVGL-RP-F114, 4.4.2.2; model 1, without suction behind the pipe, LE, low estimate")) << in_clay;
   EXPECT_TRUE(holds(in_clay, "DNV-RP-F114 (2021), equation 4.22; model 2"));
   EXPECT_FALSE(holds(in_clay, "Merifield, White and Randolph 2009"));
@@ -170,7 +175,7 @@ TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
   MadeRun other;
   other.name = "other <run>";
   other.V = [](Real w) { return 2e5 * w; };
-  const std::string html = results_section({MadeRun{}.record(), other.record()});
+  const std::string html = answer_of({MadeRun{}.record(), other.record()});
   const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\"><span>w = 0.05 D</span></th></tr>");
   ASSERT_NE(group, std::string::npos) << html;
   const auto first = html.find("<tr><th scope=\"row\">made</th>", group),
@@ -192,7 +197,7 @@ TEST(answer, a_push_has_no_point_where_it_begins_but_one_where_it_ends)
     made.settles = false;
     made.dragged = 0;
     made.V = [](Real w) { return 17000 * (w - 0.004) / 0.0004; };
-    const std::string html = results_section({made.record()});
+    const std::string html = answer_of({made.record()});
     EXPECT_FALSE(holds(html, "<th scope=\"row\">w = 0.2 D</th>")) << html;
     EXPECT_TRUE(holds(html, "<th scope=\"row\">end of the push</th><td class=\"number\">17.00</td><td class=\"number\">98.84</td><td "
                             "class=\"number\">850.0</td>"
@@ -205,7 +210,7 @@ TEST(answer, an_end_at_a_round_embedment_stands_among_the_points_of_other_runs)
 {
   MadeRun deeper;
   deeper.pushed_to = 0.004;
-  const std::string html = results_section({MadeRun{}.record(), deeper.record()});
+  const std::string html = answer_of({MadeRun{}.record(), deeper.record()});
   const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\"><span>w = 0.1 D</span></th></tr>");
   ASSERT_NE(group, std::string::npos) << html;
   const std::string rows = html.substr(group, html.find("<tr class=\"group\">", group + 1) - group);
@@ -220,13 +225,13 @@ TEST(answer, a_push_that_was_stopped_or_killed_has_no_end_to_compare)
   made.dragged = 0;
   record::RunRecord run = made.record();
   run.end = record::RunEnd::stopped;
-  std::string html = results_section({run});
+  std::string html = answer_of({run});
   EXPECT_TRUE(holds(html, "in the prototype), where it was stopped, the pipe carries")) << html;
   EXPECT_TRUE(holds(html, "<th scope=\"row\">where it was stopped</th>"));
   EXPECT_TRUE(holds(html, "Where it was stopped, w = 0.078 D"));
   EXPECT_FALSE(holds(html, "nd of the push"));
   run.end = record::RunEnd::unfinished;
-  html = results_section({run});
+  html = answer_of({run});
   EXPECT_TRUE(holds(html, "in the prototype), as far as it came, the pipe carries")) << html;
   EXPECT_TRUE(holds(html, "As far as it came, w = 0.078 D"));
   EXPECT_FALSE(holds(html, "nd of the push"));
@@ -235,7 +240,7 @@ TEST(answer, a_push_that_was_stopped_or_killed_has_no_end_to_compare)
   dragged.pushed_to = 0.00156;
   run = dragged.record();
   run.end = record::RunEnd::stopped;
-  html = results_section({run});
+  html = answer_of({run});
   EXPECT_TRUE(holds(html, "End of the push, w = 0.078 D")) << html;
   EXPECT_TRUE(holds(html, "There is no peak: H grows to where it was stopped."));
 }
@@ -243,7 +248,7 @@ TEST(answer, a_push_that_was_stopped_or_killed_has_no_end_to_compare)
 TEST(answer, no_H_is_larger_than_the_largest)
 {
   // H grows to the end of the drag at 0.5 D, where the table has a point: 300 N/m.
-  const std::string html = results_section({MadeRun{}.record()});
+  const std::string html = answer_of({MadeRun{}.record()});
   EXPECT_TRUE(holds(
       html, "<th scope=\"row\">largest</th><td class=\"number\">0.3000</td><td class=\"number\">1.744</td><td class=\"number\">15.00</td>"
             "<td class=\"number\">0.5000</td><td class=\"number\">10.00</td><td class=\"number\">0.5000</td>"))
@@ -253,10 +258,10 @@ TEST(answer, no_H_is_larger_than_the_largest)
   record::RunRecord run = MadeRun{}.record();
   for (run_folder::Quantity& q : run.quantities)
     if (q.name == "H_max") q.value = 290;
-  EXPECT_FALSE(holds(results_section({run}), "0.2900"));
+  EXPECT_FALSE(holds(answer_of({run}), "0.2900"));
   run.history = {};
-  EXPECT_TRUE(holds(results_section({run}), "<td class=\"number\">0.3000</td>"));
-  EXPECT_FALSE(holds(results_section({run}), "0.2900"));
+  EXPECT_TRUE(holds(answer_of({run}), "<td class=\"number\">0.3000</td>"));
+  EXPECT_FALSE(holds(answer_of({run}), "0.2900"));
 }
 
 TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
@@ -266,7 +271,7 @@ TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
   made.first_w = made.pushed_to = 0.006;
   made.dragged = 0.0016;
   made.H = [](Real u) { return u < 0.0008 ? 1e6 * u : 800 - 1e5 * (u - 0.0008); };
-  const std::string html = results_section({made.record()});
+  const std::string html = answer_of({made.record()});
   EXPECT_FALSE(holds(html, "Nothing is known"));
   EXPECT_TRUE(holds(html,
                     "Wished in place at w = 0.3 D (6 mm, 0.3 m in the prototype) and dragged 0.08 D with V held, 0.8 kN/m (40 kN/m in the "
@@ -279,9 +284,9 @@ TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
 TEST(answer, what_cannot_be_trusted_is_named_beside_the_words)
 {
   record::RunRecord run = MadeRun{}.record();
-  EXPECT_FALSE(holds(results_section({run}), "#trust"));
+  EXPECT_FALSE(holds(answer_of({run}), "#trust"));
   run.quantities.push_back({"overlap_max_over_D", 0.03, "1"});
-  const std::string html = results_section({run});
+  const std::string html = answer_of({run});
   EXPECT_TRUE(holds(
       html, "Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: deepest soil inside the pipe, over D – 0.03."))
       << html;
@@ -298,16 +303,16 @@ TEST(answer, a_body_has_the_name_that_the_case_gives_it)
   };
   call("footing");
   run.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
-  EXPECT_TRUE(holds(results_section({run}), "the footing carries V")) << results_section({run});
-  EXPECT_TRUE(holds(results_section({run}), "). D is the width of the footing.</p>"));
-  EXPECT_FALSE(holds(results_section({run}), "the pipe "));
+  EXPECT_TRUE(holds(answer_of({run}), "the footing carries V")) << answer_of({run});
+  EXPECT_TRUE(holds(answer_of({run}), "). D is the width of the footing.</p>"));
+  EXPECT_FALSE(holds(answer_of({run}), "the pipe "));
   bodies::PolygonSettings wedge;
   wedge.x = {-0.01, 0.01, 0};
   wedge.y = {0.02, 0.02, 0};
   run.settings.rigid[0].second.shape = wedge;
   call("steel_wedge<");
-  EXPECT_TRUE(holds(results_section({run}), "the steel wedge&lt; carries V"));
-  EXPECT_FALSE(holds(results_section({run}), "wedge<"));
+  EXPECT_TRUE(holds(answer_of({run}), "the steel wedge&lt; carries V"));
+  EXPECT_FALSE(holds(answer_of({run}), "wedge<"));
 }
 
 TEST(answer, forces_are_in_the_unit_of_the_largest)
@@ -317,7 +322,7 @@ TEST(answer, forces_are_in_the_unit_of_the_largest)
   for (const auto& [largest, words] : std::vector<std::pair<Real, std::string>>{
            {99, "carries V = 99 N/m"}, {101, "carries V = 0.101 kN/m"}, {1e6, "carries V = 1000 kN/m"}, {2e7, "carries V = 20 MN/m"}}) {
     made.V = [size = largest](Real w) { return size * w / 0.002; };
-    EXPECT_TRUE(holds(results_section({made.record()}), words)) << words;
+    EXPECT_TRUE(holds(answer_of({made.record()}), words)) << words;
     EXPECT_EQ(words.substr(words.rfind(' ') + 1), text::unit_of_forces(largest, 2).name);
   }
   EXPECT_EQ(text::force_words(99, 2), "99 N/m");
@@ -331,12 +336,12 @@ TEST(answer, of_a_run_that_did_not_end_there_is_what_there_is)
   made.dragged = 0.004;
   record::RunRecord run = made.record();
   run.end = record::RunEnd::unfinished;
-  const std::string html = results_section({run});
+  const std::string html = answer_of({run});
   EXPECT_TRUE(holds(html, "(not finished) Pushed to w = 0.1 D"));
   EXPECT_TRUE(holds(html, "Dragged 0.2 D"));
   run.history = {};
   run.quantities.clear();
-  EXPECT_TRUE(holds(results_section({run}), "Nothing is known of its forces"));
+  EXPECT_TRUE(holds(answer_of({run}), "Nothing is known of its forces"));
 }
 
 TEST(answer, a_run_without_a_driven_body_tells_its_quantities_and_what_it_watches)
@@ -347,7 +352,7 @@ TEST(answer, a_run_without_a_driven_body_tells_its_quantities_and_what_it_watche
   run.settings.watch = {{"ti<p", {"soil", {0, 0}}}};
   run.history.columns.push_back({"ti<p_uy_m", "ti<p uy", "m", "displacement", "ti<p"});
   run.history.values.emplace_back(run.history.rows(), -0.0125);
-  const std::string html = results_section({run});
+  const std::string html = answer_of({run});
   EXPECT_TRUE(holds(html, "no push or drag drives a body that has a width."));
   EXPECT_TRUE(holds(html, "<th scope=\"row\">run_out</th><td class=\"number\">1.234</td><td>m</td>")) << html;
   EXPECT_TRUE(holds(html, "<th scope=\"row\">ti&lt;p_uy_m</th><td>displacement</td><td class=\"number\">-0.01250</td><td>m</td>")) << html;
@@ -356,14 +361,14 @@ TEST(answer, a_run_without_a_driven_body_tells_its_quantities_and_what_it_watche
   run.settings.watch.clear();
   run.quantities.clear();
   run.summary = run_folder::RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}, {}};
-  EXPECT_TRUE(holds(results_section({run}), "<th scope=\"row\">momentum_error</th><td class=\"number\">0.001000</td>"));
+  EXPECT_TRUE(holds(answer_of({run}), "<th scope=\"row\">momentum_error</th><td class=\"number\">0.001000</td>"));
 }
 
 // w = 0.1 D: the contact reaches to 36.9 degrees from the invert, 2 sin b / (b + sin b cos b) = 1.068.
 TEST(axial, resistance_by_friction_stands_beside_that_of_the_wedging_factor)
 {
-  EXPECT_FALSE(holds(results_section({MadeRunInWater{}.record()}), "Axial resistance"));
-  const std::string html = results_section({MadeRunInWater{}.record_with_normal_force()});
+  EXPECT_FALSE(holds(answer_of({MadeRunInWater{}.record()}), "Axial resistance"));
+  const std::string html = answer_of({MadeRunInWater{}.record_with_normal_force()});
   const std::size_t table = html.find("Axial resistance by friction");
   ASSERT_NE(table, std::string::npos);
   for (const char* number : {">1.1", ">1.068", "White and Randolph 2007"}) EXPECT_NE(html.find(number, table), std::string::npos) << number;
