@@ -41,7 +41,8 @@ std::vector<PyCurve> py_curves(const LateralRun& run)
     const record::TravelCurve y_curve(run.path.u, y), p_curve(run.path.u, p);
     for (int n = 0; n <= points; ++n) {
       const Real u = std::lerp(p_curve.begin(), end, Real(n) / points);
-      curve.u.push_back(u), curve.y.push_back(y_curve.at(u, run.half())), curve.p.push_back(p_curve.at(u, run.half()));
+      const Real half = std::min(run.half(), u - p_curve.begin());  // the first point is that of the start
+      curve.u.push_back(u), curve.y.push_back(y_curve.at(u, half)), curve.p.push_back(p_curve.at(u, half));
     }
     curves.push_back(std::move(curve));
   }

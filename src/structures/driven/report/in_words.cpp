@@ -4,6 +4,7 @@
 
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
+#include "structures/driven/results/states.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -112,13 +113,33 @@ std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, cons
   return words + ". ";
 }
 
+/// The state in which the main drag begins; empty where that is not known.
+std::optional<State> begin_of_drag(const DrivenRun& run)
+{
+  const States states = states_of(run.record);
+  const State* after = find_state(states, "after_" + run.results().main_drag().stage);
+  if (after == nullptr || after == &states.front()) return {};
+  return *(after - 1);
+}
+
+/// " after "sweep_2", from w = 93 mm" where another drag came before the main one in the same state of the pipe's life.
+std::string earlier_drag_words(const DrivenRun& run, const base::DisplayUnits& shown)
+{
+  constexpr std::string_view after = "after_";
+  const std::optional<State> begin = begin_of_drag(run);
+  if (!begin || !begin->name.starts_with(after)) return "";
+  return fmt::format(" after \"{}\", from w = {}", text::html_text(begin->name.substr(after.size())),
+                     shown.length_text(run.scale, begin->w));
+}
+
 /// "Dragged 1 D with V held, 0.8 kN/m on average, the pipe meets", after a push "it".
 std::string drag_begin(const DrivenRun& run, const RunPoints& points, const std::string& travel, const base::DisplayUnits& shown)
 {
   const Results results = run.results();
   const DragResults& drag = results.main_drag();
   const std::string vertical = vertical_words(run, drag, shown), subject = points.push_end ? "it" : subject_of(run.settings),
-                    which = results.prefix_of(drag).empty() ? "" : fmt::format(" in \"{}\"", text::html_text(drag.stage));
+                    which = (results.prefix_of(drag).empty() ? "" : fmt::format(" in \"{}\"", text::html_text(drag.stage))) +
+                            earlier_drag_words(run, shown);
   const std::string begin = !points.push_end && starts_embedded(run)
                                 ? fmt::format("Wished in place at w = {} and dragged", shown.length_text(run.scale, points.first_w))
                                 : std::string("Dragged");
@@ -129,10 +150,8 @@ std::string drag_begin(const DrivenRun& run, const RunPoints& points, const std:
 std::string drag_words(const DrivenRun& run, const RunPoints& points, const DragPoint& end, const base::DisplayUnits& shown)
 {
   const Results results = run.results();
-  const auto operation = std::ranges::find(results.states, "operation", &StateResults::name);
-  const Real D = run.scale.width, began = operation != results.states.end() ? operation->w
-                                          : points.push_end                 ? points.push_end->w
-                                                                            : points.first_w;
+  const std::optional<State> begin = begin_of_drag(run);
+  const Real D = run.scale.width, began = begin ? begin->w : points.push_end ? points.push_end->w : points.first_w;
   std::string words =
       fmt::format("{} H = {}{}, {} V, over the last {} D", drag_begin(run, points, text::short_number(end.u / D) + " D", shown),
                   shown.force_text(run.scale, end.H), converged_words(run, results.prefix_of(results.main_drag()) + "H_end_of_drag", shown),

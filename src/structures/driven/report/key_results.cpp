@@ -177,8 +177,12 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
       table.row(cells);
     };
     if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
-    for (const OtherPushResults& push : results.other_pushes) add(push.stage, [&](const StageColumn& c) { return c.of_push(push); });
-    for (const DragResults& drag : results.drags) add(drag.stage, [&](const StageColumn& c) { return c.of_drag(drag); });
+    for (const Stage& stage : run.stages) {
+      const auto push = std::ranges::find(results.other_pushes, stage.name, &OtherPushResults::stage);
+      const auto drag = std::ranges::find(results.drags, stage.name, &DragResults::stage);
+      if (push != results.other_pushes.end()) add(stage.name, [&](const StageColumn& c) { return c.of_push(*push); });
+      if (drag != results.drags.end()) add(stage.name, [&](const StageColumn& c) { return c.of_drag(*drag); });
+    }
   }
   if (table.empty()) return "";
   return table.html() +
@@ -299,8 +303,8 @@ std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits
   if (table.empty()) return "";
   return table.html() +
          text::html_paragraph(
-             "u counts along x from where the stage began; a turn counts where the body goes back by 0.01 D. half_cycles.csv of "
-             "the run folder has each half cycle of a force that varies.",
+             "u counts along x from where the stage began; a turn counts where the body goes back by 0.01 D. Times are those of the load "
+             "history. half_cycles.csv of the run folder has each half cycle of a force that varies.",
              "quiet");
 }
 

@@ -18,11 +18,9 @@ std::vector<HalfCycle> half_cycles_of(const DragPath& drag, const run_folder::Hi
   std::vector<HalfCycle> cycles;
   if (drag.rows.size() < 2) return cycles;
   const std::vector<Real>&time = history["time_s"], &u = history["u_m"];
-  const Real t0 = time[drag.rows.front()];
+  const auto since = [&](std::size_t k) { return (time[drag.rows[k]] - time[drag.rows.front()]) / drag.stage.asked.time_scale; };
   const auto way = [&](std::size_t k) { return u[drag.rows[k]] - drag.u_begin; };
-  const auto add = [&](std::size_t from, std::size_t to) {
-    cycles.push_back({time[drag.rows[from]] - t0, time[drag.rows[to]] - t0, way(from), way(to), drag.w[to]});
-  };
+  const auto add = [&](std::size_t from, std::size_t to) { cycles.push_back({since(from), since(to), way(from), way(to), drag.w[to]}); };
   std::size_t begin = 0, farthest = 0;
   Real direction = 0;
   for (std::size_t k = 1; k < drag.rows.size(); ++k) {
@@ -48,7 +46,7 @@ Displacements displacements_of(const DragPath& drag, const run_folder::History& 
   const Real t0 = time[drag.rows.front()];
   moved.u_largest = 0, moved.w_largest = drag.w.front();
   for (std::size_t k = 0; k < drag.rows.size(); ++k) {
-    const Real way = u[drag.rows[k]] - drag.u_begin, since = time[drag.rows[k]] - t0;
+    const Real way = u[drag.rows[k]] - drag.u_begin, since = (time[drag.rows[k]] - t0) / drag.stage.asked.time_scale;
     if (std::abs(way) > std::abs(moved.u_largest)) moved.u_largest = way;
     moved.w_largest = std::max(moved.w_largest, drag.w[k]);
     if (!moved.time_half_D && std::abs(way) >= D / 2) moved.time_half_D = since;

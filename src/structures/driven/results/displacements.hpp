@@ -5,6 +5,8 @@
 
 namespace berm::driven {
 
+// Times are those of the load history, not of a run that is faster by `time_scale`.
+
 /// The ways of a drag by force between the turns of the body: a turn counts where the body goes back by a hundredth of D (m).
 std::vector<HalfCycle> half_cycles_of(const DragPath& drag, const run_folder::History& history, Real D);
 

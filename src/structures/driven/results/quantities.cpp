@@ -205,6 +205,16 @@ void take_other_pushes(Results& results, const Path& path, const run_folder::His
   }
 }
 
+/// A push that a limit of its force ends has that force there, however short it is and whatever its mean.
+void take_limit_of_force(Results& results, const PushPath& push, const run_folder::History& history, const Stages& stages)
+{
+  if (!results.push_end) return;
+  const std::string& name = history.stage[push.rows.back()];
+  for (const Stage& stage : stages)
+    if (stage.name == name && !stage.upwards && stage.asked.until.force && push.V.back() >= *stage.asked.until.force)
+      results.push_end->V = push.V.back();
+}
+
 /// Of all pushes before the first drag that the push end may be of.
 void take_what_the_push_is_given(Results& results, const Stages& stages)
 {
@@ -270,6 +280,7 @@ Results results_from(const run_folder::History& history, const BodyScale& scale,
   Results results;
   results.main = path.main;
   take_push(results, path.push, scale);
+  take_limit_of_force(results, path.push, history, stages);
   take_travel(results, path.push, history, scale);
   take_drags(results, path, history, scale);
   take_other_pushes(results, path, history, stages, scale);
@@ -292,12 +303,15 @@ std::string key_results_table(const std::vector<run_folder::Quantity>& quantitie
     if (q.kind == run_folder::QuantityKind::ratio) continue;
     const bool force = q.unit == "N/m" || q.unit == "N", length = q.unit == "m";
     const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
-    const bool moment = q.unit == "N m";
+    const bool moment = q.unit == "N m", time = q.unit == "s";
     const std::string model = force    ? four_digits(q.value) + (q.unit == "N" ? " N   " : " N/m ")
                               : length ? four_digits(1000 * q.value) + " mm  "
                               : moment ? four_digits(q.value) + " N m "
+                              : time   ? four_digits(q.value) + " s   "
                                        : "";
-    const std::string bare = !force && !length && !moment ? four_digits(q.value) : twin != quantities.end() ? four_digits(twin->value) : "";
+    const std::string bare = !force && !length && !moment && !time ? four_digits(q.value)
+                             : twin != quantities.end()            ? four_digits(twin->value)
+                                                                   : "";
     table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
     const Real scaled = q.value * scale.gravity_level;
     if (prototype && q.unit == "N/m") table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");

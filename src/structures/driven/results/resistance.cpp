@@ -34,12 +34,21 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Bo
   return std::nullopt;
 }
 
-std::optional<Real> residual_from(const TravelCurve& smooth, Real breakout, Real residual)
+/// From where H stays near the residual over this stretch, or to the end.
+std::optional<Real> residual_from(const TravelCurve& smooth, Real breakout, Real residual, Real stretch)
 {
-  for (std::size_t k = 0; k < smooth.travel().size(); ++k)
-    if (smooth.travel()[k] >= breakout && std::abs(smooth.value()[k] - residual) <= max_residual_change * std::abs(residual))
-      return smooth.travel()[k];
-  return std::nullopt;
+  std::optional<Real> from;
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k) {
+    const Real u = smooth.travel()[k];
+    if (u < breakout) continue;
+    if (std::abs(smooth.value()[k] - residual) > max_residual_change * std::abs(residual))
+      from.reset();
+    else if (!from)
+      from = u;
+    else if (u - *from >= stretch)
+      return from;
+  }
+  return from;
 }
 
 /// The lowest mean of H over a stretch of 2 half, beyond `from`, in which it changes as little as at the end of a drag; empty where there is none.
@@ -96,7 +105,8 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
                                                             : plateau_of(H, first_at(smooth, mean / 2), std::max(half, travel / 8));
     if (plateau && mean > (1 + min_berm) * *plateau) resistance.residual = plateau, resistance.berm = mean;
   }
-  if (resistance.residual && resistance.breakout) resistance.residual_from = residual_from(smooth, resistance.breakout->u, mean);
+  if (resistance.residual && resistance.breakout)
+    resistance.residual_from = residual_from(smooth, resistance.breakout->u, *resistance.residual, half);
   return resistance;
 }
 

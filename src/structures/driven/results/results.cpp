@@ -188,8 +188,9 @@ void describe_drag(Visitor& v, DragResults& r, Real D)
                        v.length("u_largest_half_cycle", m.largest_half_cycle, "largest way between two turns of the body") &&
                        v.ratio("half_cycles", m.half_cycles, "ways between two turns of the body, of at least 0.01 D", Kind::quality);
     v.optional(m.time_half_D,
-               [&](Real& t) { return v.time("time_to_0.5D", t, "time in the stage until the body is 0.5 D from where it began"); });
-    v.optional(m.time_D, [&](Real& t) { return v.time("time_to_1D", t, "time in the stage until the body is 1 D from where it began"); });
+               [&](Real& t) { return v.time("time_to_0.5D", t, "time of the load history until the body is 0.5 D from where it began"); });
+    v.optional(m.time_D,
+               [&](Real& t) { return v.time("time_to_1D", t, "time of the load history until the body is 1 D from where it began"); });
     return there;
   });
   v.optional(r.berm_height, [&](Real& value) { return v.length("berm_height", value, "height of the berm ahead at the end of the drag"); });

@@ -44,11 +44,12 @@ struct Prescribed {
 
 /// How far a force moves the body. u counts along x from where the stage began.
 struct Displacements {
-  Real u_largest = nan, u_end = nan;            ///< m; of the largest size
-  Real w_largest = nan, w_end = nan;            ///< m
-  Real largest_half_cycle = nan;                ///< m, largest way between two turns
-  Real half_cycles = 0;                         ///< ways between turns, of at least a hundredth of D
-  std::optional<Real> time_half_D{}, time_D{};  ///< s since the stage began: when the body first is 0.5 D and D from there
+  Real u_largest = nan, u_end = nan;  ///< m; of the largest size
+  Real w_largest = nan, w_end = nan;  ///< m
+  Real largest_half_cycle = nan;      ///< m, largest way between two turns
+  Real half_cycles = 0;               ///< ways between turns, of at least a hundredth of D
+  std::optional<Real> time_half_D{},
+      time_D{};  ///< s of the load history since the stage began: when the body first is 0.5 D and D from there
 };
 
 /// A way between two turns.

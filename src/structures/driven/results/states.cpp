@@ -13,6 +13,7 @@ namespace {
 using problem::StageRole;
 
 constexpr Real last_part = 0.05;  // of the time of a stage
+constexpr Real reached = 0.15;    // of a force that is given: how far the soil's may be from it
 
 /// The state in a row: forces are means over the end of the stage that the row is of.
 State state_at(const run_folder::History& h, Index row, std::string name, std::string origin)
@@ -76,7 +77,13 @@ States states_of(const record::RunRecord& run)
   const auto add = [&](const char* name, Index row, const std::string& why) {
     if (row == none) return;
     states.push_back(state_at(h, row, name, end_words(h, row) + why));
-    if (const std::optional<Real> V = given_V(stages, h.stage[row])) states.back().V = *V, states.back().V_given = true;
+    State& state = states.back();
+    const std::optional<Real> V = given_V(stages, h.stage[row]);
+    if (!V) return;
+    if (std::abs(state.V - *V) > reached * std::abs(*V))
+      state.origin += fmt::format(", which has not come to its force of {:.4g} N/m", *V);
+    else
+      state.V = *V, state.V_given = true;
   };
   if (const Index said = end_of_role(run, StageRole::touchdown); said != none)
     add("touchdown", said, "");

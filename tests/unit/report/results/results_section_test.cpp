@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
+#include "samples/lived_pipe.hpp"
 #include "samples/made_run_in_water.hpp"
 #include "text/quantity_words.hpp"
 
@@ -17,6 +18,14 @@ bool holds(const std::string& html, const std::string& part)
 std::string answer_of(const std::vector<record::RunRecord>& runs)
 {
   return results_section(runs, judgements_of(runs));
+}
+
+TEST(answer, says_which_drag_came_before)
+{
+  record::RunRecord run = lived_pipe();
+  EXPECT_TRUE(holds(answer_of({run}), "Dragged 2 D in \"sweep_1\" with")) << answer_of({run});
+  run.settings.stage[5].role = problem::StageRole::breakout;
+  EXPECT_TRUE(holds(answer_of({run}), "in \"sweep_2\" after \"sweep_1\", from w = ")) << answer_of({run});
 }
 
 TEST(answer, says_in_words_what_the_pipe_met)

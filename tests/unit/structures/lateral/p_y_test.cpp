@@ -52,6 +52,7 @@ TEST(PyCurves, are_resistance_per_metre_over_the_displacement_at_the_depth_of_ea
     for (int n = 0; n < slices; ++n) {
       EXPECT_NEAR(curves[n].z, 2 * n + 1, 1e-12);
       EXPECT_NEAR(curves[n].y.back(), (pivot - curves[n].z) * std::sin(0.04), 1e-6);
+      EXPECT_EQ(curves[n].p.front(), 0) << "not what is averaged over the begin";
       for (std::size_t point = 1; point < curves[n].y.size(); ++point)
         EXPECT_NEAR(curves[n].p[point], k * curves[n].y[point], 1e-3 * k * std::abs(curves[n].y[point]) + 1) << n;
     }

@@ -3,6 +3,7 @@
 
 #include "samples/made_run.hpp"
 #include "structures/driven/results/driven_run.hpp"
+#include "structures/driven/results/quantities.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,16 @@ TEST(Displacements, of_a_force_that_varies_are_largest_and_last_and_of_each_half
   EXPECT_FALSE(m.time_D);
   EXPECT_NEAR(run.quantity("u_end")->value, 0.4 * D, 1e-9);
   EXPECT_NEAR(run.quantity("u_end_of_drag")->value, 0.4 * D, 1e-9) << "not the largest";
+}
+
+TEST(Displacements, are_told_in_the_time_of_the_load_history)
+{
+  record::RunRecord run = moved();
+  run.settings.stage.back().time_scale = 0.1;
+  const Stages stages = stages_of(run.settings);
+  const Displacements m = *results_from(run.history, base::body_scale(run), stages).drags.back().moved;
+  EXPECT_NEAR(*m.time_half_D, 510, 1e-6);
+  EXPECT_NE(half_cycles_csv(run.history, stages, D).find("storm,1,0,800,"), std::string::npos) << half_cycles_csv(run.history, stages, D);
 }
 
 TEST(Displacements, are_no_resistance)

@@ -39,6 +39,20 @@ TEST(Prescribed, is_the_limit_that_ends_a_push)
   EXPECT_FALSE(prescribes(by_V, "w_end_of_push"));
 }
 
+// A row of particles that comes into contact may end a short push far above its mean.
+TEST(Prescribed, is_the_force_at_the_end_of_a_push_and_not_its_mean)
+{
+  const auto end_of_push = [](Real limit) {
+    MadeRun made;
+    made.V = [](Real w) { return w < 0.00197 ? 250. : 810.; };
+    record::RunRecord run = made.record();
+    run.settings.stage[0].until.force = limit;
+    return results_from(run.history, base::body_scale(run), stages_of(run.settings)).push_end->V;
+  };
+  EXPECT_EQ(end_of_push(800), 810);
+  EXPECT_LT(end_of_push(900), 700) << "another limit came first";
+}
+
 TEST(Prescribed, is_one_of_two_limits)
 {
   const auto both = [](Real w) {

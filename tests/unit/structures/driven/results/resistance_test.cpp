@@ -37,6 +37,17 @@ TEST(resistance, breakout_is_where_H_falls_from)
   EXPECT_NEAR(*found.residual_from, 0.57 * D, 0.005 * D) << "H = 210, 5 % above the residual";
 }
 
+TEST(resistance, is_residual_from_where_it_stays_so)
+{
+  // On its way to a trough H passes the residual.
+  const Resistance found = of([](Real x) {
+    return x < 0.3 ? 1000 * x : x < 0.4 ? 300 - 2000 * (x - 0.3) : x < 0.7 ? std::lerp(100, 200, (x - 0.4) / 0.3) : 200;
+  });
+  ASSERT_TRUE(found.residual && found.residual_from);
+  EXPECT_NEAR(*found.residual, 200, 1e-6);
+  EXPECT_NEAR(*found.residual_from, 0.67 * D, 0.01 * D) << "H = 190, 5 % below the residual";
+}
+
 TEST(resistance, a_fall_of_less_than_5_percent_is_no_breakout)
 {
   const Resistance found = of([](Real x) { return with_a_peak(x, 290); });

@@ -38,6 +38,16 @@ TEST(States, have_the_force_that_their_stage_gives_and_not_how_V_wavers_at_its_e
   EXPECT_TRUE(find_state(states, "operation")->V_given);
 }
 
+TEST(States, have_the_force_of_the_soil_where_their_stage_ended_before_it_came_to_its_own)
+{
+  record::RunRecord run = lived_pipe();
+  run.settings.stage[3].force = 100;
+  const State operation = *find_state(states_of(run), "operation");
+  EXPECT_NEAR(operation.V, 300, 1e-9);
+  EXPECT_FALSE(operation.V_given);
+  EXPECT_NE(operation.origin.find("has not come to its force of 100 N/m"), std::string::npos) << operation.origin;
+}
+
 TEST(States, of_a_push_and_a_drag_tell_no_more_than_these)
 {
   const record::RunRecord run = MadeRun{}.record();
