@@ -8,6 +8,7 @@
 #include "problem/time_scale.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <fmt/format.h>
 #include <fstream>
@@ -21,11 +22,11 @@ std::string trimmed(std::string_view field)
   return begin == std::string_view::npos ? "" : std::string(field.substr(begin, end + 1 - begin));
 }
 
-std::vector<std::string> fields_of(const std::string& line)
+std::vector<std::string> fields_of(const std::string& line, char separator)
 {
   std::vector<std::string> fields;
   for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
     fields.push_back(trimmed(std::string_view(line).substr(begin, end - begin)));
     begin = end + 1;
   }
@@ -39,6 +40,12 @@ std::optional<Real> number_of(const std::string& field)
   const auto [rest, error] = std::from_chars(field.data(), field.data() + field.size(), number);
   if (error != std::errc() || rest != field.data() + field.size() || !std::isfinite(number)) return std::nullopt;
   return number;
+}
+
+std::string without_capitals(std::string text)
+{
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
 }
 
 /// "N_m" of a header is the unit N/m, "Nm_m" N m/m.
@@ -78,15 +85,17 @@ public:
       constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
       if (number_ == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
       if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-      const std::vector<std::string> fields = fields_of(line);
+      if (!begun_ && line.find(',') == std::string::npos && line.find(';') != std::string::npos) separator_ = ';';
+      const std::vector<std::string> fields = fields_of(line, separator_);
       if (!begun_ && !number_of(fields.front()))
         read_header(fields);
       else
         read_row(fields);
       begun_ = true;
     }
-    if (stage_.load_times.empty() || stage_.load_times.back() == 0)
-      throw InputError(fmt::format("{}: has no line of numbers with a time of more than 0", file_));
+    if (stage_.load_times.size() < 2)
+      throw InputError(fmt::format("{}: has {} of numbers: it needs two at least, the last with a time of more than 0", file_,
+                                   stage_.load_times.empty() ? "no line" : "one line"));
   }
 
 private:
@@ -97,6 +106,9 @@ private:
     const char* unit = problem::load_columns[k].unit;
     return in_space_ ? unit_of_whole(unit) : unit;
   }
+
+  /// How a column is written in SI.
+  std::string header_of(std::size_t k) const { return problem::load_columns[k].name + ("_" + unit_in_header(unit_of(k).c_str())); }
 
   /// Factor from the unit in a header to that of the engine.
   Real scale_of(const std::string& header, const std::string& written, const std::string& si_unit) const
@@ -116,26 +128,45 @@ private:
     if (!time.starts_with("time")) refuse(fmt::format("the first column is the time, \"time_s\", and not {}", in_quotes(time)));
     const bool factors = names.size() == 2 && names.back() == "factor";
     if (time != "time" || !factors) scales_.push_back(scale_of(time, time.size() > 5 ? time.substr(5) : "", "s"));
+    headers_ = names;
     if (factors) return scales_.resize(1, 1);
     if (names.size() < 2) refuse("names no column behind the time, such as time_s,H_N_m,V_N_m");
     for (std::size_t n = 1; n < names.size(); ++n) read_name(names[n]);
   }
 
+  /// The known header that was probably meant: of the column whose name it begins with but for capitals, the longest; else the nearest.
+  std::string meant_by(const std::string& header, const std::vector<std::string>& known) const
+  {
+    std::optional<std::size_t> found;
+    const auto size = [](std::size_t k) { return std::string_view(problem::load_columns[k].name).size(); };
+    for (const std::size_t k : allowed_)
+      if (without_capitals(header).starts_with(without_capitals(problem::load_columns[k].name) + "_") && (!found || size(k) > size(*found)))
+        found = k;
+    return found ? header_of(*found) : nearest(header, known);
+  }
+
+  [[noreturn]] void refuse_name(const std::string& header) const
+  {
+    if (header == "factor")
+      refuse("\"factor\" stands alone behind the time, and multiplies what the stage drives: leave it out, or the other columns");
+    std::vector<std::string> known = {"factor"};
+    for (const std::size_t k : allowed_) known.push_back(header_of(k));
+    const std::string meant = meant_by(header, known);
+    refuse(fmt::format("{} is no column of the load history of this stage{} (allowed: {}); other units are written likewise, as in kN_m",
+                       in_quotes(header), meant.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(meant)), listed(known)));
+  }
+
   /// Finds what a column is; the longest name that the header begins with, since "rotation" begins "rotation_z".
   void read_name(const std::string& header)
   {
-    std::vector<std::string> known = {"factor"};
     std::vector<std::size_t> named;
     for (const std::size_t k : allowed_) {
       const std::string name = problem::load_columns[k].name;
-      known.push_back(name + "_" + unit_in_header(unit_of(k).c_str()));
       if (!header.starts_with(name + "_")) continue;
       if (!named.empty() && name.size() > std::string_view(problem::load_columns[named.front()].name).size()) named.clear();
       if (named.empty() || name == problem::load_columns[named.front()].name) named.push_back(k);
     }
-    if (named.empty())
-      refuse(fmt::format("{} is no column of the load history of this stage{}; other units are written likewise, as in kN_m",
-                         in_quotes(header), suggestion(header, known)));
+    if (named.empty()) refuse_name(header);
     const std::string written = header.substr(std::string_view(problem::load_columns[named.front()].name).size() + 1);
     const auto fits = [&](std::size_t k) { return same_dimension(unit_in(written), unit_of(k)); };
     const auto found = std::find_if(named.begin(), named.end(), fits);
@@ -146,17 +177,29 @@ private:
     columns_.push_back(k);
   }
 
-  void read_row(const std::vector<std::string>& fields)
+  std::vector<Real> numbers_of(const std::vector<std::string>& fields) const
   {
     const std::size_t count = columns_.empty() ? 2 : 1 + columns_.size();
-    std::vector<Real> numbers;
-    for (const std::string& field : fields)
-      if (const auto number = number_of(field)) numbers.push_back(*number);
-    if (numbers.size() != count || fields.size() != count)
+    if (fields.size() != count)
       refuse(columns_.empty()
                  ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "
                    "names: time_s,H_N_m,V_N_m"
-                 : fmt::format("needs {} numbers with commas between them, one for each column", count));
+                 : fmt::format("needs {} numbers, one for each column, and has {}", count, fields.size()));
+    std::vector<Real> numbers;
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::optional<Real> number = number_of(fields[n]);
+      if (!number)
+        refuse(fmt::format("{} in column {} is no finite number{}", in_quotes(fields[n]),
+                           headers_.empty() ? fmt::format("{}", n + 1) : in_quotes(headers_[n]),
+                           fields[n].find(',') == std::string::npos ? "" : ": write a decimal point, not a comma"));
+      numbers.push_back(*number);
+    }
+    return numbers;
+  }
+
+  void read_row(const std::vector<std::string>& fields)
+  {
+    const std::vector<Real> numbers = numbers_of(fields);
     const Real time = numbers.front() * (scales_.empty() ? 1 : scales_.front());
     if (time < 0) refuse("times count from the begin of the stage: 0 or more");
     if (!stage_.load_times.empty() && time <= stage_.load_times.back()) refuse("times must ascend");
@@ -169,8 +212,10 @@ private:
   std::string file_;
   bool in_space_;
   std::vector<std::size_t> allowed_;
+  std::vector<std::string> headers_;  ///< as they are written; empty where the file has none
   std::vector<std::size_t> columns_;  ///< in the order of the file, without the time
   std::vector<Real> scales_;          ///< to SI: of the time, then of each column
+  char separator_ = ',';
   int number_ = 0;
   bool begun_ = false;
 };

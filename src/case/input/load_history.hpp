@@ -13,8 +13,9 @@ namespace berm::input {
 ///
 ///   time_s,H_N_m,V_kN_m
 ///
-/// (problem::load_columns; N_m stands for N/m, Nm_m for N m/m). The stage ends with the last time at the latest. Throws KeyError where there is no such file
-/// or the stage does not go with it, and InputError with file and line where it is wrong.
+/// (problem::load_columns; N_m stands for N/m, Nm_m for N m/m). Where the first line that counts has semicolons and no comma, they stand for commas. There are
+/// two rows of numbers at least. The stage ends with the last time at the latest. Throws KeyError where there is no such file or the stage does not go with it,
+/// and InputError with file and line where it is wrong.
 void read_load_history(problem::Case& c, std::size_t stage_number, const std::filesystem::path& folder);
 
 }  // namespace berm::input

@@ -93,12 +93,14 @@ TEST_F(LoadHistory, in_a_shorter_time_keeps_its_forces_and_its_travels)
 
 TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
 {
-  EXPECT_NE(refusal("0,1\n1,x\n").find("storm.csv:2: a line of a load history is two numbers"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n1\n").find("storm.csv:2: a line of a load history is two numbers"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n1,x\n").find("storm.csv:2: \"x\" in column 2 is no finite number"), std::string::npos);
   EXPECT_NE(refusal("0,1\n0,2\n").find("storm.csv:2: times must ascend"), std::string::npos);
   EXPECT_NE(refusal("0\n").find("storm.csv:1: "), std::string::npos);
-  EXPECT_NE(refusal("0,nan\n").find("storm.csv:1: "), std::string::npos);
+  EXPECT_NE(refusal("0,nan\n").find("storm.csv:1: \"nan\" in column 2 is no finite number"), std::string::npos);
   EXPECT_NE(refusal("-1,1\n").find("storm.csv:1: times count from the begin"), std::string::npos);
-  EXPECT_NE(refusal("0,1\n").find("storm.csv: has no line"), std::string::npos);
+  for (const char* one_line : {"0,1\n", "2,1\n"})
+    EXPECT_NE(refusal(one_line).find("storm.csv: has one line of numbers: it needs two at least"), std::string::npos) << one_line;
   EXPECT_NE(refusal("time,factor\n").find("storm.csv: has no line"), std::string::npos);
   EXPECT_NE(refusal("0,1,2\n1,2,3\n").find("of more columns the first line is their names"), std::string::npos);
   problem::Case c = case_with_history(true);
@@ -143,6 +145,10 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
     EXPECT_NE(answer.find(words), std::string::npos) << header << ": " << answer;
   };
   says("time_s,h_N_m", "did you mean \"H_N_m\"? (allowed: factor, H_N_m, V_N_m, u_m_s, w_m_s)");
+  says("time_s,v_N_m", "did you mean \"V_N_m\"?");
+  says("time_s,W_N_m", "did you mean \"w_m_s\"?");
+  says("time_s,factor,H_N_m", "\"factor\" stands alone behind the time");
+  says("time_s,H_N_m,factor", "\"factor\" stands alone behind the time");
   says("time_s,x_N_m", "no column of the load history of this stage");
   says("t,H_N_m", "the first column is the time, \"time_s\"");
   says("time,H_N_m", "\"time\" has no unit");
@@ -153,6 +159,29 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
   says("time_s,H_N_m,H_kN_m", "\"H_kN_m\" is a second column of the same");
   says("time_s", "names no column behind the time");
   EXPECT_NE(refusal("time_s,H_N_m,V_N_m\n0,1,2\n1,2\n", false).find("storm.csv:3: needs 3 numbers"), std::string::npos);
+}
+
+TEST_F(LoadHistory, with_a_wrong_number_names_its_line_and_column)
+{
+  for (const char* word : {"nan", "inf", "strong", ""}) {
+    const std::string answer = refusal(std::string("time_s,H_N_m,V_N_m\n0,1,2\n1,") + word + ",2\n", false);
+    EXPECT_NE(answer.find(std::string("storm.csv:3: \"") + word + "\" in column \"H_N_m\" is no finite number"), std::string::npos)
+        << answer;
+  }
+  EXPECT_NE(refusal("time_s,factor\n0,1\n1,x\n").find("storm.csv:3: \"x\" in column \"factor\""), std::string::npos);
+}
+
+TEST_F(LoadHistory, may_have_semicolons_between_its_columns)
+{
+  const problem::StageSettings stage = read_columns("# a storm, of one hour\ntime_s;H_kN_m;V_N_m\n0; 0.1; 400\n2;-0.2;300\n");
+  EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 2}));
+  EXPECT_EQ(stage.loads.of("H"), (std::vector<Real>{100, -200}));
+  EXPECT_EQ(stage.loads.of("V"), (std::vector<Real>{400, 300}));
+  EXPECT_EQ(read("0;1\n2;3\n").load_factors, (std::vector<Real>{1, 3}));
+  EXPECT_NE(refusal("time_s;H_N_m\n0;1\n0,5;2\n", false)
+                .find("storm.csv:3: \"0,5\" in column \"time_s\" is no finite number: write a "
+                      "decimal point"),
+            std::string::npos);
 }
 
 TEST_F(LoadHistory, that_does_not_go_with_its_stage_is_refused_with_the_key)
