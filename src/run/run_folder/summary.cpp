@@ -29,6 +29,29 @@ Json json_of(const RunTiming& t, const FemCounts& counts)
           {"cells", t.cells},   {"steps", t.steps},     {"iterations", counts.iterations}};
 }
 
+/// Of both methods.
+constexpr const char* check_names[] = {"finished",
+                                       "energy_error",
+                                       "friction_work_is_loss",
+                                       "filter_over_work",
+                                       "viscosity_over_work",
+                                       "out_of_balance_after_geostatic",
+                                       "beyond_force_limit",
+                                       "momentum_error",
+                                       "shaking_at_body",
+                                       "energy_of_soil_that_came_to_rest",
+                                       "mass_at_min_volume",
+                                       "mass_at_max_volume",
+                                       "mass_in_the_air",
+                                       "cells_at_body_first_m",
+                                       "cells_at_body_last_m",
+                                       "cells_at_body_largest_m",
+                                       "travel_on_coarse_cells",
+                                       "largest_unbalance",
+                                       "loose_increments",
+                                       "largest_overstress",
+                                       "strength_lag"};
+
 }  // namespace
 
 const char* word_of(QuantityKind kind)
@@ -55,6 +78,17 @@ const char* unit_of_timing(const std::string& name)
 {
   if (name == "wall_s" || name == "seconds_per_step") return "s";
   return name == "particle_steps_per_s" ? "1/s" : "1";
+}
+
+std::vector<std::string> check_and_timing_names()
+{
+  RunTiming any;
+  any.wall_s = 1, any.steps = 1;
+  std::vector<std::string> names(std::begin(check_names), std::end(check_names));
+  for (const Json& timing : {json_of(any, MpmCounts{}), json_of(any, FemCounts{})})
+    for (const auto& [name, value] : timing.items()) names.push_back(name);
+  names.insert(names.end(), {"ranks", "memory_bytes"});
+  return names;
 }
 
 std::string Summary::json() const

@@ -58,6 +58,9 @@ Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts);
 /// The SI unit of a number in the timing of summary.json; "1" = a bare number.
 const char* unit_of_timing(const std::string& name);
 
+/// The names of all checks and of all numbers of the timing that a run may have.
+std::vector<std::string> check_and_timing_names();
+
 /// What summary.json says of a run.
 class Summary {
 public:

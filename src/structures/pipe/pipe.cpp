@@ -19,8 +19,9 @@ std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run,
 std::vector<std::string> Pipe::quantity_names(const problem::Case& c) const
 {
   std::vector<std::string> names = driven::known_names(c);
+  if (names.empty()) return names;
   for (const problem::StageSettings& stage : c.stage)
-    for (const char* begin : {"wedging_of_", "axial_friction_of_"}) names.push_back(driven::without_number(begin + stage.name));
+    for (const char* begin : {"wedging_of_", "axial_friction_of_"}) names.push_back(begin + stage.name);
   return names;
 }
 

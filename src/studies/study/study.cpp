@@ -5,6 +5,7 @@
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/progress.hpp"
+#include "run_folder/summary.hpp"
 #include "structures/driven/results/known_names.hpp"
 #include "structures/structures.hpp"
 #include "study/estimates.hpp"
@@ -80,18 +81,18 @@ problem::Case read_row(const fs::path& file, const Study& study, const StudyRow&
   }
 }
 
-/// Throws InputError where a measure of a row asks for a key result whose name is near to one that its run may have, and is none.
+/// Throws InputError where a measure of a row asks for a quantity that its run cannot have, of a structure whose quantities are known before the run.
 void check_measures(const fs::path& file, const Study& study, const StudyRow& row, const problem::Case& settings)
 {
-  const std::vector<std::string> known = structures::structure_of(settings).quantity_names(settings);
+  std::vector<std::string> known = structures::structure_of(settings).quantity_names(settings);
+  if (known.empty()) return;
+  for (std::string& name : run_folder::check_and_timing_names()) known.push_back(std::move(name));
   for (std::size_t k = 0; k < study.measure.size(); ++k) {
     const StudyMeasure& measure = study.measure[k];
     const std::string name = driven::without_number(measure.observable.quantity);
     if (name.empty() || !is_wanted(measure, row) || std::find(known.begin(), known.end(), name) != known.end()) continue;
-    // What is near to none may be a check of the run or a number of its timing.
-    if (const std::string near = input::nearest(name, known); !near.empty())
-      throw InputError(fmt::format("{}: measure[{}].quantity: a run of {} has no {}; did you mean {}?", file.string(), k,
-                                   name_of(row.names), input::in_quotes(measure.observable.quantity), input::in_quotes(near)));
+    throw InputError(fmt::format("{}: measure[{}].quantity: a run of {} has no {}{}", file.string(), k, name_of(row.names),
+                                 input::in_quotes(measure.observable.quantity), input::suggestion(name, known)));
   }
 }
 

@@ -3,8 +3,10 @@
 
 #include "samples/run_to_write.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 namespace berm::run_folder::this_file {
 namespace {
@@ -50,6 +52,38 @@ TEST(Summary, has_the_form_that_readers_rely_on)
   EXPECT_EQ(json["checks"]["energy_balance"].get<double>(), 0.01);
   EXPECT_EQ(json["text"]["title"], "a \"pipe\"");
   EXPECT_EQ(json["spoiled"], nlohmann::json::parse(R"(["energy does not balance"])"));
+}
+
+bool is_check_or_timing(const std::string& name)
+{
+  const std::vector<std::string> names = check_and_timing_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Some checks stand only in the summary of a run that has what they are of: the sources tell all.
+TEST(CheckNames, are_those_that_the_methods_write)
+{
+  const std::filesystem::path simulation = std::filesystem::path(BERM_SOURCE_DIR) / "src/run/simulation";
+  const std::regex check(R"re((?:\{|emplace_back\()"([a-z_]+)",)re");
+  int count = 0;
+  for (const char* file : {"mpm_method.cpp", "fem_method.cpp", "cell_watch.cpp"}) {
+    const std::string text = content_of(simulation / file);
+    for (std::sregex_iterator found(text.begin(), text.end(), check), end; found != end; ++found, ++count)
+      EXPECT_TRUE(is_check_or_timing((*found)[1])) << (*found)[1];
+  }
+  EXPECT_EQ(count, 22) << "two of them are checks of both methods";
+  EXPECT_TRUE(is_check_or_timing("finished"));
+}
+
+TEST(TimingNames, are_those_of_the_summary)
+{
+  Summary of_elements = sample_summary();
+  of_elements.timing.counts = FemCounts{.nodes = 700, .iterations = 60};
+  for (const Summary& summary : {sample_summary(), of_elements}) {
+    const auto json = nlohmann::json::parse(summary.json());
+    for (const auto& [name, value] : json["timing"].items()) EXPECT_TRUE(name == "loops" || is_check_or_timing(name)) << name;
+  }
+  EXPECT_FALSE(is_check_or_timing("loops")) << "is no number";
 }
 
 TEST(Summary, of_finite_elements_counts_nodes_and_iterations_and_no_particles)

@@ -124,6 +124,34 @@ TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
   write_study(text);
   EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
 }
+TEST_F(StudyCommand, refuses_a_measure_that_the_run_of_a_pipe_cannot_have_and_runs_nothing)
+{
+  folder_.write("pipe.toml", test::small_case);
+  std::string by_force = test::small_case;
+  by_force.replace(by_force.find("velocity = \"1 m/s\"\n", by_force.find("kind = \"drag\"")), 19, "force = \"300 N/m\"\n");
+  folder_.write("by_force.toml", by_force);
+  const auto ended = [&](const std::string& file, const std::string& quantity) {
+    write_study("[[case]]\nname = \"pipe\"\nfile = \"" + file + "\"\n[[measure]]\nname = \"m\"\nquantity = \"" + quantity + "\"\n");
+    return study();
+  };
+  for (const auto& [file, quantity] : std::vector<std::pair<std::string, std::string>>{{"pipe.toml", "uplift.R_max"},
+                                                                                       {"pipe.toml", "q_t_end"},
+                                                                                       {"pipe.toml", "storm.H_maxx"},
+                                                                                       {"pipe.toml", "finnished"},
+                                                                                       {"by_force.toml", "H_residual"}}) {
+    const Ended refused = ended(file, quantity);
+    EXPECT_EQ(refused.status, 2) << quantity;
+    EXPECT_NE(refused.err.find("study.toml: measure[0].quantity: a run of pipe has no \"" + quantity + "\""), std::string::npos)
+        << refused.err;
+    EXPECT_NE(refused.err.find("(allowed: "), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "results")) << quantity;
+  }
+  for (const char* quantity : {"energy_error", "seconds_per_step"}) {
+    const Ended taken = ended("pipe.toml", quantity);
+    EXPECT_EQ(taken.status, 0) << taken.err;
+    EXPECT_EQ(taken.err.find("stays empty"), std::string::npos) << taken.err;
+  }
+}
 TEST_F(StudyCommand, draws_forces_freed_from_noise_in_the_unit_that_suits)
 {
   folder_.write("pipe.toml", test::small_case);
