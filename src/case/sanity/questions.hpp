@@ -50,6 +50,10 @@ void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found);
 void is_damping_small(const Scene& s, Findings& found);
 void do_forces_press_down(const Scene& s, Findings& found);
 
+// The roles of stages.
+void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found);
+void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found);
+
 // The water.
 void does_water_have_time_to_flow(const Scene& s, Findings& found);
 

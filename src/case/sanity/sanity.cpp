@@ -47,6 +47,8 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           is_the_mass_that_of_a_pipe,
                                                           is_damping_small,
                                                           do_forces_press_down,
+                                                          are_roles_in_the_order_of_a_life,
+                                                          is_it_said_what_the_answers_are_of,
                                                           does_water_have_time_to_flow,
                                                           does_it_take_days,
                                                           does_it_fit_on_the_disk,

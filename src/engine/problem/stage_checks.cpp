@@ -136,6 +136,15 @@ void check_equilibrium(Describe& d, const Case& c, const StageSettings& s, const
           path + ".damping", "is needed for equilibrium: without it the soil swings for ever; take damping = 0.7 in this stage");
 }
 
+/// A role is that of a stage that moves the body, or leaves a free one to its weight.
+void check_role(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
+{
+  const auto is_free = [](const auto& rigid) { return rigid.second.motion == bodies::Motion::free; };
+  const bool falls = s.kind == StageKind::free && std::any_of(c.rigid.begin(), c.rigid.end(), is_free);
+  d.check(s.role == StageRole::automatic || drives(s.kind) || falls, path + ".role",
+          "is that of a stage that drives the body, and this one drives nothing: give it to the stage that does");
+}
+
 }  // namespace
 
 void check_stages(Describe& d, const Case& c)
@@ -165,6 +174,7 @@ void check_stages(Describe& d, const Case& c)
     d.check(drag || !s.vertical_velocity, path + ".vertical_velocity", "only a drag has a vertical velocity; a push has `velocity`");
     d.check(!s.vertical_velocity || s.vertical == Vertical::hold, path + ".vertical_velocity", "does not go with vertical = \"fixed\"");
     d.check(!s.vertical_velocity || !s.vertical_force, path + ".vertical_velocity", "does not go with vertical_force");
+    check_role(d, c, s, path);
     check_drive(d, c, s, path);
     check_sweep(d, s, path);
     check_load_history(d, c, s, path);

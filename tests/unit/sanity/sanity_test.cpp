@@ -2,6 +2,7 @@
 // Whether a case makes sense: what is asked of check and run, in lines that name the key; and that no example is doubted.
 #include "samples/program.hpp"
 #include "samples/senseless_inputs_in_space.hpp"
+#include "samples/senseless_roles.hpp"
 #include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,38 @@ TEST(FreeBodies, may_begin_above_the_soil_and_fall_onto_it_where_they_are_above_
   }
 }
 
+TEST(Roles, in_the_order_of_a_life_are_not_doubted_nor_those_without_operation_of_which_the_sweeps_are_said)
+{
+  TemporaryFolder folder;
+  folder.write("case.toml", base_of("bed"));
+  const auto answer = [&](const char* of_push, const char* of_drag) {
+    return run_program(folder.path(), {"check", "case.toml", "--threads", "1", "--set", "mesh.near_size=4 mm", "--set",
+                                       std::string("stage.push.role=") + of_push, "--set", std::string("stage.drag.role=") + of_drag});
+  };
+  for (const auto& [of_push, of_drag] : {std::pair{"touchdown", "breakout"}, {"operation", "automatic"}, {"touchdown", "sweep"}}) {
+    const Ended ended = answer(of_push, of_drag);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(lines_with(ended.err, "", {".role"}), 0) << ended.err;
+  }
+}
+
+TEST(Roles, of_a_free_stage_are_those_of_a_free_body)
+{
+  TemporaryFolder folder;
+  std::string text = base_of("bed");
+  const std::size_t drag = text.find("[[stage]]\nname = \"drag\"");
+  text.insert(drag, "[[stage]]\nname = \"sink\"\nkind = \"free\"\nrole = \"operation\"\nuntil.time = \"5 ms\"\n\n");
+  folder.write("case.toml", text);
+  const auto answer = [&](const char* motion) {
+    return run_program(folder.path(), {"check", "case.toml", "--threads", "1", "--set", "mesh.near_size=4 mm", "--set",
+                                       std::string("rigid.pipe.motion=") + motion});
+  };
+  const Ended refused = answer("driven"), sinks = answer("free");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(lines_with(refused.err, "berm: ", {"stage.sink.role", "this one drives nothing"}), 1) << refused.err;
+  EXPECT_EQ(lines_with(sinks.err, "", {"stage.sink.role"}), 0) << sinks.err;
+}
+
 class SenselessInputs : public testing::TestWithParam<SenselessInput> {
 protected:
   SenselessInputs()
@@ -103,6 +136,7 @@ std::string name_of(const testing::TestParamInfo<SenselessInput>& row)
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()), name_of);
+INSTANTIATE_TEST_SUITE_P(Roles, SenselessInputs, testing::ValuesIn(test::senseless_roles()), name_of);
 INSTANTIATE_TEST_SUITE_P(InSpace, SenselessInputs, testing::ValuesIn(test::senseless_inputs_in_space()), name_of);
 
 class Examples : public testing::TestWithParam<fs::path> {};

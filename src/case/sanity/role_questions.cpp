@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/questions.hpp"
+#include "sanity/sanity.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::sanity {
+namespace {
+
+using problem::StageKind;
+using problem::StageRole;
+using problem::StageSettings;
+
+/// The roles that come in an order, in that; sweeps may come anywhere.
+constexpr std::pair<StageRole, const char*> life[] = {{StageRole::touchdown, "touchdown"}, {StageRole::lay, "lay"},
+                                                      {StageRole::flooded, "flooded"},     {StageRole::emptied, "emptied"},
+                                                      {StageRole::operation, "operation"}, {StageRole::breakout, "breakout"}};
+
+/// The place of a role in that order; none for one that has none.
+Index place_in_life(StageRole role)
+{
+  const auto found = std::find_if(std::begin(life), std::end(life), [&](const auto& of) { return of.first == role; });
+  return found == std::end(life) ? none : static_cast<Index>(found - std::begin(life));
+}
+
+bool is_drag(const Scene& s, std::size_t k)
+{
+  const StageSettings& stage = s.c.stage[k];
+  if (stage.kind == StageKind::drag) return stage.velocity != Real(0);
+  return stage.kind == StageKind::drive && s.ways[k].axis[s.along].moves;
+}
+
+/// The drag whose resistance is the answer where no stage has the role operation or breakout: the first that does not lay the pipe, else the last.
+std::optional<std::size_t> drag_of_the_answers(const Scene& s)
+{
+  std::optional<std::size_t> last;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    if (!is_drag(s, k)) continue;
+    last = k;
+    if (s.c.stage[k].role != StageRole::lay) return k;
+  }
+  return last;
+}
+
+}  // namespace
+
+void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found)
+{
+  Index last = none;
+  std::string of_stage;
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
+    const Index place = place_in_life(s.c.stage[k].role);
+    if (place == none) continue;
+    if (last != none && place < last)
+      return found.warn(
+          stage_key(k, "role"),
+          fmt::format("is \"{}\", and stage \"{}\" before it is \"{}\": a pipe goes through touchdown, lay, flooded, emptied, "
+                      "operation and breakout in this order; change the role of one of the two",
+                      life[place].second, of_stage, life[last].second));
+    last = place;
+    of_stage = s.c.stage[k].name;
+  }
+}
+
+void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found)
+{
+  const std::vector<StageSettings>& stages = s.c.stage;
+  const auto has_role = [](const StageSettings& stage) { return stage.role != StageRole::automatic; };
+  const auto says = [](const StageSettings& stage) { return stage.role == StageRole::operation || stage.role == StageRole::breakout; };
+  const auto first = std::find_if(stages.begin(), stages.end(), has_role);
+  const std::optional<std::size_t> answers = drag_of_the_answers(s);
+  if (first == stages.end() || !answers || std::any_of(stages.begin(), stages.end(), says)) return;
+  if (stages[*answers].role == StageRole::sweep) return;
+  found.warn(
+      stage_key(static_cast<std::size_t>(first - stages.begin()), "role"),
+      fmt::format("is given, so the roles of other stages are not guessed, and none of them is operation or breakout: the answers are "
+                  "those of stage \"{}\"; give it, or the stage that they are to be of, the role \"breakout\"",
+                  stages[*answers].name));
+}
+
+}  // namespace berm::sanity
