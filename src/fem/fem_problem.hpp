@@ -44,8 +44,11 @@ struct FemModel {
   // excess pore pressures, where water flows.
   SparsePattern pattern;                          ///< of the soil alone
   CellField<std::array<Index, 78>> cell_entries;  ///< in the pattern, of the lower triangle of each element's 12 x 12 entries, row by row
-  /// The material at an integration point of a cell, with its strength and stiffness there.
-  material::Material soil_at(Index cell, int q) const { return soil_of(cell).at(region_of(cell), depth[cell][q]); }
+  /// The material at an integration point of a cell, with its strength and stiffness there and the friction of such cells.
+  material::Material soil_at(Index cell, int q) const
+  {
+    return in_cells_of(soil_of(cell).at(region_of(cell), depth[cell][q]), model.mesh.size(cell));
+  }
   /// The density there that gives the weight, kg/m3.
   Real density_at(Index cell, int q) const
   {

@@ -72,6 +72,13 @@ Real smallest_cell(const problem::Case& c)
   return bed == nullptr ? 0 : bed->near_size;
 }
 
+/// The same of the largest.
+Real largest_cell(const problem::Case& c)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  return bed == nullptr ? 0 : bed->far_size.value_or(bed->near_size + bed->growth * bed->depth);
+}
+
 }  // namespace
 
 void does_gravity_point_down(const Scene& s, Findings& found)
@@ -206,6 +213,24 @@ void is_softening_free_of_the_cells(const Scene& s, Findings& found)
   }
 }
 
+void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found)
+{
+  constexpr Real cells_of_band = 4;
+  const Real cell = smallest_cell(s.c);
+  for (const Soil& soil : yielding(s)) {
+    const std::optional<Real> width = band_width(soil.material);
+    if (!width) continue;
+    const std::string key = soil.material.get<material::MohrCoulomb>().d50 ? "d50" : "band_width";
+    if (!non_associated(soil.material))
+      found.warn(soil.key(key), "does nothing: with dilation_angle = friction_angle shear bands lose no friction");
+    else if (cells_of_band * cell < *width * (1 - rounding) && cell > 0)
+      found.warn(soil.key(key),
+                 fmt::format("makes bands of {}, and the cells are {}: finer than a quarter of that, they localise in bands narrower than "
+                             "the soil's and carry too little; take mesh.near_size = {} or more",
+                             words_of(*width, "m"), words_of(cell, "m"), words_of(*width / cells_of_band, "m")));
+  }
+}
+
 void is_all_soil_used(const Scene& s, Findings& found)
 {
   for (const auto& [name, material] : s.c.material)
@@ -238,7 +263,8 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
     const material::Material& material = s.material_of(b);
     const std::string path = "body." + s.c.body[b].first;
     const auto beyond = [&](Real depth, Real largest, Real smallest) -> std::optional<std::pair<Real, Real>> {
-      const std::optional<Real> strength = problem::strength_under(s.material_at(b, depth), depth, -(largest + smallest) / 2);
+      const std::optional<Real> strength =
+          problem::strength_under(in_cells_of(s.material_at(b, depth), largest_cell(s.c)), depth, -(largest + smallest) / 2);
       const Real shear = (largest - smallest) / 2;
       if (!strength || (*strength >= 0 && shear <= *strength * (1 + rounding) + 1e-9)) return {};
       return std::pair(shear, std::max(Real(0), *strength));

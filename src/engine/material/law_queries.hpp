@@ -131,6 +131,21 @@ bool non_associated(const L&)
   return false;
 }
 
+/// The width of the soil's shear bands, m; empty where it is not given, or where the law needs none.
+template <Law L>
+std::optional<Real> band_width(const L&)
+{
+  return {};
+}
+
+/// The law in cells of this size, m (Mesh::size): with the friction that bands carry which are as wide as the cells make them, and not as wide as the
+/// soil's.
+template <Law L>
+L in_cells_of(const L& law, Real /*size*/)
+{
+  return law;
+}
+
 /// The associated law that replaces this one in an increment that begins with this stress.
 template <Law L>
 L associated(const L& law, const SymTensor<2>& /*stress*/)

@@ -178,6 +178,16 @@ void recover(const Material& material, Real share, Real* state)
   visit([&](const auto& law) { recover(law, share, state); }, material);
 }
 
+std::optional<Real> band_width(const Material& material)
+{
+  return visit([](const auto& law) { return band_width(law); }, material);
+}
+
+Material in_cells_of(const Material& material, Real size)
+{
+  return visit([&](const auto& law) { return Material(in_cells_of(law, size)); }, material);
+}
+
 bool dilates(const Material& material)
 {
   return visit([](const auto& law) { return dilates(law); }, material);

@@ -3,6 +3,7 @@
 
 #include "material/describe_elasticity.hpp"
 #include "material/principal_axes.hpp"
+#include "material/shear_band.hpp"
 
 #include <algorithm>
 
@@ -25,6 +26,12 @@ void describe(Describe& d, MohrCoulomb& law)
           {.meaning = "angle of dilation, not larger than friction_angle", .unit = "rad", .range = {0, steepest}});
   d.value("tension_cutoff", law.tension_cutoff,
           {.meaning = "tension cut-off; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
+  d.value("band_width", law.band_width,
+          {.meaning = "width of the soil's shear bands: cells that make wider ones get the friction that narrower ones carry; left out, "
+                      "resistance with dilation_angle below friction_angle depends on the cells",
+           .unit = "m",
+           .range = positive});
+  d.value("d50", law.d50, {.meaning = "median size of the grains, for a band_width of 15 d50", .unit = "m", .range = positive});
   d.value("max_opening", law.max_opening,
           {.meaning = "cap on the tensile volumetric strain that is stored and must close before the soil carries compression again; 0: "
                       "none is stored; absent: "
@@ -38,6 +45,30 @@ void check(Describe& d, const std::string& path, const MohrCoulomb& law)
 {
   d.check(law.dilation_angle <= law.friction_angle, path + ".dilation_angle",
           "the dilation angle cannot be larger than the friction angle");
+  d.check(!law.band_width || !law.d50, path + ".d50", "is another way to give band_width; keep one of them");
+}
+
+std::optional<Real> band_width(const MohrCoulomb& law)
+{
+  constexpr Real grains = 15;
+  if (law.d50) return grains * *law.d50;
+  return law.band_width;
+}
+
+MohrCoulomb in_cells_of(MohrCoulomb law, Real size)
+{
+  const std::optional<Real> width = band_width(law);
+  if (!width || !non_associated(law)) return law;
+  const Real angle = friction_angle_in_cells(*strength_at_rest(law), *width, size);
+  const Real share = std::tan(angle) / std::tan(law.friction_angle);
+  law.friction_angle = angle;
+  law.cohesion *= share;
+  law.cohesion_gradient *= share;
+  for (Real& strength : law.profile.strength) strength *= share;
+  law.cohesion_share *= share;
+  law.band_width.reset();
+  law.d50.reset();
+  return law;
 }
 
 namespace {
@@ -63,6 +94,7 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
   p.weight_1 = (1 + friction) / 2;
   p.weight_3 = (1 - friction) / 2;
   p.cutoff = law.tension_cutoff.value_or(infinity);
+  p.cohesion_share = law.cohesion_share;
   p.set_cohesion(law.cohesion);
   constexpr Real of_dilating_soil = 0.2;
   p.max_opening = p.apex < infinity ? law.max_opening.value_or(dilation > 0 ? of_dilating_soil : 0) : 0;

@@ -32,9 +32,12 @@ struct MohrCoulomb {
   Real friction_angle = 0;             ///< rad
   Real dilation_angle = 0;             ///< rad
   std::optional<Real> tension_cutoff;  ///< Pa; empty or above the apex c cot(phi): the cone alone
+  std::optional<Real> band_width;      ///< m, of shear bands
+  std::optional<Real> d50;             ///< m, of the grains: bands are 15 of them wide
   std::optional<Real> max_opening;     ///< upper bound of the opening; empty: 0.2 where the soil dilates, else 0
   Real young_modulus_gradient = 0;     ///< Pa/m, increase with depth
   ProfileOf<MohrCoulomb> profile = {};
+  Real cohesion_share = 1;  ///< of this law: the cohesion over that which particles keep (in_cells_of)
   std::optional<PoreWater> water = {};
 
   bool operator==(const MohrCoulomb&) const = default;
@@ -73,6 +76,11 @@ inline std::optional<Strength> strength_at_rest(const MohrCoulomb& law)
 {
   return Strength{law.cohesion, law.cohesion_gradient, law.friction_angle, law.dilation_angle};
 }
+/// Of the soil, or 15 d50 [Muehlhaus and Vardoulakis, Geotechnique 37 (1987): 8 to 10 d50 where bands begin, 10 to 20 as they grow].
+std::optional<Real> band_width(const MohrCoulomb& law);
+/// Friction and cohesion fall by the same share. [Davis 1968]
+MohrCoulomb in_cells_of(MohrCoulomb law, Real size);
+
 std::optional<Real> shear_strength(const MohrCoulomb& law, Real middle, const Real* state);
 
 inline bool dilates(const MohrCoulomb& law)

@@ -17,6 +17,7 @@ struct MohrCoulombConstants {
   Real cutoff = infinity;           ///< tension cut-off, Pa
   Real max_opening = 0;             ///< 0 also where there is no apex
   Real per_young_modulus = 0;       ///< 1/Pa
+  Real cohesion_share = 1;          ///< the cohesion over that which a particle keeps
 
   Real drop_1 = 0, drop_2 = 0, drop_3 = 0;       ///< C m, Pa
   Real drop_high = 0, drop_low = 0;              ///< means of drop_1 and drop_2, of drop_2 and drop_3
@@ -58,7 +59,7 @@ template <class T>
 [[gnu::always_inline]] inline PreparedMohrCoulombOf<T> with_local(const PreparedMohrCoulomb& law, const T* own)
 {
   PreparedMohrCoulombOf<T> made{static_cast<const MohrCoulombConstants&>(law), scaled(law.elastic, own[1] * law.per_young_modulus)};
-  made.set_cohesion(own[0]);
+  made.set_cohesion(own[0] * law.cohesion_share);
   return made;
 }
 

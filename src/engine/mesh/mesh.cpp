@@ -254,6 +254,12 @@ Real Mesh<dim>::section(Index cell) const
 }
 
 template <int dim>
+Real Mesh<dim>::size(Index cell) const
+{
+  return dim == 2 ? std::sqrt(2 * section(cell)) : std::cbrt(6 * section(cell));
+}
+
+template <int dim>
 Real Mesh<dim>::volume(Index cell) const
 {
   return metric == Metric::axisymmetric ? section(cell) * centroid(cell)[0] : section(cell);

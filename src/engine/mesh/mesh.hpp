@@ -112,6 +112,7 @@ struct Mesh {
   Vec<dim> centroid(Index cell) const;
   Shape<dim> shape(Index cell) const;
   Real section(Index cell) const;  ///< m2, its area; in space its volume, m3
+  Real size(Index cell) const;     ///< m, side of the square that two such cells make; in space of the cube of six
   Real volume(Index cell) const;   ///< m2 (per metre run) or m3; in axisymmetry m3 per radian, section times radius of the centroid
   Real height(Index cell) const;   ///< the smallest one, m
   /// The cell across the face opposite that corner, or none at the boundary.

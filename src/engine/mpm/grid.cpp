@@ -125,7 +125,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     for (Index cell : grids[b].halo.outer) grids[b].enter(model.mesh, cell);
     grids[b].total_mass = sums_over(state.particles[b]).mass;
-    laws.push_back(laws_of(body.soil, model.mpm));
+    laws.push_back(laws_of(body.soil, model.mpm, model.mesh));
     max = std::max<std::size_t>(max, state.particles[b].size());
   }
   // A sixteenth of all particles: far more than change cell in one step of a stable run.

@@ -210,7 +210,8 @@ struct VolumeRule {
 
 /// The prepared laws of a body (mpm/body_laws.hpp, which only what looks into laws includes).
 struct BodyLaws;
-std::shared_ptr<const BodyLaws> laws_of(const problem::BodySoil& soil, const problem::MpmSettings& settings);
+template <int dim>
+std::shared_ptr<const BodyLaws> laws_of(const problem::BodySoil& soil, const problem::MpmSettings& settings, const mesh::Mesh<dim>& mesh);
 
 /// Workspace of a step beside Model and State; allocated once, with the sums of the particles as they are then.
 template <int dim>

@@ -15,12 +15,11 @@ void pass_over_particles(Real motion, const problem::Model<dim>& model, problem:
 {
   const BodyLaws& all = *workspace.laws[body];
   const auto by_law = [&]<class Law>(const Law&) {
-    SoilOf<Law> soil{{}, {}, all.volume_rules, all.dilates, all.local_strength, all.material_index_offset};
-    for (const material::PreparedMaterial& law : all.laws) soil.laws.push_back(&std::get<Law>(law));
-    for (const material::PreparedMaterial& law : all.laws_without_dilation) soil.laws_without_dilation.push_back(&std::get<Law>(law));
+    const SoilOf<Law> soil{all.laws,    all.laws_without_dilation, all.first_of_cell,        all.volume_rules,
+                           all.dilates, all.local_strength,        all.material_index_offset};
     move_by_law<dim>(soil, motion, model, state, workspace, body);
   };
-  std::visit(by_law, all.laws.front());
+  std::visit(by_law, all.prepared.front());
 }
 
 }  // namespace

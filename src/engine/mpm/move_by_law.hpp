@@ -9,12 +9,21 @@ namespace berm::mpm {
 /// The laws of a body as its law sees them.
 template <class Law>
 struct SoilOf {
-  std::vector<const Law*> laws, laws_without_dilation;  ///< by material; the second for particles at their maximum volume
-  const std::vector<VolumeRule>& rules;                 ///< by material
-  bool dilates;                                         ///< the first material
-  bool local_strength;                                  ///< particles keep strength, stiffness or material for themselves
-  int material_index_offset;                            ///< of the material's number among a particle's extra numbers, or none
+  const std::vector<const void*>&laws, &laws_without_dilation;  ///< as BodyLaws has them
+  const CellField<Index>& first_of_cell;
+  const std::vector<VolumeRule>& rules;  ///< by material
+  bool dilates;                          ///< the first material
+  bool local_strength;                   ///< particles keep strength, stiffness or material for themselves
+  int material_index_offset;             ///< of the material's number among a particle's extra numbers, or none
   static constexpr int local_size = material::local_size<Law>(), first_local = Law::state_size;  ///< its strength and stiffness there
+
+  /// Where the laws of a cell begin in the lists.
+  Index first_in(Index cell) const { return first_of_cell.size() > 0 ? first_of_cell[cell] : 0; }
+  const Law& law(Index number) const { return *static_cast<const Law*>(laws[static_cast<std::size_t>(number)]); }
+  const Law& law_without_dilation(Index number) const
+  {
+    return *static_cast<const Law*>(laws_without_dilation[static_cast<std::size_t>(number)]);
+  }
 };
 
 /// Steps 5 and 9-11 of the paper for particles of one law, which move for the time `motion` (s). Compiled in a file of its own for each law (move_law.cpp.in).

@@ -76,8 +76,8 @@ struct VolumeBounds {
 /// layers.
 template <int dim, class Law, class P, class V>
 [[gnu::always_inline]] inline VolumeBounds<V>
-update_by_local_strength(const SoilOf<Law>& soil, const P& part, const Lanes* low, const Lanes* high, const V& mass, const V& volume,
-                         SymTensor<dim, V>& stress, material::Increment<dim, V>& increment, V* state)
+update_by_local_strength(const SoilOf<Law>& soil, Index first_law, const P& part, const Lanes* low, const Lanes* high, const V& mass,
+                         const V& volume, SymTensor<dim, V>& stress, material::Increment<dim, V>& increment, V* state)
 {
   using Mask = typename Part<V>::Mask;
   constexpr int local_size = SoilOf<Law>::local_size, first_local = SoilOf<Law>::first_local;
@@ -86,24 +86,24 @@ update_by_local_strength(const SoilOf<Law>& soil, const P& part, const Lanes* lo
   if (soil.material_index_offset != none) number = part.get(low[soil.material_index_offset], high[soil.material_index_offset]);
   const SymTensor<dim, V> begin = stress;
   V begin_state[Law::state_size + 1];
-  const int state_variables = state_count(*soil.laws.front());
+  const int state_variables = state_count(soil.law(0));
   std::copy_n(state, state_variables, begin_state);
   VolumeBounds<V> bounds;
   for (Mask left = part.alive(); any(left);) {
     int first = 0;
     while (!left[first]) ++first;
-    const auto n = static_cast<std::size_t>(number[first]);
+    const auto n = static_cast<Index>(number[first]);
     const Mask these = left & (number == number[first]);
     left &= ~these;
-    const VolumeRule& rule = soil.rules[n];
+    const VolumeRule& rule = soil.rules[static_cast<std::size_t>(n)];
     SymTensor<dim, V> s = begin;
     V of_law[Law::state_size + 1];
     std::copy_n(begin_state, state_variables, of_law);
     increment.active = these;
-    const auto& here = with_local(*soil.laws[n], own);
+    const auto& here = with_local(soil.law(first_law + n), own);
     const Mask fully_dilated = these & (volume >= mass * rule.max_volume);
     if (rule.dilates && any(fully_dilated)) {
-      const auto& without_dilation = with_local(*soil.laws_without_dilation[n], own);
+      const auto& without_dilation = with_local(soil.law_without_dilation(first_law + n), own);
       update_stress_of<dim>(here, &without_dilation, fully_dilated, s, increment, of_law);
     } else {
       update(here, s, increment, of_law);
@@ -141,8 +141,6 @@ template <bool local_strength, mesh::Metric metric, int dim, class Law>
 void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
                           Workspace<dim>& workspace, Index body)
 {
-  const Law& law = *soil.laws.front();
-  [[maybe_unused]] const Law* law_without_dilation = soil.dilates ? soil.laws_without_dilation.front() : nullptr;
   const mesh::Mesh<dim>& mesh = model.mesh;
   BodyGrid<dim>& grid = workspace.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
@@ -153,6 +151,9 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   const auto move_in_cell = [&](Index c) {
     const Index cell = particles.active()[c];
     particles.prefetch_after(c);
+    const Index first_law = soil.first_in(cell);
+    const Law& law = soil.law(first_law);
+    [[maybe_unused]] const Law* law_without_dilation = soil.dilates ? &soil.law_without_dilation(first_law) : nullptr;
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const FilterOfCell<dim> filter = motion > 0 ? grid.filter_of(cell) : FilterOfCell<dim>{};
@@ -206,7 +207,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
         const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
         part.template change<Law::state_size>(
             particles.state(part.block), particles.state(part.other), state_count(law), [&](V* law_state) {
-              bounds = update_by_local_strength<dim>(soil, part, low, high, mass, volume, stress, increment, law_state);
+              bounds = update_by_local_strength<dim>(soil, first_law, part, low, high, mass, volume, stress, increment, law_state);
             });
       } else {
         const Mask fully_dilated = alive & (volume >= mass * max_volume);

@@ -9,12 +9,6 @@ namespace {
 
 constexpr int points = 24;  // along the lower half of the surface
 
-template <int dim>
-Real size_of_cell(Real section)
-{
-  return dim == 2 ? std::sqrt(2 * section) : std::cbrt(6 * section);
-}
-
 /// The nearest point of the surface to one of a circle around the body, in the plane of the travel; in space in the middle of the mesh where the body has no end.
 template <int dim>
 Vec<dim> point_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Real angle)
@@ -45,7 +39,7 @@ Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape,
     const mesh::Location place = locate(model.mesh, x, start);
     if (!place.inside) continue;
     start = place.cell;
-    const Real size = size_of_cell<dim>(model.mesh.section(place.cell));
+    const Real size = model.mesh.size(place.cell);
     if (!(size <= largest)) largest = size;
   }
   return largest;

@@ -4,6 +4,7 @@
 
 #include "material/shear_band.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/base/mechanism_cells.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ inline constexpr Limit in_the_air{0.001, 0.01, "grains that fly carry nothing"};
 inline constexpr Limit momentum{1e-9, 1e-6, "impulses add up to the change of momentum to round-off, or the program is wrong"};
 inline constexpr Limit shear_bands{
     0.05, 0.25, "the more strength can be lost in shear bands, the more V falls with the size of the cells (examples/localisation)"};
+inline constexpr Limit cells_of_band{1, 0.5, "bands are some four cells wide, however fine these are (docs/decisions/0063)", true};
 inline constexpr Limit unbalance{1, 10, "over fem.tolerance: at most one is called equilibrium"};
 inline constexpr Limit loose{0, 0.1, "increments that did not converge leave forces that nothing carries"};
 inline constexpr Limit lag{0.01, 0.05,
@@ -88,12 +90,12 @@ Real damping_over_work(Run run)
   return taken / work;
 }
 
-/// The soil that loses most in shear bands; empty where none has a strength.
-std::optional<material::Strength> weakest_in_shear_bands(Run run)
+/// The soil that loses most in shear bands, of those without or with a width of their own; empty where none has a strength.
+std::optional<material::Strength> weakest_in_shear_bands(Run run, bool has_width = false)
 {
   std::optional<material::Strength> weakest;
   for (const auto& [name, material] : run.settings.material)
-    if (const std::optional<material::Strength> soil = strength_at_rest(material))
+    if (const std::optional<material::Strength> soil = strength_at_rest(material); soil && band_width(material).has_value() == has_width)
       if (!weakest || friction_lost_in_shear_bands(*soil) > friction_lost_in_shear_bands(*weakest)) weakest = soil;
   return weakest;
 }
@@ -257,6 +259,41 @@ TrustMeasure shear_bands()
           text::percent_words};
 }
 
+TrustMeasure friction_of_cells()
+{
+  static constexpr Real cells_of_band = 4;
+  const auto bands = [](Run run) {
+    Real width = infinity;
+    for (const auto& [name, material] : run.settings.material)
+      if (non_associated(material)) width = std::min(width, band_width(material).value_or(infinity));
+    return width;
+  };
+  const auto cells = [](Run run) {
+    const Real near = near_cells(run).first;
+    return sheared_cell_sizes(run).value_or(CellSizes{near, near});
+  };
+  return {"cells of a shear band of the soil's own width, psi < phi",
+          &limits::cells_of_band,
+          [bands](Run run) { return bands(run) < infinity; },
+          [=](Run run) { return cells_of_band * cells(run).smallest / bands(run); },
+          [=](Run run, Real value) {
+            const CellSizes sizes = cells(run);
+            const material::Strength soil = *weakest_in_shear_bands(run, true);
+            const auto angle = [&](Real size) { return friction_angle_in_cells(soil, bands(run), size) * 180 / pi; };
+            return fmt::format(
+                "{:.2g}: phi is {:.1f} deg in the finest cells that shear, {}, and {:.1f} deg in the coarsest, {}; bands are {} wide",
+                cells_of_band / value, angle(sizes.smallest), text::length_words(sizes.smallest), angle(sizes.largest),
+                text::length_words(sizes.largest), text::length_words(bands(run)));
+          },
+          [=](Run run, Real value) {
+            return fmt::format(
+                "{:.2g} cells lie across a shear band, {}: finer than four they localise in narrower bands, and the soil carries too "
+                "little; take cells of {} there",
+                cells_of_band / value, text::length_words(bands(run)), text::length_words(bands(run) / cells_of_band));
+          },
+          [](Real value) { return fmt::format("{:.2g}", cells_of_band / value); }};
+}
+
 TrustMeasures convergence()
 {
   return {
@@ -277,7 +314,11 @@ TrustMeasures convergence()
        [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", text::percent_words(value)); },
        text::percent_words},
       {"strength that lags behind the pressure, psi < phi, over what flow dissipates", &limits::lag,
-       [](Run run) { return lost_in_shear_bands(run) > 0; }, [](Run run) { return run.check("strength_lag"); }, in_percent,
+       [](Run run) {
+         return std::any_of(run.settings.material.begin(), run.settings.material.end(),
+                            [](const auto& material) { return non_associated(material.second); });
+       },
+       [](Run run) { return run.check("strength_lag"); }, in_percent,
        [](Run, Real value) {
          return fmt::format("the strength of the soil lags by {} of what its flow dissipates: take a smaller fem.largest_step",
                             text::percent_words(value));

@@ -35,8 +35,10 @@ TrustMeasures soil_volumes();
 TrustMeasure soil_at_largest_volume();
 TrustMeasure momentum_balance();
 
-/// What friction shear bands can lose.
+/// What friction shear bands can lose that are as wide as the cells make them.
 TrustMeasure shear_bands();
+/// The friction of the cells that shear, of soil whose bands have a width of their own.
+TrustMeasure friction_of_cells();
 
 /// How well the increments of finite elements were solved.
 TrustMeasures convergence();

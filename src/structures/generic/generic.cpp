@@ -5,7 +5,7 @@
 #include "record/panels.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/generic/mechanism_cells.hpp"
+#include "structures/base/mechanism_cells.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -88,8 +88,8 @@ base::TrustMeasure cells_of_mechanism()
 {
   return {"cells across the soil that has sheared",
           &limits::mechanism,
-          has_mechanism_cells,
-          [](const record::RunRecord& run) { return cells_across_mechanism(run); },
+          base::has_mechanism_cells,
+          [](const record::RunRecord& run) { return base::cells_across_mechanism(run); },
           base::as_number,
           [](const record::RunRecord&, Real value) {
             return fmt::format("{:.2g} cells lie across the soil that has sheared: what it carries depends on them; take finer cells there",
@@ -150,13 +150,15 @@ base::TrustMeasures Generic::measures(const problem::Case& c) const
 {
   using namespace base;
   if (c.method == problem::Method::fem)
-    return joined({convergence(), {energy_balance(c.method), shear_bands(), counted("nodes", "nodes"), counted("elements", "cells")}});
+    return joined(
+        {convergence(),
+         {energy_balance(c.method), shear_bands(), friction_of_cells(), counted("nodes", "nodes"), counted("elements", "cells")}});
   return joined({{energy_balance(c.method)},
                  energy_that_the_method_takes(),
                  {balance_after_geostatic("after the geostatic stage")},
                  soil_volumes(),
-                 {momentum_balance(), cells_of_mechanism(), cells_of_disk(), shear_bands(), counted("particles", "particles"),
-                  counted("cells", "cells")}});
+                 {momentum_balance(), cells_of_mechanism(), cells_of_disk(), shear_bands(), friction_of_cells(),
+                  counted("particles", "particles"), counted("cells", "cells")}});
 }
 
 }  // namespace berm::generic

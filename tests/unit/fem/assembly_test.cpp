@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/assembly.hpp"
 
+#include "material/mohr_coulomb.hpp"
 #include "samples/fem_sample_bed.hpp"
 #include "samples/fem_sample_problem.hpp"
 
@@ -374,6 +375,23 @@ TEST(Assembly, held_back_forces_keep_the_first_state_in_balance)
   loads.initial_imbalance_factor = 1;
   assembly.evaluate(problem.state, std::vector<Real>(problem.model.unknowns(), 0.), loads, 0);
   EXPECT_LT(assembly.unbalanced(), 1e-15 * problem.model.weight);
+}
+
+TEST(Soil, has_the_friction_of_its_element_where_bands_have_a_width)
+{
+  material::MohrCoulomb sand;
+  sand.density = 1800;
+  sand.young_modulus = 1e7;
+  sand.poisson_ratio = 0.3;
+  sand.friction_angle = 35 * degree;
+  sand.band_width = 0.1;
+  const FemProblem problem = fem_problem_of(plate_on_block(sand, 1, {2, 1}));
+  const FemModel& model = problem.model;
+  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
+    const auto here = model.soil_at(cell, 0).get<material::MohrCoulomb>();
+    EXPECT_EQ(here.friction_angle, in_cells_of(sand, model.model.mesh.size(cell)).friction_angle);
+    EXPECT_LT(here.friction_angle, sand.friction_angle);
+  }
 }
 
 }  // namespace

@@ -103,5 +103,37 @@ TEST(OwnSoil, has_its_own_bounds_of_volume)
     EXPECT_NEAR(p.volume * (id % 2 == 0 ? 3000 : 1000) / p.mass, problem.model.mpm.max_volume_ratio, 1e-12);
 }
 
+/// Particles of sand with a band width, all on one mesh, and of sand with the friction of each cell.
+TEST(CellFriction, is_that_of_the_cell_in_which_a_particle_is)
+{
+  material::MohrCoulomb sand = weak_sand(0.6, 500, 1500);
+  sand.band_width = 0.05;
+  for (const bool local : {false, true}) {
+    if (local) sand.cohesion_gradient = 10;
+    problem::Problem<2> of_cells = body_of_one(sand);
+    if (local) of_cells = body_of_two(sand, sand, [](const bodies::Particle<2>&) { return 0u; });
+    shear_once(of_cells);
+    const mesh::Mesh<2>& mesh = of_cells.model.mesh;
+    std::map<int, std::map<std::int32_t, bodies::Particle<2>>> by_size;
+    Real smallest = infinity, largest = 0;
+    of_cells.state.particles[0].visit([&](Index cell, Index b, int l) {
+      const bodies::Particle<2> p = of_cells.state.particles[0].read(b, l);
+      const Real size = mesh.size(cell);
+      smallest = std::min(smallest, size), largest = std::max(largest, size);
+      const int number = static_cast<int>(std::lround(100 * std::log(size)));
+      if (by_size.count(number) == 0) {
+        material::MohrCoulomb here = in_cells_of(sand, size);
+        problem::Problem<2> alike = body_of_one(here);
+        if (local) alike = body_of_two(here, here, [](const bodies::Particle<2>&) { return 0u; });
+        shear_once(alike);
+        by_size[number] = by_id(alike);
+      }
+      // Classes are a hundredth wide: friction differs by a thousandth at most.
+      for (int k = 0; k < 4; ++k) EXPECT_NEAR(p.stress[k], by_size[number].at(p.id).stress[k], 20) << size << ' ' << p.id;
+    });
+    EXPECT_GT(largest, 1.3 * smallest) << "cells of several sizes";
+  }
+}
+
 }  // namespace
 }  // namespace berm::mpm::this_file

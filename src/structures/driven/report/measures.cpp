@@ -316,14 +316,14 @@ TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
        soil_volumes(),
        {contact_gap(body), overlap(body), second_impulse(), momentum_balance(),
         size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), depth_of_push(body), cells_of_dilating_soil(body),
-        shear_bands(), particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
+        shear_bands(), friction_of_cells(), particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
 }
 
 TrustMeasures fem_measures(const std::string& body)
 {
   return joined({convergence(),
                  {energy_balance(problem::Method::fem), held(body), overlap(body), size_of("elements at the " + body, limits::elements),
-                  shear_bands(), counted("nodes", "nodes"), counted("elements", "cells")}});
+                  shear_bands(), friction_of_cells(), counted("nodes", "nodes"), counted("elements", "cells")}});
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structures/generic/mechanism_cells.hpp"
+#include "structures/base/mechanism_cells.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm::generic::this_file {
+namespace berm::base::this_file {
 namespace {
 
 constexpr Real side = 0.1;
@@ -55,4 +55,4 @@ TEST(MechanismCells, are_not_known_of_bodies_that_do_not_count)
 }
 
 }  // namespace
-}  // namespace berm::generic::this_file
+}  // namespace berm::base::this_file

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/structures/generic/mechanism_cells_test.cpp
-#include "structures/generic/mechanism_cells.hpp"
+// Tests: tests/unit/structures/base/mechanism_cells_test.cpp
+#include "structures/base/mechanism_cells.hpp"
 
 #include "core/error.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>
 
-namespace berm::generic {
+namespace berm::base {
 namespace {
 
 constexpr Real a_tenth = 0.1, a_hundredth = 0.01;
@@ -60,9 +60,34 @@ std::vector<Real> points_of_cell(const problem::Case& c)
   for (const auto& [name, body] : c.body) {
     const Index material = problem::index_of(c.material, body.material);
     const bool counts = !body.block && !body.disk && material != none && yields(c.material[material].second);
-    points.push_back(counts ? base::filled_particles(body, c.dimension()) : nan);
+    points.push_back(counts ? filled_particles(body, c.dimension()) : nan);
   }
   return points;
+}
+
+/// Those of them that have sheared.
+std::vector<std::size_t> sheared_points(const run_folder::SavedSoil& soil, const std::vector<Real>& points_of_cell)
+{
+  std::vector<std::size_t> sheared = counted_points(soil, points_of_cell);
+  if (sheared.empty()) return sheared;
+  const std::vector<float>& strain = soil["deviatoric_strain"];
+  std::vector<Real> strains;
+  for (const std::size_t k : sheared) strains.push_back(strain[k]);
+  const Real least = a_tenth * Interval(std::move(strains)).high;
+  std::erase_if(sheared, [&](std::size_t k) { return !(strain[k] >= least); });
+  return sheared;
+}
+
+/// The area (volume) of the cell that a point came from.
+Real cell_of(const run_folder::SavedSoil& soil, std::size_t point, const std::vector<Real>& points_of_cell)
+{
+  return soil.volume[point] * points_of_cell[static_cast<std::size_t>(soil.body[point])];
+}
+
+/// Mesh::size of such a cell.
+Real size_of(Real cell, int dim)
+{
+  return dim == 2 ? std::sqrt(2 * cell) : std::cbrt(6 * cell);
 }
 
 }  // namespace
@@ -70,22 +95,15 @@ std::vector<Real> points_of_cell(const problem::Case& c)
 Real cells_across_mechanism(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const std::vector<Real>& points_of_cell,
                             int dim)
 {
-  const std::vector<std::size_t> at_start = counted_points(start, points_of_cell);
-  std::vector<std::size_t> sheared = counted_points(now, points_of_cell);
+  const std::vector<std::size_t> at_start = counted_points(start, points_of_cell), sheared = sheared_points(now, points_of_cell);
   if (at_start.empty() || sheared.empty()) return nan;
-  const std::vector<float>& strain = now["deviatoric_strain"];
-  std::vector<Real> strains;
-  for (const std::size_t k : sheared) strains.push_back(strain[k]);
-  const Real least = a_tenth * Interval(strains).high;
-  std::erase_if(sheared, [&](std::size_t k) { return !(strain[k] >= least); });
   Real cells = 0, smallest = infinity;
-  for (const std::size_t k : sheared) cells += now.volume[k] * points_of_cell[static_cast<std::size_t>(now.body[k])];
+  for (const std::size_t k : sheared) cells += cell_of(now, k, points_of_cell);
   for (int axis = 0; axis < dim; ++axis) {
     const Interval side(places(now, sheared, axis));
     if (!side.is_about(Interval(places(start, at_start, axis)))) smallest = std::min(smallest, side.length());
   }
-  const Real cell = cells / static_cast<Real>(sheared.size());
-  return std::isfinite(smallest) ? smallest / (dim == 2 ? std::sqrt(2 * cell) : std::cbrt(6 * cell)) : nan;
+  return std::isfinite(smallest) ? smallest / size_of(cells / static_cast<Real>(sheared.size()), dim) : nan;
 }
 
 Real cells_across_mechanism(const record::RunRecord& run)
@@ -101,10 +119,28 @@ Real cells_across_mechanism(const record::RunRecord& run)
   }
 }
 
+std::optional<CellSizes> sheared_cell_sizes(const record::RunRecord& run)
+{
+  if (!has_mechanism_cells(run)) return {};
+  try {
+    const std::vector<run_folder::FrameFiles> frames = run_folder::frame_files(run.folder / "frames");
+    if (frames.size() < 2) return {};
+    const run_folder::SavedSoil soil = run_folder::read_soil(frames.back().soil);
+    const std::vector<Real> points = points_of_cell(run.settings);
+    std::vector<Real> sizes;
+    for (const std::size_t k : sheared_points(soil, points)) sizes.push_back(size_of(cell_of(soil, k, points), run.settings.dimension()));
+    if (sizes.empty()) return {};
+    const Interval range(std::move(sizes));
+    return CellSizes{range.low, range.high};
+  } catch (const RunError&) {
+    return {};
+  }
+}
+
 bool has_mechanism_cells(const record::RunRecord& run)
 {
   const std::vector<Real> points = points_of_cell(run.settings);
   return run.settings.method == problem::Method::mpm && std::any_of(points.begin(), points.end(), [](Real p) { return !std::isnan(p); });
 }
 
-}  // namespace berm::generic
+}  // namespace berm::base

@@ -4,7 +4,7 @@
 #include "record/run_record.hpp"
 #include "run_folder/frame_reader.hpp"
 
-namespace berm::generic {
+namespace berm::base {
 
 /// How many cells lie across the soil that has sheared: the smallest side of the box that holds the middle 98 % of these points along each axis, over the side of
 /// the square (cube) whose half (sixth) is as large as their mean cell. A side along which all the soil has sheared, between the same ends as at the start, does not
@@ -16,7 +16,13 @@ Real cells_across_mechanism(const run_folder::SavedSoil& start, const run_folder
 /// The same at the last frame of a run, in its bodies that can yield and were filled cell by cell; NaN without such a body, or a frame that can be read.
 Real cells_across_mechanism(const record::RunRecord& run);
 
+/// The smallest and the largest cell, m (Mesh::size), in which soil has sheared so by the last frame, from the volume of its points; empty as NaN above.
+struct CellSizes {
+  Real smallest = infinity, largest = 0;
+};
+std::optional<CellSizes> sheared_cell_sizes(const record::RunRecord& run);
+
 /// Whether a run of the material point method has such a body.
 bool has_mechanism_cells(const record::RunRecord& run);
 
-}  // namespace berm::generic
+}  // namespace berm::base
