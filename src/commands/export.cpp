@@ -77,7 +77,8 @@ Command add_export(CLI::App& program)
   app->add_option("--state", options->selection.state,
                   "state of the pipe: touchdown, laid, flooded, emptied, operation, after_DRAG (default: operation, else touchdown)");
   app->add_option("--travels", options->selection.travels, "drags, with commas between them (default: those in that state)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->transform([](const std::string& name) { return CLI::detail::trim_copy(name); });
   app->add_option("-o,--output", options->output, "folder for the files (default: DIR/export)");
   return {app, [options] {
             messages_to_stderr();

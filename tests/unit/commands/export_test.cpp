@@ -47,7 +47,7 @@ TEST_F(Export, refuses_a_state_and_a_travel_that_the_run_has_not)
   EXPECT_EQ(travel.status, 2);
   EXPECT_NE(travel.err.find("has no drag \"nowhere\""), std::string::npos) << travel.err;
   EXPECT_FALSE(exists("r/export"));
-  ASSERT_EQ(berm({"export", "r", "--to", "json", "--state", "operation"}).status, 0);
+  ASSERT_EQ(berm({"export", "r", "--to", "json", "--state", "operation", "--travels", " drag, drag "}).status, 0) << "blanks beside commas";
   EXPECT_EQ(json("r/export/springs.json")["springs"]["best"]["state"], "operation");
 }
 
