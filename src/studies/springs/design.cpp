@@ -37,6 +37,8 @@ void for_each_number(S& springs, const Visit& visit)
       visit(drag, fmt::format("u_{:.0f}", 100 * mobilised_parts[k]), Kind::displacement,
             "displacement at which H first reaches this percentage of the peak", l.mobilised[k]);
     visit(drag, "u_peak", Kind::displacement, "displacement at the peak", l.u_peak);
+    visit(drag, "largest", Kind::force, "largest H, where it lies behind the first peak and above it", l.largest);
+    visit(drag, "u_largest", Kind::displacement, "displacement at that largest H", l.u_largest);
     visit(drag, "residual", Kind::force, "H that stays at the end of the drag", l.residual);
     visit(drag, "berm_resistance", Kind::force, "H met against a berm at the end of a sweep, which is no residual", l.berm);
     visit(drag, "end", Kind::force, "mean H over the end of the drag, whether it stays or not", l.end);
@@ -46,8 +48,10 @@ void for_each_number(S& springs, const Visit& visit)
   for (auto& point : springs.vertical.curve)
     visit(Place{"vertical", point.x > springs.vertical.pushed_to ? "" : "push", "computed"},
           fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force,
-          point.x > springs.vertical.pushed_to ? "largest V that the bed has carried as deep: a lower bound"
-                                               : "V in the push at an embedment",
+          point.x > springs.vertical.pushed_to
+              ? "largest V that the bed has carried at this depth or above it, which it carries again before the "
+                "pipe is pushed deeper"
+              : "V in the push at an embedment",
           point.F);
   for (auto& u : springs.vertical.unloading)
     visit(Place{"vertical", u.stage, "computed"}, u.stage + ".stiffness", Kind::stiffness,

@@ -121,16 +121,19 @@ ExportFiles moordyn_files(const Design& design)
                                    : remark("# ", "kBot: " + normal.origin) +
                                          option(normal.value / s.diameter, "kBot", "Pa/m, stiffness of V over w divided by D");
     for (const Lateral& l : s.lateral) {
+      if (!(l.V > 0)) text += remark("# ", without_friction("travel " + l.stage));
       if (!(l.V > 0) || !(l.peak > 0)) continue;
       const bool stays = l.residual > 0;
       const Real friction = (stays ? l.residual : l.peak) / l.V, ratio = stays ? l.peak / l.residual : 1;
-      const std::string words = stays ? "residual H over V" : "largest H over V: it has no residual",
+      const std::string words = stays      ? "residual H over V"
+                                : l.breaks ? "H at breakout over V: it has no residual"
+                                           : "largest H over V: it has neither peak nor residual",
                         ratio_words = stays ? "peak over residual" : "as no residual is known";
       text += remark("# ", fmt::format("{} estimate, MoorDyn-C: {}", set, origin_of(s, l))) +
               option(friction, "FrictionCoefficient", words) + option(ratio, "StatDynFricScale", ratio_words) + bottom;
       text += remark("# ", fmt::format("{} estimate, MoorDyn-F: {}", set, origin_of(s, l))) + option(friction, "MU_KT", words);
       text += axial.empty() || !(axial_V(s) > 0)
-                  ? "# MU_KA is not known: the interface has no friction\n"
+                  ? "# MU_KA is not known from these runs\n"
                   : remark("# ", "MU_KA: " + axial_origin(s)) + option(axial.back().F / axial_V(s), "MU_KA", "axial resistance over V");
       text += option(ratio, "MC", ratio_words) + bottom;
     }

@@ -44,6 +44,9 @@ Lateral lateral_of(const driven::DragPath& drag, const driven::DragResults& resu
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) lateral.curve.push_back({smooth.travel()[k], smooth.value()[k]});
   lateral.breaks = resistance.breakout.has_value();
   if (const auto& peak = lateral.breaks ? resistance.breakout : resistance.largest) lateral.peak = peak->H, lateral.u_peak = peak->u;
+  if (const auto& largest = resistance.largest;
+      lateral.breaks && !resistance.berm && largest->u > lateral.u_peak && largest->H > lateral.peak)
+    lateral.largest = largest->H, lateral.u_largest = largest->u;
   for (std::size_t k = 0; k < mobilised_parts.size(); ++k)
     lateral.mobilised[k] = first_at(lateral.curve, mobilised_parts[k] * lateral.peak);
   lateral.residual = resistance.residual.value_or(nan);
@@ -86,6 +89,7 @@ Real strength_at(const record::RunRecord& run, Real w)
 Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
 {
   Axial axial;
+  if (state.V <= 0) return axial;
   const Real D = run.scale.width;
   const formulas::Formula wedging = formulas::wedging_factor(D, state.w);
   axial.wedging = wedging.value;
@@ -122,7 +126,8 @@ void carry_to_prototype(Springs& s, Real scale)
   for (Real* number : {&s.V, &s.diameter, &s.embedment, &s.weight, &s.strength, &s.axial.drained, &s.axial.undrained}) *number *= scale;
   s.axial.mobilise(s.diameter);  // its millimetres are those of the prototype
   for (Lateral& l : s.lateral) {
-    for (Real* number : {&l.V, &l.peak, &l.u_peak, &l.residual, &l.berm, &l.end, &l.u_residual, &l.travel}) *number *= scale;
+    for (Real* number : {&l.V, &l.peak, &l.u_peak, &l.largest, &l.u_largest, &l.residual, &l.berm, &l.end, &l.u_residual, &l.travel})
+      *number *= scale;
     for (Real& u : l.mobilised) u *= scale;
     carry(l.curve);
   }
@@ -154,10 +159,20 @@ Points Lateral::spring() const
   };
   for (std::size_t k = 0; k < mobilised_parts.size(); ++k) add(mobilised[k], mobilised_parts[k] * peak);
   if (breaks || std::isnan(residual)) add(u_peak, peak);
+  if (u_largest < u_residual) add(u_largest, largest);
   add(u_residual, residual);
+  add(u_largest, largest);
   const Real last = std::isnan(residual) ? end : residual;
   add(travel, breaks ? last : std::max(last, points.back().F));
   return points;
+}
+
+Real Lateral::stiffness() const
+{
+  constexpr std::size_t half = 1;
+  for (std::size_t k = half; k < mobilised_parts.size(); ++k)
+    if (std::isfinite(mobilised[k])) return mobilised_parts[k] * peak / mobilised[k];
+  return peak / u_peak;
 }
 
 namespace {
@@ -188,13 +203,23 @@ Index next_state(const driven::States& states, const driven::State& state)
   return next;
 }
 
+/// Whether a drag begins in the state, before the next one, and does not lay the pipe.
+bool begins_in(const driven::DragPath& drag, const driven::States& states, const driven::State& state, const Selection& selection)
+{
+  const Index begin = drag.rows.front();
+  return !drag.stage.lays && (selection.whole_life || (begin >= state.row && begin < next_state(states, state)));
+}
+
 /// Whether the springs of a drag are asked for.
 bool is_asked(const driven::DragPath& drag, const driven::States& states, const driven::State& state, const Selection& selection)
 {
   if (!selection.travels.empty()) return std::ranges::find(selection.travels, drag.stage.name) != selection.travels.end();
-  if (drag.stage.lays || drag.stage.by_force) return false;
-  const Index begin = drag.rows.front();
-  return selection.whole_life || (begin >= state.row && begin < next_state(states, state));
+  return !drag.stage.by_force && begins_in(drag, states, state, selection);
+}
+
+std::string by_force_words(const driven::DragPath& drag)
+{
+  return fmt::format("{} is driven by a force: it tells displacements, no resistance", input::in_quotes(drag.stage.name));
 }
 
 /// The name of the state of the pipe's life in which a drag begins; "" where there is none.
@@ -215,13 +240,12 @@ void check_travels(const driven::Path& path, const std::vector<std::string>& tra
     const auto found = std::ranges::find(names, travel);
     if (found == names.end())
       throw InputError(fmt::format("--travels: {} has no drag {}{}", folder, input::in_quotes(travel), input::suggestion(travel, names)));
-    if (path.drags[static_cast<std::size_t>(found - names.begin())].stage.by_force)
-      throw InputError(
-          fmt::format("--travels: {} of {} is driven by a force: it tells displacements, no resistance", input::in_quotes(travel), folder));
+    const driven::DragPath& drag = path.drags[static_cast<std::size_t>(found - names.begin())];
+    if (drag.stage.by_force) throw InputError(fmt::format("--travels: {}: {}", folder, by_force_words(drag)));
   }
 }
 
-/// V that the bed has carried over w: of the push, then of each state to this one that is deeper than all before.
+/// V over w of the push, then the largest V so far at each state to this one that is deeper than all before.
 Points carried(const driven::Results& results, const driven::States& states, const driven::State& state, Real D)
 {
   Points curve;
@@ -235,6 +259,50 @@ Points carried(const driven::Results& results, const driven::States& states, con
   for (const driven::State& one : states)
     if (one.row <= state.row && one.name != "touchdown" && std::isfinite(one.V)) add(one.w, one.V);
   return curve;
+}
+
+/// The V of the bed downwards, and the slopes of pushes before the next state.
+Vertical vertical_of(const driven::DrivenRun& run, const driven::Results& results, const driven::Path& path, const driven::States& states,
+                     const driven::State& state)
+{
+  Vertical vertical;
+  const Real D = run.scale.width;
+  if (!starts_embedded(run)) {
+    vertical.curve = carried(results, states, state, D);
+    if (results.push_end) vertical.pushed_to = results.push_end->w + driven::same_point * D;
+  } else if (!path.push.rows.empty()) {
+    vertical.unloading.push_back(unloading_of("push", path.push.rows, run.history));
+  }
+  const Index next = next_state(states, state);
+  for (const driven::OtherPush& push : path.other_pushes)
+    if (push.rows.front() <= next) vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
+  return vertical;
+}
+
+/// Why a drag by a force has no spring, and why there is none at all.
+std::vector<std::string> missing_lateral(const Springs& s, const driven::Path& path, const driven::States& states,
+                                         const driven::State& state, const Selection& selection)
+{
+  std::vector<std::string> lines;
+  if (!selection.travels.empty()) return lines;
+  for (const driven::DragPath& drag : path.drags)
+    if (drag.stage.by_force && begins_in(drag, states, state, selection)) lines.push_back(by_force_words(drag));
+  if (!s.lateral.empty() || !lines.empty()) return lines;
+  const bool others = std::ranges::any_of(path.drags, [](const driven::DragPath& drag) { return !drag.stage.by_force; });
+  return {fmt::format("there is no lateral spring: no drag begins in state {}{}", s.state,
+                      others ? " before the next state; --travels names others" : "")};
+}
+
+/// Why there is no axial spring.
+std::vector<std::string> missing_axial(const Springs& s, const driven::Results& results)
+{
+  if (s.axial.drained > 0 || s.axial.undrained > 0) return {};
+  if (!(s.V <= 0)) return {"there is no axial spring: the interface has neither friction nor adhesion that are known"};
+  std::vector<std::string> lines = {
+      fmt::format("there is no axial spring: V in state {} is {:.4g} N/m, which does not press the pipe onto the bed", s.state, s.V)};
+  for (const driven::UpliftResults& lift : results.uplifts)
+    lines.push_back(fmt::format("resistance to uplift is {}.R_max in summary.json", lift.stage));
+  return lines;
 }
 
 }  // namespace
@@ -263,14 +331,7 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
   springs.diameter = run.scale.width;
   if (run.scale.unit_weight > 0) springs.weight = run.scale.unit_weight * run.scale.width * run.scale.width;
   if (const Real strength = strength_at(record, state.w); strength > 0) springs.strength = strength * run.scale.width;
-  if (!starts_embedded(run)) {
-    springs.vertical.curve = carried(results, states, state, springs.diameter);
-    if (results.push_end) springs.vertical.pushed_to = results.push_end->w + driven::same_point * springs.diameter;
-  } else if (!path.push.rows.empty()) {
-    springs.vertical.unloading.push_back(unloading_of("push", path.push.rows, run.history));
-  }
-  for (const driven::OtherPush& push : path.other_pushes)
-    springs.vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
+  springs.vertical = vertical_of(run, results, path, states, state);
   for (std::size_t k = 0; k < path.drags.size(); ++k)
     if (is_asked(path.drags[k], states, state, selection)) {
       const auto found = std::ranges::find(results.drags, path.drags[k].stage.name, &driven::DragResults::stage);
@@ -279,6 +340,9 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
     }
   springs.axial = axial_of(run, state);
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);
+  springs.missing = missing_lateral(springs, path, states, state, selection);
+  if (springs.vertical.curve.empty()) springs.missing.emplace_back("there is no vertical spring: no push begins at the surface of the bed");
+  for (const std::string& line : missing_axial(springs, results)) springs.missing.push_back(line);
   return springs;
 }
 

@@ -26,6 +26,8 @@ struct Lateral {
   Real peak = nan;                                       ///< N/m
   std::array<Real, 4> mobilised = {nan, nan, nan, nan};  ///< m, where H first reaches these parts of the peak
   Real u_peak = nan;                                     ///< m
+  Real largest = nan;                                    ///< N/m, largest H behind the first peak and above it; none against a berm
+  Real u_largest = nan;                                  ///< m
   Real residual = nan;                                   ///< N/m, that stays at the end of the drag
   Real berm = nan;                                       ///< N/m, resistance against the berm at the end of the drag
   Real end = nan;                                        ///< N/m, mean over the end of the drag, whether it stays or not
@@ -33,10 +35,10 @@ struct Lateral {
   Real travel = nan;      ///< m
   Points curve;           ///< H over u, freed from noise
 
-  /// On the way to the peak, the peak if it breaks out, the residual and the end of the drag, from the origin on: what a program gets.
+  /// On the way to the peak, the peak if it breaks out, the largest H behind it, the residual and the end of the drag, from the origin on: what a program gets.
   Points spring() const;
-  /// N/m per m: secant to half of the peak.
-  Real stiffness() const { return peak / 2 / mobilised[1]; }
+  /// N/m per m: secant to half of the peak, else to the first part of more that is known, else to the peak; no stiffness (is_stiffness) where H begins with it.
+  Real stiffness() const;
 };
 
 /// A push that unloads, reloads or lifts the pipe, or that begins with the pipe in the bed.
@@ -49,14 +51,15 @@ struct Unloading {
 
 /// How the bed resists the pipe downwards.
 struct Vertical {
-  /// The V that the bed has carried over the embedment: at multiples of 0.05 D and at the end of the push, and beyond that in each state as far as that of these
-  /// springs; none where the pipe lay in the bed from the start.
+  /// V over the embedment: at multiples of 0.05 D and at the end of the push. Beyond that, in each state as far as that of these springs, the largest V that the
+  /// bed has carried at this depth or above it, which it carries again before the pipe is pushed deeper. None where the pipe lay in the bed from the start.
   Points curve;
-  Real pushed_to = infinity;  ///< m: points beyond it are of later states, and lower bounds
+  Real pushed_to = infinity;  ///< m: points beyond it are of later states
   std::vector<Unloading> unloading;
 };
 
-/// How the bed resists the pipe along its axis. A run in the plane across the pipe cannot compute it: it is by formula, but for the normal force on a pipe in soil with water.
+/// How the bed resists the pipe along its axis; nothing where V of the state is not positive. A run in the plane across the pipe cannot compute it: it is by formula,
+/// but for the normal force on a pipe in soil with water.
 struct Axial {
   Real wedging = nan;                                            ///< normal force around the contact over V
   Real drained = nan;                                            ///< N/m, at V of the state, with the friction of the interface
@@ -86,6 +89,7 @@ struct Springs {
   std::vector<Lateral> lateral;
   Vertical vertical;
   Axial axial;
+  std::vector<std::string> missing;  ///< lines: which springs these runs do not tell, and why
 };
 
 /// Which springs of a run.

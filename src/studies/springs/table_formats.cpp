@@ -41,6 +41,7 @@ std::string springs_csv(const Design& design)
 {
   std::string text;
   for (const std::string& line : design.provenance) text += "# " + line + "\n";
+  for (const std::string& line : design.best.missing) text += "# " + line + "\n";
   if (design.best.scale != 1) text += fmt::format("# prototype: {:.6g} times the size of the model\n", design.best.scale);
   for (const std::string& line : refused_stiffnesses(design.best)) text += "# " + line + "\n";
   text += springs_head;
@@ -115,6 +116,8 @@ Json json_of(const Springs& s)
                        {"peak_N_m", number(l.peak)},
                        {"mobilised_m", mobilised},
                        {"u_peak_m", number(l.u_peak)},
+                       {"largest_N_m", number(l.largest)},
+                       {"u_largest_m", number(l.u_largest)},
                        {"residual_N_m", number(l.residual)},
                        {"berm_resistance_N_m", number(l.berm)},
                        {"end_N_m", number(l.end)},
@@ -133,6 +136,7 @@ Json json_of(const Springs& s)
           {"state_origin", s.state_origin},
           {"V_N_m", number(s.V)},
           {"embedment_m", number(s.embedment)},
+          {"missing", s.missing},
           {"lateral", lateral},
           {"vertical", {{"curve", json_of(s.vertical.curve)}, {"unloading", unloading}, {"refused", refused_stiffnesses(s)}}},
           {"axial",

@@ -45,8 +45,11 @@ std::vector<std::pair<std::string, const Springs*>> sets_of(const Design& design
 std::string origin_of(const Springs& s, const Lateral& l)
 {
   const std::string other = l.state.empty() || l.state == s.state ? "" : fmt::format(" of the pipe in state {}", l.state);
-  return sentence({run_words(s), state_words(s), "travel " + l.stage + other, "computed", std::isnan(l.residual) ? "no residual" : "",
-                   std::isnan(l.berm) ? "" : fmt::format("{:.6g} N/m against a berm at its end, which is no residual", l.berm)});
+  return sentence(
+      {run_words(s), state_words(s), "travel " + l.stage + other, "computed",
+       std::isnan(l.largest) ? "" : fmt::format("largest H {:.6g} N/m at u = {:.4g} m, behind its first peak", l.largest, l.u_largest),
+       std::isnan(l.residual) ? "no residual" : "",
+       std::isnan(l.berm) ? "" : fmt::format("{:.6g} N/m against a berm at its end, which is no residual", l.berm)});
 }
 
 std::string axial_origin(const Springs& s)
@@ -132,6 +135,11 @@ NormalStiffness normal_stiffness(const Springs& s)
   return {};
 }
 
+std::string without_friction(const std::string& spring)
+{
+  return spring + " has no coefficient of friction: V is not positive";
+}
+
 std::string one_line(std::string text)
 {
   std::replace_if(
@@ -156,6 +164,7 @@ std::string comments(const Design& design, const std::string& mark, const std::v
 {
   std::string text;
   for (const std::string& line : design.provenance) text += remark(mark, line);
+  for (const std::string& line : design.best.missing) text += remark(mark, line);
   for (const std::string& line : remarks) text += remark(mark, line);
   if (design.best.scale != 1) text += fmt::format("{}prototype: {:.6g} times the size of the model\n", mark, design.best.scale);
   return text;

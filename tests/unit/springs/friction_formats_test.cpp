@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "samples/made_springs.hpp"
-#include "springs/formats.hpp"
+#include "springs/written_springs.hpp"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -162,6 +162,19 @@ TEST(MoorDynFormat, has_the_residual_as_friction_and_the_peak_over_it)
   EXPECT_EQ(C[1].at("StatDynFricScale"), 1);
   for (const char* words : {"Not run in MoorDyn", "stage unload is not written: V fell", "travel sweep_1,"})
     EXPECT_NE(text.find(words), std::string::npos) << words << " in " << text;
+}
+
+TEST(MoorDynFormat, says_which_H_stands_for_a_residual_that_is_not_known)
+{
+  Springs s = made_springs();
+  s.lateral[1].breaks = false;
+  s.lateral[0].residual = nan;
+  s.lateral[0].largest = 900, s.lateral[0].u_largest = 0.5;
+  const std::string text = moordyn_files(made_design(s))[1].text;
+  EXPECT_NE(text.find("H at breakout over V: it has no residual"), std::string::npos) << text;
+  EXPECT_NE(text.find("largest H over V: it has neither peak nor residual"), std::string::npos) << text;
+  const std::string origin = origin_of(s, s.lateral[0]);
+  EXPECT_NE(origin.find("largest H 900 N/m at u = 0.5 m, behind its first peak"), std::string::npos) << origin;
 }
 
 }  // namespace

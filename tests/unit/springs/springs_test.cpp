@@ -70,6 +70,56 @@ TEST(Springs, of_a_drag_that_falls_to_its_end_do_not_stay_at_the_peak)
   EXPECT_NEAR(l.spring().back().F, 60 - 4000 * 0.008, 3) << "the mean over the end, which is a tenth of D long";
 }
 
+TEST(Springs, of_a_drag_whose_largest_H_lies_behind_its_peak_have_a_point_there)
+{
+  MadeRun run = run_with_peak();
+  // 60 N/m at 0.05 D, 40 N/m at 0.15 D, 90 N/m at 0.3 D, falling to the end.
+  run.H = [](Real u) {
+    return u < 0.001 ? 6e4 * u : u < 0.003 ? 60 - 1e4 * (u - 0.001) : u < 0.006 ? 40 + 5e4 / 3 * (u - 0.003) : 90 - 8000 * (u - 0.006);
+  };
+  const Lateral l = springs_of(run.record()).lateral.at(0);
+  EXPECT_TRUE(l.breaks);
+  EXPECT_NEAR(l.peak, 60, 1e-9);
+  EXPECT_TRUE(std::isnan(l.residual));
+  EXPECT_NEAR(l.largest, 90, 1e-9);
+  EXPECT_NEAR(l.u_largest, 0.006, 1e-9);
+  const Points spring = l.spring();
+  ASSERT_EQ(spring.size(), 8u) << "the origin, four on the way to the peak, the peak, the largest H, the end";
+  EXPECT_NEAR(spring[5].F, 60, 1e-9);
+  EXPECT_NEAR(spring[6].x, 0.006, 1e-9);
+  EXPECT_NEAR(spring[6].F, 90, 1e-9);
+  EXPECT_LT(spring[7].F, 70);
+  for (std::size_t k = 1; k < spring.size(); ++k) EXPECT_GT(spring[k].x, spring[k - 1].x);
+}
+
+TEST(Springs, ascend_whether_the_largest_H_lies_before_or_behind_the_residual)
+{
+  Lateral l;
+  l.breaks = true;
+  l.peak = 60, l.u_peak = 1, l.residual = 40, l.largest = 90, l.travel = 10;
+  for (const auto& [u_residual, u_largest] : {std::pair(2, 5), std::pair(5, 2)}) {
+    l.u_residual = u_residual, l.u_largest = u_largest;
+    const Points spring = l.spring();
+    ASSERT_EQ(spring.size(), 5u);
+    EXPECT_EQ(spring[u_largest == 2 ? 2 : 3].F, 90);
+    for (std::size_t k = 1; k < spring.size(); ++k) EXPECT_GT(spring[k].x, spring[k - 1].x);
+  }
+}
+
+TEST(Springs, have_the_stiffness_of_the_first_known_part_of_the_peak_from_half_of_it_on)
+{
+  Lateral l;
+  l.peak = 60, l.u_peak = 0.02;
+  EXPECT_NEAR(l.stiffness(), 60 / 0.02, 1e-9);
+  l.mobilised[2] = 0.01;
+  EXPECT_NEAR(l.stiffness(), 45 / 0.01, 1e-9);
+  l.mobilised[1] = 0.005;
+  EXPECT_NEAR(l.stiffness(), 30 / 0.005, 1e-9);
+  l.mobilised = {nan, nan, nan, nan};
+  l.u_peak = 0;
+  EXPECT_FALSE(is_stiffness(l.stiffness())) << "H begins with its peak";
+}
+
 TEST(Springs, of_a_centrifuge_are_those_of_its_prototype)
 {
   MadeRun at_1 = run_with_peak(), at_50 = at_1;
@@ -117,6 +167,30 @@ TEST(Springs, along_the_axis_are_those_of_the_interface)
   EXPECT_EQ(axial_breakout_source(), "DNVGL-RP-F114, table 4-2");
   clay.contact.adhesion_factor = 0;
   EXPECT_TRUE(std::isnan(springs_of(clay.record()).axial.breakout)) << "smooth: nothing is mobilised";
+}
+
+TEST(Springs, along_the_axis_are_none_of_a_pipe_that_is_lifted)
+{
+  MadeRun lifted = run_with_peak();
+  lifted.dragged = 0;
+  lifted.first_w = 0.008;
+  lifted.pushed_to = 0.01;
+  record::RunRecord run = lifted.record();
+  run.settings.stage.push_back(MadeRun::stage_of("uplift", problem::StageKind::push));
+  run.settings.stage.back().velocity = -0.1;
+  for (int k = 1; k <= 50; ++k) {
+    const Real row[] = {static_cast<Real>(run.history.rows()), 0, 0.01 - k * 1e-5, 0, -100. + k};
+    for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);
+    run.history.stage.emplace_back("uplift");
+  }
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  const Springs s = springs_of(run);
+  EXPECT_EQ(s.state, "operation");
+  EXPECT_LT(s.V, 0);
+  for (const Real number : {s.axial.drained, s.axial.undrained, s.axial.breakout}) EXPECT_TRUE(std::isnan(number));
+  ASSERT_EQ(s.missing.size(), 4u) << "sideways, downwards, along the axis, what there is instead";
+  EXPECT_NE(s.missing[2].find("does not press the pipe onto the bed"), std::string::npos) << s.missing[2];
+  EXPECT_EQ(s.missing[3], "resistance to uplift is uplift.R_max in summary.json");
 }
 
 TEST(Springs, along_the_axis_are_computed_where_water_was)
@@ -175,6 +249,25 @@ TEST(Springs, are_those_of_the_state_and_the_travels_that_are_asked_for)
   by_force.settings.stage.back().velocity.reset();
   by_force.settings.stage.back().force = -100;
   EXPECT_THROW(springs_of(by_force, {.travels = {"sweep_2"}}), InputError);
+}
+
+TEST(Springs, say_which_drags_have_none_as_a_force_drives_them)
+{
+  MadeRun made = run_with_peak();
+  record::RunRecord run = made.record();
+  run.settings.stage.back().velocity.reset();
+  run.settings.stage.back().force = 100;
+  const Springs s = springs_of(run);
+  EXPECT_TRUE(s.lateral.empty());
+  ASSERT_EQ(s.missing.size(), 1u);
+  EXPECT_EQ(s.missing[0], "\"drag\" is driven by a force: it tells displacements, no resistance");
+  EXPECT_TRUE(springs_of(made.record()).missing.empty());
+}
+
+TEST(Springs, of_a_state_have_no_stiffness_of_pushes_behind_the_next_state)
+{
+  EXPECT_TRUE(springs_of(lived_pipe(), {.state = "touchdown"}).vertical.unloading.empty()) << "it is unloaded after it is laid";
+  EXPECT_EQ(springs_of(lived_pipe(), {.state = "laid"}).vertical.unloading.size(), 1u) << "the push that leads to the next state";
 }
 
 TEST(Springs, have_no_stiffness_where_the_pipe_sinks_while_it_is_unloaded)
