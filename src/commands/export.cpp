@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <set>
+#include <spdlog/spdlog.h>
 
 namespace berm::commands {
 namespace {
@@ -30,14 +31,16 @@ struct Job {
 };
 
 /// All are read before the first is written. Each goes to OUTPUT, or DIR/export; several to folders there that are named like them.
-std::vector<Job> jobs_of(const Options& options)
+std::vector<Job> jobs_of(const Options& options, const springs::Format& format)
 {
   std::vector<Job> jobs;
   for (const std::string& from : options.folders) {
     if (!fs::is_directory(from))
       throw InputError(fmt::format("{} is no folder: berm export takes run folders and outputs of berm study", from));
-    for (springs::Design& design : springs::designs_in(from, options.selection))
+    for (springs::Design& design : springs::designs_in(from, options.selection)) {
+      check_taken(design, format);
       jobs.push_back({std::move(design), from, options.output.empty() ? fs::path(from) / "export" : fs::path(options.output)});
+    }
   }
   std::map<fs::path, std::size_t> in_folder;
   for (const Job& job : jobs) ++in_folder[job.folder];
@@ -52,6 +55,7 @@ std::vector<Job> jobs_of(const Options& options)
 
 void write(const springs::Design& design, const springs::Format& format, const fs::path& folder)
 {
+  for (const std::string& line : design.best.missing) spdlog::warn("{}: {}", design.name, line);
   io::make_folder(folder);
   for (const springs::ExportFile& file : format.files(design)) {
     io::write_atomically(folder / file.name, file.text);
@@ -85,7 +89,7 @@ Command add_export(CLI::App& program)
             const auto* format = std::find_if(std::begin(springs::formats), std::end(springs::formats),
                                               [&](const springs::Format& one) { return one.name == options->format; });
             options->selection.whole_life = format->whole_life && options->selection.state.empty();
-            for (const Job& job : jobs_of(*options)) write(job.design, *format, job.folder);
+            for (const Job& job : jobs_of(*options, *format)) write(job.design, *format, job.folder);
             return 0;
           }};
 }

@@ -16,7 +16,8 @@ struct Format {
   const char* name;  ///< on the command line
   const char* meaning;
   ExportFiles (*files)(const Design& design);
-  bool whole_life = false;  ///< it takes the drags of all states, unless some are asked for
+  bool (*takes)(const Springs& springs);  ///< whether there is something among them that it can write
+  bool whole_life = false;                ///< it takes the drags of all states, unless some are asked for
 };
 
 /// springs.csv: each number with its estimates and fit; curves.csv: the springs point by point, and what was computed. SI units.
@@ -41,18 +42,34 @@ ExportFiles moordyn_files(const Design& design);
 /// soils.csv: coefficients of friction, a row for each travel of the sheet Soils.
 ExportFiles buckpy_files(const Design& design);
 
+/// Whether there is a spring, or a stiffness of V over w of a pipe that V presses onto the bed.
+bool takes_numbers(const Springs& springs);
+/// Whether there is a spring.
+bool takes_points(const Springs& springs);
+/// Whether there is a vertical spring, or another one under a V that is positive.
+bool takes_profiles(const Springs& springs);
+/// Whether there is a lateral or an axial spring under a V that is positive.
+bool takes_coefficients(const Springs& springs);
+/// Whether there is a lateral spring with a stiffness under a V that is positive.
+bool takes_components(const Springs& springs);
+/// Whether there is a lateral spring under a V that is positive, or no drag but a stiffness of V over w.
+bool takes_options(const Springs& springs);
+
 constexpr Format formats[] = {
-    {"table", "CSV tables for a spreadsheet", table_files},
-    {"json", "all of it for a program to read", json_files},
-    {"abaqus", "pipe-soil interaction elements", abaqus_files},
-    {"orcaflex", "tables of a seabed's tangential resistance", orcaflex_files},
-    {"ansys", "COMBIN39 springs", ansys_files},
-    {"sima", "seafloor contact of RIFLEX", sima_files},
-    {"calculix", "nonlinear SPRING2 elements", calculix_files},
-    {"opensees", "zeroLength elements of OpenSeesPy", opensees_files},
-    {"moordyn", "friction and stiffness of the bottom", moordyn_files},
-    {"buckpy", "rows of the sheet Soils", buckpy_files, true},
+    {"table", "CSV tables for a spreadsheet", table_files, takes_numbers},
+    {"json", "all of it for a program to read", json_files, takes_numbers},
+    {"abaqus", "pipe-soil interaction elements", abaqus_files, takes_points},
+    {"orcaflex", "tables of a seabed's tangential resistance", orcaflex_files, takes_profiles},
+    {"ansys", "COMBIN39 springs", ansys_files, takes_points},
+    {"sima", "seafloor contact of RIFLEX", sima_files, takes_components},
+    {"calculix", "nonlinear SPRING2 elements", calculix_files, takes_points},
+    {"opensees", "zeroLength elements of OpenSeesPy", opensees_files, takes_points},
+    {"moordyn", "friction and stiffness of the bottom", moordyn_files, takes_options},
+    {"buckpy", "rows of the sheet Soils", buckpy_files, takes_coefficients, true},
 };
+
+/// Throws RunError, which says why, where there is nothing that the program can take.
+void check_taken(const Design& design, const Format& format);
 
 /// The springs of a design by the name of their estimate: best, and low and high where there is a sample.
 std::vector<std::pair<std::string, const Springs*>> sets_of(const Design& design);

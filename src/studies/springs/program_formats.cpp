@@ -15,6 +15,16 @@ std::string abaqus_lines(const char* direction, const Points& points)
   return text;
 }
 
+/// Why a drag has no component of RIFLEX; "" where it has one.
+std::string why_no_component(const Lateral& l)
+{
+  if (!(l.V > 0)) return without_friction("travel " + l.stage);
+  if (!(l.peak > 0)) return fmt::format("travel {} has no component: no resistance of it is known", l.stage);
+  return is_stiffness(l.stiffness())
+             ? ""
+             : fmt::format("travel {} has no component: H begins with its peak, so that it has no stiffness", l.stage);
+}
+
 /// R and RMORE hold six numbers each, displacement before force.
 std::string combin39(int number, const Points& points)
 {
@@ -65,7 +75,10 @@ ExportFiles orcaflex_files(const Design& design)
     std::string text = comments(design, "# ", {"kN and m", "Not pasted into OrcaFlex yet: by its public help."});
     for (const WrittenSpring& spring : springs_to_write(s)) {
       const bool vertical = spring.direction == Direction::vertical;
-      if (!vertical && !(spring.V > 0)) continue;
+      if (!vertical && !(spring.V > 0)) {
+        text += remark("# ", without_friction(spring.direction == Direction::axial ? "the axial spring" : "travel " + spring.travel));
+        continue;
+      }
       text += remark("# ", spring.origin);
       if (vertical)
         text += fmt::format("# vertical resistance, {} estimate: normal reaction over the penetration\n", set) +
@@ -130,11 +143,17 @@ ExportFiles sima_files(const Design& design)
     const Points axial = axial_spring(s);
     const NormalStiffness normal = normal_stiffness(s);
     if (!std::isnan(normal.value)) text += remark("' ", "STFBOT: " + normal.origin);
-    if (!axial.empty()) text += remark("' ", "STFAXI and FRIAXI: " + axial_origin(s));
+    const bool undrained = !std::isnan(s.axial.undrained);
+    if (!axial.empty())
+      text += remark("' ", "STFAXI and FRIAXI: " + axial_origin(s)) +
+              remark("' ", fmt::format("FRIAXI: over V of the {}", undrained ? "travel" : "state"));
     int number = 0;
     for (const Lateral& l : s.lateral) {
       ++number;
-      if (!(l.V > 0) || !(l.peak > 0) || !is_stiffness(l.stiffness())) continue;
+      if (const std::string why = why_no_component(l); !why.empty()) {
+        text += remark("' ", why);
+        continue;
+      }
       for (const bool residual : {false, true}) {
         const Real H = residual ? l.residual : l.peak;
         if (!(H > 0)) continue;
@@ -147,7 +166,7 @@ ExportFiles sima_files(const Design& design)
                             identifier(fmt::format("{}{}{}", residual ? "R" : "B", number, set), 8));
         text += std::isnan(normal.value) ? "'STFBOT DAMBOT: not known from these runs; put your own here\n"
                                          : fmt::format("'STFBOT DAMBOT\n{:.6g} 0\n", normal.value / kilo);
-        const Real axial_normal = std::isnan(s.axial.undrained) ? axial_V(s) : l.V;
+        const Real axial_normal = undrained ? l.V : axial_V(s);
         text += axial.empty() || !(axial_normal > 0) ? "'STFAXI FRIAXI DAMAXI\n0 0 0\n"
                                                      : fmt::format("'STFAXI FRIAXI DAMAXI\n{:.6g} {:.6g} 0\n",
                                                                    axial[1].F / axial[1].x / kilo, axial.back().F / axial_normal);

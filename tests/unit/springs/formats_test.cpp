@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "springs/formats.hpp"
 
+#include "core/error.hpp"
 #include "samples/made_run.hpp"
 #include "samples/made_springs.hpp"
 #include "samples/temporary_folder.hpp"
@@ -271,6 +272,70 @@ TEST(Formats, of_sima_have_stiffness_and_friction_of_each_drag_in_kilonewtons)
       EXPECT_LE(line.size(), 8 + 5u) << "a name has eight characters";
       EXPECT_TRUE(names.insert(line).second) << line;
     }
+}
+
+TEST(Formats, of_sima_say_which_drag_has_no_component_and_why)
+{
+  Springs s = made_springs();
+  s.lateral[0].mobilised = {nan, nan, nan, nan};
+  const auto text = [&] { return sima_files(made_design(s))[1].text; };
+  EXPECT_NE(text().find(fmt::format("{:.6g} 0.8 0 0\n", 800 / 0.02 / 1000)), std::string::npos) << "secant to the peak: " << text();
+  s.lateral[0].u_peak = 0;
+  EXPECT_NE(text().find("' travel sweep_1 has no component: H begins with its peak"), std::string::npos) << text();
+  EXPECT_EQ(text().find("B1BEST"), std::string::npos);
+  s.lateral[0].V = 0;
+  EXPECT_NE(text().find("' travel sweep_1 has no coefficient of friction"), std::string::npos) << text();
+}
+
+TEST(Formats, of_sima_have_an_undrained_axial_friction_over_the_V_of_the_travel_and_say_so)
+{
+  Springs s = made_springs();
+  s.lateral[0].V = 1200;
+  const std::string text = sima_files(made_design(s))[1].text;
+  EXPECT_NE(text.find(fmt::format("{:.6g} {:.6g} 0\n", 240 / 0.005 / 1000, 240. / 1200)), std::string::npos) << text;
+  EXPECT_NE(text.find("' FRIAXI: over V of the travel\n"), std::string::npos) << text;
+}
+
+TEST(Formats, say_what_is_missing)
+{
+  Springs s = made_springs();
+  s.missing = {"\"storm\" is driven by a force"};
+  const Design design = made_design(s);
+  for (const Format& format : formats) EXPECT_NE(format.files(design)[0].text.find("storm"), std::string::npos) << format.name;
+}
+
+TEST(Formats, refuse_springs_of_which_they_can_write_none)
+{
+  Design nothing;
+  nothing.best = made_springs();
+  nothing.best.lateral.clear();
+  nothing.best.vertical.curve.clear();
+  nothing.best.axial = {};
+  nothing.best.V = -2936;
+  nothing.best.vertical.unloading = {{"uplift", 100, -2936, 1e5}};
+  nothing.best.missing = {"resistance to uplift is uplift.R_max in summary.json"};
+  Design pushed = nothing, lifted_after = nothing;
+  pushed.best.vertical.curve = {{0.1, 2000}};
+  lifted_after.best.lateral = made_springs().lateral;
+  for (Lateral& l : lifted_after.best.lateral) l.V = -10;
+  const auto refusal = [](const Design& design, const Format& format) {
+    try {
+      check_taken(design, format);
+    } catch (const RunError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const Format& format : formats) {
+    const std::string name = format.name;
+    EXPECT_NE(refusal(nothing, format).find("state operation has no spring that --to " + name + " can write: resistance to uplift is"),
+              std::string::npos)
+        << refusal(nothing, format);
+    EXPECT_EQ(refusal(made_design(), format), "");
+    EXPECT_EQ(refusal(pushed, format).empty(), name != "sima" && name != "buckpy") << name;
+    const bool of_coefficients = name == "orcaflex" || name == "sima" || name == "moordyn" || name == "buckpy";
+    EXPECT_EQ(refusal(lifted_after, format).find("travel sweep_1 has no coefficient") != std::string::npos, of_coefficients) << name;
+  }
 }
 
 TEST(Formats, tables_and_json_tell_the_same_numbers)
