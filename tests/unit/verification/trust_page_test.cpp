@@ -8,7 +8,7 @@ namespace {
 
 TrustQuestion question(Real error, text::Standing standing)
 {
-  return {"fall/earth", "fall", "earth", "a", "1", error, {standing, {"a < b."}}};
+  return {"fall/earth", "fall", "earth", "a", "1", error, {standing, {}, {"a < b."}}};
 }
 
 TEST(trust_page, right_ones_may_not_be_called_bad_and_wrong_ones_not_good)
