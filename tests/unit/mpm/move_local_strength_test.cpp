@@ -19,16 +19,17 @@ material::MohrCoulomb weak_sand(Real friction_angle, Real cohesion, Real density
 }
 
 /// A body of one material.
-problem::Problem<2> body_of_one(const material::Material& material)
+problem::Problem<2> body_of_one(const material::Material& material, const mesh::Mesh<2>& mesh = criss_cross<2>())
 {
-  return problem_on<2>(criss_cross<2>(), material, 9);
+  return problem_on<2>(mesh, material, 9);
 }
 
 /// The same particles; `number(p)` says which of two materials each has.
 template <class Number>
-problem::Problem<2> body_of_two(const material::Material& first, const material::Material& second, const Number& number)
+problem::Problem<2> body_of_two(const material::Material& first, const material::Material& second, const Number& number,
+                                const mesh::Mesh<2>& mesh = criss_cross<2>())
 {
-  problem::Problem<2> problem = body_of_one(first);
+  problem::Problem<2> problem = body_of_one(first, mesh);
   problem::BodySoil& soil = problem.model.bodies[0].soil;
   soil.materials = {first, second};
   bodies::Particles<2> made(problem.model.mesh, problem.state.particles[0].size(), particle_extra(soil));
@@ -103,15 +104,31 @@ TEST(OwnSoil, has_its_own_bounds_of_volume)
     EXPECT_NEAR(p.volume * (id % 2 == 0 ? 3000 : 1000) / p.mass, problem.model.mpm.max_volume_ratio, 1e-12);
 }
 
-/// Particles of sand with a band width, all on one mesh, and of sand with the friction of each cell.
+/// A mesh whose cells grow along x.
+mesh::Mesh<2> cells_of_many_sizes()
+{
+  mesh::Mesh<2> mesh = criss_cross<2>();
+  const Real begin = mesh.lower[0], length = mesh.upper[0] - mesh.lower[0];
+  for (Index node = 0; node < mesh.node_count(); ++node) {
+    Real& x = mesh.position[node][0];
+    x = begin + (x - begin) * (0.5 + 0.5 * (x - begin) / length);
+  }
+  return mesh;
+}
+
 TEST(CellFriction, is_that_of_the_cell_in_which_a_particle_is)
 {
   material::MohrCoulomb sand = weak_sand(0.6, 500, 1500);
   sand.band_width = 0.05;
   for (const bool local : {false, true}) {
     if (local) sand.cohesion_gradient = 10;
-    problem::Problem<2> of_cells = body_of_one(sand);
-    if (local) of_cells = body_of_two(sand, sand, [](const bodies::Particle<2>&) { return 0u; });
+    const mesh::Mesh<2> cells = cells_of_many_sizes();
+    const auto body_of = [&](const material::MohrCoulomb& soil) {
+      return local ? body_of_two(
+                         soil, soil, [](const bodies::Particle<2>&) { return 0u; }, cells)
+                   : body_of_one(soil, cells);
+    };
+    problem::Problem<2> of_cells = body_of(sand);
     shear_once(of_cells);
     const mesh::Mesh<2>& mesh = of_cells.model.mesh;
     std::map<int, std::map<std::int32_t, bodies::Particle<2>>> by_size;
@@ -123,8 +140,8 @@ TEST(CellFriction, is_that_of_the_cell_in_which_a_particle_is)
       const int number = static_cast<int>(std::lround(100 * std::log(size)));
       if (by_size.count(number) == 0) {
         material::MohrCoulomb here = in_cells_of(sand, size);
-        problem::Problem<2> alike = body_of_one(here);
-        if (local) alike = body_of_two(here, here, [](const bodies::Particle<2>&) { return 0u; });
+        here.cohesion_share = 1;  // a soil of its own: its particles keep its cohesion
+        problem::Problem<2> alike = body_of(here);
         shear_once(alike);
         by_size[number] = by_id(alike);
       }

@@ -122,13 +122,13 @@ std::optional<State> begin_of_drag(const DrivenRun& run)
   return *(after - 1);
 }
 
-/// " after "sweep_2", from w = 93 mm" where another drag came before the main one in the same state of the pipe's life.
+/// " after "sweep_2", from w = 93 mm," where another drag came before the main one in the same state of the pipe's life.
 std::string earlier_drag_words(const DrivenRun& run, const base::DisplayUnits& shown)
 {
   constexpr std::string_view after = "after_";
   const std::optional<State> begin = begin_of_drag(run);
   if (!begin || !begin->name.starts_with(after)) return "";
-  return fmt::format(" after \"{}\", from w = {}", text::html_text(begin->name.substr(after.size())),
+  return fmt::format(" after \"{}\", from w = {},", text::html_text(begin->name.substr(after.size())),
                      shown.length_text(run.scale, begin->w));
 }
 

@@ -23,9 +23,10 @@ std::string answer_of(const std::vector<record::RunRecord>& runs)
 TEST(answer, says_which_drag_came_before)
 {
   record::RunRecord run = lived_pipe();
-  EXPECT_TRUE(holds(answer_of({run}), "Dragged 2 D in \"sweep_1\" with")) << answer_of({run});
+  EXPECT_TRUE(holds(answer_of({run}), "Dragged in \"sweep_1\" 2 D with V held")) << answer_of({run});
   run.settings.stage[5].role = problem::StageRole::breakout;
-  EXPECT_TRUE(holds(answer_of({run}), "in \"sweep_2\" after \"sweep_1\", from w = ")) << answer_of({run});
+  EXPECT_TRUE(holds(answer_of({run}), "Dragged in \"sweep_2\" after \"sweep_1\", from w = 0.29 D (5.8 mm), 2 D with V held"))
+      << answer_of({run});
 }
 
 TEST(answer, says_in_words_what_the_pipe_met)
