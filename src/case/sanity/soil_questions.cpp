@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "material/laws.hpp"
+#include "material/shear_band.hpp"
 #include "problem/drainage.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
@@ -76,7 +77,9 @@ Real smallest_cell(const problem::Case& c)
 Real largest_cell(const problem::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  return bed == nullptr ? 0 : bed->far_size.value_or(bed->near_size + bed->growth * bed->depth);
+  if (bed == nullptr) return 0;
+  const Real grown = bed->near_size + bed->growth * std::hypot(bed->length, bed->depth), far = bed->far_size.value_or(grown);
+  return std::min({grown, far, bed->layer > 0 ? bed->layer : far});
 }
 
 }  // namespace
@@ -215,7 +218,7 @@ void is_softening_free_of_the_cells(const Scene& s, Findings& found)
 
 void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found)
 {
-  constexpr Real cells_of_band = 4;
+  using material::cells_of_band;
   const Real cell = smallest_cell(s.c);
   for (const Soil& soil : yielding(s)) {
     const std::optional<Real> width = band_width(soil.material);
@@ -284,7 +287,8 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
       if (!over) continue;
       found.warn(path + ".k0", fmt::format("= {:.3g} is beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "
                                            "it bears {:.3g} Pa; the bed moves before anything pushes it",
-                                           *body.k0, bounds_of_k0(material), words_of(depth, "m"), over->first, over->second));
+                                           *body.k0, bounds_of_k0(in_cells_of(material, largest_cell(s.c))), words_of(depth, "m"),
+                                           over->first, over->second));
       break;
     }
   }

@@ -138,8 +138,7 @@ std::optional<Real> band_width(const L&)
   return {};
 }
 
-/// The law in cells of this size, m (Mesh::size): with the friction that bands carry which are as wide as the cells make them, and not as wide as the
-/// soil's.
+/// The law with which cells of this size, m (Mesh::size), carry what shear bands of the soil's own width carry.
 template <Law L>
 L in_cells_of(const L& law, Real /*size*/)
 {

@@ -16,11 +16,13 @@ inline Real friction_angle_in_shear_bands(const Strength& strength)
   return std::atan(std::cos(psi) * phi / (1 - std::sin(psi) * phi));
 }
 
+/// How many cells wide bands are, whatever the size of these. [docs/decisions/0018, 0063]
+constexpr Real cells_of_band = 4;
+
 /// The friction angle, rad, with which cells of a size, m, carry as much as soil whose shear bands have a width, m: bands are as wide as some four cells, and the
 /// narrower they are beside the mechanism, the more of the loss they make (docs/theory.md, section 7). phi where the cells are as fine as the bands.
 inline Real friction_angle_in_cells(const Strength& strength, Real band_width, Real size)
 {
-  constexpr Real cells_of_band = 4;
   const Real in_bands = friction_angle_in_shear_bands(strength);
   return in_bands + (strength.friction_angle - in_bands) * std::min(Real(1), std::cbrt(band_width / (cells_of_band * size)));
 }

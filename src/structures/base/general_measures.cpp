@@ -39,7 +39,8 @@ inline constexpr Limit in_the_air{0.001, 0.01, "grains that fly carry nothing"};
 inline constexpr Limit momentum{1e-9, 1e-6, "impulses add up to the change of momentum to round-off, or the program is wrong"};
 inline constexpr Limit shear_bands{
     0.05, 0.25, "the more strength can be lost in shear bands, the more V falls with the size of the cells (examples/localisation)"};
-inline constexpr Limit cells_of_band{1, 0.5, "bands are some four cells wide, however fine these are (docs/decisions/0063)", true};
+inline constexpr Limit cells_of_band{material::cells_of_band, 2 * material::cells_of_band,
+                                     "bands are some four cells wide, however fine these are (docs/decisions/0063)"};
 inline constexpr Limit unbalance{1, 10, "over fem.tolerance: at most one is called equilibrium"};
 inline constexpr Limit loose{0, 0.1, "increments that did not converge leave forces that nothing carries"};
 inline constexpr Limit lag{0.01, 0.05,
@@ -90,12 +91,12 @@ Real damping_over_work(Run run)
   return taken / work;
 }
 
-/// The soil that loses most in shear bands, of those without or with a width of their own; empty where none has a strength.
-std::optional<material::Strength> weakest_in_shear_bands(Run run, bool has_width = false)
+/// The soil that loses most in shear bands, of those whose bands have no width of their own; empty where none has a strength.
+std::optional<material::Strength> weakest_in_shear_bands(Run run)
 {
   std::optional<material::Strength> weakest;
   for (const auto& [name, material] : run.settings.material)
-    if (const std::optional<material::Strength> soil = strength_at_rest(material); soil && band_width(material).has_value() == has_width)
+    if (const std::optional<material::Strength> soil = strength_at_rest(material); soil && !band_width(material))
       if (!weakest || friction_lost_in_shear_bands(*soil) > friction_lost_in_shear_bands(*weakest)) weakest = soil;
   return weakest;
 }
@@ -259,39 +260,55 @@ TrustMeasure shear_bands()
           text::percent_words};
 }
 
+namespace {
+
+/// The soil with the narrowest shear bands of a width of their own, and the cells in which such soil shears.
+struct BandedSoil {
+  material::Strength strength;
+  Real width = infinity;  ///< m; infinity: there is none
+  CellSizes cells;
+  Real friction_angle(Real size) const { return friction_angle_in_cells(strength, width, size) * 180 / pi; }
+};
+
+BandedSoil banded_soil(Run run)
+{
+  BandedSoil soil;
+  for (const auto& [name, material] : run.settings.material)
+    if (const std::optional<Real> width = band_width(material); width && *width < soil.width && non_associated(material))
+      soil.strength = *strength_at_rest(material), soil.width = *width;
+  const Real near = near_cells(run).first;
+  if (soil.width < infinity) soil.cells = sheared_cell_sizes(run).value_or(CellSizes{near, near});
+  return soil;
+}
+
+}  // namespace
+
 TrustMeasure friction_of_cells()
 {
-  static constexpr Real cells_of_band = 4;
-  const auto bands = [](Run run) {
-    Real width = infinity;
-    for (const auto& [name, material] : run.settings.material)
-      if (non_associated(material)) width = std::min(width, band_width(material).value_or(infinity));
-    return width;
-  };
-  const auto cells = [](Run run) {
-    const Real near = near_cells(run).first;
-    return sheared_cell_sizes(run).value_or(CellSizes{near, near});
-  };
-  return {"cells of a shear band of the soil's own width, psi < phi",
+  return {"cells across a shear band of the soil, psi < phi",
           &limits::cells_of_band,
-          [bands](Run run) { return bands(run) < infinity; },
-          [=](Run run) { return cells_of_band * cells(run).smallest / bands(run); },
-          [=](Run run, Real value) {
-            const CellSizes sizes = cells(run);
-            const material::Strength soil = *weakest_in_shear_bands(run, true);
-            const auto angle = [&](Real size) { return friction_angle_in_cells(soil, bands(run), size) * 180 / pi; };
+          [](Run run) {
+            return std::any_of(run.settings.material.begin(), run.settings.material.end(),
+                               [](const auto& named) { return band_width(named.second) && non_associated(named.second); });
+          },
+          [](Run run) {
+            const BandedSoil soil = banded_soil(run);
+            return soil.width / soil.cells.smallest;
+          },
+          [](Run run, Real value) {
+            const BandedSoil soil = banded_soil(run);
             return fmt::format(
                 "{:.2g}: phi is {:.1f} deg in the finest cells that shear, {}, and {:.1f} deg in the coarsest, {}; bands are {} wide",
-                cells_of_band / value, angle(sizes.smallest), text::length_words(sizes.smallest), angle(sizes.largest),
-                text::length_words(sizes.largest), text::length_words(bands(run)));
+                value, soil.friction_angle(soil.cells.smallest), text::length_words(soil.cells.smallest),
+                soil.friction_angle(soil.cells.largest), text::length_words(soil.cells.largest), text::length_words(soil.width));
           },
-          [=](Run run, Real value) {
+          [](Run, Real value) {
             return fmt::format(
-                "{:.2g} cells lie across a shear band, {}: finer than four they localise in narrower bands, and the soil carries too "
-                "little; take cells of {} there",
-                cells_of_band / value, text::length_words(bands(run)), text::length_words(bands(run) / cells_of_band));
+                "{:.2g} cells lie across a shear band of the soil: finer than four they localise in narrower bands, and the soil "
+                "carries too little; take cells {:.2g} times as large there",
+                value, value / material::cells_of_band);
           },
-          [](Real value) { return fmt::format("{:.2g}", cells_of_band / value); }};
+          bare_limit};
 }
 
 TrustMeasures convergence()

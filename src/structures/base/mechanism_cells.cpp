@@ -65,6 +65,19 @@ std::vector<Real> points_of_cell(const problem::Case& c)
   return points;
 }
 
+/// The same of bodies whose shear bands have a width; NaN also where regions have numbers of their own.
+std::vector<Real> points_of_banded_cell(const problem::Case& c)
+{
+  std::vector<Real> points = points_of_cell(c);
+  for (std::size_t b = 0; b < points.size(); ++b) {
+    const bodies::BodySettings& body = c.body[b].second;
+    if (std::isnan(points[b]) || !body.region_particles_per_cell.empty() ||
+        !band_width(c.material[problem::index_of(c.material, body.material)].second))
+      points[b] = nan;
+  }
+  return points;
+}
+
 /// Those of them that have sheared.
 std::vector<std::size_t> sheared_points(const run_folder::SavedSoil& soil, const std::vector<Real>& points_of_cell)
 {
@@ -126,7 +139,7 @@ std::optional<CellSizes> sheared_cell_sizes(const record::RunRecord& run)
     const std::vector<run_folder::FrameFiles> frames = run_folder::frame_files(run.folder / "frames");
     if (frames.size() < 2) return {};
     const run_folder::SavedSoil soil = run_folder::read_soil(frames.back().soil);
-    const std::vector<Real> points = points_of_cell(run.settings);
+    const std::vector<Real> points = points_of_banded_cell(run.settings);
     std::vector<Real> sizes;
     for (const std::size_t k : sheared_points(soil, points)) sizes.push_back(size_of(cell_of(soil, k, points), run.settings.dimension()));
     if (sizes.empty()) return {};

@@ -16,7 +16,8 @@ Real cells_across_mechanism(const run_folder::SavedSoil& start, const run_folder
 /// The same at the last frame of a run, in its bodies that can yield and were filled cell by cell; NaN without such a body, or a frame that can be read.
 Real cells_across_mechanism(const record::RunRecord& run);
 
-/// The smallest and the largest cell, m (Mesh::size), in which soil has sheared so by the last frame, from the volume of its points; empty as NaN above.
+/// The smallest and the largest cell, m (Mesh::size), in which soil whose shear bands have a width has sheared so by the last frame, from the volume of its points; empty
+/// as NaN above, and where regions have numbers of particles a cell of their own.
 struct CellSizes {
   Real smallest = infinity, largest = 0;
 };

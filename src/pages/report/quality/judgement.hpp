@@ -10,7 +10,7 @@ namespace berm::report {
 struct JudgedMeasure {
   base::TrustMeasure measure;
   Real value;               ///< NaN: not known
-  text::Standing standing;  ///< unknown where the value is not known; good where the measure is told, not judged
+  text::Standing standing;  ///< unknown where the value is not known; good where the measure is stated, not judged
 };
 
 /// What the page of a run says of it, all measures together.

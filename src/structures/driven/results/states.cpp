@@ -65,6 +65,15 @@ std::string end_words(const run_folder::History& h, Index row)
   return "end of stage " + h.stage[row];
 }
 
+/// Gives a state the force that is asked for, unless that of the soil is far from it.
+void take_force(State& state, Real asked)
+{
+  if (asked != 0 && std::abs(state.V - asked) > reached * std::abs(asked))
+    state.origin += fmt::format(", which has not come to its force of {:.4g} N/m", asked);
+  else
+    state.V = asked, state.V_given = true;
+}
+
 }  // namespace
 
 States states_of(const record::RunRecord& run)
@@ -77,13 +86,7 @@ States states_of(const record::RunRecord& run)
   const auto add = [&](const char* name, Index row, const std::string& why) {
     if (row == none) return;
     states.push_back(state_at(h, row, name, end_words(h, row) + why));
-    State& state = states.back();
-    const std::optional<Real> V = given_V(stages, h.stage[row]);
-    if (!V) return;
-    if (std::abs(state.V - *V) > reached * std::abs(*V))
-      state.origin += fmt::format(", which has not come to its force of {:.4g} N/m", *V);
-    else
-      state.V = *V, state.V_given = true;
+    if (const std::optional<Real> V = given_V(stages, h.stage[row])) take_force(states.back(), *V);
   };
   if (const Index said = end_of_role(run, StageRole::touchdown); said != none)
     add("touchdown", said, "");
@@ -99,11 +102,17 @@ States states_of(const record::RunRecord& run)
   if (const Index said = end_of_role(run, StageRole::operation); said != none)
     add("operation", said, "");
   else if (!main.rows.empty()) {
-    add("operation", main.rows.front(), ", before " + main.stage.name);
+    const std::string before = ", before " + main.stage.name;
+    add("operation", main.rows.front(), before);
+    State& operation = states.back();
     const std::vector<Real> V = settled_V(main, h["time_s"]);
-    if (main.stage.holds_V && !V.empty() && !states.back().V_given)
-      states.back().V = std::accumulate(V.begin(), V.end(), Real{0}) / static_cast<Real>(V.size());
-    if (const std::optional<Real>& given = main.stage.asked.vertical_force) states.back().V = *given, states.back().V_given = true;
+    const std::optional<Real>& given = main.stage.asked.vertical_force;
+    if (!V.empty() && (given || (main.stage.holds_V && !operation.V_given)))
+      operation.V = std::accumulate(V.begin(), V.end(), Real{0}) / static_cast<Real>(V.size());
+    if (given) {
+      operation.origin = end_words(h, operation.row) + before;
+      take_force(operation, *given);
+    }
   } else if (!path.other_pushes.empty() || (!path.push.rows.empty() && h.rows() - 1 > path.push.rows.back()))
     add("operation", h.rows() - 1, "");
   for (const DragPath& drag : path.drags)

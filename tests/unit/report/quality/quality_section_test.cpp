@@ -90,12 +90,12 @@ TEST(trust, cells_over_the_radius_of_a_disk_are_judged)
   }
 }
 
-TEST(trust, friction_of_cells_is_told_and_judged_where_bands_have_a_width)
+TEST(trust, friction_of_cells_is_judged_where_bands_have_a_width)
 {
   const auto page = [](const char* width) {
     return trust_of({sample_record(sample_case({"material.sand.dilation_angle=0", std::string("material.sand.band_width=") + width}))});
   };
-  const std::string row = "cells of a shear band of the soil's own width";
+  const std::string row = "cells across a shear band of the soil";
   EXPECT_TRUE(contains(row_of(page("3 mm"), row), "badge good")) << row_of(page("3 mm"), row);
   EXPECT_TRUE(contains(row_of(page("3 mm"), row), "phi is"));
   EXPECT_TRUE(contains(row_of(page("6 mm"), row), "badge fair"));

@@ -46,6 +46,11 @@ TEST(States, have_the_force_of_the_soil_where_their_stage_ended_before_it_came_t
   EXPECT_NEAR(operation.V, 300, 1e-9);
   EXPECT_FALSE(operation.V_given);
   EXPECT_NE(operation.origin.find("has not come to its force of 100 N/m"), std::string::npos) << operation.origin;
+  run.settings.stage[4].vertical_force = 310;
+  EXPECT_EQ(find_state(states_of(run), "operation")->origin, "end of stage unload, before sweep_1") << "under the force of the drag";
+  EXPECT_EQ(find_state(states_of(run), "operation")->V, 310);
+  run.settings.stage[4].vertical_force = 500;
+  EXPECT_NEAR(find_state(states_of(run), "operation")->V, 300, 1e-9) << "to which the drag did not come either";
 }
 
 TEST(States, of_a_push_and_a_drag_tell_no_more_than_these)
