@@ -76,8 +76,8 @@ bench: configure_tests build ## how fast a step is, and its single kernels: some
 	@ninja -C $(release) bench_kernels | $(only_news)
 	@$(release)/tests/kernels/bench_kernels
 
-packages: setup ## Debian packages in build/packages, for all processors, tried on a bare Debian that is made for it: needs root and mmdebstrap
-	@scripts/setup ranks && scripts/setup python
+packages: setup ## Debian packages in build/packages, for all processors, tried on a bare Debian that is made for it: needs root
+	@scripts/setup ranks && scripts/setup python && scripts/setup packages
 	@cmake --preset all_units >/dev/null
 	@ninja -C build/all_units | $(only_news)
 	@cd build/all_units && cpack >packages.log 2>&1 || { cat packages.log; exit 1; }

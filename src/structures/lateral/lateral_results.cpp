@@ -33,7 +33,7 @@ std::vector<run_folder::Quantity> lateral_quantities(const LateralRun& run)
     if (part * run.width <= run.H_curve().end() + reached * run.width)
       add(name_at(part), run.H_at(std::min(part * run.width, run.H_curve().end())), "N", "lateral load; u is the displacement at the bed");
   add("lateral_H_max", r.max_H, "N", "largest lateral load");
-  add("u_at_lateral_H_max", r.u_at_max, "m", "displacement at the bed there", quality);
+  add("u_at_lateral_H_max", r.u_at_max, "m", "displacement at the bed there");
   add("lateral_H_end", r.H, "N", "lateral load at the end");
   add("lateral_M_end", r.M, "N m", "its moment about the axis at the bed");
   add("lateral_u_end", r.u, "m", "displacement at the bed at the end", prescribed);
