@@ -32,6 +32,25 @@ std::vector<run_folder::Quantity> Anchor::quantities(const record::RunRecord& ru
   return list;
 }
 
+std::vector<std::string> Anchor::quantity_names(const problem::Case& c) const
+{
+  std::vector<std::string> names = Driven::quantity_names(c);
+  if (names.empty()) return names;
+  const TowResults whole{.travel = 1,
+                         .first_depth = 1,
+                         .depth = 1,
+                         .max_depth = 1,
+                         .at_depth = 1,
+                         .max_force = 1,
+                         .at_force = 1,
+                         .force = 1,
+                         .vertical = 1,
+                         .depth_change = 1,
+                         .work = 1};
+  for (const run_folder::Quantity& q : quantities_of(whole, c.force_dimension())) names.push_back(q.name);
+  return names;
+}
+
 std::string Anchor::table_of(const record::RunRecord& run) const
 {
   std::vector<run_folder::Quantity> driven = run.quantities;

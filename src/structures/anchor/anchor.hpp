@@ -14,6 +14,7 @@ class Anchor : public driven::Driven {
 public:
   const char* word() const override { return "anchor"; }
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
+  std::vector<std::string> quantity_names(const problem::Case& c) const override;
   std::string table_of(const record::RunRecord& run) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
   std::string key_results(const base::Runs& runs, const base::DisplayUnits& shown) const override;

@@ -8,6 +8,7 @@
 #include "structures/driven/report/report.hpp"
 #include "structures/driven/results/details.hpp"
 #include "structures/driven/results/displacements.hpp"
+#include "structures/driven/results/known_names.hpp"
 #include "structures/driven/results/mechanism.hpp"
 #include "structures/driven/results/quantities.hpp"
 #include "structures/driven/results/states.hpp"
@@ -27,6 +28,11 @@ std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& ru
   std::vector<run_folder::Quantity> list = quantities_of(results, scale);
   for (run_folder::Quantity& moment : moments_in_space(run)) list.push_back(std::move(moment));
   return list;
+}
+
+std::vector<std::string> Driven::quantity_names(const problem::Case& c) const
+{
+  return known_names(c);
 }
 
 std::string Driven::table_of(const record::RunRecord& run) const

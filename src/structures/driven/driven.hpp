@@ -10,6 +10,7 @@ namespace berm::driven {
 class Driven : public base::Structure {
 public:
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
+  std::vector<std::string> quantity_names(const problem::Case& c) const override;
   std::string table_of(const record::RunRecord& run) const override;
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
   base::ChartCurves chart_curves(const record::RunRecord& run) const override;

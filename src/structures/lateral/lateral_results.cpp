@@ -45,6 +45,15 @@ std::vector<run_folder::Quantity> lateral_quantities(const LateralRun& run)
   return list;
 }
 
+std::vector<std::string> lateral_names()
+{
+  std::vector<std::string> names = {"lateral_H_max",     "u_at_lateral_H_max",     "lateral_H_end",    "lateral_M_end",
+                                    "lateral_u_end",     "lateral_u_load_end",     "lateral_tilt_end", "lateral_height_end",
+                                    "lateral_pivot_end", "lateral_H_end_over_DLsu"};
+  for (const Real part : told_at) names.push_back(name_at(part));
+  return names;
+}
+
 bool is_lateral(const run_folder::Quantity& quantity)
 {
   return quantity.name.find("lateral_") != std::string::npos;

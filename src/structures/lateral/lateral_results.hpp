@@ -20,6 +20,9 @@ std::string name_at(Real over_D);
 /// None where nothing loads the body sideways.
 std::vector<run_folder::Quantity> lateral_quantities(const LateralRun& run);
 
+/// The names of all that a run may have of these.
+std::vector<std::string> lateral_names();
+
 /// Whether a quantity is one of these.
 bool is_lateral(const run_folder::Quantity& quantity);
 

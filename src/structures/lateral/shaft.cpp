@@ -43,6 +43,14 @@ std::vector<run_folder::Quantity> Shaft::quantities(const record::RunRecord& run
   return list;
 }
 
+std::vector<std::string> Shaft::quantity_names(const problem::Case& c) const
+{
+  std::vector<std::string> names = base::is_pushed_down(c) ? Penetration::quantity_names(c) : std::vector<std::string>{};
+  if (!base::is_loaded_sideways(c)) return names;
+  for (std::string& name : lateral_names()) names.push_back(std::move(name));
+  return names;
+}
+
 std::string Shaft::table_of(const record::RunRecord& run) const
 {
   if (!is_pushed(run)) return lateral_table(run.quantities);

@@ -22,20 +22,33 @@ PenetrationRuns penetration_runs(const base::Runs& runs, const Reading& reading)
   return all;
 }
 
+bool is_of_push(const std::string& name)
+{
+  return name.starts_with("V_at_w_") || name.starts_with("V_at_travel_");
+}
+
 }  // namespace
 
 std::vector<run_folder::Quantity> Penetration::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   std::vector<run_folder::Quantity> list = Driven::quantities(run, held_forces);
   if (list.empty()) return list;
-  if (!reading_.keeps_push)
-    std::erase_if(list, [](const run_folder::Quantity& q) { return q.name.starts_with("V_at_w_") || q.name.starts_with("V_at_travel_"); });
+  if (!reading_.keeps_push) std::erase_if(list, [](const run_folder::Quantity& q) { return is_of_push(q.name); });
   const PenetrationRun pushed(run, reading_);
   std::vector<run_folder::Quantity> own = penetration_quantities(pushed);
   if (reading_.keeps_push)
     for (run_folder::Quantity& quantity : failure_point(pushed)) own.push_back(std::move(quantity));
   list.insert(reading_.keeps_push ? list.end() : list.begin(), own.begin(), own.end());
   return list;
+}
+
+std::vector<std::string> Penetration::quantity_names(const problem::Case& c) const
+{
+  std::vector<std::string> names = Driven::quantity_names(c);
+  if (names.empty()) return names;
+  if (!reading_.keeps_push) std::erase_if(names, is_of_push);
+  for (std::string& name : penetration_names(reading_)) names.push_back(std::move(name));
+  return names;
 }
 
 std::string Penetration::table_of(const record::RunRecord& run) const

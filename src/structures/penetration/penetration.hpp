@@ -15,6 +15,7 @@ public:
   const char* word() const override { return reading_.word; }
   base::Geometries geometries() const override { return reading_.geometries; }
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
+  std::vector<std::string> quantity_names(const problem::Case& c) const override;
   std::string table_of(const record::RunRecord& run) const override;
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;

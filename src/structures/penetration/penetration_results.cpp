@@ -85,6 +85,20 @@ std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run)
   return list;
 }
 
+std::vector<std::string> penetration_names(const Reading& reading)
+{
+  std::vector<std::string> names = {"z_end", "z_end_over_D", "area", "f_shaft_end"};
+  for (const char* symbol : {reading.resistance.plain, reading.in_clay.plain, reading.in_sand.plain}) {
+    for (const Real part : reading.depths) names.push_back(name_at(symbol, part));
+    for (const char* end : {"end", "change", "scatter", "steady"}) names.push_back(fmt::format("{}_{}", symbol, end));
+    for (const char* end : {"", "_over_D"}) names.push_back(fmt::format("z_at_{}_steady{}", symbol, end));
+  }
+  if (reading.keeps_push)
+    for (const char* name : {"V_at_H_max", "M_at_H_max", "V_at_H_max_over_As_u", "H_max_over_As_u", "M_at_H_max_over_ADs_u"})
+      names.emplace_back(name);
+  return names;
+}
+
 bool is_of_reading(const std::string& name, const Reading& reading)
 {
   const auto begins = [&](const char* symbol) { return name.starts_with(std::string(symbol) + "_"); };

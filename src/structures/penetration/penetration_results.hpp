@@ -23,6 +23,9 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
 /// M_at_H_max_over_ADs_u).
 std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run);
 
+/// The names of all that a run may have of both.
+std::vector<std::string> penetration_names(const Reading& reading);
+
 /// The same as a table of the log.
 std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading);
 

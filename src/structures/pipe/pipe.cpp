@@ -2,7 +2,6 @@
 // Tests: tests/unit/structures/structures_test.cpp
 #include "structures/pipe/pipe.hpp"
 
-#include "structures/driven/results/known_names.hpp"
 #include "structures/pipe/published/published.hpp"
 #include "structures/pipe/report/pipe_report.hpp"
 #include "structures/pipe/results/axial_results.hpp"
@@ -18,7 +17,7 @@ std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run,
 
 std::vector<std::string> Pipe::quantity_names(const problem::Case& c) const
 {
-  std::vector<std::string> names = driven::known_names(c);
+  std::vector<std::string> names = Driven::quantity_names(c);
   if (names.empty()) return names;
   for (const problem::StageSettings& stage : c.stage)
     for (const char* begin : {"wedging_of_", "axial_friction_of_"}) names.push_back(begin + stage.name);

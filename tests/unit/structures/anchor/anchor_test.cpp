@@ -2,6 +2,7 @@
 #include "structures/anchor/anchor.hpp"
 
 #include "samples/made_run.hpp"
+#include "samples/names_before_a_run.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/base/kind.hpp"
 
@@ -45,6 +46,13 @@ TEST(Anchor, tells_depth_and_tow_force_over_travel)
   EXPECT_NEAR(value("tow_V_end"), 800, 1e-6);
   EXPECT_NEAR(value("tow_depth_change"), 0, 1e-9);
   EXPECT_NEAR(value("tow_work"), 3000 * 0.05 + 3000 * 0.1, 0.1);
+}
+
+TEST(Anchor, knows_the_names_of_its_results_before_a_run)
+{
+  const record::RunRecord run = dragged();
+  EXPECT_EQ(surprises_of(run), std::vector<std::string>{});
+  EXPECT_FALSE(knows(run.settings, "tow_force"));
 }
 
 TEST(Anchor, says_in_words_where_it_goes)

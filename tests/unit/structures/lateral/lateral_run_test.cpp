@@ -2,6 +2,7 @@
 #include "structures/lateral/lateral_run.hpp"
 
 #include "samples/made_push.hpp"
+#include "samples/names_before_a_run.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/lateral/lateral_results.hpp"
 
@@ -66,6 +67,13 @@ TEST(Lateral, load_is_told_with_its_height_displacements_tilt_and_pivot)
     EXPECT_TRUE(std::isnan(value("lateral_H_at_u_0.2D")));  // u comes to 0.1 D
     EXPECT_TRUE(std::isnan(value("w_end_of_push")));
   }
+}
+
+TEST(Lateral, load_has_no_results_but_those_that_are_known_before_a_run)
+{
+  const record::RunRecord run = pile();
+  EXPECT_EQ(surprises_of(run), std::vector<std::string>{});
+  EXPECT_FALSE(knows(run.settings, "q_b_end"));
 }
 
 TEST(Lateral, load_acts_where_its_line_cuts_the_leaning_axis_whatever_hangs_there)

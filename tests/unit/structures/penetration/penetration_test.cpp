@@ -2,6 +2,7 @@
 #include "structures/penetration/penetration.hpp"
 
 #include "samples/made_push.hpp"
+#include "samples/names_before_a_run.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/formulas/footing.hpp"
 #include "structures/formulas/penetrometer.hpp"
@@ -42,6 +43,16 @@ MadePush footing()
   made.pushed_to = 0.1;
   made.q = [](Real z) { return 5e3 * z + 6.048 * 10e3; };
   return made;
+}
+
+TEST(Penetration, has_no_results_but_those_that_are_known_before_a_run)
+{
+  for (const MadePush& made : {clay_cone(), footing()}) {
+    const record::RunRecord run = made.record();
+    EXPECT_EQ(surprises_of(run), std::vector<std::string>{});
+    EXPECT_FALSE(knows(run.settings, "N_kt"));
+  }
+  EXPECT_FALSE(knows(clay_cone().settings(), "N_gamma_end"));
 }
 
 TEST(Penetration, of_a_cone_gives_the_numbers_of_a_log)
