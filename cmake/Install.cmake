@@ -35,6 +35,8 @@ install(DIRECTORY ${BERM_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT 
 # find_package(berm) gives the target berm::berm.
 include(CMakePackageConfigHelpers)
 set(BERM_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/berm)
-configure_package_config_file(cmake/berm-config.cmake.in ${CMAKE_BINARY_DIR}/berm-config.cmake INSTALL_DESTINATION ${BERM_PACKAGE} PATH_VARS CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR)
+list(GET BERM_UNITS 0 unit)
+berm_folder_of(${unit} ${BERM_PRIVATE_LIBRARIES} BERM_ENGINE_FOLDER)
+configure_package_config_file(cmake/berm-config.cmake.in ${CMAKE_BINARY_DIR}/berm-config.cmake INSTALL_DESTINATION ${BERM_PACKAGE} PATH_VARS CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR BERM_ENGINE_FOLDER)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/berm-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/berm-config.cmake ${CMAKE_BINARY_DIR}/berm-config-version.cmake DESTINATION ${BERM_PACKAGE} COMPONENT libberm)

@@ -91,7 +91,7 @@ test("the_published_numbers_are_scaled_as_the_runs_of_its_test", async (t) => {
   const axis_end = async (change: (changed: PageData) => void) => {
     const file = changed_report((changed) => {
       const run = changed.runs.find((each) => each.diameter !== null)!;
-      changed.runs = [{ ...run, name: "other", measure: clay, prototype: null, film: null }, run];
+      changed.runs = [{ ...run, name: "other", measure: clay, prototype: null, film: null, of_test: false }, run];
       Object.assign(run, { measure: sand, prototype: 50, of_test: true });
       changed.published = [{ chart: main_chart as "H_u" | "V_w", x: null, y: 1e6, label: "far beyond" }];
       change(changed);
