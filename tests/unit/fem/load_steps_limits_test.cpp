@@ -47,6 +47,20 @@ TEST(LoadStepsLoads, follow_the_columns_of_a_load_history_and_miss_no_turning_po
   EXPECT_NEAR(largest, 800, 8) << "an increment ends where the history turns";
 }
 
+TEST(LoadStepsLoads, miss_no_turning_point_of_a_load_history_that_runs_faster)
+{
+  problem::StageSettings stage = resting(0.3);
+  stage.kind = problem::StageKind::drag;
+  stage.time_scale = 0.1;
+  stage.load_times = {0, 1, 2, 3};
+  stage.loads.of("H") = {0, 100, -100, 0};
+  stage.loads.of("V") = {0, 800, 400, 400};
+  Real largest = 0;
+  state_after(plate_with({stage}),
+              [&](const auto&, const bodies::RigidState<2>& plate) { largest = std::max(largest, plate.reaction[1]); });
+  EXPECT_NEAR(largest, 800, 8);
+}
+
 TEST(LoadStepsLoads, multiply_the_force_of_a_push_by_factors)
 {
   problem::StageSettings stage = resting(2);

@@ -5,6 +5,7 @@
 #include "mesh/mesh_settings.hpp"
 #include "mesh/patches.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace berm::mesh::this_file {
@@ -141,6 +142,20 @@ TEST(SpatialSeabed, surface_follows_slope_trench_and_step)
     const Real face = 0.1 * 0.1 / 2, rise = uneven.step ? face + 0.1 * (1.1 - 0.6) : -(0.2 * 0.1 + 2 * face);
     // Cells follow straight parts of the surface, whose corners are nodes: the volume is exact but for the slope, along which the bed has its depth everywhere.
     EXPECT_NEAR(soil, 2 * 0.8 + rise, 1e-9);
+  }
+}
+
+TEST(SpatialSeabed, layer_at_the_base_has_one_thickness_below_trench_and_step)
+{
+  SeabedMesh trench = sample_bed(), step = sample_bed();
+  trench.trench = Trench{.depth = 0.1, .width = 0.2, .side_slope = 45 * degree, .center = 0.1};
+  step.step = Step{.height = 0.1, .position = 0.5, .face_slope = 45 * degree};
+  for (const SeabedMesh& uneven : {trench, step}) {
+    const Mesh<3> mesh = make_spatial_seabed(uneven);
+    const auto nodes_at = [&](Real y) {
+      return std::count_if(mesh.position.begin(), mesh.position.end(), [&](const Vec<3>& x) { return std::abs(x[1] - y) < 1e-12; });
+    };
+    EXPECT_EQ(nodes_at(-0.7), nodes_at(-0.8));  // each level of bricks has as many
   }
 }
 

@@ -20,6 +20,15 @@ RC_GTEST_PROP(TravelCurve, follows_a_straight_line_exactly_for_any_spacing_of_ro
   RC_ASSERT(std::abs(curve.at(at, 0.001 * *rc::gen::inRange(0, 500)) - (3 - 2 * at)) < 1e-9);
 }
 
+TEST(TravelCurve, is_averaged_over_the_same_length_at_its_begin_and_at_its_end)
+{
+  std::vector<Real> s, y, mirrored;
+  for (int k = 0; k <= 100; ++k)
+    s.push_back(k / 100.), y.push_back(std::sin(20 * s.back())), mirrored.push_back(std::sin(20 * (1 - s.back())));
+  const TravelCurve curve(s, y), other(s, mirrored);
+  for (const Real at : {0., 0.02, 0.05, 0.1, 0.5}) EXPECT_NEAR(curve.at(at, 0.1), other.at(1 - at, 0.1), 1e-12) << at;
+}
+
 TEST(TravelCurve, is_smoothed_at_its_travels_and_of_long_curves_at_2000_of_them)
 {
   const auto wave = [](int rows) {

@@ -130,6 +130,13 @@ TEST(Springs, of_a_centrifuge_are_those_of_its_prototype)
   EXPECT_NEAR(prototype.diameter, 1, 1e-12);
   EXPECT_NEAR(prototype.lateral[0].peak, 50 * model.lateral[0].peak, 1e-9);
   EXPECT_NEAR(prototype.lateral[0].u_peak, 50 * model.lateral[0].u_peak, 1e-12);
+  for (std::size_t k = 0; k < model.lateral[0].mobilised.size(); ++k)
+    EXPECT_NEAR(prototype.lateral[0].mobilised[k], 50 * model.lateral[0].mobilised[k], 1e-12) << k;
+  EXPECT_GT(model.lateral[0].mobilised[0], 0);
+  for (const auto number : {&Lateral::u_residual, &Lateral::travel, &Lateral::residual, &Lateral::end, &Lateral::V})
+    EXPECT_NEAR(prototype.lateral[0].*number, 50 * model.lateral[0].*number, 1e-9);
+  EXPECT_NEAR(prototype.lateral[0].curve.back().x, 50 * model.lateral[0].curve.back().x, 1e-12);
+  EXPECT_NEAR(prototype.vertical.pushed_to, 50 * model.vertical.pushed_to, 1e-12);
   EXPECT_NEAR(prototype.vertical.curve.back().F, 50 * model.vertical.curve.back().F, 1e-9);
   EXPECT_NEAR(prototype.axial.drained, 50 * model.axial.drained, 1e-9);
   // 0.01 D of 20 mm, but 5 mm of 1 m.
