@@ -277,18 +277,32 @@ bool dilates_strongly(Run run)
   });
 }
 
+/// What dilating soil is worked over, m: the width of the body, or the depth in the soil of one that is no disk and is dragged alone, as a wall is.
+Real worked_length(Run run)
+{
+  const Real width = body_scale(run.settings).width;
+  const std::optional<base::BodyProfile> body = base::body_profile(run.settings.rigid[main_rigid(run.settings)].second.shape);
+  if (!body || body->disk || is_pushed_down(run.settings) || !drags(run) || !run.history.has_label("w")) return width;
+  const Real depth = std::ranges::max(run.history.by_label("w"));
+  return depth > 0 ? std::min(width, depth) : width;
+}
+
 TrustMeasure cells_of_dilating_soil(const std::string& body)
 {
+  const auto words = [](Run run, Real value) {
+    return worked_length(run) < body_scale(run.settings).width ? fmt::format("1/{:.3g} of its depth in the soil", value)
+                                                               : fmt::format("D/{:.3g}", value);
+  };
   return {"cells at the " + body + " in soil that dilates by more than 10 deg",
           &limits::dilating_cells,
           dilates_strongly,
-          [](Run run) { return body_scale(run.settings).width / largest_met(run); },
-          [](Run, Real value) { return fmt::format("D/{:.3g}", value); },
-          [body](Run, Real value) {
+          [](Run run) { return worked_length(run) / largest_met(run); },
+          words,
+          [body, words](Run run, Real value) {
             return fmt::format(
-                "cells of D/{:.3g} at the {} are too strong in soil that dilates so much: what pushes into it meets too much "
+                "cells of {} at the {} are too strong in soil that dilates so much: what pushes into it meets too much "
                 "resistance, and what gives way to it too little pressure. Take finer cells, or method = \"fem\" for a limit load",
-                value, body);
+                words(run, value), body);
           },
           over_limit};
 }

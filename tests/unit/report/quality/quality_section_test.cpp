@@ -57,6 +57,17 @@ TEST(trust, cells_that_are_fine_enough_for_other_soil_are_bad_where_it_dilates)
   EXPECT_FALSE(said("5 deg"));
 }
 
+// A wall works the soil over its depth, however thick it is.
+TEST(trust, cells_in_dilating_soil_are_judged_by_the_depth_of_a_wall_that_is_only_dragged)
+{
+  record::RunRecord wall = sample_record(sample_case({"material.sand.dilation_angle=35 deg"}));
+  wall.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0}, {10, 0.02}, 0};
+  wall.history = {columns_named({"time_s", "w_m"}), {{0, 1}, {0.012, 0.012}}, {"drag", "drag"}};
+  EXPECT_FALSE(contains(trust_of({wall}), "of its depth in the soil")) << "it is pushed, too";
+  std::erase_if(wall.settings.stage, [](const auto& stage) { return stage.kind == problem::StageKind::push; });
+  EXPECT_TRUE(contains(trust_of({wall}), "of its depth in the soil at the"));
+}
+
 TEST(trust, a_filter_that_takes_much_of_the_work_is_bad)
 {
   record::RunRecord run = sample_record(sample_case());
