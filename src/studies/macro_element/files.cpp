@@ -53,6 +53,17 @@ void draw(const std::filesystem::path& folder, const Comparison& c, std::vector<
   draw_pair(folder, name + ".V", c, "w / D", "V (kN/m)", w, V, w_of, V_of, "", drawn);
 }
 
+/// Why the answers of runs are not to be used, a line each.
+std::vector<std::string> spoiled_lines(const std::vector<Comparison>& comparisons)
+{
+  std::vector<std::string> lines;
+  for (const Comparison& c : comparisons)
+    for (const std::string& why : c.path.spoiled)
+      lines.push_back(fmt::format("(!) the answer of {} is spoiled, do not use {}: {}", c.path.name,
+                                  c.fitted ? "what is fitted to it" : "it as a check", why));
+  return lines;
+}
+
 }  // namespace
 
 Comparison compare(const Parameters& parameters, Path path, bool fitted)
@@ -74,7 +85,11 @@ std::string json_of(const Parameters& p, const std::vector<Comparison>& comparis
   parameters["backbone_w"] = {{"value", points(p.backbone_w)}, {"unit", "m"}};
   parameters["backbone_V"] = {{"value", points(p.backbone_V)}, {"unit", "N/m"}};
   for (const Comparison& c : comparisons) {
-    Json run = {{"name", c.path.name}, {"folder", c.path.run.string()}, {"fitted", c.fitted}, {"points", c.path.points.size()}};
+    Json run = {{"name", c.path.name},
+                {"folder", c.path.run.string()},
+                {"fitted", c.fitted},
+                {"spoiled", c.path.spoiled},
+                {"points", c.path.points.size()}};
     run["rms_H_over_largest"] = number(c.misfit.H);
     run["largest_H_over_largest_of_run"] = number(c.misfit.largest);
     run["rms_w_over_D"] = number(c.misfit.w);
@@ -85,11 +100,16 @@ std::string json_of(const Parameters& p, const std::vector<Comparison>& comparis
   return all.dump(2) + "\n";
 }
 
-std::string code_of(const Parameters& p)
+std::string code_of(const Parameters& p, const std::vector<Comparison>& comparisons)
 {
-  std::string text = code_c;
-  text += fmt::format("\n/* Fitted by berm {}. */\nconst berm_macro_element_parameters berm_macro_element_fitted = {{\n  .version = {},\n",
-                      io::version_words(), p.version);
+  std::string text = code_c, spoiled;
+  for (std::string line : spoiled_lines(comparisons)) {
+    std::erase(line, '*');  // nothing may end the comment
+    spoiled += "\n   " + line;
+  }
+  text +=
+      fmt::format("\n/* Fitted by berm {}.{} */\nconst berm_macro_element_parameters berm_macro_element_fitted = {{\n  .version = {},\n",
+                  io::version_words(), spoiled, p.version);
   for (const Member& m : members) text += fmt::format("  .{} = {:.17g},\n", m.name, p.*m.member);
   text += fmt::format("  .backbone_points = {},\n", p.backbone_points);
   for (const auto& [name, values] : {std::pair{"backbone_w", p.backbone_w}, std::pair{"backbone_V", p.backbone_V}}) {
@@ -112,6 +132,7 @@ std::string table_of(const std::vector<Comparison>& comparisons)
     text += fmt::format("{:<{}}  {:<10}  {:>12}  {:>12}  {:>10}  {:>12}  {:>12} D\n", c.path.name, width,
                         c.fitted ? "fitted" : "not fitted", percent(c.misfit.H), percent(c.misfit.largest - 1), percent(c.misfit.w),
                         percent(c.misfit.V), fmt::format("{:+.3f}", c.misfit.end));
+  for (const std::string& line : spoiled_lines(comparisons)) text += line + "\n";
   return text;
 }
 
@@ -122,7 +143,7 @@ std::vector<std::string> write_files(const std::filesystem::path& folder, const 
   std::vector<std::string> names = {"macro_element.json", "macro_element.h", "macro_element.c"};
   io::write_atomically(folder / names[0], json_of(parameters, comparisons));
   io::write_atomically(folder / names[1], code_h);
-  io::write_atomically(folder / names[2], code_of(parameters));
+  io::write_atomically(folder / names[2], code_of(parameters, comparisons));
   for (const Comparison& c : comparisons) draw(folder, c, names);
   return names;
 }

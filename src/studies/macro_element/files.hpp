@@ -24,7 +24,7 @@ Comparison compare(const Parameters& parameters, Path path, bool fitted);
 std::string json_of(const Parameters& parameters, const std::vector<Comparison>& comparisons);
 
 /// macro_element.c: the code with berm_macro_element_fitted, whose numbers read back to the same bits.
-std::string code_of(const Parameters& parameters);
+std::string code_of(const Parameters& parameters, const std::vector<Comparison>& comparisons);
 
 /// The table of comparisons, for people.
 std::string table_of(const std::vector<Comparison>& comparisons);

@@ -61,6 +61,7 @@ Path path_of(const record::RunRecord& run)
   path.name = run.name;
   path.run = run.folder;
   path.diameter = base::body_scale(run).width;
+  if (run.summary) path.spoiled = run.summary->spoiled;
   Index moving = 0;
   for (Index row = 0; row < history.rows(); ++row) moving += history["w_m"][row] > 0;
   const Index block = std::max<Index>(1, moving / path_points);

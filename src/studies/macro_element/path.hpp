@@ -16,7 +16,8 @@ struct PathPoint {
 struct Path {
   std::string name;
   std::filesystem::path run;
-  Real diameter = nan;  ///< m
+  Real diameter = nan;               ///< m
+  std::vector<std::string> spoiled;  ///< why its answer is not to be used; empty where nothing says so
   std::vector<PathPoint> points;
   std::vector<PathPoint> push;  ///< those of the first push that is driven by velocity, where V is the resistance of fresh soil
 
