@@ -81,6 +81,14 @@ std::string spoiled_words(const std::vector<std::string>& spoiled)
   return fmt::format("{}", fmt::join(spoiled, "; "));
 }
 
+std::vector<std::string> spoiled_lines(const std::string& run, const std::vector<std::string>& spoiled, const char* numbers)
+{
+  std::vector<std::string> lines;
+  for (const std::string& why : spoiled)
+    lines.push_back(fmt::format("{} the answer of {} is spoiled, do not use {}: {}", spoiled_line_begin, run, numbers, why));
+  return lines;
+}
+
 const char* spoiled_mark(const std::vector<std::string>& spoiled)
 {
   return spoiled.empty() ? "" : " (!)";

@@ -21,4 +21,11 @@ std::string spoiled_words(const std::vector<std::string>& spoiled);
 /// Marks a name or a line of numbers of a run that is spoiled; "" of one that is not.
 const char* spoiled_mark(const std::vector<std::string>& spoiled);
 
+/// Begins the lines that say why numbers are not to be used.
+inline constexpr const char* spoiled_line_begin = "(!)";
+
+/// These lines of a run, one for each reason: "(!) the answer of RUN is spoiled, do not use NUMBERS: WHY".
+std::vector<std::string> spoiled_lines(const std::string& run, const std::vector<std::string>& spoiled,
+                                       const char* numbers = "these numbers");
+
 }  // namespace berm::base

@@ -5,6 +5,7 @@
 #include "io/revision.hpp"
 #include "macro_element/members.hpp"
 #include "plot/figure.hpp"
+#include "structures/base/spoiled.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -58,9 +59,8 @@ std::vector<std::string> spoiled_lines(const std::vector<Comparison>& comparison
 {
   std::vector<std::string> lines;
   for (const Comparison& c : comparisons)
-    for (const std::string& why : c.path.spoiled)
-      lines.push_back(fmt::format("(!) the answer of {} is spoiled, do not use {}: {}", c.path.name,
-                                  c.fitted ? "what is fitted to it" : "it as a check", why));
+    for (std::string& line : base::spoiled_lines(c.path.name, c.path.spoiled, c.fitted ? "what is fitted to it" : "it as a check"))
+      lines.push_back(std::move(line));
   return lines;
 }
 

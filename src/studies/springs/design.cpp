@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "io/revision.hpp"
+#include "structures/base/spoiled.hpp"
 #include "structures/structures.hpp"
 #include "study/estimates.hpp"
 #include "study/sample.hpp"
@@ -140,10 +141,7 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
 /// Why the numbers of a run are not to be used.
 std::vector<std::string> spoiled_lines(const record::RunRecord& run)
 {
-  std::vector<std::string> lines;
-  for (const std::string& why : run.summary ? run.summary->spoiled : std::vector<std::string>())
-    lines.push_back(fmt::format("{} the answer of {} is spoiled, do not use these numbers: {}", spoiled_line_begin, run.name, why));
-  return lines;
+  return run.summary ? base::spoiled_lines(run.name, run.summary->spoiled) : std::vector<std::string>{};
 }
 
 std::vector<std::string> provenance_of(const record::RunRecord& run)

@@ -32,15 +32,12 @@ bool is_stiffness(Real secant);
 /// Lines that say which stiffnesses are not written, and why.
 std::vector<std::string> refused_stiffnesses(const Springs& springs);
 
-/// Begins the lines that say why numbers are not to be used.
-inline constexpr const char* spoiled_line_begin = "(!)";
-
 /// What goes to other programs: the springs of a run, or those of a sample of runs.
 struct Design {
   std::string name;  ///< of the run, or of the combination of a study
   std::vector<std::string>
-      provenance;  ///< lines: from what, by which program; those that begin with spoiled_line_begin say why the numbers are not to be used
-  Springs best;    ///< of the best run; of a sample without one, the middle of all numbers
+      provenance;  ///< lines: from what, by which program; those that begin with base::spoiled_line_begin say why the numbers are not to be used
+  Springs best;  ///< of the best run; of a sample without one, the middle of all numbers
   /// Of a sample: forces at 5 and at 95 %, at the displacements of `best`.
   std::optional<Springs> low, high;
   std::vector<Estimate> estimates;

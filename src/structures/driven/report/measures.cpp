@@ -282,7 +282,8 @@ Real worked_length(Run run)
 {
   const Real width = body_scale(run.settings).width;
   const std::optional<base::BodyProfile> body = base::body_profile(run.settings.rigid[main_rigid(run.settings)].second.shape);
-  if (!body || body->disk || is_pushed_down(run.settings) || !drags(run) || !run.history.has_label("w")) return width;
+  const bool has_depth = run.history.rows() > 0 && run.history.has_label("w");
+  if (!body || body->disk || is_pushed_down(run.settings) || !drags(run) || !has_depth) return width;
   const Real depth = std::ranges::max(run.history.by_label("w"));
   return depth > 0 ? std::min(width, depth) : width;
 }

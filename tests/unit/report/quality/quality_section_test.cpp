@@ -66,6 +66,8 @@ TEST(trust, cells_in_dilating_soil_are_judged_by_the_depth_of_a_wall_that_is_onl
   EXPECT_FALSE(contains(trust_of({wall}), "of its depth in the soil")) << "it is pushed, too";
   std::erase_if(wall.settings.stage, [](const auto& stage) { return stage.kind == problem::StageKind::push; });
   EXPECT_TRUE(contains(trust_of({wall}), "of its depth in the soil at the"));
+  wall.history.values = {{}, {}}, wall.history.stage = {};
+  EXPECT_FALSE(contains(trust_of({wall}), "of its depth in the soil")) << "it has not begun";
 }
 
 TEST(trust, a_filter_that_takes_much_of_the_work_is_bad)
