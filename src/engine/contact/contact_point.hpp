@@ -14,7 +14,7 @@ namespace berm::contact {
 template <int dim>
 struct ContactPoint {
   std::array<Index, dim + 1> nodes{};    ///< whose velocity is that of the body at the point: one, or all of the particle's cell
-  std::array<Real, dim + 1> weights{};   ///< their shape functions at the point
+  std::array<Real, dim + 1> weights{};   ///< their shape functions there; beyond the cell, at a particle's rim, some are negative
   int node_count = 1;                    ///< 1 or dim + 1
   Vec<dim> normal = Vec<dim>::Zero();    ///< unit vector towards the body: out of the rigid or of the other body
   Vec<dim> position = Vec<dim>::Zero();  ///< on the rigid surface, nearest to the body
@@ -77,6 +77,7 @@ struct ContactPoints {
     Real gap = infinity, distance = infinity, half_width = 0;
     Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the smallest gap
     bool cut = false;                    ///< the rigid body intersects the cell
+    bool rims = false;                   ///< points have the shape functions at the rims of its particles
     Index points = 0;                    ///< particles whose gap is less than their width
     Index first_point = 0;               ///< in list, where points are particles
   };

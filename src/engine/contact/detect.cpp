@@ -110,6 +110,13 @@ bool is_near(Real distance, Real section)
   return part <= 0 || (dim == 2 ? part * part : part * part * part) < section;
 }
 
+/// Whether a triangle holds more than six particles of this mean section. With fewer, and in tetrahedra, points at the rims make energy.
+template <int dim>
+bool is_fine(const mesh::Mesh<dim>& mesh, Index cell, Real mean_section)
+{
+  return dim == 2 && 6 * mean_section < mesh.section(cell);
+}
+
 /// The particles whose gap is less than their width.
 template <int dim>
 void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
@@ -140,7 +147,8 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         point = {};
         point.gap = surface.distance - half;
         point.nodes = mesh.nodes[cell];
-        for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
+        const Vec<dim> touched = found.cells[k].rims ? Vec<dim>(x - half * surface.normal) : x;
+        for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, touched);
         point.node_count = dim + 1;
         point.normal = surface.normal;
         point.position = x - surface.distance * surface.normal;
@@ -173,7 +181,8 @@ void share_particles(ContactPoints<dim>& found)
 
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
-            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, NodeField<Real>& mass, ContactPoints<dim>& found)
+            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, bool rims, NodeField<Real>& mass,
+            ContactPoints<dim>& found)
 {
   const bodies::RigidShape<dim> shape = placed(rigid, pose);
   find_near_cells(mesh, rigid, pose, listed, detection, found);
@@ -182,18 +191,24 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
     const Index cell = found.near_cells[k];
     auto& result = found.cells[k];
     result = {};
-    for (const auto& [p, b, count] : particles.blocks_in(cell))
+    Real sections = 0;
+    Index in_cell = 0;
+    for (const auto& [p, b, count] : particles.blocks_in(cell)) {
+      in_cell += count;
       for (int l = 0; l < count; ++l) {
         const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
         result.distance = std::min(result.distance, surface.distance);
         const Real section = section_of(mesh.metric, p.volume[l], x);
+        sections += section;
         const bool near = is_near<dim>(surface.distance, section);
         result.points += near ? 1 : 0;
         if (detection == Detection::particle && !near) continue;
         const Real half = half_width<dim>(section), gap = surface.distance - half;
         if (gap < result.gap) result.gap = gap, result.normal = surface.normal, result.half_width = half;
       }
+    }
+    result.rims = rims && is_fine(mesh, cell, sections / static_cast<Real>(in_cell));
     if (detection == Detection::overlap) result.cut = reaches_into(shape, mesh, cell);
   });
 
@@ -216,7 +231,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::RigidBody<dim>&, const bodies::Pose<dim>&,     \
-                       bodies::Pose<dim>&, Detection, NodeField<Real>&, ContactPoints<dim>&);
+                       bodies::Pose<dim>&, Detection, bool, NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -225,7 +225,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
                               s.adhesion, s.scheme, s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps,
                               s.tension, adhesion_law(s, model.bodies[body].soil), memory_of(c, static_cast<Index>(model.contacts.size())),
                               s.friction_angle > 0 && !s.drained ? pore_pressure_place(model.bodies[body].soil.materials.front()) : none,
-                              s.drained});
+                              s.drained, material::yields(model.bodies[body].soil.materials.front())});
   }
   for (const auto& [name, s] : c.traction) {
     model.tractions.push_back({name, s.ramp, {}});
