@@ -110,16 +110,9 @@ bool is_near(Real distance, Real section)
   return part <= 0 || (dim == 2 ? part * part : part * part * part) < section;
 }
 
-/// Whether a triangle holds more than six particles of this mean section. With fewer, and in tetrahedra, points at the rims make energy.
-template <int dim>
-bool is_fine(const mesh::Mesh<dim>& mesh, Index cell, Real mean_section)
-{
-  return dim == 2 && 6 * mean_section < mesh.section(cell);
-}
-
 /// The particles whose gap is less than their width.
 template <int dim>
-void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
+void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, bool rims,
                     ContactPoints<dim>& found)
 {
   found.strip_begin.clear();
@@ -147,8 +140,9 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         point = {};
         point.gap = surface.distance - half;
         point.nodes = mesh.nodes[cell];
-        const Vec<dim> touched = found.cells[k].rims ? Vec<dim>(x - half * surface.normal) : x;
-        for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, touched);
+        for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
+        if (rims)
+          for (int n = 0; n <= dim; ++n) point.at_rim[n] = functions.value(n, Vec<dim>(x - half * surface.normal));
         point.node_count = dim + 1;
         point.normal = surface.normal;
         point.position = x - surface.distance * surface.normal;
@@ -191,24 +185,18 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
     const Index cell = found.near_cells[k];
     auto& result = found.cells[k];
     result = {};
-    Real sections = 0;
-    Index in_cell = 0;
-    for (const auto& [p, b, count] : particles.blocks_in(cell)) {
-      in_cell += count;
+    for (const auto& [p, b, count] : particles.blocks_in(cell))
       for (int l = 0; l < count; ++l) {
         const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
         result.distance = std::min(result.distance, surface.distance);
         const Real section = section_of(mesh.metric, p.volume[l], x);
-        sections += section;
         const bool near = is_near<dim>(surface.distance, section);
         result.points += near ? 1 : 0;
         if (detection == Detection::particle && !near) continue;
         const Real half = half_width<dim>(section), gap = surface.distance - half;
         if (gap < result.gap) result.gap = gap, result.normal = surface.normal, result.half_width = half;
       }
-    }
-    result.rims = rims && is_fine(mesh, cell, sections / static_cast<Real>(in_cell));
     if (detection == Detection::overlap) result.cut = reaches_into(shape, mesh, cell);
   });
 
@@ -219,7 +207,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
   found.nearest_particle = infinity;
   for (const auto& cell : found.cells) found.nearest_particle = std::min(found.nearest_particle, cell.distance);
   if (detection == Detection::particle) {
-    list_particles(mesh, particles, shape, found);
+    list_particles(mesh, particles, shape, rims, found);
     share_particles(found);
     return;
   }

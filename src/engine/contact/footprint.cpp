@@ -87,13 +87,11 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
 
 namespace {
 
-/// Calls visit(node, N) for the nodes of a contact point or a footprint, with shares that are not negative and add up to 1.
+/// Calls visit(node, N) for the nodes of a contact point or a footprint.
 template <class At, class Visit>
 void for_nodes(const At& at, const Visit& visit)
 {
-  Real sum = 0;
-  for (int n = 0; n < at.node_count; ++n) sum += std::max(Real(0), at.weights[n]);
-  for (int n = 0; n < at.node_count; ++n) visit(at.nodes[n], std::max(Real(0), at.weights[n]) / sum);
+  for (int n = 0; n < at.node_count; ++n) visit(at.nodes[n], at.weights[n]);
 }
 
 }  // namespace

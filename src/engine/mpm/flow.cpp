@@ -158,7 +158,7 @@ void mark_impermeable_surfaces(const problem::Model<dim>& model, Workspace<dim>&
         for (int n = 0; n < point.node_count; ++n) {
           const Index node = point.nodes[n];
           grid.water.soil_inertia[node].setConstant(grid.mass[node]);
-          if (seals && point.touching) grid.water.normal[node] += std::max(Real(0), point.weights[n]) * point.normal;
+          if (seals && point.touching) grid.water.normal[node] += point.weights[n] * point.normal;
         }
     }
 }
