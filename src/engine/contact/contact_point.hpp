@@ -15,7 +15,6 @@ template <int dim>
 struct ContactPoint {
   std::array<Index, dim + 1> nodes{};    ///< whose velocity is that of the body at the point: one, or all of the particle's cell
   std::array<Real, dim + 1> weights{};   ///< their shape functions at the point
-  std::array<Real, dim + 1> at_rim{};    ///< the same at the particle's rim, where that matters; beyond the cell some are negative
   int node_count = 1;                    ///< 1 or dim + 1
   Vec<dim> normal = Vec<dim>::Zero();    ///< unit vector towards the body: out of the rigid or of the other body
   Vec<dim> position = Vec<dim>::Zero();  ///< on the rigid surface, nearest to the body
@@ -36,12 +35,6 @@ struct ContactPoint {
   Vec<dim> response_of_other = Vec<dim>::Zero();  ///< the same of the other body's node, against the impulse
   Vec<dim> surface_velocity = Vec<dim>::Zero();   ///< m/s, of the rigid body in this step
   Vec<dim> impulse = Vec<dim>::Zero();            ///< on the body, in the present correction
-
-  // Where impulses act at the particle's rim:
-  EffectiveMass mass_at_rim;  ///< 1 / sum of N(rim) N / M
-  Eigen::Matrix<Real, dim, dim + 1, Eigen::DontAlign> response_at_rim = Eigen::Matrix<Real, dim, dim + 1, Eigen::DontAlign>::Zero();
-  Vec<dim> velocity_from_rim = Vec<dim>::Zero();  ///< m/s, of the point relative to the rim, as the cell strained before the step
-  Vec<dim> impulse_at_rim = Vec<dim>::Zero();     ///< the part of the impulse that acts there
   ContactStatus status = ContactStatus::open;     ///< in step 4
 };
 

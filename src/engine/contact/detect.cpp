@@ -112,7 +112,7 @@ bool is_near(Real distance, Real section)
 
 /// The particles whose gap is less than their width.
 template <int dim>
-void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, bool rims,
+void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
                     ContactPoints<dim>& found)
 {
   found.strip_begin.clear();
@@ -141,8 +141,6 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         point.gap = surface.distance - half;
         point.nodes = mesh.nodes[cell];
         for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
-        if (rims)
-          for (int n = 0; n <= dim; ++n) point.at_rim[n] = functions.value(n, Vec<dim>(x - half * surface.normal));
         point.node_count = dim + 1;
         point.normal = surface.normal;
         point.position = x - surface.distance * surface.normal;
@@ -175,8 +173,7 @@ void share_particles(ContactPoints<dim>& found)
 
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
-            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, bool rims, NodeField<Real>& mass,
-            ContactPoints<dim>& found)
+            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, NodeField<Real>& mass, ContactPoints<dim>& found)
 {
   const bodies::RigidShape<dim> shape = placed(rigid, pose);
   find_near_cells(mesh, rigid, pose, listed, detection, found);
@@ -207,7 +204,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
   found.nearest_particle = infinity;
   for (const auto& cell : found.cells) found.nearest_particle = std::min(found.nearest_particle, cell.distance);
   if (detection == Detection::particle) {
-    list_particles(mesh, particles, shape, rims, found);
+    list_particles(mesh, particles, shape, found);
     share_particles(found);
     return;
   }
@@ -219,7 +216,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::RigidBody<dim>&, const bodies::Pose<dim>&,     \
-                       bodies::Pose<dim>&, Detection, bool, NodeField<Real>&, ContactPoints<dim>&);
+                       bodies::Pose<dim>&, Detection, NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

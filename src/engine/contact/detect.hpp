@@ -19,12 +19,11 @@ Real half_width(Real section)
 ///
 /// Detection::gap: the nodes of cells with particles near the surface, each with the smallest gap of the particles in its
 /// cells. Detection::distance: those of them whose gap is closed. Detection::overlap: each node of a cell that the rigid
-/// body intersects, with gap 0. Detection::particle: the particles whose gap is less than their width, with `rims` their rims,
-/// half a width from the centre towards the rigid body, too. Nodes without mass
+/// body intersects, with gap 0. Detection::particle: the particles whose gap is less than their width. Nodes without mass
 /// are left out. Where cells are divided among ranks, each of them finds all points; it gets the masses of nodes near the surface for that. `listed` is the pose of the rigid body when the cells near it were last listed.
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
-            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, bool rims, NodeField<Real>& mass,
+            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, NodeField<Real>& mass,
             ContactPoints<dim>& found);
 
 /// One of two deformable bodies: its particles and its nodal masses.

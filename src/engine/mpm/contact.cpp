@@ -67,71 +67,44 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
       [&](Index k, Real& area) { area = points.footprints[k].area; }, [&](Index k, Real area) { points.footprints[k].area = area; });
 }
 
-/// The effective mass of a point from its compliances by direction, 1/kg; that without supports is `free`. A point that supports fix has none.
-template <int dim>
-contact::EffectiveMass effective_mass(const Vec<dim>& compliance, const Vec<dim>& normal, Real free, bool tied)
-{
-  constexpr Real immovable = 1e-4;  // of the compliance of a point without supports
-  const Real along_normal = compliance.dot(normal.cwiseAbs2());
-  const Real along_surface = dim == 2 ? compliance.sum() - along_normal : compliance.maxCoeff();
-  contact::EffectiveMass mass;
-  if (!(along_normal > immovable * free)) return mass;
-  mass.normal = 1 / along_normal;
-  if (along_surface > immovable * free || !tied) mass.along = 1 / std::max(along_surface, immovable * free);
-  return mass;
-}
-
 /// What impulses do to the nodes of the points of one contact, and effective masses. In a direction that a support fixes, a node has infinite mass.
 template <int dim>
 void set_responses(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace,
                    const problem::Contact& contact, contact::ContactPoints<dim>& points)
 {
-  const bool tied = rules_of(contact.scheme).tied;
-  constexpr Real heaviest = 4;  // over the mass of the point: where an impulse at the rim hardly moves it, it acts at the centre
+  constexpr Real immovable = 1e-4;  // of the compliance of a point without supports
   contact::for_each_point(points, [&](contact::ContactPoint<dim>& point) {
     Real free = 0;
     Vec<dim> compliance = Vec<dim>::Zero();
     const auto response = [&](Index b, Index node, Real N) {
       const Real m = workspace.grids[b].mass[node], unit = m > 0 ? N / m : 0;
-      return boundary::without_fixed<dim>(workspace.grids[b].supports(model), node, Vec<dim>::Constant(unit));
-    };
-    const auto moves = [&](Index b, Index node, Real N) {
-      const Real m = workspace.grids[b].mass[node];
-      const Vec<dim> of_node = response(b, node, N);
-      free += N * (m > 0 ? N / m : 0);
+      const Vec<dim> of_node = boundary::without_fixed<dim>(workspace.grids[b].supports(model), node, Vec<dim>::Constant(unit));
+      free += N * unit;
       compliance += N * of_node;
       return of_node;
     };
-    for (int k = 0; k < point.node_count; ++k) point.response.col(k) = moves(contact.body, point.nodes[k], point.weights[k]);
-    if (contact.other_body != none) point.response_of_other = moves(contact.other_body, point.nodes[0], 1);
+    for (int k = 0; k < point.node_count; ++k) point.response.col(k) = response(contact.body, point.nodes[k], point.weights[k]);
+    if (contact.other_body != none) point.response_of_other = response(contact.other_body, point.nodes[0], 1);
     if (contact.rigid != none)
       point.surface_velocity = velocity_at(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid], point.position);
-    point.mass = effective_mass<dim>(compliance, point.normal, free, tied);
-    if (!contact.rims) return;
-    compliance.setZero();
-    for (int k = 0; k < point.node_count; ++k) {
-      const Index node = point.nodes[k];
-      point.response_at_rim.col(k) = response(contact.body, node, point.at_rim[k]);
-      compliance += point.weights[k] * point.response_at_rim.col(k);
-      if (point.touching) point.velocity_from_rim += (point.weights[k] - point.at_rim[k]) * workspace.grids[contact.body].velocity[node];
-    }
-    point.mass_at_rim = effective_mass<dim>(compliance, point.normal, free, tied);
-    if (point.mass_at_rim.normal > 0 && point.mass_at_rim.normal < heaviest * point.mass.normal) return;
-    point.at_rim = point.weights;
-    point.response_at_rim = point.response;
-    point.mass_at_rim = point.mass;
+    const Real along_normal = compliance.dot(point.normal.cwiseAbs2());
+    const Real along_surface = dim == 2 ? compliance.sum() - along_normal : compliance.maxCoeff();
+    point.mass = {};
+    if (!(along_normal > immovable * free)) return;
+    point.mass.normal = 1 / along_normal;
+    if (along_surface > immovable * free || !rules_of(contact.scheme).tied)
+      point.mass.along = 1 / std::max(along_surface, immovable * free);
   });
 }
 
-/// Gives the nodes of a point an impulse, at the particle's rim or at the point, and those of the other body the opposite. Supports take the components in fixed
+/// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take the components in fixed
 /// directions.
 template <int dim, class Field>
 void push(Workspace<dim>& workspace, const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Vec<dim>& impulse,
-          bool at_rim, const Field& field)
+          const Field& field)
 {
   BodyGrid<dim>& grid = workspace.grids[contact.body];
-  const auto& response = at_rim ? point.response_at_rim : point.response;
-  for (int n = 0; n < point.node_count; ++n) field.change(grid, point.nodes[n], response.col(n).cwiseProduct(impulse));
+  for (int n = 0; n < point.node_count; ++n) field.change(grid, point.nodes[n], point.response.col(n).cwiseProduct(impulse));
   if (contact.other_body != none)
     field.change(workspace.grids[contact.other_body], point.nodes[0], -point.response_of_other.cwiseProduct(impulse));
 }
@@ -141,9 +114,8 @@ template <int dim, class Field>
 void correct_point(const problem::State<dim>& state, Workspace<dim>& workspace, const problem::Contact& contact, const Field& field,
                    contact::ContactPoint<dim>& point, typename contact::ContactPoints<dim>::SweepSums& sums)
 {
-  const bool tied = rules_of(contact.scheme).tied, at_rim = contact.rims && Field::is_predicted;
-  const contact::EffectiveMass& mass = at_rim ? point.mass_at_rim : point.mass;
-  if (!(mass.normal > 0) || (tied && point.gap > 0)) return;
+  const bool tied = rules_of(contact.scheme).tied;
+  if (!(point.mass.normal > 0) || (tied && point.gap > 0)) return;
   const Vec<dim> relative = relative_velocity(workspace, contact, point, field);
   const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt);
   const Real adhesion = contact.adhesion_law.differs() ? point.adhesion : contact.adhesion;
@@ -155,13 +127,12 @@ void correct_point(const problem::State<dim>& state, Workspace<dim>& workspace, 
                                         point.water_part,
                                         std::max(Real(0), -point.pore_pressure) * point.area * state.dt};
   const bool bilateral = !Field::is_force && rules_of(contact.scheme).completes && point.status != contact::ContactStatus::open;
-  const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, mass, interface, point.status, point.impulse)
-                                     : contact_impulse<dim>(relative, point.normal, mass, interface, point.impulse);
+  const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)
+                                     : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
   if (Field::is_force) point.status = status_of<dim>(impulse, point.normal, interface);
   const Vec<dim> change = impulse - point.impulse;
   point.impulse = impulse;
-  if (at_rim) point.impulse_at_rim = impulse;
-  push(workspace, contact, point, change, at_rim, field);
+  push(workspace, contact, point, change, field);
   sums.changed += change.norm();
   sums.carried += impulse.norm();
 }
@@ -267,7 +238,7 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
     contact::ContactPoints<dim>& points = workspace.contact_points[k];
     if (contact.rigid != none) {
       detect<dim>(model.mesh, state.particles[contact.body], model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid],
-                  state.listed_poses[contact.rigid], contact.detection, contact.rims, grid.mass, points);
+                  state.listed_poses[contact.rigid], contact.detection, grid.mass, points);
     } else {
       const BodyGrid<dim>& other = workspace.grids[contact.other_body];
       const BorrowedParticles<dim> borrowed(model.mesh, state.particles, workspace.grids, contact.body, contact.other_body);
@@ -306,7 +277,7 @@ void push_out(const problem::Model<dim>& model, const problem::State<dim>& state
       if (!(point.distance < 0) || !(point.mass.normal > 0)) return;
       const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.dt), max);
       const Real lacking = wanted - relative_velocity(workspace, contact, point, Moved<dim>{}).dot(point.normal);
-      if (lacking > 0) push(workspace, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), false, Moved<dim>{});
+      if (lacking > 0) push(workspace, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
     });
   }
 }

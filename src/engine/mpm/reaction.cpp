@@ -66,9 +66,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
     reaction.of_support += taken - share;
     reaction.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
     if (!model.load_points.empty() && grid.mass[node] > 0) reaction.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];
-    // At a rim, a node with little mass does not go on as its acceleration says, but as the particles do.
-    const Vec<dim> mid_velocity = contact.rims ? Vec<dim>(0.5 * (grid.velocity[node] + grid.mapped_velocity[node]))
-                                               : Vec<dim>(grid.velocity[node] + 0.5 * dt * grid.acceleration[node]);
+    const Vec<dim> mid_velocity = grid.velocity[node] + 0.5 * dt * grid.acceleration[node];
     reaction.friction -= share.dot(mid_velocity - partner_velocity);
   };
   reaction.impulse = impulse;
@@ -79,9 +77,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
     return reaction;
   }
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
-  for (int n = 0; n < point.node_count; ++n)
-    add(contact.body, point.nodes[n],
-        Vec<dim>(point.at_rim[n] * point.impulse_at_rim + point.weights[n] * (impulse - point.impulse_at_rim)), point.surface_velocity);
+  for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, point.surface_velocity);
   reaction.torque = bodies::moment_of(Vec<dim>(point.position - center_now(model.rigid_bodies[contact.rigid], rigid)), impulse);
   reaction.external += impulse.dot(point.surface_velocity);
   if (problem::rubs_in_water(contact, model.bodies)) reaction.effective = impulse.dot(point.normal) - point.pore_pressure * point.area * dt;

@@ -38,14 +38,6 @@ NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case
   return fixed;
 }
 
-/// Whether particles touch a rigid body at their rims: in the plane, in soil that can yield, where step 8 completes the impulse of step 4.
-template <int dim>
-bool has_rims(const contact::ContactSettings& contact, const Body<dim>& body)
-{
-  const bool at_particles = contact.detection == contact::Detection::automatic || contact.detection == contact::Detection::particle;
-  return dim == 2 && !contact.rigid.empty() && at_particles && rules_of(contact.scheme).completes && yields(body.soil.materials.front());
-}
-
 /// The directions in which no water crosses a node: those that are held, but for what only drained supports hold.
 template <int dim>
 NodeField<std::uint8_t> closed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds,
@@ -233,7 +225,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
                               s.adhesion, s.scheme, s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps,
                               s.tension, adhesion_law(s, model.bodies[body].soil), memory_of(c, static_cast<Index>(model.contacts.size())),
                               s.friction_angle > 0 && !s.drained ? pore_pressure_place(model.bodies[body].soil.materials.front()) : none,
-                              s.drained, has_rims<dim>(s, model.bodies[body])});
+                              s.drained});
   }
   for (const auto& [name, s] : c.traction) {
     model.tractions.push_back({name, s.ramp, {}});

@@ -34,12 +34,11 @@ struct Bed {
     find_again(rigid, displacement, detection, result);
     return result;
   }
-  void find_again(const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result,
-                  bool rims = false) const
+  void find_again(const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result) const
   {
     bodies::Pose<dim> listed = bodies::Pose<dim>::nowhere();
     NodeField<Real> masses = mass;
-    detect<dim>(mesh, particles, rigid, {displacement, {}}, listed, detection, rims, masses, result);
+    detect<dim>(mesh, particles, rigid, {displacement, {}}, listed, detection, masses, result);
   }
 
   Real min_height() const
@@ -282,24 +281,6 @@ TYPED_TEST(Detect, particle_lists_each_particle_whose_gap_is_less_than_its_width
   }
 }
 
-TYPED_TEST(Detect, rims_are_half_a_width_from_the_centres_of_particles_towards_the_body)
-{
-  constexpr int dim = TypeParam::value;
-  const Bed<dim> bed;
-  for (const auto& rigid : rigid_bodies<dim>()) {
-    SCOPED_TRACE(rigid.name);
-    ContactPoints<dim> found;
-    bed.find_again(rigid, at<dim>(0.01, -0.05), Detection::particle, found, true);
-    ASSERT_FALSE(found.list.empty());
-    for (const auto& point : found.list) {
-      const Real half = half_width<dim>(bed.particles.read(point.block, point.lane).volume);
-      Vec<dim> rim = Vec<dim>::Zero();
-      for (int n = 0; n <= dim; ++n) rim += point.at_rim[n] * bed.mesh.position[point.nodes[n]];
-      EXPECT_NEAR((rim - point.position - (point.distance - half) * point.normal).norm(), 0, 1e-13);
-    }
-  }
-}
-
 TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_touches)
 {
   // The box stands 0.3 m deep in the bed. A node inside it, nearer to its wall than to its base, still gets the base's normal where its nearest
@@ -346,7 +327,7 @@ TEST(DetectInSpace, all_particles_near_a_solid_are_points_while_it_turns_and_mov
       pose.displacement += Vec<3>(0.002, -0.004, 0.001);
       pose.orientation.turn_by(Vec<3>(0.03, 0.05, -0.04));
       NodeField<Real> masses = bed.mass;
-      detect(bed.mesh, bed.particles, rigid, pose, last_listed, Detection::particle, false, masses, found);
+      detect(bed.mesh, bed.particles, rigid, pose, last_listed, Detection::particle, masses, found);
       const auto shape = placed(rigid, pose);
       Index near = 0;
       bed.particles.visit([&](Index, Index b, int l) {
