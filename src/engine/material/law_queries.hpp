@@ -138,6 +138,13 @@ std::optional<Real> band_width(const L&)
   return {};
 }
 
+/// The law of soil with grains of this d50, m, whose shear bands have their width; the law itself where it needs none.
+template <Law L>
+L with_grains(const L& law, Real /*d50*/)
+{
+  return law;
+}
+
 /// The law with which cells of this size, m (Mesh::size), carry what shear bands of the soil's own width carry.
 template <Law L>
 L in_cells_of(const L& law, Real /*size*/)

@@ -183,6 +183,11 @@ std::optional<Real> band_width(const Material& material)
   return visit([](const auto& law) { return band_width(law); }, material);
 }
 
+Material with_grains(const Material& material, Real d50)
+{
+  return visit([&](const auto& law) { return Material(with_grains(law, d50)); }, material);
+}
+
 Material in_cells_of(const Material& material, Real size)
 {
   return visit([&](const auto& law) { return Material(in_cells_of(law, size)); }, material);

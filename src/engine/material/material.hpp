@@ -120,6 +120,7 @@ bool knows_rate(const Material& material);
 Material with_rate_smoothing(const Material& material, Real time);
 void recover(const Material& material, Real share, Real* state);
 std::optional<Real> band_width(const Material& material);
+Material with_grains(const Material& material, Real d50);
 Material in_cells_of(const Material& material, Real size);
 bool dilates(const Material& material);
 Material without_dilation(const Material& material);

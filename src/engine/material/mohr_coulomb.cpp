@@ -55,6 +55,13 @@ std::optional<Real> band_width(const MohrCoulomb& law)
   return law.band_width;
 }
 
+MohrCoulomb with_grains(MohrCoulomb law, Real d50)
+{
+  law.band_width.reset();
+  law.d50 = d50;
+  return law;
+}
+
 MohrCoulomb in_cells_of(MohrCoulomb law, Real size)
 {
   const std::optional<Real> width = band_width(law);

@@ -78,6 +78,7 @@ inline std::optional<Strength> strength_at_rest(const MohrCoulomb& law)
 }
 /// Of the soil, or 15 d50 [Muehlhaus and Vardoulakis, Geotechnique 37 (1987): 8 to 10 d50 where bands begin, 10 to 20 as they grow].
 std::optional<Real> band_width(const MohrCoulomb& law);
+MohrCoulomb with_grains(MohrCoulomb law, Real d50);
 /// Friction and cohesion fall by the same share. [Davis 1968]
 MohrCoulomb in_cells_of(MohrCoulomb law, Real size);
 

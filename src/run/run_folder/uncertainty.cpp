@@ -64,6 +64,24 @@ std::vector<Real> numbers(const Json& json, const char* name)
   return all;
 }
 
+Json json_of(const Grains& grains)
+{
+  Json json{{"size", grains.size}, {"d50_m", grains.d50}, {"quantities", Json::object()}};
+  for (const auto& [name, unit, without, with] : grains.numbers)
+    json["quantities"][name] = {{"without", without}, {"with", with}, {"unit", unit}};
+  return json;
+}
+
+Grains grains_of(const Json& json)
+{
+  Grains grains{number(member_of(json, "size")), numbers(json, "d50_m"), {}};
+  for (const auto& [name, entry] : table_of(json, "quantities").items()) {
+    grains.numbers.push_back({name, words(member_of(entry, "unit")), number(member_of(entry, "without")), numbers(entry, "with")});
+    if (grains.numbers.back().with.size() != grains.d50.size()) refuse_bands("there is not a number for each d50");
+  }
+  return grains;
+}
+
 CurveBand curve_of(const Json& json)
 {
   CurveBand curve{words(member_of(json, "chart")), numbers(json, "x"), numbers(json, "low"), numbers(json, "high")};
@@ -97,6 +115,7 @@ Json json_of(const Uncertainty& uncertainty)
   json["runs"] = Json::array();
   for (const BandRun& run : uncertainty.runs)
     json["runs"].push_back({{"name", run.name}, {"size", run.size}, {"speed", run.speed}, {"wall_s", run.wall_s}});
+  if (!uncertainty.grains.d50.empty()) json["grains"] = json_of(uncertainty.grains);
   json["curves"] = Json::array();
   for (const CurveBand& curve : uncertainty.curves)
     json["curves"].push_back({{"chart", curve.chart}, {"x", curve.x}, {"low", curve.low}, {"high", curve.high}});
@@ -118,6 +137,7 @@ Uncertainty uncertainty_of(const Json& json)
   for (const Json& run : list(json, "runs"))
     uncertainty.runs.push_back(
         {words(member_of(run, "name")), number(member_of(run, "size")), number(member_of(run, "speed")), number(member_of(run, "wall_s"))});
+  if (json.contains("grains")) uncertainty.grains = grains_of(json["grains"]);
   for (const Json& curve : list(json, "curves")) uncertainty.curves.push_back(curve_of(curve));
   return uncertainty;
 }

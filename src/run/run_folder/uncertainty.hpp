@@ -43,6 +43,20 @@ struct BandRun {
   Real wall_s = 0;
 };
 
+/// What a number becomes where sand that has no d50 gets one, on the coarsest cells that a band is made of, SI.
+struct GrainNumber {
+  std::string name, unit;  ///< of the quantity of summary.json
+  Real without = 0;        ///< without a d50
+  std::vector<Real> with;  ///< by Grains::d50; NaN where that run has no such number
+};
+
+/// Sand whose shear bands are as wide as cells make them, tried with grains.
+struct Grains {
+  Real size = 1;          ///< of the cells over those of the run
+  std::vector<Real> d50;  ///< m; empty where nothing was tried
+  std::vector<GrainNumber> numbers;
+};
+
 /// What `berm run --uncertainty` found out about a run.
 struct Uncertainty {
   std::vector<QuantityBand> quantities;
@@ -50,6 +64,7 @@ struct Uncertainty {
   std::vector<BandRun> runs;
   std::vector<std::pair<std::string, std::string>> without;  ///< quantities and curves that have no band, and why
   std::vector<std::string> left_out;                         ///< parts that the band does not hold, and why
+  Grains grains;                                             ///< what they would do to the numbers
   std::string missing;                                       ///< why there is no band at all; "" where there is one
 
   /// The band of that quantity, or null.

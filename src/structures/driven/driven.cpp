@@ -83,7 +83,8 @@ std::string Driven::quality_note(const base::Runs& runs) const
 {
   if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.record->settings.method == problem::Method::mpm; }))
     return "";
-  return "<p>V depends on the mesh (examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells "
+  return "<p>V depends on the mesh (examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells, unless "
+         "its d50 is known "
          "(examples/localisation). "
          "<code>berm run --resume RUN --uncertainty</code> gives the number a band; phi* for phi shows the lower end "
          "(<code>berm study examples/mesh_study</code>).</p>\n";

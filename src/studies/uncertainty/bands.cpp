@@ -183,6 +183,27 @@ run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector
   return found;
 }
 
+run_folder::Grains grains_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
+{
+  run_folder::Grains grains;
+  std::vector<const VariantRecord*> with;
+  for (const VariantRecord& variant : variants)
+    if (variant.d50) with.push_back(&variant);
+  if (with.empty()) return grains;
+  grains.size = with.front()->size;
+  for (const VariantRecord* variant : with) grains.d50.push_back(*variant->d50);
+  const auto without = std::find_if(variants.begin(), variants.end(), [&](const VariantRecord& variant) {
+    return !variant.d50 && variant.speed == 1 && variant.size == grains.size;
+  });
+  for (const run_folder::Quantity& q : run.quantities) {
+    const Real number = value_in(without->run.quantities, q.name);
+    if (q.kind != run_folder::QuantityKind::answer || !std::isfinite(q.value) || !std::isfinite(number)) continue;
+    grains.numbers.push_back({q.name, q.unit, number, {}});
+    for (const VariantRecord* variant : with) grains.numbers.back().with.push_back(value_in(variant->run.quantities, q.name));
+  }
+  return grains;
+}
+
 namespace {
 
 /// Forces as they are, lengths in mm.
@@ -199,6 +220,21 @@ ShownUnit shown_unit(const std::string& unit)
 std::string part(Real number, Real per_si)
 {
   return text::short_number(number * per_si);
+}
+
+std::string words_of(const run_folder::Grains& grains)
+{
+  std::string table = fmt::format(
+      "the sand has no d50, so that its shear bands are as wide as cells make them; on cells {:.3g} times as large:\n{:<24}{:>12}",
+      grains.size, "", "no d50");
+  for (const Real d50 : grains.d50) table += fmt::format("{:>14}", fmt::format("d50 {:g} mm", 1000 * d50));
+  for (const auto& [name, unit, without, with] : grains.numbers) {
+    const auto& [per_si, shown] = shown_unit(unit);
+    table += fmt::format("\n{:<24}{:>12}", name, part(without, per_si));
+    for (const Real number : with) table += fmt::format("{:>14}", part(number, per_si));
+    table += " " + shown;
+  }
+  return table + "\nname the d50 of the sand, and the band is that of its answer\n";
 }
 
 }  // namespace
@@ -220,6 +256,7 @@ std::string words_of(const run_folder::Uncertainty& u, problem::Method method)
   table += "converged +- what it is uncertain by, nineteen times in twenty: extrapolation + sqrt(mesh^2 + noise^2 + speed^2)\n";
   for (const std::string& why : u.left_out) table += fmt::format("not in the bands: {}\n", why);
   for (const auto& [name, why] : u.without) table += fmt::format("without a band: {}: {}\n", name, why);
+  if (!u.grains.numbers.empty()) table += words_of(u.grains);
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include "record/run_record.hpp"
 #include "run_folder/uncertainty.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace berm::uncertainty {
@@ -14,11 +15,15 @@ namespace berm::uncertainty {
 struct VariantRecord {
   Real size, speed;  ///< as in Variant
   record::RunRecord run;
+  std::optional<Real> d50 = {};  ///< as in Variant
 };
 
 /// The bands of all answers of a run's structure and of its curves, from the run and those with coarser cells; at another speed than 1 only one of the size of the
-/// coarsest. A number or curve that a coarser run has not, and a number that noise makes or hides, have no band, and `without` says so.
+/// coarsest, and none with grains. A number or curve that a coarser run has not, and a number that noise makes or hides, have no band, and `without` says so.
 run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants);
+
+/// All answers of a run's structure with grains beside those without, of runs on cells of one size. `variants` are all that were run.
+run_folder::Grains grains_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants);
 
 /// What a run's numbers are uncertain by as means over noisy rows, at 95 %, in the order of its quantities: twice the standard error of the jackknife over five sets of
 /// rows, each every fifth row. 0 for methods without noise and for numbers that are not of the rows; NaN where a number is found without some of the rows and not without others.

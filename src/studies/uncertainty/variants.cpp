@@ -2,6 +2,7 @@
 #include "uncertainty/variants.hpp"
 
 #include "core/error.hpp"
+#include "material/shear_band.hpp"
 #include "mesh/uneven_seabed.hpp"
 #include "structures/base/driven_body.hpp"
 
@@ -15,6 +16,7 @@ constexpr int count = 5;                        // coarser runs
 constexpr Real least_ratio = 1.4, ratio = 2.2;  // of the cells of the least coarse, and of the coarsest
 constexpr Real cells_across = 5;                // the driven body at least: fewer tell nothing (examples/mesh_study)
 constexpr Real least_coarsest = 1.6;            // ratio, below which the runs differ by less than meshes do
+constexpr Real grains[] = {0.1e-3, 0.5e-3};     // m, d50 of fine sand, and of medium to coarse sand
 
 void make_coarser(mesh::SeabedMesh& bed, Real times)
 {
@@ -69,6 +71,21 @@ void make_faster(problem::StageSettings& stage)
 bool knows_speed(const problem::Case& c)
 {
   return std::any_of(c.material.begin(), c.material.end(), [](const auto& entry) { return knows_rate(entry.second); });
+}
+
+/// The case with grains in all soil whose shear bands cells would make narrower; empty where they would in none.
+std::optional<problem::Case> with_grains(problem::Case c, Real d50)
+{
+  bool changed = false;
+  for (auto& [name, soil] : c.material) {
+    if (!non_associated(soil) || band_width(soil)) continue;
+    material::Material with = material::with_grains(soil, d50);
+    const std::optional<Real> width = band_width(with);
+    if (!width || *width >= material::cells_of_band * base::near_cell_size(c)) continue;
+    soil = std::move(with);
+    changed = true;
+  }
+  return changed ? std::optional(std::move(c)) : std::nullopt;
 }
 
 /// How much coarser cells may be until they are as large as the layer along walls and base.
@@ -143,7 +160,7 @@ VariantPlan choose_variants(const problem::Case& c)
           "mesh.cells: --uncertainty cuts the box into fewer cells, {} times, and here are too few to be different: make more", count));
     plan.variants.push_back({fmt::format("cells_{:.3g}", size), size, 1, std::move(settings)});
   }
-  const Variant& last = plan.variants.back();
+  const Variant last = plan.variants.back();
   if (c.method == problem::Method::fem) {
     problem::Case longer = last.settings;
     longer.fem.largest_step *= 2;
@@ -154,6 +171,9 @@ VariantPlan choose_variants(const problem::Case& c)
   } else {
     plan.variants.push_back({last.name + "_fast", last.size, 2, at_twice_the_speed(last.settings)});
   }
+  for (const Real d50 : grains)
+    if (std::optional<problem::Case> settings = with_grains(last.settings, d50))
+      plan.variants.push_back({fmt::format("{}_d50_{:g}_mm", last.name, 1000 * d50), last.size, 1, *std::move(settings), d50});
   return plan;
 }
 

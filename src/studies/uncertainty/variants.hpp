@@ -3,25 +3,29 @@
 
 #include "problem/case.hpp"
 
+#include <optional>
+
 namespace berm::uncertainty {
 
 /// A run that a band is made of.
 struct Variant {
-  std::string name;  ///< of its folder: cells_1.4, cells_2.2_fast
+  std::string name;  ///< of its folder: cells_1.4, cells_2.2_fast, cells_2.2_d50_0.1_mm
   Real size;         ///< of its cells over those of the case
   Real speed;        ///< of its drives over that of the case; of finite elements the length of its increments
   problem::Case settings;
+  std::optional<Real> d50 = {};  ///< m, of its sand, which has none in the case: no part of the band
 };
 
 /// What the band of a case is made of, and what it cannot hold.
 struct VariantPlan {
-  std::vector<Variant> variants;      ///< by growing cells, then the fast one
+  std::vector<Variant> variants;      ///< by growing cells, then the fast one, then those with grains
   std::vector<std::string> left_out;  ///< parts that the band will not hold, and why
 };
 
 /// Five runs with cells of 1.4 to 2.2 times the size everywhere, less where they would be larger than a fifth of the driven body's width or than a layer of the bed, which
 /// limits the far ones to its thickness in all of them; and one more of the
-/// largest cells at twice the speed (finite elements: with increments twice and relaxation four times as long) where the soil does not know speed. Throws KeyError where no band can be
+/// largest cells at twice the speed (finite elements: with increments twice and relaxation four times as long) where the soil does not know speed. Where it loses strength in
+/// shear bands that have no width of their own, two more of the largest cells, with grains of fine and of medium to coarse sand. Throws KeyError where no band can be
 /// made of the case: no body is driven, the mesh is a file, or cells are too large already.
 VariantPlan choose_variants(const problem::Case& c);
 

@@ -172,7 +172,12 @@ TEST(Uncertainty, of_material_points_holds_noise_and_speed)
   ASSERT_NE(band, nullptr);
   EXPECT_GT(band->noise, 0);
   EXPECT_GT(band->speed, 0);
-  EXPECT_EQ(u.runs.back().speed, 2);
+  EXPECT_EQ(u.runs.at(5).speed, 2);
+  ASSERT_EQ(u.runs.size(), 8u) << "with grains, since this sand has none";
+  ASSERT_EQ(u.grains.d50, (std::vector<Real>{0.1e-3, 0.5e-3}));
+  const run_folder::GrainNumber& V = u.grains.numbers.front();
+  EXPECT_LT(V.with[0], V.with[1]);
+  EXPECT_LT(V.with[1], V.without);
 }
 
 }  // namespace

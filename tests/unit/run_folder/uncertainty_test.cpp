@@ -21,6 +21,7 @@ Uncertainty sample()
   u.runs = {{"cells_1.4", 1.4, 1, 12.5}};
   u.without = {{"H_residual", "cells_2 has no such number"}};
   u.left_out = {"speed: the strength of the soil depends on it"};
+  u.grains = {2.2, {0.1e-3, 0.5e-3}, {{"V_at_w_0.1D", "N/m", 820, {690.5, nan}}}};
   return u;
 }
 
@@ -51,6 +52,7 @@ TEST(Uncertainty, comes_back_from_the_summary_as_it_was)
   EXPECT_EQ(band.speed, 5.5);
   EXPECT_TRUE(std::isnan(read->curves.at(0).low.at(0)));
   EXPECT_EQ(read->find("H_max"), nullptr);
+  EXPECT_EQ(read->grains.numbers.at(0).with.at(0), 690.5);
 }
 
 TEST(Uncertainty, leaves_the_rest_of_the_summary_as_it_was)
@@ -97,6 +99,8 @@ TEST(Uncertainty, that_is_damaged_is_refused)
   EXPECT_TRUE(refused("/curves/0/low", nlohmann::ordered_json::array({1})));
   EXPECT_TRUE(refused("/left_out", "speed"));
   EXPECT_TRUE(refused("/runs/0/name", 3));
+  EXPECT_TRUE(refused("/grains/d50_m", nlohmann::ordered_json::array({1e-4})));
+  EXPECT_TRUE(refused("/grains/quantities/V_at_w_0.1D/unit", nullptr));
   EXPECT_FALSE(refused("/runs/0/wall_s", nullptr)) << "a number that was not finite";
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "material/clay.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "samples/clay_pipe.hpp"
 
 #include <gtest/gtest.h>
@@ -68,6 +69,42 @@ TEST(Variants, have_five_cells_across_the_body_at_least)
   c.method = problem::Method::mpm;
   bed_of(c).near_size = 0.15;
   EXPECT_EQ(refusal_of(c).find("mesh.near_size: "), 0u) << refusal_of(c);
+}
+
+/// The clay's pipe in sand.
+problem::Case in_sand(Real dilation_angle, std::optional<Real> d50)
+{
+  problem::Case c = fine();
+  material::Material& soil = c.material.at(0).second;
+  material::MohrCoulomb sand = soil.get<material::MohrCoulomb>();
+  sand.friction_angle = 35 * pi / 180;
+  sand.dilation_angle = dilation_angle;
+  sand.d50 = d50;
+  soil = sand;
+  return c;
+}
+
+// Cells of D/20, 50 mm, become 110 mm: bands of 15 d50 = 1.5 and 7.5 mm are far narrower than four of them.
+TEST(Variants, of_sand_without_a_d50_are_two_more_with_grains)
+{
+  const VariantPlan plan = choose_variants(in_sand(0, {}));
+  ASSERT_EQ(plan.variants.size(), 8u);
+  for (const int k : {6, 7}) {
+    const Variant& with = plan.variants[static_cast<std::size_t>(k)];
+    ASSERT_TRUE(with.d50);
+    EXPECT_EQ(with.settings.material.at(0).second.get<material::MohrCoulomb>().d50, with.d50);
+    EXPECT_NEAR(with.size, 2.2, 1e-12);
+    EXPECT_EQ(with.speed, 1);
+  }
+  EXPECT_EQ(plan.variants[6].name, "cells_2.2_d50_0.1_mm");
+  EXPECT_EQ(*plan.variants[7].d50, 0.5e-3);
+}
+
+TEST(Variants, have_no_grains_where_they_would_do_nothing)
+{
+  EXPECT_EQ(choose_variants(in_sand(0, 0.2e-3)).variants.size(), 6u) << "the sand has a d50";
+  EXPECT_EQ(choose_variants(in_sand(35 * pi / 180, {})).variants.size(), 6u) << "bands of associated sand lose nothing";
+  EXPECT_EQ(choose_variants(fine()).variants.size(), 6u) << "clay";
 }
 
 // 0.36 + 0.24 + 0.17 + 0.13 + 0.09 and half of the last, as the sum of r^-3 is; without longer steps the sum of r^-2.

@@ -31,6 +31,25 @@ bool some_have_bands(const DrivenRuns& runs)
   });
 }
 
+/// Numbers with grains beside those without, forces and lengths in the page's units.
+std::string grains_table(const DrivenRun& run, const run_folder::Grains& grains)
+{
+  text::HtmlTable table(
+      fmt::format("grains-{}", run.number),
+      fmt::format("{}: its sand has no d50. On cells {} times as large, with grains", run.name, text::short_number(grains.size)));
+  std::vector<text::HtmlCell> columns = {{"result"}, {"without", true}};
+  for (const Real d50 : grains.d50) columns.push_back({fmt::format("d<sub>50</sub> = {}", text::length_words(d50)), true});
+  table.columns(std::move(columns));
+  for (const auto& [name, unit, without, with] : grains.numbers) {
+    const Real per_si = unit == "m" ? 1000 : 1;
+    const std::string shown = unit == "m" ? ", mm" : unit == "1" ? "" : ", " + unit;
+    std::vector<text::HtmlCell> row = {{text::html_text(name + shown)}, {text::table_number(without * per_si), true}};
+    for (const Real number : with) row.push_back({text::table_number(number * per_si), true});
+    table.row(std::move(row));
+  }
+  return table.html();
+}
+
 }  // namespace
 
 std::string converged_words(const DrivenRun& run, const std::string& quantity, const base::DisplayUnits& shown)
@@ -60,6 +79,13 @@ std::string converged_notes(const DrivenRuns& runs)
                                   "case nineteen times in twenty. It holds what cells, meshes, noise and speed do to the numbers, not what "
                                   "the soil law or its parameters do.",
                                   "quiet");
+  for (const DrivenRun& run : runs)
+    if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->grains.numbers.empty())
+      notes +=
+          text::html_paragraph("Sand with psi below phi that has no d50 forms shear bands as wide as cells make them. The narrower those "
+                               "of the sand are, the less it carries: name its d50, and the band is that of its answer.",
+                               "quiet") +
+          grains_table(run, uncertainty->grains);
   for (const DrivenRun& run : runs)
     if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->missing.empty())
       notes += text::html_paragraph(
