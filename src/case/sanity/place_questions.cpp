@@ -130,6 +130,33 @@ void do_bodies_at_each_other_touch(const Scene& s, Findings& found)
   }
 }
 
+void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found)
+{
+  if (!s.is_mpm() || around_axis(s)) return;
+  const auto overlap = [](const Span& a, const Span& b) { return a.from < b.to && b.from < a.to; };
+  std::vector<std::pair<Index, Index>> asked;
+  for (std::size_t k = 0; k < s.ways.size(); ++k)
+    for (Index other = 0; other < static_cast<Index>(s.rigids.size()); ++other) {
+      const Index rigid = s.ways[k].rigid;
+      if (rigid == none || rigid == other || !s.rigids[rigid].bounded || !s.rigids[other].bounded) continue;
+      const std::string &name = s.c.rigid[rigid].first, &other_name = s.c.rigid[other].first;
+      const auto joins = [&](const auto& contact) {
+        const contact::RigidContactSettings& c = contact.second;
+        return (c.rigid == name && c.other_rigid == other_name) || (c.rigid == other_name && c.other_rigid == name);
+      };
+      bool meets = std::none_of(s.c.rigid_contact.begin(), s.c.rigid_contact.end(), joins) &&
+                   std::find(asked.begin(), asked.end(), std::pair(rigid, other)) == asked.end();
+      for (int d = 0; d < s.c.dimension(); ++d) meets = meets && overlap(swept(s, s.ways[k], d), s.rigids[other].space[d]);
+      if (!meets) continue;
+      asked.emplace_back(rigid, other);
+      found.warn(stage_key(k, s.c.stage[k].rigid.empty() ? "kind" : "rigid"),
+                 fmt::format("\"{0}\" may come to \"{1}\" on its way, and rigid bodies without a contact do not feel each other: the run stops "
+                             "where they overlap; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what "
+                             "shall be pushed aside a mass and motion = \"free\"",
+                             name, other_name));
+    }
+}
+
 void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
 {
   for (std::size_t k = 0; k < s.ways.size(); ++k) {

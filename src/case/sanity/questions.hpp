@@ -11,6 +11,7 @@ namespace berm::sanity {
 // Where things are.
 void does_the_driven_body_touch_soil(const Scene& s, Findings& found);
 void do_bodies_at_each_other_touch(const Scene& s, Findings& found);
+void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found);
 void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found);
 void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found);
 void are_cells_small_enough(const Scene& s, Findings& found);

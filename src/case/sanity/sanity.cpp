@@ -16,6 +16,7 @@ namespace {
 constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_down,
                                                           does_the_driven_body_touch_soil,
                                                           do_bodies_at_each_other_touch,
+                                                          do_rigid_bodies_pass_through_each_other,
                                                           can_the_limits_be_reached,
                                                           does_the_path_stay_in_the_mesh,
                                                           is_the_surface_where_the_bed_ends,

@@ -118,6 +118,7 @@ void step(const problem::Model<dim>& model, problem::State<dim>& state, Workspac
   if (state.step % steps_between_time_steps == 0) {
     update_inactive_cells(model, state, workspace);
     state.dt = stable_time_step(model, state, workspace);
+    refuse_overlap(model, state);
   }
   for (BodyGrid<dim>& grid : workspace.grids) grid.fixed = model.fixed_in[state.stage.index];
   hold_inactive_cells(model, state, workspace);

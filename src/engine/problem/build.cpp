@@ -202,6 +202,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
       inertia = settings.moment_of_inertia ? Vec<3>(Vec<3>::Constant(*settings.moment_of_inertia)) : own;
     model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia, axes_of<dim>(shape)});
   }
+  add_rigid_contacts(c, model);
   refuse_off_symmetry_planes(model);
   if constexpr (dim == 2) {
     std::vector<bodies::RigidShape<2>> shapes;
@@ -298,6 +299,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   limit_equilibrium(c, model, state.particles);
   model.pressure_window = 2 * longest_pressure_period(model, state.particles);
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
+  state.rigid_impulses.assign(c.rigid_contact.size(), Vec<dim>::Zero());
   state.tractions.resize(model.tractions.size());
   place_loads(c, problem);
   for (const auto& [name, watch] : c.watch) {

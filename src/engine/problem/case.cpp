@@ -110,6 +110,7 @@ void check_rigids(Describe& d, const Case& c)
             "\"usf\" is another order of the step, so all contacts must have it, or none");
     check_interface(d, c, path, contact);
   }
+  check_rigid_contacts(d, c);
 }
 
 void check_stage_names(Describe& d, const Case& c, const std::string& path, const std::vector<std::string>& names)
@@ -359,6 +360,7 @@ void describe(Describe& d, Case& c)
   d.named_tables("body", c.body, {.meaning = "deformable bodies", .required = true});
   d.named_tables("rigid", c.rigid, {.meaning = "rigid bodies"});
   d.named_tables("contact", c.contact, {.meaning = "contacts of a deformable body with a rigid one or another deformable one"});
+  d.named_tables("rigid_contact", c.rigid_contact, {.meaning = "contacts of a rigid body with another rigid one"});
   d.named_tables("support", c.support, {.meaning = "boundaries that are held"});
   d.named_tables("traction", c.traction, {.meaning = "loads on boundaries of the soil"});
   d.array("stage", c.stage, {.meaning = "what happens, one stage after the other", .required = true});

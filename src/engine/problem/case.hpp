@@ -6,6 +6,7 @@
 #include "boundary/support.hpp"
 #include "boundary/traction.hpp"
 #include "contact/contact_settings.hpp"
+#include "contact/rigid_contact_settings.hpp"
 #include "material/material.hpp"
 #include "mesh/mesh_settings.hpp"
 #include "problem/stage.hpp"
@@ -96,6 +97,7 @@ struct Case {
   std::vector<std::pair<std::string, bodies::BodySettings>> body;
   std::vector<std::pair<std::string, bodies::RigidSettings>> rigid;
   std::vector<std::pair<std::string, contact::ContactSettings>> contact;
+  std::vector<std::pair<std::string, contact::RigidContactSettings>> rigid_contact;
   std::vector<std::pair<std::string, boundary::SupportSettings>> support;
   std::vector<std::pair<std::string, boundary::TractionSettings>> traction;
   std::vector<StageSettings> stage;

@@ -13,6 +13,7 @@
 #include "problem/ground.hpp"
 #include "problem/interface.hpp"
 #include "problem/pressure_means.hpp"
+#include "problem/rigid_contact.hpp"
 
 #include <algorithm>
 
@@ -88,6 +89,8 @@ struct Model {
   std::vector<bodies::RigidBody<dim>> rigid_bodies;
   std::vector<DepthSlices> depth_slices;  ///< by rigid body
   std::vector<Contact> contacts;
+  std::vector<RigidContact<dim>> rigid_contacts;
+  std::vector<RigidPair<dim>> apart;  ///< without a contact: they must not come to overlap
   std::vector<Traction> tractions;
   std::vector<LoadPoint<dim>> load_points;
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
@@ -212,6 +215,7 @@ struct State {
   std::vector<bodies::Pose<dim>> listed_poses;
   std::vector<Vec<dim>>
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
+  std::vector<Vec<dim>> rigid_impulses;  ///< by contact of rigid bodies: what the other body gave to the first since the start, N s/m or N s
   std::vector<TractionState> tractions;
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;

@@ -235,6 +235,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
   const StageSettings& stage = model.stages[state.stage.index];
   const Real since = state.time + dt - state.stage.begin_time;
   const Vec<dim> gravity = gravity_now(model, state.time);
+  const RigidVelocities<dim> last = velocities_at_contacts(model, state);
   for (Index r = 0; r < static_cast<Index>(state.rigid_bodies.size()); ++r) {
     const bodies::RigidBody<dim>& body = model.rigid_bodies[r];
     bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
@@ -259,6 +260,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     }
     if (body.motion == bodies::Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
   }
+  if (!model.rigid_contacts.empty()) push_apart(model, state, last, dt);
 }
 
 template <int dim>

@@ -165,8 +165,12 @@ void rigid_bodies(Column& column, const Model& model)
   if (!c.rigid.empty()) column.heading("Rigid bodies");
   for (std::size_t k = 0; k < c.rigid.size(); ++k)
     column.swatch(rigid_words(c.rigid[k].first, c.rigid[k].second, model.sketch.rigid_bodies[k].outline), rigid_color, {rim_color, 1});
-  if (!c.contact.empty()) column.heading("Contact");
+  if (!c.contact.empty() || !c.rigid_contact.empty()) column.heading("Contact");
   for (const auto& [name, contact] : c.contact) column.bar(contact_words(name, contact), contact_color);
+  for (const auto& [name, contact] : c.rigid_contact)
+    column.bar(fmt::format("{}: {} on {}, δ = {}{}", name, contact.rigid, contact.other_rigid, text::angle_words(contact.friction_angle),
+                           contact.restitution > 0 ? fmt::format(", restitution {:.3g}", contact.restitution) : ""),
+               contact_color);
 }
 
 void mesh(Column& column, Canvas& canvas, const Model& model)

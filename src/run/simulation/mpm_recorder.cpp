@@ -17,7 +17,8 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
     : last_time_(start.time),
       last_sums_(start.contact_sums),
       last_slice_impulses_(start.slice_impulses),
-      last_pair_impulses_(start.pair_impulses)
+      last_pair_impulses_(start.pair_impulses),
+      last_rigid_impulses_(start.rigid_impulses)
 {
   row_.count_parts(model.parts);
   for (const bodies::Particles<dim>& particles : start.particles) {
@@ -40,6 +41,7 @@ void MpmRecorder<dim>::archive(Archive& k)
   for (std::size_t r = 0; r < last_slice_impulses_.size(); ++r)
     if (!last_slice_impulses_[r].empty()) k.fixed(fmt::format("slice_impulses_{}", r), last_slice_impulses_[r]);
   for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
+  for (std::size_t c = 0; c < last_rigid_impulses_.size(); ++c) k(fmt::format("rigid_impulse_{}", c), last_rigid_impulses_[c]);
   k("out_of_balance", out_of_balance_);
   k("shaking", shaking_);
   k("shaken_rows", shaken_rows_);
@@ -146,6 +148,12 @@ void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const 
     const Vec<dim> impulse = state.pair_impulses[k] - last_pair_impulses_[k];
     row_("F", time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()), run_folder::newtons<dim>,
          "force of the other body on the body");
+  }
+  for (std::size_t k = 0; k < model.rigid_contacts.size(); ++k) {
+    row_.of(model.rigid_contacts[k].name);
+    const Vec<dim> impulse = state.rigid_impulses[k] - last_rigid_impulses_[k];
+    row_("F", time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()), run_folder::newtons<dim>,
+         "force of the other rigid body on the rigid body");
   }
 }
 
@@ -254,6 +262,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   last_sums_ = state.contact_sums;
   last_slice_impulses_ = state.slice_impulses;
   last_pair_impulses_ = state.pair_impulses;
+  last_rigid_impulses_ = state.rigid_impulses;
 }
 
 template class MpmRecorder<2>;

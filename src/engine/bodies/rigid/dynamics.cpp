@@ -118,6 +118,15 @@ void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveN
 }
 
 template <int dim>
+void add_impulse(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, const Vec<dim>& arm,
+                 const Vec<dim>& impulse)
+{
+  for (int d = 0; d < dim; ++d)
+    if (drive.by_force[d]) state.velocity[d] += impulse[d] / body.mass;
+  state.angular_velocity += turned_by(body, state, moment_of(arm, impulse), drive);
+}
+
+template <int dim>
 void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim>& gravity, Real dt)
 {
   for (int d = 0; d < dim; ++d) state.velocity[d] = state.velocity[d] + dt * (gravity[d] + state.reaction[d] / body.mass);
@@ -151,6 +160,7 @@ Real work_of_outside(const RigidBody<dim>& body, const RigidState<dim>& before, 
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void drive_body(const RigidBody<dim>&, RigidState<dim>&, const DriveNow<dim>&, Real, const Vec<dim>&);                          \
+  template void add_impulse(const RigidBody<dim>&, RigidState<dim>&, const DriveNow<dim>&, const Vec<dim>&, const Vec<dim>&);              \
   template void free_body(const RigidBody<dim>&, RigidState<dim>&, const Vec<dim>&, Real);                                                 \
   template void move_body(RigidState<dim>&, Real);                                                                                         \
   template Real work_of_outside(const RigidBody<dim>&, const RigidState<dim>&, const RigidState<dim>&, Real);

@@ -43,6 +43,11 @@ void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveN
 template <int dim>
 void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim>& gravity, Real dt);
 
+/// Adds an impulse (N s/m or N s) that acts at `arm` from its centre to the velocities of a body: of the freedoms that `drive` prescribes by no velocity.
+template <int dim>
+void add_impulse(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, const Vec<dim>& arm,
+                 const Vec<dim>& impulse);
+
 /// Takes the velocity of a body.
 template <int dim>
 void stop(RigidState<dim>& state)

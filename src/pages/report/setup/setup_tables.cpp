@@ -182,6 +182,12 @@ void add_contact(Rows& rows, const std::string& prefix, const std::string& name,
       rows.add(prefix + key, word_of(rows.settings(), fmt::format("contact.{}.{}", name, key)));
 }
 
+void add_rigid_contact(Rows& rows, const std::string& prefix, const contact::RigidContactSettings& contact)
+{
+  rows.add(prefix + "friction angle", text::angle_words(contact.friction_angle));
+  if (contact.restitution > 0) rows.add(prefix + "restitution", fmt::format("{:.3g}", contact.restitution));
+}
+
 void add_mesh(Rows& rows)
 {
   const problem::Case& c = rows.settings();
@@ -251,6 +257,8 @@ text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
     for (const auto& [name, material] : c.material) add_material(rows, prefix_of("material", name, c.material.size()), material);
     add_soils(rows);
     for (const auto& [name, contact] : c.contact) add_contact(rows, prefix_of("interface", name, c.contact.size()), name, contact);
+    for (const auto& [name, contact] : c.rigid_contact)
+      add_rigid_contact(rows, fmt::format("{} against {}: ", contact.rigid, contact.other_rigid), contact);
     add_mesh(rows);
     if (const Real particles = base::near_particles(c); !std::isnan(particles)) {
       const bool lattice = c.body.front().second.regions.empty();

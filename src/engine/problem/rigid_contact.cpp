@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/problem/rigid_contact_test.cpp
+#include "problem/rigid_contact.hpp"
+
+#include "core/error.hpp"
+#include "problem/names.hpp"
+#include "problem/stages.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+/// Over the size of a body: less is round-off.
+constexpr Real overlap_that_counts = 1e-9;
+
+bool may_move(const Case& c, const std::string& rigid)
+{
+  return c.rigid[index_of(c.rigid, rigid)].second.motion == bodies::Motion::free ||
+         std::any_of(c.stage.begin(), c.stage.end(), [&](const StageSettings& stage) {
+           return drives(stage.kind) && rigid == (stage.rigid.empty() ? c.rigid.front().first : stage.rigid);
+         });
+}
+
+/// How deep the two overlap there, m; 0 or less where they do not.
+template <int dim>
+Real overlap_of(const Model<dim>& model, const RigidPair<dim>& pair, const bodies::Pose<dim>& first, const bodies::Pose<dim>& second)
+{
+  const bodies::MeetingPoints<dim> points =
+      meeting_points(pair.meeting, model.rigid_bodies[pair.first], first, model.rigid_bodies[pair.second], second, 0);
+  return points.count == 0 ? 0 : -points.points[0].gap;
+}
+
+template <int dim>
+Real size_of(const Model<dim>& model, const RigidPair<dim>& pair)
+{
+  return std::max(bodies::reach_of<dim>(model.rigid_bodies[pair.first].shape), bodies::reach_of<dim>(model.rigid_bodies[pair.second].shape));
+}
+
+template <int dim>
+void refuse_overlap_at_start(const Model<dim>& model, const RigidPair<dim>& pair, const std::string& key)
+{
+  const Real overlap = overlap_of<dim>(model, pair, {}, {});
+  if (overlap <= overlap_that_counts * size_of(model, pair)) return;
+  throw KeyError(fmt::format("{}: \"{}\" and \"{}\" overlap by {:.3g} m at the start: move one of them, or make it smaller", key,
+                             model.rigid_bodies[pair.first].name, model.rigid_bodies[pair.second].name, overlap));
+}
+
+}  // namespace
+
+void check_rigid_contacts(Describe& d, const Case& c)
+{
+  const std::vector<std::string> names = names_of(c.rigid);
+  d.check(c.rigid_contact.size() <= max_rigid_contacts, "rigid_contact", fmt::format("there may be {} at most", max_rigid_contacts));
+  for (const auto& [name, contact] : c.rigid_contact) {
+    const std::string path = "rigid_contact." + name;
+    check_name(d, path + ".rigid", contact.rigid, "rigid", names);
+    check_name(d, path + ".other_rigid", contact.other_rigid, "rigid", names);
+    d.check(contact.rigid != contact.other_rigid, path + ".other_rigid", "a body is in no contact with itself");
+    d.check(c.method == Method::mpm, path, "is for the material point method: in finite elements one rigid body moves");
+    d.check(c.geometry != Geometry::axisymmetric, path, "is for plane strain and space: around an axis bodies do not move towards each other");
+    d.check(index_of(c.body, name) == none && index_of(c.watch, name) == none && index_of(c.traction, name) == none &&
+                index_of(c.contact, name) == none && index_of(c.rigid, name) == none,
+            path, "another table has this name, which columns of the history begin with");
+    for (const auto& [other, again] : c.rigid_contact)
+      d.check(&again == &contact || !((again.rigid == contact.rigid && again.other_rigid == contact.other_rigid) ||
+                                      (again.rigid == contact.other_rigid && again.other_rigid == contact.rigid)),
+              path, fmt::format("is between the same bodies as [rigid_contact.{}]", other));
+    for (const std::string& rigid : {contact.rigid, contact.other_rigid})
+      for (std::size_t k = 0; k < c.stage.size(); ++k)
+        d.check(c.stage[k].drive.point.empty() || c.stage[k].rigid != rigid, fmt::format("stage[{}].drive.point", k),
+                fmt::format("does not go with [rigid_contact.{}]: drive the body at its centre", name));
+  }
+}
+
+template <int dim>
+void add_rigid_contacts(const Case& c, Model<dim>& model)
+{
+  for (const auto& [name, s] : c.rigid_contact) {
+    const Index first = index_of(c.rigid, s.rigid), second = index_of(c.rigid, s.other_rigid);
+    const std::string path = "rigid_contact." + name;
+    const auto meeting = bodies::meeting_of<dim>(c.rigid[first].second.shape, c.rigid[second].second.shape);
+    if (!meeting)
+      throw KeyError(path + (dim == 2 ? ": two half-planes do not meet"
+                                      : ": in space bodies meet of which one is a sphere, two circles along z, or such a circle and a half-plane"));
+    if (!may_move(c, s.rigid) && !may_move(c, s.other_rigid))
+      throw KeyError(fmt::format("{}: neither \"{}\" nor \"{}\" moves: no stage drives them, and neither has motion = \"free\"", path, s.rigid,
+                                 s.other_rigid));
+    model.rigid_contacts.push_back({{first, second, *meeting}, name, std::tan(s.friction_angle), s.restitution});
+    refuse_overlap_at_start<dim>(model, model.rigid_contacts.back(), path);
+  }
+  if (c.method != Method::mpm) return;
+  const auto touches = [&](Index a, Index b) {
+    return std::any_of(model.rigid_contacts.begin(), model.rigid_contacts.end(), [&](const RigidContact<dim>& contact) {
+      return (contact.first == a && contact.second == b) || (contact.first == b && contact.second == a);
+    });
+  };
+  const Index count = static_cast<Index>(c.rigid.size());
+  for (Index a = 0; a < count; ++a)
+    for (Index b = a + 1; b < count; ++b) {
+      const auto& [name, first] = c.rigid[a];
+      const auto& [other_name, second] = c.rigid[b];
+      const bool bounded = bodies::is_bounded(model.rigid_bodies[a].shape) && bodies::is_bounded(model.rigid_bodies[b].shape);
+      if (touches(a, b) || !bounded || (!may_move(c, name) && !may_move(c, other_name))) continue;
+      if (const auto meeting = bodies::meeting_of<dim>(first.shape, second.shape)) {
+        model.apart.push_back({a, b, *meeting});
+        refuse_overlap_at_start(model, model.apart.back(), "rigid." + other_name);
+      }
+    }
+}
+
+template <int dim>
+RigidVelocities<dim> velocities_at_contacts(const Model<dim>& model, const State<dim>& state)
+{
+  RigidVelocities<dim> now;
+  for (std::size_t k = 0; k < model.rigid_contacts.size(); ++k)
+    for (int side = 0; side < 2; ++side) {
+      const bodies::RigidState<dim>& body = state.rigid_bodies[side == 0 ? model.rigid_contacts[k].first : model.rigid_contacts[k].second];
+      now.velocity[k][side] = body.velocity, now.angular[k][side] = body.angular_velocity;
+    }
+  return now;
+}
+
+namespace {
+
+/// One of two bodies at a point where they meet.
+template <int dim>
+struct Side {
+  Index body;
+  bodies::DriveNow<dim> gives_way;  ///< by_force alone
+  Vec<dim> arm;                     ///< m, from its centre
+};
+
+template <int dim>
+struct Point {
+  std::size_t contact;
+  std::array<Side<dim>, 2> sides;
+  Vec<dim> normal;
+  Real gap, least;  ///< m; the relative normal velocity that must be left, m/s
+  Real response;    ///< of the relative normal velocity to a normal impulse, m/kg or 1/kg
+  Real pressed = 0;
+  Vec<dim> rubbed = Vec<dim>::Zero();  ///< impulse on the first body along the normal, and across it
+};
+
+template <int dim>
+bodies::DriveNow<dim> gives_way(const Model<dim>& model, const State<dim>& state, Index r)
+{
+  const bodies::RigidBody<dim>& body = model.rigid_bodies[r];
+  const bool driven = r == model.driven[state.stage.index];
+  const bool free = body.motion == bodies::Motion::free && model.stages[state.stage.index].kind != StageKind::geostatic;
+  bodies::DriveNow<dim> drive{};
+  for (int f = 0; f < bodies::freedoms<dim>; ++f)
+    drive.by_force[f] = driven ? state.stage.drive[f].by_force : free && (f < dim || body.rotation == bodies::Rotation::free);
+  return drive;
+}
+
+/// Of the first body less that of the second.
+template <int dim>
+Vec<dim> slip_at(const State<dim>& state, const Point<dim>& point)
+{
+  const auto of = [&](const Side<dim>& side) -> Vec<dim> {
+    const bodies::RigidState<dim>& body = state.rigid_bodies[side.body];
+    return body.velocity + bodies::cross(body.angular_velocity, side.arm);
+  };
+  return of(point.sides[0]) - of(point.sides[1]);
+}
+
+template <int dim>
+void push(const Model<dim>& model, State<dim>& state, const Point<dim>& point, const Vec<dim>& impulse)
+{
+  for (int k = 0; k < 2; ++k) {
+    const Side<dim>& side = point.sides[k];
+    add_impulse(model.rigid_bodies[side.body], state.rigid_bodies[side.body], side.gives_way, side.arm, Vec<dim>(k == 0 ? impulse : -impulse));
+  }
+}
+
+/// What a unit impulse along a direction changes of the slip along it, 1/kg m or 1/kg.
+template <int dim>
+Real response_along(const Model<dim>& model, const State<dim>& state, const Point<dim>& point, const Vec<dim>& direction)
+{
+  Real response = 0;
+  for (const Side<dim>& side : point.sides) {
+    bodies::RigidState<dim> moved = state.rigid_bodies[side.body];
+    const Vec<dim> before = moved.velocity;
+    const bodies::Angular<dim> turning = moved.angular_velocity;
+    add_impulse(model.rigid_bodies[side.body], moved, side.gives_way, side.arm, direction);
+    response += direction.dot(moved.velocity - before +
+                              bodies::cross(bodies::Angular<dim>(moved.angular_velocity - turning), side.arm));
+  }
+  return response;
+}
+
+constexpr int max_points = static_cast<int>(max_rigid_contacts) * bodies::max_meeting_points;
+
+template <int dim>
+struct Points {
+  int count = 0;
+  std::array<Point<dim>, max_points> list;
+};
+
+/// No point of a body goes farther than this in the step, whatever the impulses, unless light bodies are hit by heavy ones that are faster still: these meet in the next
+/// step.
+template <int dim>
+Real reach_in_step(const Model<dim>& model, const State<dim>& state, Real dt)
+{
+  Real speed = 0;
+  for (const RigidContact<dim>& contact : model.rigid_contacts)
+    for (const Index r : {contact.first, contact.second})
+      speed = std::max(speed, state.rigid_bodies[r].velocity.norm() + bodies::size_of_angular(state.rigid_bodies[r].angular_velocity) *
+                                                                          bodies::reach_of<dim>(model.rigid_bodies[r].shape));
+  constexpr Real both_and_thrown = 4;
+  return both_and_thrown * dt * speed;
+}
+
+template <int dim>
+void find_points(const Model<dim>& model, const State<dim>& state, const RigidVelocities<dim>& last, Real dt, Points<dim>& points)
+{
+  // Of an overlap that rotations leave, a tenth is taken back in a step.
+  constexpr Real taken_back = 0.1;
+  const Real reach = reach_in_step(model, state, dt);
+  for (std::size_t k = 0; k < model.rigid_contacts.size(); ++k) {
+    const RigidContact<dim>& contact = model.rigid_contacts[k];
+    const bodies::MeetingPoints<dim> found =
+        meeting_points(contact.meeting, model.rigid_bodies[contact.first], state.rigid_bodies[contact.first],
+                       model.rigid_bodies[contact.second], state.rigid_bodies[contact.second], reach);
+    for (int p = 0; p < found.count; ++p) {
+      const bodies::MeetingPoint<dim>& at = found.points[p];
+      Point<dim>& point = points.list[points.count++];
+      point = {.contact = k, .sides = {}, .normal = at.normal, .gap = at.gap, .least = 0, .response = 0};
+      Vec<dim> before = Vec<dim>::Zero();
+      for (int side = 0; side < 2; ++side) {
+        const Index r = side == 0 ? contact.first : contact.second;
+        point.sides[side] = {r, gives_way(model, state, r), Vec<dim>(at.position - center_now(model.rigid_bodies[r], state.rigid_bodies[r]))};
+        before += (side == 0 ? 1 : -1) * (last.velocity[k][side] + bodies::cross(last.angular[k][side], point.sides[side].arm));
+      }
+      point.response = response_along(model, state, point, point.normal);
+      point.least = -(at.gap > 0 ? 1 : taken_back) * at.gap / dt;
+      const bool impact = point.normal.dot(slip_at(state, point)) < point.least;
+      if (impact) point.least = std::max(point.least, -contact.restitution * point.normal.dot(before));
+    }
+  }
+}
+
+template <int dim>
+void refuse_where_neither_gives_way(const Model<dim>& model, const State<dim>& state, const Point<dim>& point, Real dt)
+{
+  const RigidContact<dim>& contact = model.rigid_contacts[point.contact];
+  if (point.gap + dt * point.normal.dot(slip_at(state, point)) >= -overlap_that_counts * size_of<dim>(model, contact)) return;
+  throw RunError(
+      fmt::format("\"{}\" and \"{}\" meet at t = {:.4g} s, and neither gives way: both are held or driven by a velocity; give one of them "
+                  "motion = \"free\" or drive it by a force, or end the stage before they meet",
+                  model.rigid_bodies[contact.first].name, model.rigid_bodies[contact.second].name, state.time));
+}
+
+/// Impulses at one point after the other until none changes.
+template <int dim>
+void find_impulses(const Model<dim>& model, State<dim>& state, Points<dim>& points)
+{
+  constexpr int sweeps = 1000;
+  constexpr Real settled = 1e-14;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    Real change = 0, largest = 0;
+    for (int p = 0; p < points.count; ++p) {
+      Point<dim>& point = points.list[p];
+      if (!(point.response > 0)) continue;
+      const Real missing = (point.least - point.normal.dot(slip_at(state, point))) / point.response;
+      const Real pressed = std::max(Real(0), point.pressed + missing);
+      push(model, state, point, Vec<dim>((pressed - point.pressed) * point.normal));
+      change = std::max(change, std::abs(pressed - point.pressed));
+      point.pressed = pressed;
+      largest = std::max(largest, pressed);
+      const Real friction = model.rigid_contacts[point.contact].friction;
+      if (friction == 0) continue;
+      const Vec<dim> slip = slip_at(state, point), across = slip - point.normal.dot(slip) * point.normal;
+      const Real speed = across.norm();
+      Vec<dim> rubbed = point.rubbed;
+      if (speed > 0)
+        if (const Real response = response_along(model, state, point, Vec<dim>(across / speed)); response > 0) rubbed -= across / response;
+      if (const Real most = friction * pressed; rubbed.norm() > most) rubbed *= most / rubbed.norm();
+      push(model, state, point, Vec<dim>(rubbed - point.rubbed));
+      change = std::max(change, (rubbed - point.rubbed).norm());
+      point.rubbed = rubbed;
+    }
+    if (change <= settled * largest) return;
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void push_apart(const Model<dim>& model, State<dim>& state, const RigidVelocities<dim>& last, Real dt)
+{
+  Points<dim> points;
+  find_points(model, state, last, dt, points);
+  if (points.count == 0) return;
+  for (int p = 0; p < points.count; ++p)
+    if (!(points.list[p].response > 0)) refuse_where_neither_gives_way(model, state, points.list[p], dt);
+  const RigidVelocities<dim> before = velocities_at_contacts(model, state);
+  find_impulses(model, state, points);
+  for (int p = 0; p < points.count; ++p) {
+    const Point<dim>& point = points.list[p];
+    const Vec<dim> impulse = point.pressed * point.normal + point.rubbed;
+    state.rigid_impulses[point.contact] += impulse;
+    for (int k = 0; k < 2; ++k) {
+      const Side<dim>& side = point.sides[k];
+      const bodies::RigidState<dim>& body = state.rigid_bodies[side.body];
+      const Vec<dim> mean = (body.velocity + before.velocity[point.contact][k]) / 2 +
+                            bodies::cross(bodies::Angular<dim>((body.angular_velocity + before.angular[point.contact][k]) / 2), side.arm);
+      const Real gained = (k == 0 ? 1 : -1) * impulse.dot(mean);
+      state.totals.friction -= gained;
+      if (model.rigid_bodies[side.body].motion != bodies::Motion::free) state.totals.external -= gained;
+    }
+  }
+}
+
+template <int dim>
+void refuse_overlap(const Model<dim>& model, const State<dim>& state)
+{
+  for (const RigidPair<dim>& pair : model.apart) {
+    const Real overlap = overlap_of<dim>(model, pair, state.rigid_bodies[pair.first], state.rigid_bodies[pair.second]);
+    if (overlap <= overlap_that_counts * size_of(model, pair)) continue;
+    const std::string &first = model.rigid_bodies[pair.first].name, &second = model.rigid_bodies[pair.second].name;
+    throw RunError(fmt::format("\"{0}\" and \"{1}\" overlap by {2:.3g} m at t = {3:.4g} s: rigid bodies without a contact pass through each "
+                               "other; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what shall be pushed "
+                               "aside a mass and motion = \"free\"",
+                               first, second, overlap, state.time));
+  }
+}
+
+#define BERM_INSTANTIATE(dim)                                                                            \
+  template void add_rigid_contacts(const Case&, Model<dim>&);                                            \
+  template RigidVelocities<dim> velocities_at_contacts(const Model<dim>&, const State<dim>&);            \
+  template void push_apart(const Model<dim>&, State<dim>&, const RigidVelocities<dim>&, Real);           \
+  template void refuse_overlap(const Model<dim>&, const State<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::problem

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/rigid_contact.hpp"
+
+#include "core/error.hpp"
+#include "sample_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::problem::this_file {
+namespace {
+
+constexpr Real step_size = 1e-4;  // s
+
+bodies::RigidSettings disk(Real x, Real y, Real mass)
+{
+  bodies::RigidSettings rigid;
+  rigid.shape = bodies::CircleSettings{{x, y}, 0.2};
+  rigid.mass = mass;
+  rigid.motion = bodies::Motion::free;
+  rigid.rotation = bodies::Rotation::free;
+  return rigid;
+}
+
+/// Two bodies, "left" and "right", far above an elastic box.
+Case two_bodies(const bodies::RigidSettings& left, const bodies::RigidSettings& right, Real friction_angle = 0, Real restitution = 0)
+{
+  Case c = pipe_over_box({stage_of(StageKind::free)});
+  c.rigid = {{"left", left}, {"right", right}};
+  c.rigid_contact = {{"meeting", {"left", "right", friction_angle, restitution}}};
+  return c;
+}
+
+/// The rigid bodies of a case alone.
+struct Flight {
+  Problem<2> problem;
+  Model<2>& model = problem.model;
+  State<2>& state = problem.state;
+
+  explicit Flight(const Case& c) : problem(build<2>(c, ".", ".")) { state.dt = step_size; }
+  bodies::RigidState<2>& body(int k) { return state.rigid_bodies[k]; }
+  Real mass(int k) const { return model.rigid_bodies[k].mass; }
+  void run(int steps)
+  {
+    for (int n = 0; n < steps; ++n) {
+      drive_rigids(model, state, step_size);
+      move_rigids(state);
+      state.time += step_size;
+    }
+  }
+  Vec<2> momentum() { return mass(0) * body(0).velocity + mass(1) * body(1).velocity; }
+  /// About the origin.
+  Real angular_momentum()
+  {
+    Real sum = 0;
+    for (int k = 0; k < 2; ++k)
+      sum += mass(k) * bodies::moment_of(center_now(model.rigid_bodies[k], body(k)), body(k).velocity) +
+             model.rigid_bodies[k].inertia * body(k).angular_velocity;
+    return sum;
+  }
+  Real energy() { return kinetic_energy(model.rigid_bodies[0], body(0)) + kinetic_energy(model.rigid_bodies[1], body(1)); }
+};
+
+// m1 v1 + m2 v2 is kept, and they part with e times the speed at which they met.
+TEST(RigidContact, of_two_disks_head_on_keeps_momentum_and_has_the_restitution_asked_for)
+{
+  for (const Real e : {0., 0.3, 1.}) {
+    Flight flight(two_bodies(disk(0.5, 3, 2), disk(1, 3, 3), 0, e));
+    flight.body(0).velocity = {4, 0.5}, flight.body(1).velocity = {-1, 0.5};
+    const Vec<2> momentum = flight.momentum();
+    const Real energy = flight.energy(), angular = flight.angular_momentum();
+    flight.run(2000);
+    EXPECT_LE((flight.momentum() - momentum).norm(), 1e-13);
+    EXPECT_NEAR(flight.angular_momentum(), angular, 1e-12);
+    const Real common = (2 * 4 + 3 * -1) / 5.;
+    EXPECT_NEAR(flight.body(0).velocity[0], common - 3 * e * 5 / 5, 1e-12) << e;
+    EXPECT_NEAR(flight.body(1).velocity[0], common + 2 * e * 5 / 5, 1e-12) << e;
+    EXPECT_NEAR(flight.state.totals.friction, energy - flight.energy(), 1e-12);
+    EXPECT_NEAR(flight.state.totals.friction, (1 - e * e) * 0.5 * (2 * 3 / 5.) * 25, 1e-12);
+    EXPECT_EQ(flight.state.totals.external, 0);
+    EXPECT_NEAR(flight.state.rigid_impulses[0][0], -2 * (4 - flight.body(0).velocity[0]), 1e-12) << "on the first body";
+  }
+}
+
+// A spinning disk meets an equal one at rest with v = 1 m/s: of the slip R omega a part mu (1 + e) v (1 + 2) is taken, 1 by translation and 2 by rotation of each solid
+// disk, 1/m + R^2/(m R^2/2) each, of both; all of it where friction is enough.
+TEST(RigidContact, rubs_by_coulombs_law_and_sticks_where_friction_is_enough)
+{
+  const auto meet = [](Real friction, Real spin) {
+    Flight flight(two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 2), std::atan(friction), 0));
+    flight.body(0).velocity = {1, 0}, flight.body(0).angular_velocity = spin;
+    const Real angular = flight.angular_momentum();
+    flight.run(2000);
+    EXPECT_NEAR(flight.angular_momentum(), angular, 1e-12);
+    EXPECT_NEAR(flight.body(0).velocity[0], 0.5, 1e-12);
+    return flight;
+  };
+  constexpr Real R = 0.1, normal = 0.5;  // impulse over mass
+  Flight slides = meet(0.2, 40);
+  EXPECT_NEAR(slides.body(1).velocity[1], 0.2 * normal, 1e-12);
+  EXPECT_NEAR(slides.body(0).velocity[1], -0.2 * normal, 1e-12);
+  EXPECT_NEAR(slides.body(0).angular_velocity, 40 - 0.2 * normal * 2 / R, 1e-10);
+  Flight sticks = meet(2, 6);
+  const Real slip = 6 * R, impulse = slip / 6;  // over mass
+  EXPECT_NEAR(sticks.body(1).velocity[1], impulse, 1e-6) << "the place of the impact is that of the step before";
+  EXPECT_NEAR(sticks.body(0).angular_velocity, 6 - impulse * 2 / R, 1e-4);
+}
+
+TEST(RigidContact, lets_a_driven_body_push_a_free_one_along_and_counts_its_work)
+{
+  Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
+  StageSettings drag = stage_of(StageKind::drag);
+  drag.velocity = 0.5;
+  drag.vertical = Vertical::fixed;
+  drag.rigid = "left";
+  c.rigid[0].second.motion = bodies::Motion::driven;
+  c.rigid[0].second.rotation = bodies::Rotation::fixed;
+  c.stage = {drag};
+  Flight flight(c);
+  flight.run(4000);
+  EXPECT_NEAR(flight.body(0).velocity[0], 0.5, 1e-15);
+  EXPECT_NEAR(flight.body(1).velocity[0], 0.5, 1e-12);
+  EXPECT_NEAR(flight.body(1).displacement[0] - flight.body(0).displacement[0], -0.1, 1e-12) << "they touch";
+  EXPECT_NEAR(flight.state.totals.external, 3 * 0.5 * 0.5, 1e-12) << "impulse times the speed of what drives";
+  EXPECT_NEAR(flight.state.totals.friction, 3 * 0.5 * 0.5 / 2, 1e-12) << "half of it is lost";
+}
+
+bodies::RigidSettings box_on_floor(Real x, Real y)
+{
+  bodies::RigidSettings box = disk(0, 0, 5);
+  box.shape = bodies::BoxSettings{{x, y}, {0.4, 0.2}};
+  return box;
+}
+
+bodies::RigidSettings floor_under(Real angle)
+{
+  bodies::RigidSettings floor;
+  floor.shape = bodies::HalfPlaneSettings{{1, 3}, {-std::sin(angle), std::cos(angle)}};
+  return floor;
+}
+
+TEST(RigidContact, bears_a_box_at_rest_on_two_corners)
+{
+  Case c = two_bodies(box_on_floor(1, 3.1), floor_under(0), std::atan(0.5));
+  c.gravity = {0, -10};
+  Flight flight(c);
+  flight.run(5000);
+  EXPECT_LE(flight.body(0).displacement.norm(), 1e-12);
+  EXPECT_LE(std::abs(flight.body(0).orientation.angle), 1e-12);
+  EXPECT_NEAR(flight.state.rigid_impulses[0][1], 5 * 10 * 0.5, 1e-9) << "its weight times the time";
+}
+
+// a = g (sin - mu cos), and none below the friction angle. Under a sideways load the box would tip; here gravity is turned instead of the floor.
+TEST(RigidContact, lets_a_box_slide_down_a_slope_as_friction_has_it)
+{
+  for (const Real mu : {0.2, 0.6}) {
+    Case c = two_bodies(box_on_floor(1, 3.1), floor_under(0), std::atan(mu));
+    c.gravity = {10 * std::sin(0.4), -10 * std::cos(0.4)};
+    c.rigid[0].second.shape = bodies::BoxSettings{{1, 3.02}, {0.4, 0.04}};
+    Flight flight(c);
+    flight.run(5000);
+    const Real expected = std::max(Real(0), 10 * (std::sin(0.4) - mu * std::cos(0.4))) * 0.5;
+    EXPECT_NEAR(flight.body(0).velocity[0], expected, 1e-9) << mu;
+    EXPECT_NEAR(flight.body(0).velocity[1], 0, 1e-9);
+  }
+}
+
+TEST(RigidContact, stops_the_run_where_neither_body_gives_way)
+{
+  Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
+  StageSettings drag = stage_of(StageKind::drag);
+  drag.velocity = 0.5;
+  drag.rigid = "left";
+  drag.vertical = Vertical::fixed;
+  for (auto& [name, rigid] : c.rigid) rigid.motion = bodies::Motion::driven;
+  c.stage = {drag};
+  Flight flight(c);
+  flight.run(1990);  // 0.1 m are 2000 steps
+  EXPECT_THROW(flight.run(20), RunError);
+}
+
+TEST(RigidContact, is_asked_for_where_bodies_without_one_come_to_overlap)
+{
+  Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
+  c.rigid_contact.clear();
+  Flight flight(c);
+  flight.body(0).velocity = {1, 0};
+  flight.run(900);
+  EXPECT_NO_THROW(refuse_overlap(flight.model, flight.state));
+  flight.run(200);
+  EXPECT_THROW(refuse_overlap(flight.model, flight.state), RunError);
+}
+
+TEST(RigidContact, refuses_bodies_that_overlap_at_the_start)
+{
+  const Case with = two_bodies(disk(0.5, 3, 2), disk(0.69, 3, 3));
+  EXPECT_THROW(build<2>(with, ".", "."), KeyError);
+  Case without = with;
+  without.rigid_contact.clear();
+  EXPECT_THROW(build<2>(without, ".", "."), KeyError);
+  for (auto& [name, rigid] : without.rigid) rigid.motion = bodies::Motion::driven;
+  EXPECT_NO_THROW(build<2>(without, ".", ".")) << "neither moves: parts of one structure";
+}
+
+}  // namespace
+}  // namespace berm::problem::this_file
