@@ -108,19 +108,24 @@ Real stiffest_at_contact(const FemModel& model, Index body)
   return stiffest;
 }
 
-/// The adhesion of each contact point before it slides: beside soil at rest at its depth.
+/// The friction of each contact point, and its adhesion before it slides: beside soil at rest at its depth.
 void set_adhesion(FemModel& model, const problem::Contact& contact)
 {
   model.adhesion_law = contact.adhesion_law;
   const problem::BodySoil& soil = model.model.bodies[contact.body].soil;
-  if (contact.adhesion_law.factor > 0 && !soil.of_region.empty())
-    throw KeyError(fmt::format("contact.{}.adhesion_factor: finite elements find the strength beside the interface by its depth: give the "
-                               "soil by soil_layer instead of region_material, or the adhesion in Pa",
-                               contact.name));
+  const bool by_soil = !contact.adhesion_law.by_soil.empty();
+  if ((contact.adhesion_law.factor > 0 || by_soil) && !soil.of_region.empty())
+    throw KeyError(
+        fmt::format("contact.{}.{}: finite elements find the soil beside the interface by its depth: give the soil by soil_layer "
+                    "instead of region_material, or one friction and an adhesion in Pa",
+                    contact.name, by_soil ? "soil" : "adhesion_factor"));
   for (FemContactPoint& point : model.contact) {
-    const material::Material there = soil.at("", model.model.soil_depth(model.mesh.position[point.node]));
+    const Real depth = model.model.soil_depth(model.mesh.position[point.node]);
+    const material::Material there = soil.at("", depth);
+    const Index number = soil.material_index_at("", depth);
     const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(there)), 0);
-    point.adhesion = contact.adhesion_law.at(there, undisturbed.data(), 0);
+    point.adhesion = contact.adhesion_law.at(there, undisturbed.data(), 0, number);
+    point.friction = by_soil ? contact.adhesion_law.by_soil[static_cast<std::size_t>(number)].friction : contact.friction;
   }
 }
 
@@ -191,7 +196,8 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
       state.points[cell][q].stress =
           soil.layers.empty()
               ? bodies::initial_stress<2>(c.body[body].second, model.density_at(cell, q) * gravity, model.depth[cell][q])
-              : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), model.depth[cell][q])) * gravity);
+              : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), model.depth[cell][q])) * gravity,
+                                          model.depth[cell][q]);
     }
   }
   for (Real& size : model.cell_size) size = std::sqrt(size);
@@ -248,6 +254,7 @@ void end_at_once(std::vector<problem::StageSettings>& stages)
 FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin)
 {
   FemInterface interface = model.interface;
+  interface.friction = model.contact[point].friction;
   interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.contact[point].slip);
   if (model.flow.count > 0)
     for (const Index unknown : model.flow.at_contact[point])

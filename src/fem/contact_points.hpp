@@ -15,6 +15,7 @@ struct FemContactPoint {
   Vec<2> arm;         ///< m, from the body's centre
   Real area;          ///< m2 per metre run, share of the surface
   Real adhesion = 0;  ///< Pa, before it slides
+  Real friction = 0;  ///< coefficient
 };
 
 /// State of a contact point.

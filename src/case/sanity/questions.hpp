@@ -36,6 +36,7 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found);
 void is_the_strain_rate_smooth(const Scene& s, Findings& found);
 void is_softening_free_of_the_cells(const Scene& s, Findings& found);
 void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found);
+void what_inertia_do_layers_get(const Scene& s, Findings& found);
 void is_all_soil_used(const Scene& s, Findings& found);
 void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found);
 void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found);

@@ -37,6 +37,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           is_the_strain_rate_smooth,
                                                           is_softening_free_of_the_cells,
                                                           are_bands_as_wide_as_the_soil_makes_them,
+                                                          what_inertia_do_layers_get,
                                                           is_all_soil_used,
                                                           does_the_soil_bear_its_initial_stress,
                                                           is_the_interface_weaker_than_the_soil,

@@ -234,6 +234,25 @@ void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found)
   }
 }
 
+void what_inertia_do_layers_get(const Scene& s, Findings& found)
+{
+  constexpr Real worth_a_word = 0.01;
+  if (!s.is_mpm()) return;
+  for (const auto& [name, body] : s.c.body) {
+    const problem::BodySoil soil = soil_of(s.c, body);
+    for (std::size_t k = 1; k < soil.materials.size(); ++k) {
+      const material::Material& asked = s.c.material[problem::index_of(s.c.material, soil.names[k])].second;
+      const Real taken = inertia_density(soil.materials[k]);
+      if (std::abs(taken / inertia_density(asked) - 1) < worth_a_word) continue;
+      found.warn(
+          fmt::format("material.{}.inertia_density", soil.names[k]),
+          fmt::format("is taken as {:.4g} kg/m^3 instead of {:.4g} kg/m^3: the soils of [body.{}] have one density over inertia_density, "
+                      "that of [material.{}]; what is slow does not depend on it",
+                      taken, inertia_density(asked), name, soil.names.front()));
+    }
+  }
+}
+
 void is_all_soil_used(const Scene& s, Findings& found)
 {
   for (const auto& [name, material] : s.c.material)
@@ -263,7 +282,6 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
   constexpr int parts = 10;
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const bodies::BodySettings& body = s.c.body[b].second;
-    const material::Material& material = s.material_of(b);
     const std::string path = "body." + s.c.body[b].first;
     const auto beyond = [&](Real depth, Real largest, Real smallest) -> std::optional<std::pair<Real, Real>> {
       const std::optional<Real> strength =
@@ -282,17 +300,46 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
                 over->first, over->second));
     }
     for (int k = 1; k <= parts && body.k0 && s.gravity > 0; ++k) {
-      const Real depth = s.depth_of(b) * k / parts, vertical = -s.weight_above(b, depth), across = *body.k0 * vertical;
+      const Real depth = s.depth_of(b) * k / parts, vertical = -s.weight_above(b, depth), k0 = *body.k0_at(depth), across = k0 * vertical;
       const auto over = beyond(depth, std::max(vertical, across), std::min(vertical, across));
       if (!over) continue;
-      found.warn(path + ".k0", fmt::format("= {:.3g} is beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "
+      found.warn(path + ".k0", fmt::format("is {:.3g}, beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "
                                            "it bears {:.3g} Pa; the bed moves before anything pushes it",
-                                           *body.k0, bounds_of_k0(in_cells_of(material, largest_cell(s.c))), words_of(depth, "m"),
+                                           k0, bounds_of_k0(in_cells_of(s.material_at(b, depth), largest_cell(s.c))), words_of(depth, "m"),
                                            over->first, over->second));
       break;
     }
   }
 }
+
+namespace {
+
+/// Of a body of several materials: friction beside each of them, which has to be less than its own.
+void ask_of_each_soil(const Scene& s, const std::string& name, const contact::ContactSettings& contact, Findings& found)
+{
+  const problem::BodySoil soil = soil_of(s.c, s.c.body[problem::index_of(s.c.body, contact.body)].second);
+  for (std::size_t k = 0; k < soil.materials.size() && soil.materials.size() > 1; ++k) {
+    const std::optional<material::Strength> strength = strength_at_rest(soil.materials[k]);
+    if (!strength || !yields(soil.materials[k])) continue;
+    const auto beside =
+        std::find_if(contact.soil.begin(), contact.soil.end(), [&](const auto& own) { return own.material == soil.names[k]; });
+    const bool own = beside != contact.soil.end();
+    const Real angle = own ? beside->friction_angle : contact.friction_angle;
+    if (!(angle < rough) || !(std::tan(angle) > std::tan(strength->friction_angle) * (1 + rounding)) || (!own && k == 0)) continue;
+    if (own)
+      found.warn(
+          fmt::format("contact.{}.soil[{}].friction_angle", name, beside - contact.soil.begin()),
+          fmt::format("is {:.3g} deg, more than that of [material.{}], {:.3g} deg: the soil beside it shears first; take at most that",
+                      degrees(angle), soil.names[k], degrees(strength->friction_angle)));
+    else
+      found.warn(fmt::format("contact.{}.friction_angle", name),
+                 fmt::format("is {:.3g} deg beside [material.{}], too, whose own is {:.3g} deg: the interface of each soil can be said by "
+                             "itself, [[contact.{}.soil]] with material = \"{}\", friction_angle and adhesion or adhesion_factor",
+                             degrees(angle), soil.names[k], degrees(strength->friction_angle), name, soil.names[k]));
+  }
+}
+
+}  // namespace
 
 void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
 {
@@ -302,6 +349,8 @@ void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
     const material::Material at_surface = s.material_at(body, 0);
     const std::optional<material::Strength> soil = strength_at_rest(at_surface);
     if (!soil || !yields(at_surface)) continue;
+    ask_of_each_soil(s, name, contact, found);
+    if (!contact.soil.empty()) continue;
     // Of the soil that the body meets: between the surface and its width, or of a bed that has no driven body to the base.
     const Index rigid = contact.rigid.empty() ? none : problem::index_of(s.c.rigid, contact.rigid);
     const Real depth = rigid != none && s.rigids[rigid].width > 0 ? std::min(s.rigids[rigid].width, s.depth_of(body)) : s.depth_of(body);

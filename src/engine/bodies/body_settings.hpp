@@ -32,6 +32,7 @@ struct InitialVelocity {
 struct SoilLayerSettings {
   Real top = 0;  ///< m below the bed's surface
   std::string material;
+  std::optional<Real> k0 = {};  ///< instead of that of the body
 };
 
 /// Input of a deformable body: its material and the part of the mesh that it fills at the start.
@@ -50,6 +51,15 @@ struct BodySettings {
   std::vector<Real> initial_stress;               ///< Pa, xx, yy and zz everywhere, tension positive, instead of k0
   std::vector<InitialVelocity> initial_velocity;  ///< summed
   Real initial_angular_velocity = 0;              ///< rad/s about the centre of mass (in space: about z), added to initial_velocity
+
+  /// Horizontal over vertical stress at the start at a depth below the bed's surface, m; empty as k0 is.
+  std::optional<Real> k0_at(Real depth) const
+  {
+    std::optional<Real> here = k0;
+    for (const SoilLayerSettings& layer : soil_layer)
+      if (depth >= layer.top) here = layer.k0 ? layer.k0 : k0;
+    return here;
+  }
 };
 
 void describe(Describe& d, BlockSettings& block);

@@ -259,7 +259,7 @@ Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const 
     if (start.soil_at) {
       const SoilAtPoint soil = start.soil_at(seed.cell, seed.x);
       p.mass = soil.density * p.volume;
-      p.stress = stress_at_rest<dim>(body, soil.vertical_stress);
+      p.stress = stress_at_rest<dim>(body, soil.vertical_stress, soil.depth);
       std::copy(soil.own.begin(), soil.own.end(), p.extra + start.first_local);
     }
     p.id = id++;

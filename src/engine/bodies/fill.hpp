@@ -28,6 +28,7 @@ Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const 
 struct SoilAtPoint {
   Real density;           ///< kg/m3, that gives the inertia
   Real vertical_stress;   ///< Pa, of the level bed above, compression positive
+  Real depth;             ///< m below the bed's surface
   std::vector<Real> own;  ///< the extra numbers that follow the law's state variables
 };
 

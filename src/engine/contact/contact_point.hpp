@@ -26,6 +26,7 @@ struct ContactPoint {
   int lane = 0;                          ///< its lane
   bool bonded = false;                   ///< carries tension
   Real adhesion = 0;                     ///< Pa; where it differs from point to point
+  Real friction = 0;                     ///< tan of the friction angle; where it differs from point to point
   Real pore_pressure = 0;                ///< Pa, excess, of the particle that the point is, where its soil is undrained
   Real soil_pressure = 0;                ///< Pa, total normal stress on the surface in that particle, compression positive
   Real water_part = 0;                   ///< what the water carries of the force along the normal (find_water_parts)

@@ -4,6 +4,16 @@
 
 namespace berm::contact {
 
+void describe(Describe& d, SoilInterfaceSettings& soil)
+{
+  d.value("material", soil.material, {.meaning = "name of a [material.NAME] of the body", .required = true});
+  d.value("friction_angle", soil.friction_angle,
+          {.meaning = "Coulomb friction angle beside it", .unit = "rad", .range = {0, 89.9 * degree}, .required = true});
+  d.value("adhesion", soil.adhesion, {.meaning = "shear strength without normal stress beside it", .unit = "Pa", .range = not_negative});
+  d.value("adhesion_factor", soil.adhesion_factor,
+          {.meaning = "instead of `adhesion`: share of the undrained shear strength that it has at the moment", .range = {0, 1}});
+}
+
 void describe(Describe& d, ContactSettings& contact)
 {
   d.value("body", contact.body, {.meaning = "name of the deformable body", .required = true});
@@ -53,6 +63,11 @@ void describe(Describe& d, ContactSettings& contact)
   d.value("drained", contact.drained,
           {.meaning = "the water of consolidating soil crosses the surface of the rigid body, at which there is no excess pore pressure; "
                       "else it does not cross it"});
+  d.array(
+      "soil", contact.soil,
+      {.meaning =
+           "what the interface is beside some materials of the body, where this differs from layer to layer; beside the others it is as "
+           "above"});
 }
 
 }  // namespace berm::contact

@@ -51,6 +51,14 @@ enum class Detection {
   particle    ///< particles at the surface of a rigid body instead of nodes, with the rule for the gap
 };
 
+/// What a contact is beside one of the soils of a body.
+struct SoilInterfaceSettings {
+  std::string material;
+  Real friction_angle = 0;   ///< rad
+  Real adhesion = 0;         ///< Pa
+  Real adhesion_factor = 0;  ///< of the undrained strength of the soil beside the interface, instead of `adhesion`
+};
+
 /// Frictional contact of a deformable body with a rigid one or another deformable one.
 struct ContactSettings {
   std::string body;
@@ -63,10 +71,12 @@ struct ContactSettings {
   Real tension = 0;               ///< Pa, tensile normal stress that a bonded interface carries; infinite: it never parts
   Scheme scheme = Scheme::musl_coupled;
   Detection detection = Detection::automatic;
-  Real gap_closing_steps = 20;  ///< T/dt: a gap closes over this many steps
-  bool drained = false;         ///< the water of consolidating soil crosses the surface of the rigid body
+  Real gap_closing_steps = 20;              ///< T/dt: a gap closes over this many steps
+  bool drained = false;                     ///< the water of consolidating soil crosses the surface of the rigid body
+  std::vector<SoilInterfaceSettings> soil;  ///< beside materials of the body that differ from the rest
 };
 
+void describe(Describe& d, SoilInterfaceSettings& soil);
 void describe(Describe& d, ContactSettings& contact);
 
 /// Whether adhesion falls with slip.

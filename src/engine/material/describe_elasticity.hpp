@@ -13,11 +13,27 @@ void describe_water(Describe& d, Law& law)
                    {.meaning = "the water in the pores, of laws of effective stress; left out: drained, or of total stress"});
 }
 
+/// Declares the density that gives the weight, or the unit weight below water instead: neither leaves it 0, both make it NaN, which material::check refuses.
+template <class Law>
+void describe_weight(Describe& d, Law& law)
+{
+  constexpr Real gravity = 9.80665;
+  d.value("density", law.density,
+          {.meaning = "mass per volume, which gives the weight: of submerged soil its submerged unit weight over gravity",
+           .unit = "kg/m^3",
+           .range = positive});
+  std::optional<Real> weight;
+  d.value(
+      "submerged_unit_weight", weight,
+      {.meaning = "instead of `density`: unit weight below water under one gravity of 9.80665 m/s2", .unit = "N/m^3", .range = positive});
+  if (weight) law.density = law.density > 0 ? nan : *weight / gravity;
+}
+
 /// Declares the densities of a law, and the water in its pores.
 template <class Law>
 void describe_density(Describe& d, Law& law)
 {
-  d.value("density", law.density, {.meaning = "mass per volume", .unit = "kg/m^3", .range = positive, .required = true});
+  describe_weight(d, law);
   d.value("inertia_density", law.inertia_density,
           {.meaning = "density that gives the inertia, where it is not `density`, which gives the weight: of submerged soil the "
                       "saturated one and the added mass of the water",

@@ -34,7 +34,10 @@ void check(Describe& d, const std::string& path, const Material& material)
         check_water(d, path, law);
       },
       material);
-  d.check(inertia_density(material) >= density(material), path + ".inertia_density", "cannot be less than density, which gives the weight");
+  d.check(!std::isnan(density(material)), path + ".submerged_unit_weight", "does not go with density: give one of them");
+  d.check(density(material) != 0, path + ".density", "is missing, or submerged_unit_weight instead");
+  d.check(!(inertia_density(material) < density(material)), path + ".inertia_density",
+          "cannot be less than density, which gives the weight");
 }
 
 PreparedMaterial prepare(const Material& material)
@@ -55,6 +58,12 @@ Real density(const Material& material)
 Real inertia_density(const Material& material)
 {
   return visit([](const auto& law) { return law.inertia_density.value_or(law.density); }, material);
+}
+
+Material with_inertia_density(Material material, Real density)
+{
+  visit([&](auto& law) { law.inertia_density = density; }, material);
+  return material;
 }
 
 Elasticity elasticity(const Material& material)

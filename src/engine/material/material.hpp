@@ -70,6 +70,9 @@ Real density(const Material& material);
 /// Density that gives the inertia, kg/m3.
 Real inertia_density(const Material& material);
 
+/// The same soil with another density that gives the inertia, kg/m3.
+Material with_inertia_density(Material material, Real density);
+
 /// Elastic moduli, of effective stress.
 Elasticity elasticity(const Material& material);
 YoungPoisson young_poisson(const Material& material);

@@ -24,7 +24,7 @@ void describe(Describe& d, UserLaw<interface>& law)
   d.value("initial_state", law.initial_state, {.meaning = "their values at the start, as many as there are; not given: 0"});
   d.value("state_names", law.state_names,
           {.meaning = "their names in frames and pictures, as many as there are; not given: state_1, state_2, ..."});
-  d.value("density", law.density, {.meaning = "mass per volume", .unit = "kg/m^3", .range = positive, .required = true});
+  describe_weight(d, law);
   d.value("inertia_density", law.inertia_density,
           {.meaning = "density that gives the inertia, where it is not `density`, which gives the weight",
            .unit = "kg/m^3",

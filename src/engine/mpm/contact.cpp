@@ -119,7 +119,7 @@ void correct_point(const problem::State<dim>& state, Workspace<dim>& workspace, 
   const Vec<dim> relative = relative_velocity(workspace, contact, point, field);
   const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt);
   const Real adhesion = contact.adhesion_law.differs() ? point.adhesion : contact.adhesion;
-  const contact::Interface interface = {contact.friction,
+  const contact::Interface interface = {contact.adhesion_law.by_soil.empty() ? contact.friction : point.friction,
                                         adhesion * point.area * state.dt,
                                         allowed_approach,
                                         tied,

@@ -16,17 +16,25 @@ constexpr Real number_of(Bond bond)
   return static_cast<Real>(bond);
 }
 
+/// The number of the material that a particle is in its body.
+template <int dim>
+Index material_number(const problem::Body<dim>& body, const bodies::Particle<dim>& p)
+{
+  const int place = problem::material_index_offset(body.soil);
+  return place == none ? 0 : static_cast<Index>(p.extra[place]);
+}
+
 /// The adhesion of the soil that a particle is.
 template <int dim>
 Real adhesion_beside(const problem::Body<dim>& body, const problem::Contact& contact, const bodies::Particle<dim>& p)
 {
   const problem::AdhesionLaw& law = contact.adhesion_law;
   const Real slip = contact.memory.slip == none ? 0 : p.extra[contact.memory.slip];
-  if (law.soils.empty()) return law.adhesion * law.part_left(slip);
-  const int number = problem::material_index_offset(body.soil);
-  const material::Material& soil = law.soils[number == none ? 0 : static_cast<std::size_t>(p.extra[number])];
-  if (!problem::varies(body.soil)) return law.at(soil, p.extra, slip);
-  return law.at(with_local_values(soil, p.extra + state_size(soil)), p.extra, slip);
+  const Index number = material_number(body, p);
+  if (!(law.factor_beside(number) > 0)) return law.adhesion_beside(number, slip);
+  const material::Material& soil = law.soils[static_cast<std::size_t>(number)];
+  if (!problem::varies(body.soil)) return law.at(soil, p.extra, slip, number);
+  return law.at(with_local_values(soil, p.extra + state_size(soil)), p.extra, slip, number);
 }
 
 /// The total normal stress on a surface with this normal, Pa, compression positive.
@@ -55,8 +63,13 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
       if (bonded && !point.touching && contact.tension < infinity) bond = number_of(Bond::parted);
       point.bonded = bonded && point.touching;
     }
-    if (contact.adhesion_law.differs())
-      point.adhesion = adhesion_beside(model.bodies[contact.body], contact, particles.read(point.block, point.lane));
+    if (contact.adhesion_law.differs()) {
+      const bodies::Particle<dim> p = particles.read(point.block, point.lane);
+      const problem::Body<dim>& body = model.bodies[contact.body];
+      point.adhesion = adhesion_beside(body, contact, p);
+      if (const auto& by_soil = contact.adhesion_law.by_soil; !by_soil.empty())
+        point.friction = by_soil[static_cast<std::size_t>(material_number(body, p))].friction;
+    }
     if (contact.pore_pressure != none) {
       const bodies::Particle<dim> p = particles.read(point.block, point.lane);
       point.pore_pressure = p.extra[contact.pore_pressure];
@@ -64,16 +77,17 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
     }
   });
   struct Recalled {
-    Real adhesion, pore_pressure, soil_pressure;
+    Real adhesion, friction, pore_pressure, soil_pressure;
     bool bonded;
   };
   contact::share_points<Recalled>(
       points,
       [](const contact::ContactPoint<dim>& point, Recalled& recalled) {
-        recalled = {point.adhesion, point.pore_pressure, point.soil_pressure, point.bonded};
+        recalled = {point.adhesion, point.friction, point.pore_pressure, point.soil_pressure, point.bonded};
       },
       [](const Recalled& recalled, contact::ContactPoint<dim>& point) {
         point.adhesion = recalled.adhesion;
+        point.friction = recalled.friction;
         point.pore_pressure = recalled.pore_pressure;
         point.soil_pressure = recalled.soil_pressure;
         point.bonded = recalled.bonded;

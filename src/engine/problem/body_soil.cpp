@@ -21,6 +21,13 @@ Index add(BodySoil& soil, const Case& c, const std::string& name)
   return static_cast<Index>(soil.materials.size()) - 1;
 }
 
+/// Whether density over inertia density of a material is another, beyond what digits in the input do to it.
+bool differs_from(Real ratio, const material::Material& material)
+{
+  constexpr Real same = 1e-6;
+  return !(std::abs(density(material) / inertia_density(material) / ratio - 1) < same);
+}
+
 }  // namespace
 
 Index BodySoil::material_index_at(const std::string& region, Real depth) const
@@ -61,6 +68,11 @@ BodySoil soil_of(const Case& c, const bodies::BodySettings& body)
   add(soil, c, body.material);
   for (const bodies::SoilLayerSettings& layer : body.soil_layer) soil.layers.push_back({layer.top, add(soil, c, layer.material)});
   for (const auto& [region, name] : body.region_material) soil.of_region[region] = add(soil, c, name);
+  if (c.method == Method::mpm && !hydraulics(soil.materials.front())) {
+    const Real ratio = density(soil.materials.front()) / inertia_density(soil.materials.front());
+    for (material::Material& material : soil.materials)
+      if (differs_from(ratio, material)) material = with_inertia_density(material, density(material) / ratio);
+  }
   if (soil.materials.size() > 1) return soil;
   soil.layers.clear();
   soil.of_region.clear();
@@ -135,17 +147,17 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
     d.check(state_size(first) == state_size(second), key,
             fmt::format("[material.{}] has {} state variables, [material.{}] of the same body {}: they need as many", name,
                         state_size(second), body.material, state_size(first)));
-    const Real ratio = density(first) / inertia_density(first), here = density(second) / inertia_density(second);
-    constexpr Real same = 1e-6;
-    d.check(c.method == Method::fem || std::abs(here / ratio - 1) < same, key,
-            fmt::format("the materials of a body need the same density over inertia_density: inertia_density = \"{:.9g} kg/m^3\" in "
-                        "[material.{}] gives that of [material.{}]",
+    const Real ratio = density(first) / inertia_density(first);
+    d.check(c.method == Method::fem || !hydraulics(first) || !differs_from(ratio, second), key,
+            fmt::format("the materials of a body whose water flows need the same density over inertia_density: inertia_density = \"{:.9g} "
+                        "kg/m^3\" in [material.{}] gives that of [material.{}]",
                         density(second) / ratio, name, body.material));
   };
   d.check(body.soil_layer.empty() || body.region_material.empty(), path + ".region_material", "does not go with soil_layer");
   for (std::size_t k = 0; k < body.soil_layer.size(); ++k) {
     const std::string item = fmt::format("{}.soil_layer[{}]", path, k);
     check_material(item + ".material", body.soil_layer[k].material);
+    d.check(!body.soil_layer[k].k0 || body.k0, item + ".k0", fmt::format("needs {}.k0, that of the soil above", path));
     d.check(k == 0 || body.soil_layer[k].top > body.soil_layer[k - 1].top, item + ".top", "must be deeper than that of the layer above");
   }
   for (const auto& [region, name] : body.region_material) {

@@ -32,7 +32,8 @@ struct BodySoil {
 /// One material everywhere.
 BodySoil soil_of_one(const material::Material& material, const std::string& name = "");
 
-/// The soil that a case asks for in a body; equal materials become one.
+/// The soil that a case asks for in a body; equal materials become one. In the material point method a body has one density over inertia density, that of its first
+/// material: the inertia densities of the others follow, where water does not flow.
 BodySoil soil_of(const Case& c, const bodies::BodySettings& body);
 
 /// Whether the particles of a body differ in strength, stiffness or material: then each keeps its own.

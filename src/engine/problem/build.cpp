@@ -82,7 +82,7 @@ bodies::SoilAtPoint soil_at(const Model<dim>& model, const Body<dim>& body, Inde
   const std::string& region = model.mesh.region_names[model.mesh.region[cell]];
   const Real depth = model.soil_depth(x), gravity = -model.axes.sign * model.gravity[model.axes.up];
   refuse_no_strength(body.soil, region, depth, body.name);
-  return {inertia_density(body.soil.at(region, depth)), gravity * body.soil.mass_above(region, std::max(Real(0), depth)),
+  return {inertia_density(body.soil.at(region, depth)), gravity * body.soil.mass_above(region, std::max(Real(0), depth)), depth,
           local_values(body.soil, region, depth)};
 }
 
@@ -222,10 +222,12 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   for (const auto& [name, s] : c.contact) {
     const Index body = index_of(c.body, s.body);
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
-    model.contacts.push_back({name, body, index_of(c.rigid, s.rigid), index_of(c.body, s.other_body), std::tan(s.friction_angle),
-                              s.adhesion, s.scheme, s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps,
-                              s.tension, adhesion_law(s, model.bodies[body].soil), memory_of(c, static_cast<Index>(model.contacts.size())),
-                              s.friction_angle > 0 && !s.drained ? pore_pressure_place(model.bodies[body].soil.materials.front()) : none,
+    Real friction = s.friction_angle;
+    for (const contact::SoilInterfaceSettings& beside : s.soil) friction = std::max(friction, beside.friction_angle);
+    model.contacts.push_back({name, body, index_of(c.rigid, s.rigid), index_of(c.body, s.other_body), std::tan(friction), s.adhesion,
+                              s.scheme, s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps, s.tension,
+                              adhesion_law(s, model.bodies[body].soil), memory_of(c, static_cast<Index>(model.contacts.size())),
+                              friction > 0 && !s.drained ? pore_pressure_place(model.bodies[body].soil.materials.front()) : none,
                               s.drained});
   }
   for (const auto& [name, s] : c.traction) {

@@ -11,7 +11,7 @@ SymTensor<3> stress_at_start(const Case& c, const bodies::BodySettings& body, Re
 {
   Real gravity = 0;
   for (const Real g : c.gravity) gravity = std::hypot(gravity, g);
-  const SymTensor<2> plane = bodies::stress_at_rest<2>(body, gravity * soil_of(c, body).mass_above("", depth));
+  const SymTensor<2> plane = bodies::stress_at_rest<2>(body, gravity * soil_of(c, body).mass_above("", depth), depth);
   return {{plane[0], plane[1], plane[2]}};
 }
 

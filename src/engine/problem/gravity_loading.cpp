@@ -115,12 +115,14 @@ private:
   void add_body(const Case& c, Index body)
   {
     const BodySoil& soil = model_.bodies[body].soil;
-    const GroundElasticity ground = ground_elasticity(soil.materials.front(), *c.body[body].second.k0);
+    const bodies::BodySettings& settings = c.body[body].second;
+    const GroundElasticity ground = ground_elasticity(soil.materials.front(), *settings.k0);
     CellField<Index> element_in(model_.mesh.cell_count(), none);
     const Index first = static_cast<Index>(elements_.size());
     for (const Index cell : particles_[body].occupied()) {
       Element<dim> element{cell, body};
-      element.ground = varies(soil) ? ground_elasticity(soil_in(soil, cell), *c.body[body].second.k0) : ground;
+      element.ground =
+          varies(soil) || !settings.soil_layer.empty() ? ground_elasticity(soil_in(soil, cell), *settings.k0_at(depth_of(cell))) : ground;
       element.shape = model_.mesh.shape(cell);
       for_each_particle(element, [&](const bodies::Block<dim>& block, int lane) { element.volume += block.volume[lane]; });
       for (int k = 0; k <= dim; ++k) {
@@ -149,8 +151,9 @@ private:
   /// The soil in the middle of a cell.
   material::Material soil_in(const BodySoil& soil, Index cell) const
   {
-    return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], model_.soil_depth(model_.mesh.centroid(cell)));
+    return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], depth_of(cell));
   }
+  Real depth_of(Index cell) const { return model_.soil_depth(model_.mesh.centroid(cell)); }
 
   void list_entries()
   {

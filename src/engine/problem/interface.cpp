@@ -4,7 +4,9 @@
 #include "contact/detect.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
+#include "problem/names.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::problem {
@@ -39,17 +41,25 @@ Real AdhesionLaw::part_left(Real slip) const
   return softens() ? 1 / sensitivity + (1 - 1 / sensitivity) * std::exp(-3 * slip / ductility) : 1;
 }
 
-Real AdhesionLaw::at(const material::Material& soil, const Real* state, Real slip) const
+Real AdhesionLaw::at(const material::Material& soil, const Real* state, Real slip, Index number) const
 {
-  if (!(factor > 0)) return adhesion * part_left(slip);
+  const Real share = factor_beside(number);
+  if (!(share > 0)) return adhesion_beside(number, slip);
   const Real now = shear_strength(soil, 0, state).value_or(0);
-  return factor * (softens() ? std::min(now, part_left(slip) * undrained_strength(soil).value_or(0)) : now);
+  return share * (softens() ? std::min(now, part_left(slip) * undrained_strength(soil).value_or(0)) : now);
 }
 
 AdhesionLaw adhesion_law(const contact::ContactSettings& contact, const BodySoil& soil)
 {
   AdhesionLaw law{contact.adhesion, contact.adhesion_factor, contact.adhesion_sensitivity, contact.adhesion_ductility};
-  if (law.factor > 0)
+  if (!contact.soil.empty()) {
+    law.by_soil.assign(soil.materials.size(), {std::tan(contact.friction_angle), contact.adhesion, contact.adhesion_factor});
+    for (const contact::SoilInterfaceSettings& beside : contact.soil)
+      for (std::size_t k = 0; k < soil.names.size(); ++k)
+        if (soil.names[k] == beside.material) law.by_soil[k] = {std::tan(beside.friction_angle), beside.adhesion, beside.adhesion_factor};
+  }
+  const bool some = std::any_of(law.by_soil.begin(), law.by_soil.end(), [](const SoilInterface& beside) { return beside.factor > 0; });
+  if (law.factor > 0 || some)
     for (const material::Material& material : soil.materials) law.soils.push_back(at_depth(material, 0));
   return law;
 }
@@ -100,6 +110,7 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   needs_particles(contact.tension > 0, ".tension");
   needs_particles(contact.adhesion_factor > 0, ".adhesion_factor");
   needs_particles(softens(contact), ".adhesion_sensitivity");
+  needs_particles(!contact.soil.empty(), ".soil");
   d.check(contact.adhesion_factor == 0 || contact.adhesion == 0, path + ".adhesion_factor",
           "does not go with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
   d.check(!softens(contact) || contact.adhesion > 0 || contact.adhesion_factor > 0, path + ".adhesion_sensitivity",
@@ -108,12 +119,28 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
           "needs both adhesion_sensitivity (more than 1) and adhesion_ductility (more than 0), or neither");
   const Index body = index_of(c.body, contact.body);
   if (body == none || index_of(c.material, c.body[body].second.material) == none) return;
-  if (contact.adhesion_factor > 0)
-    for (const material::Material& material : soil_of(c, c.body[body].second).materials)
-      d.check(undrained_strength(material).has_value(), path + ".adhesion_factor",
-              fmt::format("is a share of the undrained strength of the soil, and that of [body.{}] has none: it needs a law with an "
-                          "undrained_strength, or with friction_angle = 0; else give the adhesion in Pa",
-                          contact.body));
+  const BodySoil soil = soil_of(c, c.body[body].second);
+  for (std::size_t k = 0; k < soil.materials.size(); ++k) {
+    const auto beside =
+        std::find_if(contact.soil.begin(), contact.soil.end(), [&](const auto& own) { return own.material == soil.names[k]; });
+    const bool own = beside != contact.soil.end();
+    d.check(!((own ? beside->adhesion_factor : contact.adhesion_factor) > 0) || undrained_strength(soil.materials[k]),
+            own ? fmt::format("{}.soil[{}].adhesion_factor", path, beside - contact.soil.begin()) : path + ".adhesion_factor",
+            fmt::format("is a share of the undrained strength of the soil, and [material.{}] of [body.{}] has none: it needs a law with an "
+                        "undrained_strength, or with friction_angle = 0; else give the adhesion in Pa",
+                        soil.names[k], contact.body));
+  }
+  for (std::size_t k = 0; k < contact.soil.size(); ++k) {
+    const contact::SoilInterfaceSettings& beside = contact.soil[k];
+    const std::string item = fmt::format("{}.soil[{}]", path, k);
+    d.check(among(beside.material, soil.names), item + ".material",
+            fmt::format("[body.{}] has no such material, or one that equals another", contact.body), soil.names);
+    d.check(soil.materials.size() > 1, item, fmt::format("[body.{}] has one material: say it in [contact] itself", contact.body));
+    d.check(beside.adhesion == 0 || beside.adhesion_factor == 0, item + ".adhesion_factor",
+            "does not go with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
+    for (std::size_t other = 0; other < k; ++other)
+      d.check(contact.soil[other].material != beside.material, item + ".material", "is said twice");
+  }
   for (const std::string& side : {contact.body, contact.other_body}) {
     const Index b = index_of(c.body, side);
     if (b == none || index_of(c.material, c.body[b].second.material) == none || contact.friction_angle == 0) continue;

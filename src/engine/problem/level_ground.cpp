@@ -127,10 +127,9 @@ void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
       const auto weight_above = [&](Real y) {
         return gravity * model.bodies[piece.body].soil.mass_above(model.mesh.region_names[piece.region], c.surface - y);
       };
-      const Real half = (weight_above(piece.bottom) - weight_above(piece.top)) / 2;
       x[1] = (piece.top + piece.bottom) / 2;
-      const Real taken = std::max(Real(0), weight_above(x[1])), weight = above + half;
-      above += 2 * half;
+      const Real taken = std::max(Real(0), weight_above(x[1])), weight = above + weight_above(x[1]) - weight_above(piece.top);
+      above += weight_above(piece.bottom) - weight_above(piece.top);
       largest = std::max({largest, std::abs(taken), std::abs(weight)});
       if (by_level(piece.body) && std::abs(weight - taken) > worst.difference)
         worst = {std::abs(weight - taken), weight, taken, x, piece.body};

@@ -36,7 +36,7 @@ struct Body {
 struct Contact {
   std::string name;
   Index body, rigid, other_body;  ///< rigid or other_body is none
-  Real friction;                  ///< tan of the friction angle
+  Real friction;                  ///< tan of the friction angle; where it differs from soil to soil the largest
   Real adhesion;                  ///< Pa; where it differs from place to place, that of adhesion_law
   contact::Scheme scheme;
   contact::Detection detection;
@@ -215,7 +215,8 @@ struct State {
   std::vector<bodies::Pose<dim>> listed_poses;
   std::vector<Vec<dim>>
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
-  std::vector<Vec<dim>> rigid_impulses;  ///< by contact of rigid bodies: what the other body gave to the first since the start, N s/m or N s
+  std::vector<Vec<dim>>
+      rigid_impulses;  ///< by contact of rigid bodies: what the other body gave to the first since the start, N s/m or N s
   std::vector<TractionState> tractions;
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;

@@ -35,7 +35,8 @@ Real overlap_of(const Model<dim>& model, const RigidPair<dim>& pair, const bodie
 template <int dim>
 Real size_of(const Model<dim>& model, const RigidPair<dim>& pair)
 {
-  return std::max(bodies::reach_of<dim>(model.rigid_bodies[pair.first].shape), bodies::reach_of<dim>(model.rigid_bodies[pair.second].shape));
+  return std::max(bodies::reach_of<dim>(model.rigid_bodies[pair.first].shape),
+                  bodies::reach_of<dim>(model.rigid_bodies[pair.second].shape));
 }
 
 template <int dim>
@@ -59,7 +60,8 @@ void check_rigid_contacts(Describe& d, const Case& c)
     check_name(d, path + ".other_rigid", contact.other_rigid, "rigid", names);
     d.check(contact.rigid != contact.other_rigid, path + ".other_rigid", "a body is in no contact with itself");
     d.check(c.method == Method::mpm, path, "is for the material point method: in finite elements one rigid body moves");
-    d.check(c.geometry != Geometry::axisymmetric, path, "is for plane strain and space: around an axis bodies do not move towards each other");
+    d.check(c.geometry != Geometry::axisymmetric, path,
+            "is for plane strain and space: around an axis bodies do not move towards each other");
     d.check(index_of(c.body, name) == none && index_of(c.watch, name) == none && index_of(c.traction, name) == none &&
                 index_of(c.contact, name) == none && index_of(c.rigid, name) == none,
             path, "another table has this name, which columns of the history begin with");
@@ -82,11 +84,12 @@ void add_rigid_contacts(const Case& c, Model<dim>& model)
     const std::string path = "rigid_contact." + name;
     const auto meeting = bodies::meeting_of<dim>(c.rigid[first].second.shape, c.rigid[second].second.shape);
     if (!meeting)
-      throw KeyError(path + (dim == 2 ? ": two half-planes do not meet"
-                                      : ": in space bodies meet of which one is a sphere, two circles along z, or such a circle and a half-plane"));
+      throw KeyError(
+          path + (dim == 2 ? ": two half-planes do not meet"
+                           : ": in space bodies meet of which one is a sphere, two circles along z, or such a circle and a half-plane"));
     if (!may_move(c, s.rigid) && !may_move(c, s.other_rigid))
-      throw KeyError(fmt::format("{}: neither \"{}\" nor \"{}\" moves: no stage drives them, and neither has motion = \"free\"", path, s.rigid,
-                                 s.other_rigid));
+      throw KeyError(fmt::format("{}: neither \"{}\" nor \"{}\" moves: no stage drives them, and neither has motion = \"free\"", path,
+                                 s.rigid, s.other_rigid));
     model.rigid_contacts.push_back({{first, second, *meeting}, name, std::tan(s.friction_angle), s.restitution});
     refuse_overlap_at_start<dim>(model, model.rigid_contacts.back(), path);
   }
@@ -127,18 +130,18 @@ namespace {
 /// One of two bodies at a point where they meet.
 template <int dim>
 struct Side {
-  Index body;
-  bodies::DriveNow<dim> gives_way;  ///< by_force alone
-  Vec<dim> arm;                     ///< m, from its centre
+  Index body = none;
+  bodies::DriveNow<dim> gives_way{};  ///< by_force alone
+  Vec<dim> arm = Vec<dim>::Zero();    ///< m, from its centre
 };
 
 template <int dim>
 struct Point {
-  std::size_t contact;
-  std::array<Side<dim>, 2> sides;
-  Vec<dim> normal;
-  Real gap, least;  ///< m; the relative normal velocity that must be left, m/s
-  Real response;    ///< of the relative normal velocity to a normal impulse, m/kg or 1/kg
+  std::size_t contact = 0;
+  std::array<Side<dim>, 2> sides{};
+  Vec<dim> normal = Vec<dim>::Zero();
+  Real gap = 0, least = 0;  ///< m; the relative normal velocity that must be left, m/s
+  Real response = 0;        ///< of the relative normal velocity to a normal impulse, m/kg or 1/kg
   Real pressed = 0;
   Vec<dim> rubbed = Vec<dim>::Zero();  ///< impulse on the first body along the normal, and across it
 };
@@ -171,7 +174,8 @@ void push(const Model<dim>& model, State<dim>& state, const Point<dim>& point, c
 {
   for (int k = 0; k < 2; ++k) {
     const Side<dim>& side = point.sides[k];
-    add_impulse(model.rigid_bodies[side.body], state.rigid_bodies[side.body], side.gives_way, side.arm, Vec<dim>(k == 0 ? impulse : -impulse));
+    add_impulse(model.rigid_bodies[side.body], state.rigid_bodies[side.body], side.gives_way, side.arm,
+                Vec<dim>(k == 0 ? impulse : -impulse));
   }
 }
 
@@ -185,8 +189,7 @@ Real response_along(const Model<dim>& model, const State<dim>& state, const Poin
     const Vec<dim> before = moved.velocity;
     const bodies::Angular<dim> turning = moved.angular_velocity;
     add_impulse(model.rigid_bodies[side.body], moved, side.gives_way, side.arm, direction);
-    response += direction.dot(moved.velocity - before +
-                              bodies::cross(bodies::Angular<dim>(moved.angular_velocity - turning), side.arm));
+    response += direction.dot(moved.velocity - before + bodies::cross(bodies::Angular<dim>(moved.angular_velocity - turning), side.arm));
   }
   return response;
 }
@@ -196,7 +199,7 @@ constexpr int max_points = static_cast<int>(max_rigid_contacts) * bodies::max_me
 template <int dim>
 struct Points {
   int count = 0;
-  std::array<Point<dim>, max_points> list;
+  std::array<Point<dim>, max_points> list;  ///< the first are in use
 };
 
 /// No point of a body goes farther than this in the step, whatever the impulses, unless light bodies are hit by heavy ones that are faster still: these meet in the next
@@ -227,11 +230,13 @@ void find_points(const Model<dim>& model, const State<dim>& state, const RigidVe
     for (int p = 0; p < found.count; ++p) {
       const bodies::MeetingPoint<dim>& at = found.points[p];
       Point<dim>& point = points.list[points.count++];
-      point = {.contact = k, .sides = {}, .normal = at.normal, .gap = at.gap, .least = 0, .response = 0};
+      point = Point<dim>();
+      point.contact = k, point.normal = at.normal, point.gap = at.gap;
       Vec<dim> before = Vec<dim>::Zero();
       for (int side = 0; side < 2; ++side) {
         const Index r = side == 0 ? contact.first : contact.second;
-        point.sides[side] = {r, gives_way(model, state, r), Vec<dim>(at.position - center_now(model.rigid_bodies[r], state.rigid_bodies[r]))};
+        point.sides[side] = {r, gives_way(model, state, r),
+                             Vec<dim>(at.position - center_now(model.rigid_bodies[r], state.rigid_bodies[r]))};
         before += (side == 0 ? 1 : -1) * (last.velocity[k][side] + bodies::cross(last.angular[k][side], point.sides[side].arm));
       }
       point.response = response_along(model, state, point, point.normal);
@@ -321,17 +326,18 @@ void refuse_overlap(const Model<dim>& model, const State<dim>& state)
     const Real overlap = overlap_of<dim>(model, pair, state.rigid_bodies[pair.first], state.rigid_bodies[pair.second]);
     if (overlap <= overlap_that_counts * size_of(model, pair)) continue;
     const std::string &first = model.rigid_bodies[pair.first].name, &second = model.rigid_bodies[pair.second].name;
-    throw RunError(fmt::format("\"{0}\" and \"{1}\" overlap by {2:.3g} m at t = {3:.4g} s: rigid bodies without a contact pass through each "
-                               "other; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what shall be pushed "
-                               "aside a mass and motion = \"free\"",
-                               first, second, overlap, state.time));
+    throw RunError(
+        fmt::format("\"{0}\" and \"{1}\" overlap by {2:.3g} m at t = {3:.4g} s: rigid bodies without a contact pass through each "
+                    "other; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what shall be pushed "
+                    "aside a mass and motion = \"free\"",
+                    first, second, overlap, state.time));
   }
 }
 
-#define BERM_INSTANTIATE(dim)                                                                            \
-  template void add_rigid_contacts(const Case&, Model<dim>&);                                            \
-  template RigidVelocities<dim> velocities_at_contacts(const Model<dim>&, const State<dim>&);            \
-  template void push_apart(const Model<dim>&, State<dim>&, const RigidVelocities<dim>&, Real);           \
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void add_rigid_contacts(const Case&, Model<dim>&);                                                                              \
+  template RigidVelocities<dim> velocities_at_contacts(const Model<dim>&, const State<dim>&);                                              \
+  template void push_apart(const Model<dim>&, State<dim>&, const RigidVelocities<dim>&, Real);                                             \
   template void refuse_overlap(const Model<dim>&, const State<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

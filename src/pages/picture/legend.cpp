@@ -153,6 +153,11 @@ std::string contact_words(const std::string& name, const contact::ContactSetting
   words += ", δ = " + text::angle_words(contact.friction_angle);
   if (contact.adhesion > 0) words += ", adhesion " + text::stress_words(contact.adhesion);
   if (contact.adhesion_factor > 0) words += fmt::format(", α = {:.3g}", contact.adhesion_factor);
+  for (const contact::SoilInterfaceSettings& soil : contact.soil) {
+    words += fmt::format("; beside {} δ = {}", soil.material, text::angle_words(soil.friction_angle));
+    if (soil.adhesion > 0) words += ", adhesion " + text::stress_words(soil.adhesion);
+    if (soil.adhesion_factor > 0) words += fmt::format(", α = {:.3g}", soil.adhesion_factor);
+  }
   if (contact.tension > 0)
     words += ", tension " + (contact.tension < infinity ? text::stress_words(contact.tension) : std::string("unlimited"));
   if (contact.drained) words += ", drained";

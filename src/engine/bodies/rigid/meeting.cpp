@@ -96,9 +96,9 @@ MeetingPoints<dim> meeting_points(const Meeting<dim>& meeting, const RigidBody<d
   return found;
 }
 
-#define BERM_INSTANTIATE(dim)                                                                                                          \
-  template std::optional<Meeting<dim>> meeting_of(const RigidShapeSettings&, const RigidShapeSettings&);                               \
-  template MeetingPoints<dim> meeting_points(const Meeting<dim>&, const RigidBody<dim>&, const Pose<dim>&, const RigidBody<dim>&,       \
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template std::optional<Meeting<dim>> meeting_of(const RigidShapeSettings&, const RigidShapeSettings&);                                   \
+  template MeetingPoints<dim> meeting_points(const Meeting<dim>&, const RigidBody<dim>&, const Pose<dim>&, const RigidBody<dim>&,          \
                                              const Pose<dim>&, Real);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -171,6 +171,11 @@ void add_contact(Rows& rows, const std::string& prefix, const std::string& name,
   rows.add(prefix + "friction angle", text::angle_words(contact.friction_angle));
   if (contact.adhesion > 0) rows.add(prefix + "adhesion", text::stress_words(contact.adhesion));
   if (contact.adhesion_factor > 0) rows.add(prefix + "adhesion factor α", fmt::format("{:.3g}", contact.adhesion_factor));
+  for (const contact::SoilInterfaceSettings& soil : contact.soil) {
+    rows.add(prefix + "friction angle beside " + soil.material, text::angle_words(soil.friction_angle));
+    if (soil.adhesion > 0) rows.add(prefix + "adhesion beside " + soil.material, text::stress_words(soil.adhesion));
+    if (soil.adhesion_factor > 0) rows.add(prefix + "α beside " + soil.material, fmt::format("{:.3g}", soil.adhesion_factor));
+  }
   if (softens(contact))
     rows.add(prefix + "sensitivity of the adhesion",
              fmt::format("{:.3g}, 95 % lost after {}", contact.adhesion_sensitivity, text::length_words(contact.adhesion_ductility)));
