@@ -22,30 +22,65 @@ std::string trimmed(std::string_view field)
   return begin == std::string_view::npos ? "" : std::string(field.substr(begin, end + 1 - begin));
 }
 
+/// The fields of a line; none where a quotation mark is not closed.
 std::vector<std::string> fields_of(const std::string& line, char separator)
 {
-  std::vector<std::string> fields;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, begin), line.size());
-    fields.push_back(trimmed(std::string_view(line).substr(begin, end - begin)));
-    begin = end + 1;
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == separator && !quoted)
+      fields.emplace_back();
+    else
+      fields.back() += c;
   }
-  return fields;
+  for (std::string& field : fields) field = trimmed(field);
+  return quoted ? std::vector<std::string>() : fields;
+}
+
+/// Semicolons where one stands outside quotation marks.
+char separator_in(const std::string& line)
+{
+  return fields_of(line, ';').size() > 1 ? ';' : ',';
+}
+
+bool is_digit(char c)
+{
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
 /// The number that a field is; empty where it is none.
 std::optional<Real> number_of(const std::string& field)
 {
+  const bool plus = field.size() > 1 && field[0] == '+' && (is_digit(field[1]) || field[1] == '.');
+  const char *first = field.data() + (plus ? 1 : 0), *last = field.data() + field.size();
   Real number = 0;
-  const auto [rest, error] = std::from_chars(field.data(), field.data() + field.size(), number);
-  if (error != std::errc() || rest != field.data() + field.size() || !std::isfinite(number)) return std::nullopt;
+  const auto [rest, error] = std::from_chars(first, last, number);
+  if (error != std::errc() || rest != last || !std::isfinite(number)) return std::nullopt;
   return number;
+}
+
+/// A number with a decimal comma as it is written with a point; "" where a field is none.
+std::string with_point(std::string field)
+{
+  const std::size_t comma = field.find(',');
+  if (comma == std::string::npos) return "";
+  field[comma] = '.';
+  return number_of(field) ? field : "";
 }
 
 std::string without_capitals(std::string text)
 {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
+}
+
+/// Whether the first field of a line is that of a row of numbers, right or wrong, and not of a header.
+bool begins_row(const std::string& field)
+{
+  const std::string word = without_capitals(field);
+  return !field.empty() && (is_digit(field[0]) || std::string_view("+-.").find(field[0]) != std::string_view::npos || word == "nan" ||
+                            word == "inf" || word == "infinity");
 }
 
 /// "N_m" of a header is the unit N/m, "Nm_m" N m/m.
@@ -84,10 +119,13 @@ public:
     for (number_ = 1; std::getline(lines, line); ++number_) {
       constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
       if (number_ == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
-      if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-      if (!begun_ && line.find(',') == std::string::npos && line.find(';') != std::string::npos) separator_ = ';';
+      if (number_ == 1 && (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")))
+        refuse("is text in UTF-16: save it as CSV in UTF-8");
+      if (line.find_first_not_of(" \t\r,;\"") == std::string::npos || line[0] == '#') continue;
+      if (!begun_) separator_ = separator_in(line);
       const std::vector<std::string> fields = fields_of(line, separator_);
-      if (!begun_ && !number_of(fields.front()))
+      if (fields.empty()) refuse("a quotation mark is not closed");
+      if (!begun_ && !begins_row(fields.front()))
         read_header(fields);
       else
         read_row(fields);
@@ -139,8 +177,10 @@ private:
   {
     std::optional<std::size_t> found;
     const auto size = [](std::size_t k) { return std::string_view(problem::load_columns[k].name).size(); };
+    const auto fits = [&](std::size_t k) { return same_dimension(unit_in(header.substr(size(k) + 1)), unit_of(k)); };
     for (const std::size_t k : allowed_)
-      if (without_capitals(header).starts_with(without_capitals(problem::load_columns[k].name) + "_") && (!found || size(k) > size(*found)))
+      if (without_capitals(header).starts_with(without_capitals(problem::load_columns[k].name) + "_") &&
+          (!found || size(k) > size(*found) || (size(k) == size(*found) && !fits(*found) && fits(k))))
         found = k;
     return found ? header_of(*found) : nearest(header, known);
   }
@@ -181,17 +221,19 @@ private:
   {
     const std::size_t count = columns_.empty() ? 2 : 1 + columns_.size();
     if (fields.size() != count)
-      refuse(columns_.empty()
-                 ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "
-                   "names: time_s,H_N_m,V_N_m"
-                 : fmt::format("needs {} numbers, one for each column, and has {}", count, fields.size()));
+      refuse((columns_.empty()
+                  ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "
+                    "names: time_s,H_N_m,V_N_m"
+                  : fmt::format("needs {} numbers, one for each column, and has {}", count, fields.size())) +
+             (separator_ == ',' && fields.size() > count ? "; a comma stands between numbers: write decimals with a point" : ""));
     std::vector<Real> numbers;
     for (std::size_t n = 0; n < count; ++n) {
       const std::optional<Real> number = number_of(fields[n]);
-      if (!number)
-        refuse(fmt::format("{} in column {} is no finite number{}", in_quotes(fields[n]),
-                           headers_.empty() ? fmt::format("{}", n + 1) : in_quotes(headers_[n]),
-                           fields[n].find(',') == std::string::npos ? "" : ": write a decimal point, not a comma"));
+      const std::string column = headers_.empty() ? fmt::format("{}", n + 1) : in_quotes(headers_[n]);
+      if (const std::string point = with_point(fields[n]); !point.empty())
+        refuse(
+            fmt::format("{} in column {} has a decimal comma: write {}, and a point in all numbers", in_quotes(fields[n]), column, point));
+      if (!number) refuse(fmt::format("{} in column {} is no finite number", in_quotes(fields[n]), column));
       numbers.push_back(*number);
     }
     return numbers;
@@ -201,11 +243,10 @@ private:
   {
     const std::vector<Real> numbers = numbers_of(fields);
     const Real time = numbers.front() * (scales_.empty() ? 1 : scales_.front());
-    if (time < 0) refuse("times count from the begin of the stage: 0 or more");
-    if (!stage_.load_times.empty() && time <= stage_.load_times.back()) refuse("times must ascend");
     stage_.load_times.push_back(time);
     if (columns_.empty()) stage_.load_factors.push_back(numbers.back());
     for (std::size_t n = 0; n < columns_.size(); ++n) stage_.loads.columns[columns_[n]].push_back(scales_[n + 1] * numbers[n + 1]);
+    if (const std::optional<problem::RowFault> fault = problem::fault_of_row(stage_, stage_.load_times.size() - 1)) refuse(fault->message);
   }
 
   problem::StageSettings& stage_;
@@ -235,6 +276,7 @@ void read_load_history(problem::Case& c, std::size_t stage_number, const std::fi
     const std::string fault = problem::fault_of_loads(c, stage);
     if (!fault.empty()) throw KeyError(key((fault.starts_with(": ") ? "" : ".") + fault));
   }
+  if (stage.load_repeat > 1) repeat_load_history(stage);
   if (stage.time_scale == problem::automatic_time_scale) {
     const std::optional<problem::TimeScale> found = problem::time_scale_of(c, stage);
     if (!found)

@@ -111,6 +111,42 @@ Real displaced(const Scene& s, Index rigid, Index body)
   return density * (s.c.force_dimension() == 2 ? 0.785 * width * width : 0.5 * width * width * width);
 }
 
+/// A change of speed that a load history makes at once, m/s, and the time in its record, s.
+struct Blow {
+  Real speed = 0, time = 0;
+};
+
+/// The largest change to another speed than 0 along the axes: where a velocity begins or jumps, and where a displacement bends.
+Blow largest_blow(const StageSettings& s)
+{
+  Blow largest;
+  const std::vector<Real>& t = s.load_times;
+  const auto take = [&](Real before, Real after, Real time) {
+    const Real speed = std::abs(after - before) / s.time_scale;
+    if (after != 0 && speed > largest.speed) largest = {speed, time};
+  };
+  const auto take_velocities = [&](const std::vector<Real>& v, Real factor) {
+    if (!v.empty() && s.ramp == 0) take(0, factor * v[0], 0);
+    for (std::size_t k = 1; k < v.size(); ++k)
+      if (t[k] == t[k - 1]) take(factor * v[k - 1], factor * v[k], t[k]);
+  };
+  if (s.velocity) take_velocities(s.load_factors, *s.velocity);
+  for (std::size_t k = 0; k < problem::load_columns.size(); ++k) {
+    const std::vector<Real>& column = s.loads.columns[k];
+    if (problem::load_columns[k].along > problem::LoadAlong::z) continue;
+    if (problem::load_columns[k].quantity == problem::LoadQuantity::velocity) take_velocities(column, 1);
+    if (problem::load_columns[k].quantity != problem::LoadQuantity::displacement) continue;
+    Real before = 0;
+    for (std::size_t row = 1; row < column.size(); ++row) {
+      if (t[row] == t[row - 1]) continue;
+      const Real slope = (column[row] - column[row - 1]) / (t[row] - t[row - 1]);
+      take(before, slope, t[row - 1]);
+      before = slope;
+    }
+  }
+  return largest;
+}
+
 }  // namespace
 
 void can_the_limits_be_reached(const Scene& s, Findings& found)
@@ -205,11 +241,21 @@ void does_the_drive_begin_gently(const Scene& s, Findings& found)
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
     const StageSettings& stage = s.c.stage[k];
-    const Real speed = speed_of(stage), width = body == none ? 0 : s.rigids[rigid].width;
+    const Blow of_record = largest_blow(stage);
+    const bool has_record = !stage.load_times.empty();
+    const Real speed = has_record ? of_record.speed : speed_of(stage), width = body == none ? 0 : s.rigids[rigid].width;
     if (speed == 0 || width == 0 || !may_meet_soil(s, s.ways[k])) continue;
     const Real wave = s.bodies[body].wave_speed, blow = inertia_density(s.material_of(body)) * wave * speed, cross = width / wave;
     const std::optional<Real> strength = strength_at_depth_of(s, body, width);
-    if (!strength || *strength <= 0 || blow < 3 * *strength || stage.ramp >= cross || !stage.load_times.empty()) continue;
+    if (!strength || *strength <= 0 || blow < 3 * *strength || (!has_record && stage.ramp >= cross)) continue;
+    if (has_record) {
+      found.warn(stage_key(k, "load_history"),
+                 fmt::format(
+                     "changes the speed by {} at once, at {} of the record: that strikes the soil with {:.3g} times its strength; a change "
+                     "over {} or more is gentle",
+                     words_of(speed, "m/s"), words_of(of_record.time, "s"), blow / *strength, words_of(rounded_up(5 * cross), "s")));
+      continue;
+    }
     found.warn(stage_key(k, "ramp"),
                fmt::format("is {}: a drive that begins within the time that a wave takes across the body ({}) strikes the soil with {:.3g} "
                            "times its strength; {} or more begins gently",
@@ -302,7 +348,7 @@ void do_forces_press_down(const Scene& s, Findings& found)
     if (stage.kind == StageKind::push && stage.force && *stage.force < 0)
       found.warn(stage_key(k, "force"),
                  fmt::format("is {:.3g} {}: it lifts the body; a push down is positive", *stage.force, force_unit(s.c)));
-    const bool varies = !stage.loads.of("V").empty() || !stage.loads.of("w").empty();
+    const bool varies = stage.loads.drives(problem::LoadAlong::downwards);
     const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity && !varies;
     if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
       found.warn(stage_key(k, "vertical"), "holds the vertical force of the stage's begin, which is 0: nothing pressed the body down "

@@ -66,6 +66,9 @@ void check_soil_and_bodies(Describe& d, const Case& c)
 
 void check_motion(Describe& d, const Case& c)
 {
+  for (const auto& [name, rigid] : c.rigid)
+    d.check(rigid.velocity.empty() || rigid.velocity[0] == 0, "rigid." + name + ".velocity",
+            "a body around the axis moves along it only: [0, ...]");
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
     const StageSettings& stage = c.stage[k];
     const std::string path = fmt::format("stage[{}]", k);

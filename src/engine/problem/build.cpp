@@ -201,6 +201,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     else
       inertia = settings.moment_of_inertia ? Vec<3>(Vec<3>::Constant(*settings.moment_of_inertia)) : own;
     model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia, axes_of<dim>(shape)});
+    if (!settings.velocity.empty()) model.rigid_bodies.back().first_velocity = bodies::to_vec<dim>(settings.velocity);
   }
   add_rigid_contacts(c, model);
   refuse_off_symmetry_planes(model);

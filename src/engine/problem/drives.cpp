@@ -82,7 +82,8 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
   for (std::size_t k = 0; k < load_columns.size(); ++k) {
     if (stage.loads.columns[k].empty()) continue;
     const auto [freedom, sign] = freedom_of<dim>(load_columns[k].along, axes);
-    if (freedom != none) drives[freedom] = {load_columns[k].by_force ? By::force : By::velocity, sign, drives[freedom].spring, true};
+    if (freedom != none)
+      drives[freedom] = {load_columns[k].quantity == LoadQuantity::force ? By::force : By::velocity, sign, drives[freedom].spring, true};
   }
   return drives;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <functional>
 
 namespace berm::problem {
 namespace {
@@ -17,8 +16,12 @@ bool is_turn(LoadAlong along)
 /// Whether the stage's other keys drive the freedom of a column.
 bool is_driven_otherwise(const StageSettings& s, const LoadColumn& column)
 {
-  const auto shift = [&](const FreedomSettings& f) { return f.velocity || f.force || f.hold || f.free || (f.spring && !column.by_force); };
-  const auto turn = [&](const TurnSettings& f) { return f.velocity || f.moment || f.fixed || f.free || (f.spring && !column.by_force); };
+  const auto shift = [&](const FreedomSettings& f) {
+    return f.velocity || f.force || f.hold || f.free || (f.spring && column.quantity != LoadQuantity::force);
+  };
+  const auto turn = [&](const TurnSettings& f) {
+    return f.velocity || f.moment || f.fixed || f.free || (f.spring && column.quantity != LoadQuantity::force);
+  };
   switch (column.along) {
   case LoadAlong::horizontal:
     return s.velocity || s.force;
@@ -48,15 +51,69 @@ std::string fault_of_times(const StageSettings& s)
   if (s.loads.empty() && t.size() != s.load_factors.size()) return "load_times: needs as many times as load_factors has factors";
   if (t.empty() || t.front() < 0 || !(t.back() > 0))
     return "load_times: are counted from the begin of the stage: the first must be 0 or more, the last more than 0";
-  if (std::adjacent_find(t.begin(), t.end(), std::greater_equal<>()) != t.end()) return "load_times: must ascend";
   return "";
+}
+
+std::string fault_of_rows(const Case& c, const StageSettings& s)
+{
+  for (std::size_t row = 0; row < s.load_times.size(); ++row)
+    if (const std::optional<RowFault> fault = fault_of_row(s, row)) return fault->key + ": " + fault->message;
+  if (c.method == Method::fem && std::adjacent_find(s.load_times.begin(), s.load_times.end()) != s.load_times.end())
+    return "load_times: the same time twice is a jump, and the finite element method goes from one equilibrium to the next: give what "
+           "changes there a time to do so";
+  return "";
+}
+
+constexpr Real round_off = 1e-9;  // of the largest displacement of a column
+
+Real largest_of(const std::vector<Real>& values)
+{
+  Real largest = 0;
+  for (const Real value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+std::string fault_of_repeat(const StageSettings& s)
+{
+  constexpr Real most = 1e6;  // rows
+  if (s.load_repeat == 1) return "";
+  if (const Real rows = static_cast<Real>(s.load_times.size()) * s.load_repeat; rows > most)
+    return fmt::format("load_repeat: makes {:.0f} rows of the load history, of which there may be {:.0f}", rows, most);
+  for (std::size_t k = 0; k < load_columns.size(); ++k) {
+    const std::vector<Real>& column = s.loads.columns[k];
+    if (load_columns[k].quantity != LoadQuantity::displacement || column.empty()) continue;
+    if (std::abs(column.back()) > round_off * largest_of(column))
+      return fmt::format(
+          "load_repeat: {} ends at {:.6g} {} and begins again at 0, where the body cannot jump: add a row in which it is back "
+          "at 0, or write the runs one behind the other with the displacement going on",
+          load_columns[k].key, column.back(), load_columns[k].unit);
+  }
+  return "";
+}
+
+/// A ramp is of what goes from one value to another; a body that follows a displacement has none.
+std::string fault_of_ramp(const StageSettings& s)
+{
+  if (s.ramp == 0 || s.velocity || s.force || s.vertical_force || s.vertical_velocity) return "";
+  const DriveSettings& drive = s.drive;
+  for (const FreedomSettings* f : {&drive.x, &drive.y, &drive.z})
+    if (f->velocity || f->force) return "";
+  for (const TurnSettings* f : {&drive.rotation, &drive.rotation_x, &drive.rotation_y, &drive.rotation_z})
+    if (f->velocity || f->moment) return "";
+  bool follows = false;
+  for (std::size_t k = 0; k < load_columns.size(); ++k) {
+    if (s.loads.columns[k].empty()) continue;
+    if (load_columns[k].quantity != LoadQuantity::displacement) return "";
+    follows = true;
+  }
+  return follows ? "ramp: is not for displacements, which the body follows as they are: leave it out, and let the rows begin gently" : "";
 }
 
 /// A force needs a mass to move, a moment what it turns.
 std::string fault_of_inertia(const Case& c, const StageSettings& s, const LoadColumn& column)
 {
   for (const auto& [name, rigid] : c.rigid) {
-    if (!column.by_force || (!s.rigid.empty() && name != s.rigid)) continue;
+    if (column.quantity != LoadQuantity::force || (!s.rigid.empty() && name != s.rigid)) continue;
     if (!(rigid.mass > 0) && !(is_turn(column.along) && rigid.moment_of_inertia))
       return fmt::format(": column {} of its load history {} [rigid.{}], which therefore needs a mass{}", column.name,
                          is_turn(column.along) ? "turns" : "moves", name, is_turn(column.along) ? " or a moment_of_inertia" : "");
@@ -79,12 +136,37 @@ std::string fault_of_column(const Case& c, const StageSettings& s, std::size_t k
     if (load_columns[other].along == column.along && !s.loads.columns[other].empty())
       return key + fmt::format("does not go with {}: a freedom is driven in one way only", load_columns[other].key);
   if (is_driven_otherwise(s, column)) return key + "drives what another key of the stage drives: leave one of them out";
-  if (c.method == Method::fem && !column.by_force)
-    return key + "the finite element method knows no time: it takes a load history of forces, not of velocities";
+  if (c.method == Method::fem && column.quantity != LoadQuantity::force)
+    return key + "the finite element method knows no time: it takes a load history of forces, not of velocities or displacements";
   return fault_of_inertia(c, s, column);
 }
 
 }  // namespace
+
+std::optional<RowFault> fault_of_row(const StageSettings& s, std::size_t row)
+{
+  const std::vector<Real>& t = s.load_times;
+  const auto of_times = [](std::string why) { return RowFault{"load_times", std::move(why)}; };
+  if (t[row] < 0) return of_times("times count from the begin of the stage: 0 or more");
+  if (row > 0 && t[row] < t[row - 1]) return of_times("times must ascend");
+  const bool jump = row > 0 && t[row] == t[row - 1];
+  if (jump && row > 1 && t[row] == t[row - 2])
+    return of_times(fmt::format("the time {:.6g} s stands three times: twice is a jump, from the first value to the second", t[row]));
+  for (std::size_t k = 0; k < load_columns.size(); ++k) {
+    const std::vector<Real>& column = s.loads.columns[k];
+    if (load_columns[k].quantity != LoadQuantity::displacement || row >= column.size()) continue;
+    const std::string key = fmt::format("loads.{}", load_columns[k].key);
+    if (row == 0 && (t[0] != 0 || column[0] != 0))
+      return RowFault{key,
+                      fmt::format("{} is the displacement since the stage began: its first row must be 0 at the time 0, and is {:.6g} {} "
+                                  "at {:.6g} s; take its first value from all",
+                                  load_columns[k].name, column[0], load_columns[k].unit, t[0])};
+    if (jump && column[row] != column[row - 1] && std::abs(column[row] - column[row - 1]) > round_off * largest_of(column))
+      return RowFault{key, fmt::format("{} jumps from {:.6g} to {:.6g} {} at {:.6g} s: a body cannot; give it a time to get there",
+                                       load_columns[k].name, column[row - 1], column[row], load_columns[k].unit, t[row])};
+  }
+  return {};
+}
 
 std::vector<std::size_t> columns_for(const Case& c, const StageSettings& stage)
 {
@@ -130,6 +212,8 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
   for (std::size_t k = 0; k < load_columns.size(); ++k)
     if (!s.loads.columns[k].empty())
       if (const std::string fault = fault_of_column(c, s, k); !fault.empty()) return fault;
+  for (const std::string& fault : {fault_of_rows(c, s), fault_of_repeat(s), fault_of_ramp(s)})
+    if (!fault.empty()) return fault;
   const bool short_form = s.kind == StageKind::push || s.kind == StageKind::drag;
   const LoadAlong main = s.kind == StageKind::push ? LoadAlong::downwards : LoadAlong::horizontal;
   bool by_column = false;
@@ -140,7 +224,7 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
                            : fmt::format(": needs either velocity, force or a column {} of its load history, and not two of them",
                                          s.kind == StageKind::push ? "V or w" : "H or u");
   if (c.method == Method::fem && s.velocity)
-    return "velocity: the finite element method knows no time: it takes a load history of forces, not of velocities";
+    return "velocity: the finite element method knows no time: it takes a load history of forces, not of velocities or displacements";
   return "";
 }
 

@@ -25,7 +25,14 @@ bool LoadSettings::empty() const
 bool LoadSettings::has_force() const
 {
   for (std::size_t k = 0; k < columns.size(); ++k)
-    if (load_columns[k].by_force && !columns[k].empty()) return true;
+    if (load_columns[k].quantity == LoadQuantity::force && !columns[k].empty()) return true;
+  return false;
+}
+
+bool LoadSettings::drives(LoadAlong along) const
+{
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (load_columns[k].along == along && !columns[k].empty()) return true;
   return false;
 }
 

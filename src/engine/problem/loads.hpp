@@ -20,44 +20,70 @@ enum class LoadAlong {
   rotation_z
 };
 
+/// What the values of a column of a load history are: forces or moments, velocities, or displacements and angles since the stage began.
+enum class LoadQuantity { force, velocity, displacement };
+
 /// A kind of column of a load history.
 struct LoadColumn {
   const char* key;   ///< in [stage.loads]
   const char* name;  ///< in the header of a file, where its unit follows
   const char* unit;  ///< SI, of a run in the plane
-  bool by_force;     ///< a force or a moment; else a velocity
+  LoadQuantity quantity;
   LoadAlong along;
   const char* meaning;
 };
 
-constexpr std::array<LoadColumn, 18> load_columns = {{
-    {"H", "H", "N/m", true, LoadAlong::horizontal, "in a drag: force along x"},
-    {"V", "V", "N/m", true, LoadAlong::downwards, "in a push or a drag: downward force"},
-    {"u", "u", "m/s", false, LoadAlong::horizontal, "in a drag: velocity along x"},
-    {"w", "w", "m/s", false, LoadAlong::downwards, "in a push or a drag: downward speed"},
-    {"x_force", "x", "N/m", true, LoadAlong::x, "in a drive: force on the body along x"},
-    {"x_velocity", "x", "m/s", false, LoadAlong::x, "in a drive: velocity along x"},
-    {"y_force", "y", "N/m", true, LoadAlong::y, "in a drive: force on the body along y"},
-    {"y_velocity", "y", "m/s", false, LoadAlong::y, "in a drive: velocity along y"},
-    {"z_force", "z", "N/m", true, LoadAlong::z, "in a drive in space: force on the body along z"},
-    {"z_velocity", "z", "m/s", false, LoadAlong::z, "in a drive in space: velocity along z"},
-    {"rotation_moment", "rotation", "N", true, LoadAlong::rotation, "in a drive in the plane: moment on the body, counter-clockwise"},
-    {"rotation_velocity", "rotation", "rad/s", false, LoadAlong::rotation, "in a drive in the plane: angular velocity, counter-clockwise"},
-    {"rotation_x_moment", "rotation_x", "N", true, LoadAlong::rotation_x, "in a drive in space: moment on the body about x"},
-    {"rotation_x_velocity", "rotation_x", "rad/s", false, LoadAlong::rotation_x, "in a drive in space: angular velocity about x"},
-    {"rotation_y_moment", "rotation_y", "N", true, LoadAlong::rotation_y, "in a drive in space: moment on the body about y"},
-    {"rotation_y_velocity", "rotation_y", "rad/s", false, LoadAlong::rotation_y, "in a drive in space: angular velocity about y"},
-    {"rotation_z_moment", "rotation_z", "N", true, LoadAlong::rotation_z, "in a drive in space: moment on the body about z"},
-    {"rotation_z_velocity", "rotation_z", "rad/s", false, LoadAlong::rotation_z, "in a drive in space: angular velocity about z"},
+constexpr std::array<LoadColumn, 27> load_columns = {{
+    {"H", "H", "N/m", LoadQuantity::force, LoadAlong::horizontal, "in a drag: force along x"},
+    {"V", "V", "N/m", LoadQuantity::force, LoadAlong::downwards, "in a push or a drag: downward force"},
+    {"u", "u", "m/s", LoadQuantity::velocity, LoadAlong::horizontal, "in a drag: velocity along x"},
+    {"w", "w", "m/s", LoadQuantity::velocity, LoadAlong::downwards, "in a push or a drag: downward speed"},
+    {"u_displacement", "u", "m", LoadQuantity::displacement, LoadAlong::horizontal,
+     "in a drag: displacement along x since the stage began"},
+    {"w_displacement", "w", "m", LoadQuantity::displacement, LoadAlong::downwards,
+     "in a push or a drag: displacement downwards since the stage began"},
+    {"x_force", "x", "N/m", LoadQuantity::force, LoadAlong::x, "in a drive: force on the body along x"},
+    {"x_velocity", "x", "m/s", LoadQuantity::velocity, LoadAlong::x, "in a drive: velocity along x"},
+    {"x_displacement", "x", "m", LoadQuantity::displacement, LoadAlong::x, "in a drive: displacement along x since the stage began"},
+    {"y_force", "y", "N/m", LoadQuantity::force, LoadAlong::y, "in a drive: force on the body along y"},
+    {"y_velocity", "y", "m/s", LoadQuantity::velocity, LoadAlong::y, "in a drive: velocity along y"},
+    {"y_displacement", "y", "m", LoadQuantity::displacement, LoadAlong::y, "in a drive: displacement along y since the stage began"},
+    {"z_force", "z", "N/m", LoadQuantity::force, LoadAlong::z, "in a drive in space: force on the body along z"},
+    {"z_velocity", "z", "m/s", LoadQuantity::velocity, LoadAlong::z, "in a drive in space: velocity along z"},
+    {"z_displacement", "z", "m", LoadQuantity::displacement, LoadAlong::z,
+     "in a drive in space: displacement along z since the stage began"},
+    {"rotation_moment", "rotation", "N", LoadQuantity::force, LoadAlong::rotation,
+     "in a drive in the plane: moment on the body, counter-clockwise"},
+    {"rotation_velocity", "rotation", "rad/s", LoadQuantity::velocity, LoadAlong::rotation,
+     "in a drive in the plane: angular velocity, counter-clockwise"},
+    {"rotation_angle", "rotation", "rad", LoadQuantity::displacement, LoadAlong::rotation,
+     "in a drive in the plane: angle since the stage began, counter-clockwise"},
+    {"rotation_x_moment", "rotation_x", "N", LoadQuantity::force, LoadAlong::rotation_x, "in a drive in space: moment on the body about x"},
+    {"rotation_x_velocity", "rotation_x", "rad/s", LoadQuantity::velocity, LoadAlong::rotation_x,
+     "in a drive in space: angular velocity about x"},
+    {"rotation_x_angle", "rotation_x", "rad", LoadQuantity::displacement, LoadAlong::rotation_x,
+     "in a drive in space: angle about x since the stage began, the integral of the angular velocity"},
+    {"rotation_y_moment", "rotation_y", "N", LoadQuantity::force, LoadAlong::rotation_y, "in a drive in space: moment on the body about y"},
+    {"rotation_y_velocity", "rotation_y", "rad/s", LoadQuantity::velocity, LoadAlong::rotation_y,
+     "in a drive in space: angular velocity about y"},
+    {"rotation_y_angle", "rotation_y", "rad", LoadQuantity::displacement, LoadAlong::rotation_y,
+     "in a drive in space: angle about y since the stage began, the integral of the angular velocity"},
+    {"rotation_z_moment", "rotation_z", "N", LoadQuantity::force, LoadAlong::rotation_z, "in a drive in space: moment on the body about z"},
+    {"rotation_z_velocity", "rotation_z", "rad/s", LoadQuantity::velocity, LoadAlong::rotation_z,
+     "in a drive in space: angular velocity about z"},
+    {"rotation_z_angle", "rotation_z", "rad", LoadQuantity::displacement, LoadAlong::rotation_z,
+     "in a drive in space: angle about z since the stage began, the integral of the angular velocity"},
 }};
 
-/// Forces and velocities of a driven body that vary together: a value at each of the stage's load_times, linear between them, constant after.
+/// Forces, velocities and displacements of a driven body that vary together: a value at each of the stage's load_times, linear between them, constant after.
 struct LoadSettings {
   std::array<std::vector<Real>, load_columns.size()> columns;  ///< by load_columns, SI; an empty one drives nothing
 
   bool empty() const;
   /// Whether a column is of forces or moments.
   bool has_force() const;
+  /// Whether a column drives this freedom.
+  bool drives(LoadAlong along) const;
   /// The column of this key. Throws std::out_of_range for a key that is none.
   const std::vector<Real>& of(const char* key) const;
   std::vector<Real>& of(const char* key);

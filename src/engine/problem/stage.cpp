@@ -109,13 +109,19 @@ void describe(Describe& d, StageSettings& stage)
   d.value("pause", stage.pause,
           {.meaning = "in a sweep: time between two drags, with the vertical force held", .unit = "s", .range = not_negative});
   d.value("load_history", stage.load_history,
-          {.meaning = "CSV file, beside the case file, of the time since the stage began and, in a push or a drag, the factor of velocity "
-                      "or force; or of "
-                      "forces and velocities that vary together, which its header names: time_s,H_N_m,V_N_m"});
-  d.value("load_times", stage.load_times, {.meaning = "instead of a file: the times, ascending", .unit = "s"});
+          {.meaning =
+               "CSV file, beside the case file, of the time since the stage began and, in a push or a drag, the factor of velocity "
+               "or force; or of forces, velocities and displacements that vary together, which its header names: time_s,H_N_m,V_N_m"});
+  d.value("load_times", stage.load_times,
+          {.meaning = "instead of a file: the times, ascending; the same time twice is a jump from the first value to the second",
+           .unit = "s"});
   d.value("load_factors", stage.load_factors, {.meaning = "the factors at these times"});
-  d.optional_table("loads", stage.loads,
-                   {.meaning = "instead of factors: forces and velocities at these times, which drive the freedoms that they name"});
+  d.optional_table(
+      "loads", stage.loads,
+      {.meaning = "instead of factors: forces, velocities and displacements at these times, which drive the freedoms that they name"});
+  d.value(
+      "load_repeat", stage.load_repeat,
+      {.meaning = "how often the load history runs, one run behind the other; displacements must end where they began", .range = {1, 1e6}});
   d.value(
       "time_scale", stage.time_scale,
       {.meaning =
@@ -159,6 +165,16 @@ Real interpolated(const StageSettings& stage, const std::vector<Real>& values, R
   return std::lerp(values[k - 1], values[k], (time - t[k - 1]) / (t[k] - t[k - 1]));
 }
 
+/// The largest speed of values at the stage's load_times, by size: that of the steepest row; a jump has none.
+Real steepest(const StageSettings& stage, const std::vector<Real>& values)
+{
+  const std::vector<Real>& t = stage.load_times;
+  Real max = 0;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (t[k] > t[k - 1]) max = std::max(max, std::abs(values[k] - values[k - 1]) / (t[k] - t[k - 1]));
+  return max;
+}
+
 /// What a factor is divided by: a velocity keeps its travel while the time is scaled.
 Real slower(const StageSettings& stage)
 {
@@ -166,9 +182,19 @@ Real slower(const StageSettings& stage)
 }
 
 /// The speed along a freedom of a drive.
-Real speed_along(const StageSettings& stage, const std::optional<Real>& velocity, const char* key)
+Real speed_along(const StageSettings& stage, const std::optional<Real>& velocity, LoadAlong along)
 {
-  return velocity.value_or(0) + max_size(stage.loads.of(key)) / stage.time_scale;
+  Real speed = velocity.value_or(0);
+  for (std::size_t k = 0; k < load_columns.size(); ++k)
+    if (load_columns[k].along == along && load_columns[k].quantity != LoadQuantity::force) speed += max_load(stage, k);
+  return speed;
+}
+
+/// Whether all values of the load history are the same in two of its rows.
+bool same_values(const StageSettings& stage, std::size_t row, std::size_t other)
+{
+  const auto same = [&](const std::vector<Real>& values) { return values.empty() || values[row] == values[other]; };
+  return same(stage.load_factors) && std::all_of(stage.loads.columns.begin(), stage.loads.columns.end(), same);
 }
 
 }  // namespace
@@ -180,7 +206,16 @@ Real max_load_factor(const StageSettings& stage)
 
 Real max_load(const StageSettings& stage, std::size_t k)
 {
-  return max_size(stage.loads.columns[k]) / (load_columns[k].by_force ? 1 : stage.time_scale);
+  const std::vector<Real>& values = stage.loads.columns[k];
+  switch (load_columns[k].quantity) {
+  case LoadQuantity::force:
+    return max_size(values);
+  case LoadQuantity::velocity:
+    return max_size(values) / stage.time_scale;
+  case LoadQuantity::displacement:
+    return steepest(stage, values) / stage.time_scale;
+  }
+  return 0;
 }
 
 Real speed_of(const StageSettings& stage)
@@ -191,9 +226,10 @@ Real speed_of(const StageSettings& stage)
     return std::hypot(stage.drive.x.velocity.value_or(0), stage.drive.y.velocity.value_or(0), stage.drive.z.velocity.value_or(0));
   }
   if (stage.kind != StageKind::drive)
-    return std::hypot(speed_along(stage, stage.velocity, "u"), speed_along(stage, stage.vertical_velocity, "w"));
-  return std::hypot(speed_along(stage, stage.drive.x.velocity, "x_velocity"), speed_along(stage, stage.drive.y.velocity, "y_velocity"),
-                    speed_along(stage, stage.drive.z.velocity, "z_velocity"));
+    return std::hypot(speed_along(stage, stage.velocity, LoadAlong::horizontal),
+                      speed_along(stage, stage.vertical_velocity, LoadAlong::downwards));
+  return std::hypot(speed_along(stage, stage.drive.x.velocity, LoadAlong::x), speed_along(stage, stage.drive.y.velocity, LoadAlong::y),
+                    speed_along(stage, stage.drive.z.velocity, LoadAlong::z));
 }
 
 Real load_factor(const StageSettings& stage, Real since)
@@ -203,7 +239,43 @@ Real load_factor(const StageSettings& stage, Real since)
 
 Real load_of_column(const StageSettings& stage, std::size_t k, Real since)
 {
-  return interpolated(stage, stage.loads.columns[k], since) / (load_columns[k].by_force ? 1 : stage.time_scale);
+  const Real value = interpolated(stage, stage.loads.columns[k], since);
+  return load_columns[k].quantity == LoadQuantity::velocity ? value / stage.time_scale : value;
+}
+
+void repeat_load_history(StageSettings& stage)
+{
+  struct Row {
+    Real time;
+    std::size_t of_record;
+  };
+  const std::vector<Real> record = std::move(stage.load_times);
+  for (std::size_t k = 0; k < load_columns.size(); ++k)
+    if (load_columns[k].quantity == LoadQuantity::displacement)  // back to round-off is back
+      for (std::size_t row = stage.loads.columns[k].size(); row-- > 0 && record[row] == record.back();) stage.loads.columns[k][row] = 0;
+  std::vector<Row> rows;
+  const auto add = [&](Real time, std::size_t row) {
+    const std::size_t count = rows.size();
+    if (count > 0 && rows.back().time == time && same_values(stage, rows.back().of_record, row)) return;
+    if (count > 1 && rows[count - 2].time == time) rows.pop_back();  // between two values at one time none counts
+    rows.push_back({time, row});
+  };
+  for (int run = 0; run < stage.load_repeat; ++run) {
+    const Real begin = run * record.back(), end = (run + 1) * record.back();
+    if (run > 0 && record.front() > 0) add(begin, 0);
+    for (std::size_t row = 0; row < record.size(); ++row) add(record[row] == record.back() ? end : std::min(begin + record[row], end), row);
+  }
+  const auto write = [&](std::vector<Real>& values) {
+    if (values.empty()) return;
+    const std::vector<Real> once = std::move(values);
+    values.clear();
+    for (const Row& row : rows) values.push_back(once[row.of_record]);
+  };
+  stage.load_times.clear();
+  for (const Row& row : rows) stage.load_times.push_back(row.time);
+  write(stage.load_factors);
+  for (std::vector<Real>& column : stage.loads.columns) write(column);
+  stage.load_repeat = 1;
 }
 
 }  // namespace berm::problem

@@ -87,10 +87,12 @@ struct StageSettings {
   int sweeps = 0;                 ///< of a sweep: how many drags, out and back in turn
   Real pause = 0;                 ///< s, of a sweep: how long the body rests between two of them, its vertical force held
   std::string load_history;       ///< a file of times and factors, or of times and columns, as below
-  /// s of the record, which begins with the stage, ascending; the drive's value goes with the factors, linear between them, constant after
+  /// s of the record, which begins with the stage, ascending; the drive's value goes with the factors, linear between them, constant after. The same time twice is
+  /// a jump: before it the first value, from it on the second.
   std::vector<Real> load_times;
   std::vector<Real> load_factors;
-  LoadSettings loads;           ///< instead of factors: forces or velocities at these times
+  LoadSettings loads;           ///< instead of factors: forces, velocities or displacements at these times
+  int load_repeat = 1;          ///< how often the record runs, one run behind the other; 1 once a case is read
   Real time_scale = 1;          ///< s of the run for each s of the record; automatic_time_scale until a case is read
   Real strength_recovery = 0;   ///< share of the strength lost by remoulding that the soil has regained when the stage begins
   std::optional<Real> damping;  ///< local damping of all bodies in this stage, instead of their own
@@ -122,15 +124,18 @@ inline bool has_load_history(const StageSettings& stage)
 /// The factor of the load history at a time since the stage began, s; 1 without one. That of a velocity grows as the time is shortened.
 Real load_factor(const StageSettings& stage, Real since);
 
-/// The value of column k (of load_columns) of the load history at a time since the stage began, s; a velocity grows as the time is shortened, so that the travel
-/// stays that of the record.
+/// The value of column k (of load_columns) of the load history at a time since the stage began, s: a force, a velocity or a displacement. A velocity grows as the
+/// time is shortened, so that the travel stays that of the record.
 Real load_of_column(const StageSettings& stage, std::size_t k, Real since);
 
 /// The largest factor of its load history, by size; 1 without one.
 Real max_load_factor(const StageSettings& stage);
 
-/// The largest value of a column of its load history, by size; 0 where it is empty.
+/// The largest value of a column of its load history, by size; of a column of displacements the speed where it is steepest. 0 where it is empty.
 Real max_load(const StageSettings& stage, std::size_t k);
+
+/// Writes the record of a stage behind itself as often as it is repeated. Where one run ends and the next begins the values jump if they differ.
+void repeat_load_history(StageSettings& stage);
 
 /// The largest speed of its drive, m/s; 0 where a force drives.
 Real speed_of(const StageSettings& stage);

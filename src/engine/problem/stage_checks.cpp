@@ -106,6 +106,7 @@ void check_load_history(Describe& d, const Case& c, const StageSettings& s, cons
 {
   const bool given = !s.load_times.empty() || !s.load_factors.empty() || !s.loads.empty();
   d.check(given || !s.load_history.empty() || s.time_scale == 1, path + ".time_scale", "is that of a load history, and there is none");
+  d.check(given || !s.load_history.empty() || s.load_repeat == 1, path + ".load_repeat", "is that of a load history, and there is none");
   if (!given && s.load_history.empty()) return;
   d.check(s.kind == StageKind::push || s.kind == StageKind::drag || s.kind == StageKind::drive, path,
           "only a push, a drag or a drive has a load history");
@@ -136,6 +137,20 @@ void check_equilibrium(Describe& d, const Case& c, const StageSettings& s, const
           path + ".damping", "is needed for equilibrium: without it the soil swings for ever; take damping = 0.7 in this stage");
 }
 
+/// The stage in which thrown bodies begin drives none of them.
+void check_thrown(Describe& d, const Case& c)
+{
+  const auto first = std::find_if(c.stage.begin(), c.stage.end(), [](const StageSettings& s) { return s.kind != StageKind::geostatic; });
+  for (const auto& [name, rigid] : c.rigid) {
+    if (rigid.velocity.empty()) continue;
+    const std::string path = "rigid." + name + ".velocity";
+    d.check(first != c.stage.end(), path, "is that where the first stage begins that is not geostatic, and there is none");
+    d.check(
+        first == c.stage.end() || !drives(first->kind) || (!first->rigid.empty() && first->rigid != name), path,
+        "is that where the first stage begins that is not geostatic, and that stage drives the body: let one of kind \"free\" come first");
+  }
+}
+
 /// A role is that of a stage that moves the body, or leaves a free one to its weight.
 void check_role(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
@@ -150,6 +165,7 @@ void check_role(Describe& d, const Case& c, const StageSettings& s, const std::s
 void check_stages(Describe& d, const Case& c)
 {
   d.check(!c.stage.empty(), "stage", "a case needs at least one [[stage]]");
+  check_thrown(d, c);
   std::vector<std::string> seen;
   for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
     const StageSettings& s = c.stage[k];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/stages.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace berm::problem {
@@ -32,12 +33,29 @@ Real travel_in(const StageSettings& stage, const Vec<dim>& moved, int along)
   return stage.velocity && stage.load_times.empty() ? std::copysign(Real(1), *stage.velocity) * moved[along] : std::abs(moved[along]);
 }
 
+/// The column of displacements (of load_columns) that drives a freedom; none where no one does.
+template <int dim>
+int displacement_column_of(const StageSettings& stage, const Axes<dim>& axes, int freedom)
+{
+  const int column = load_column_of(stage, axes, freedom);
+  return column != none && load_columns[static_cast<std::size_t>(column)].quantity == LoadQuantity::displacement ? column : none;
+}
+
 /// From the centre of the driven body to where the stage drives it along the axes, at an orientation of the body, m.
 template <int dim>
 Vec<dim> arm_of(const StageSettings& stage, const bodies::RigidBody<dim>& body, const bodies::Orientation<dim>& orientation)
 {
   if (stage.drive.point.empty()) return Vec<dim>::Zero();
   return orientation.matrix() * (bodies::to_vec<dim>(stage.drive.point) - center_of<dim>(body.shape));
+}
+
+/// How far the point where the stage drives its body went since the stage began, m.
+template <int dim>
+Vec<dim> moved_of_point(const StageSettings& stage, const StageState<dim>& now, const bodies::RigidBody<dim>& body,
+                        const bodies::RigidState<dim>& rigid)
+{
+  return rigid.displacement - now.begin_displacement + arm_of<dim>(stage, body, rigid.orientation) -
+         arm_of<dim>(stage, body, now.begin_orientation);
 }
 
 /// Gives the particles back what the stage says of the strength that remoulding took.
@@ -50,6 +68,25 @@ void recover_strength(const Model<dim>& model, Real share, std::vector<bodies::P
       recover(material_of(model.bodies[b].soil, p.extra), share, p.extra);
       for (int k = 0; k < bodies[b].extra_size(); ++k) bodies[b].extra(block)[k][lane] = p.extra[k];
     });
+}
+
+/// The first stage that is not geostatic.
+Index first_moving_stage(const std::vector<StageSettings>& stages)
+{
+  const auto moves = [](const StageSettings& stage) { return stage.kind != StageKind::geostatic; };
+  return static_cast<Index>(std::find_if(stages.begin(), stages.end(), moves) - stages.begin());
+}
+
+/// Gives free bodies the velocities that they begin with. What throws them does work from outside.
+template <int dim>
+void throw_bodies(const Model<dim>& model, State<dim>& state)
+{
+  for (Index r = 0; r < static_cast<Index>(state.rigid_bodies.size()); ++r) {
+    const bodies::RigidBody<dim>& body = model.rigid_bodies[r];
+    if (body.first_velocity.isZero(0)) continue;
+    state.rigid_bodies[r].velocity = body.first_velocity;
+    state.totals.external += body.mass * body.first_velocity.squaredNorm() / 2;
+  }
 }
 
 /// Windows begin with the stage; a pressure without waves goes on.
@@ -77,6 +114,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   now.begin_time = state.time;
   begin_pressure_means(model, state);
   for (bodies::Drive& drive : now.drive) drive = {};
+  if (now.index == first_moving_stage(model.stages)) throw_bodies(model, state);
   for (std::size_t k = 0; k < state.tractions.size(); ++k) {
     TractionState& traction = state.tractions[k];
     const Real to = model.tractions[k].acts[now.index] ? 1 : 0;
@@ -171,8 +209,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   if (driven == none) return false;
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   const bodies::RigidBody<dim>& body = model.rigid_bodies[driven];
-  const Vec<dim> moved = rigid.displacement - now.begin_displacement + arm_of<dim>(stage, body, rigid.orientation) -
-                         arm_of<dim>(stage, body, now.begin_orientation);
+  const Vec<dim> moved = moved_of_point(stage, now, body, rigid);
   if (until.displacement && travel_in(stage, moved, model.axes.along) >= *until.displacement) return true;
   if (until.embedment) {
     const Real w = travel_of(model, state, driven).w;
@@ -193,6 +230,17 @@ Real moved_in_stage(const StageState<dim>& stage, const bodies::RigidState<dim>&
     return rotation;
   else
     return rotation[f - dim];
+}
+
+/// The velocity in a coming step that brings a freedom at its end to where a column of displacements has it then: what is left of the way, over the step. In space
+/// an angle is the integral of the angular velocity about its axis, of which the step takes its part.
+template <int dim>
+Real velocity_to(const StageSettings& stage, const StageState<dim>& now, const bodies::RigidBody<dim>& body,
+                 const bodies::RigidState<dim>& rigid, int f, int column, Real since, Real dt)
+{
+  const auto there = [&](Real time) { return now.drive[f].to * load_of_column(stage, static_cast<std::size_t>(column), time); };
+  if (f < dim) return (there(since) - moved_of_point(stage, now, body, rigid)[f]) / dt;
+  return (there(since) - (dim == 2 ? moved_in_stage(now, rigid, f) : there(since - dt))) / dt;
 }
 
 }  // namespace
@@ -244,7 +292,9 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
       bodies::DriveNow<dim> now;
       for (int f = 0; f < bodies::freedoms<dim>; ++f) {
         now.by_force[f] = state.stage.drive[f].by_force;
-        now.value[f] = drive_now(model, stage, state.stage.drive[f], f, since);
+        const int displacement = displacement_column_of(stage, model.axes, f);
+        now.value[f] = displacement == none ? drive_now(model, stage, state.stage.drive[f], f, since)
+                                            : velocity_to(stage, state.stage, body, rigid, f, displacement, since, dt);
         if (stage.until.force && !now.by_force[f] && f == main_freedom(model, stage)) {
           now.value[f] *= part_of_velocity(model, state, now.value[f], dt);
           count_approach(model, state, dt * now.value[f]);

@@ -41,7 +41,7 @@ int main_freedom(const Model<dim>& model, const StageSettings& stage)
   return stage.kind == StageKind::push ? model.axes.up : model.axes.along;
 }
 
-/// The same of a freedom of the driven body: a column of the load history gives its value; factors multiply what a push drives down and a drag along x, and
+/// The same of a freedom of the driven body that no displacement drives: a column of the load history gives its value; factors multiply what a push drives down and a drag along x, and
 /// nothing else.
 template <int dim>
 Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies::Drive& drive, int freedom, Real since)

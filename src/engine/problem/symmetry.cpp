@@ -58,6 +58,7 @@ void check_bodies_mirrored(Describe& d, const Case& c, int axis)
     d.check(body.initial_angular_velocity == 0 || axis == 2, "body." + name + ".initial_angular_velocity",
             "a rotation about z is not its own mirror image across x: leave it out, or \"x\" out of symmetry");
   }
+  for (const auto& [name, rigid] : c.rigid) d.check(at(rigid.velocity) == 0, "rigid." + name + ".velocity", across);
   for (const auto& [name, traction] : c.traction) d.check(at(traction.stress) == 0, "traction." + name + ".stress", across);
 }
 
@@ -123,7 +124,7 @@ Case part_of_whole(Case c)
           &drive.rotation_y.spring, &drive.rotation_z.spring})
       if (*of_whole) **of_whole *= part;
     for (std::size_t k = 0; k < load_columns.size(); ++k)
-      if (load_columns[k].by_force)
+      if (load_columns[k].quantity == LoadQuantity::force)
         for (Real& load : stage.loads.columns[k]) load *= part;
   }
   return c;

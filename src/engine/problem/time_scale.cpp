@@ -27,7 +27,7 @@ Real half_wave_of(const std::vector<Real>& times, const std::vector<Real>& value
     } else if (direction * (values[k] - values[extreme]) >= 0) {
       extreme = k;
     } else if (direction * (values[extreme] - values[k]) >= swing) {
-      if (turned) shortest = std::min(shortest, times[extreme] - times[turn]);
+      if (turned && times[extreme] > times[turn]) shortest = std::min(shortest, times[extreme] - times[turn]);  // a jump is no wave
       turned = true;
       turn = extreme;
       extreme = k;
@@ -68,7 +68,7 @@ std::optional<Record> record_of_forces(const StageSettings& stage)
   for (std::size_t k = 0; k < load_columns.size(); ++k) {
     const std::vector<Real>& column = stage.loads.columns[k];
     if (column.empty()) continue;
-    if (!load_columns[k].by_force) return {};
+    if (load_columns[k].quantity != LoadQuantity::force) return {};
     record.half_wave = std::min(record.half_wave, half_wave_of(stage.load_times, column));
     if (load_columns[k].along <= LoadAlong::z) record.force = std::max(record.force, max_load(stage, k));
   }

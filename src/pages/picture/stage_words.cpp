@@ -15,7 +15,7 @@ std::string vertical_words(const problem::StageSettings& stage, int dimension)
 {
   if (stage.kind != problem::StageKind::drag) return "";
   if (stage.vertical == problem::Vertical::fixed) return ", w fixed";
-  if (!stage.loads.of("V").empty() || !stage.loads.of("w").empty()) return "";
+  if (stage.loads.drives(problem::LoadAlong::downwards)) return "";
   if (stage.vertical_velocity) return fmt::format(", {} down", text::speed_words(*stage.vertical_velocity));
   if (stage.vertical_force) return fmt::format(", V = {}", text::force_words(*stage.vertical_force, dimension));
   return ", V held";

@@ -134,8 +134,8 @@ bool is_pushed_down(const problem::Case& c)
     return std::any_of(column.begin(), column.end(), [](Real v) { return v > 0; });
   };
   return std::any_of(c.stage.begin(), c.stage.end(), [&](const problem::StageSettings& s) {
-    return s.kind == problem::StageKind::push &&
-           (s.velocity.value_or(0) > 0 || s.force.value_or(0) > 0 || has_positive(s.loads.of("V")) || has_positive(s.loads.of("w")));
+    return s.kind == problem::StageKind::push && (s.velocity.value_or(0) > 0 || s.force.value_or(0) > 0 || has_positive(s.loads.of("V")) ||
+                                                  has_positive(s.loads.of("w")) || has_positive(s.loads.of("w_displacement")));
   });
 }
 
@@ -147,8 +147,8 @@ bool goes_sideways(const problem::Case& c, const problem::StageSettings& stage)
   const int up = problem::axes_of<3>(bodies::to_vec<3>(c.gravity)).up;
   const problem::FreedomSettings* freedoms[3] = {&stage.drive.x, &stage.drive.y, &stage.drive.z};
   for (int d = 0; d < 3; ++d) {
-    const std::string axis(1, "xyz"[d]);
-    const bool by_column = !stage.loads.of((axis + "_force").c_str()).empty() || !stage.loads.of((axis + "_velocity").c_str()).empty();
+    constexpr problem::LoadAlong axes[3] = {problem::LoadAlong::x, problem::LoadAlong::y, problem::LoadAlong::z};
+    const bool by_column = stage.loads.drives(axes[d]);
     if (d != up && (by_column || freedoms[d]->velocity.value_or(0) != 0 || freedoms[d]->force.value_or(0) != 0)) return true;
   }
   return false;

@@ -64,7 +64,7 @@ void make_faster(problem::StageSettings& stage)
   if (stage.until.time) *stage.until.time /= 2;
   for (Real& time : stage.load_times) time /= 2;
   for (std::size_t k = 0; k < problem::load_columns.size(); ++k)
-    if (!problem::load_columns[k].by_force)
+    if (problem::load_columns[k].quantity == problem::LoadQuantity::velocity)
       for (Real& velocity : stage.loads.columns[k]) velocity *= 2;
 }
 

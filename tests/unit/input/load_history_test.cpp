@@ -95,7 +95,7 @@ TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
 {
   EXPECT_NE(refusal("0,1\n1\n").find("storm.csv:2: a line of a load history is two numbers"), std::string::npos);
   EXPECT_NE(refusal("0,1\n1,x\n").find("storm.csv:2: \"x\" in column 2 is no finite number"), std::string::npos);
-  EXPECT_NE(refusal("0,1\n0,2\n").find("storm.csv:2: times must ascend"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n2,2\n1,3\n").find("storm.csv:3: times must ascend"), std::string::npos);
   EXPECT_NE(refusal("0\n").find("storm.csv:1: "), std::string::npos);
   EXPECT_NE(refusal("0,nan\n").find("storm.csv:1: \"nan\" in column 2 is no finite number"), std::string::npos);
   EXPECT_NE(refusal("-1,1\n").find("storm.csv:1: times count from the begin"), std::string::npos);
@@ -144,8 +144,9 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
     EXPECT_NE(answer.find("storm.csv:1: "), std::string::npos) << header << ": " << answer;
     EXPECT_NE(answer.find(words), std::string::npos) << header << ": " << answer;
   };
-  says("time_s,h_N_m", "did you mean \"H_N_m\"? (allowed: factor, H_N_m, V_N_m, u_m_s, w_m_s)");
+  says("time_s,h_N_m", "did you mean \"H_N_m\"? (allowed: factor, H_N_m, V_N_m, u_m_s, w_m_s, u_m, w_m)");
   says("time_s,v_N_m", "did you mean \"V_N_m\"?");
+  says("time_s,U_mm", "did you mean \"u_m\"?");
   says("time_s,W_N_m", "did you mean \"w_m_s\"?");
   says("time_s,factor,H_N_m", "\"factor\" stands alone behind the time");
   says("time_s,H_N_m,factor", "\"factor\" stands alone behind the time");
@@ -178,10 +179,84 @@ TEST_F(LoadHistory, may_have_semicolons_between_its_columns)
   EXPECT_EQ(stage.loads.of("H"), (std::vector<Real>{100, -200}));
   EXPECT_EQ(stage.loads.of("V"), (std::vector<Real>{400, 300}));
   EXPECT_EQ(read("0;1\n2;3\n").load_factors, (std::vector<Real>{1, 3}));
-  EXPECT_NE(refusal("time_s;H_N_m\n0;1\n0,5;2\n", false)
-                .find("storm.csv:3: \"0,5\" in column \"time_s\" is no finite number: write a "
-                      "decimal point"),
-            std::string::npos);
+}
+
+TEST_F(LoadHistory, is_read_as_spreadsheets_and_programs_write_it)
+{
+  const problem::StageSettings stage = read("\xEF\xBB\xBFtime_s;factor\r\n+0.000E+00;+1.000E+00\r\n\"+1.0\";-.5e1\r\n;\r\n");
+  EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1}));
+  EXPECT_EQ(stage.load_factors, (std::vector<Real>{1, -5}));
+  EXPECT_EQ(read("+0.000E+00,+0.000E+00\n+0.100E+00,+1.000E+00\n+1.000E+00,+1.000E+00\n").load_times, (std::vector<Real>{0, 0.1, 1}))
+      << "a row of numbers, and no header";
+  EXPECT_EQ(read("\"time_s\",\"factor\"\n\"0\",\"1\"\n\"2\",\"3\"\n").load_factors, (std::vector<Real>{1, 3}));
+  for (const char* word : {"+nan", "+inf", "++1", "+-1", "+", "1.0.0", "1e", "0x10", "1 000"})
+    EXPECT_NE(
+        refusal(std::string("0,1\n1,") + word + "\n").find(std::string("storm.csv:2: \"") + word + "\" in column 2 is no finite number"),
+        std::string::npos)
+        << word;
+  EXPECT_NE(refusal("nan,1\n1,2\n").find("storm.csv:1: \"nan\" in column 1 is no finite number"), std::string::npos);
+  EXPECT_NE(refusal("\xFF\xFEt\n").find("storm.csv:1: is text in UTF-16: save it as CSV in UTF-8"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n\"1,2\n").find("storm.csv:2: a quotation mark is not closed"), std::string::npos);
+}
+
+TEST_F(LoadHistory, with_decimal_commas_is_refused_with_what_to_write)
+{
+  const auto says = [&](const std::string& text, const std::string& words) {
+    EXPECT_NE(refusal(text, false).find(words), std::string::npos) << refusal(text, false);
+  };
+  says("time_s;H_N_m\n0;1\n0,5;2\n",
+       "storm.csv:3: \"0,5\" in column \"time_s\" has a decimal comma: write 0.5, and a point in all numbers");
+  says("time_s;H_N_m\n0;1\n1;-1,5E+3\n", "storm.csv:3: \"-1,5E+3\" in column \"H_N_m\" has a decimal comma: write -1.5E+3");
+  says("0,0;1,5\n0,5;2\n", "storm.csv:1: \"0,0\" in column 1 has a decimal comma: write 0.0");
+  says("\"0,5\",\"1,5\"\n", "storm.csv:1: \"0,5\" in column 1 has a decimal comma: write 0.5");
+  says("time_s,H_N_m\n0,0,1,5\n",
+       "storm.csv:2: needs 2 numbers, one for each column, and has 4; a comma stands between numbers: write decimals "
+       "with a point");
+  says("time_s;H_N_m\n0;1\n1\n", "storm.csv:3: needs 2 numbers, one for each column, and has 1");
+}
+
+TEST_F(LoadHistory, jumps_where_the_same_time_stands_twice)
+{
+  const problem::StageSettings stage = read("0,0\n1,1\n1,-1\n2,-1\n");
+  EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1, 1, 2}));
+  EXPECT_EQ(load_factor(stage, 1), -1);
+  EXPECT_NE(refusal("0,0\n1,1\n1,2\n1,3\n").find("storm.csv:4: the time 1 s stands three times"), std::string::npos);
+}
+
+TEST_F(LoadHistory, of_displacements_begins_at_0_and_does_not_jump)
+{
+  const problem::StageSettings stage = read_columns("time_s,u_mm,w_m\n0,0,0\n0.5,20,0\n2,20,-0.1\n");
+  EXPECT_EQ(stage.loads.of("u_displacement"), (std::vector<Real>{0, 0.02, 0.02}));
+  EXPECT_EQ(stage.loads.of("w_displacement"), (std::vector<Real>{0, 0, -0.1}));
+  problem::Case drive = case_with_history(false);
+  drive.stage[0].kind = problem::StageKind::drive;
+  EXPECT_NEAR(read(drive, "time_s,rotation_deg\n0,0\n1,180\n").loads.of("rotation_angle").back(), pi, 1e-15);
+  drive.geometry = problem::Geometry::space;
+  const problem::StageSettings space = read(drive, "time_s,z_mm,rotation_x_rad\n0,0,0\n1,2,3\n");
+  EXPECT_EQ(space.loads.of("z_displacement").back(), 0.002);
+  EXPECT_EQ(space.loads.of("rotation_x_angle").back(), 3);
+  const auto says = [&](const std::string& text, const std::string& words) {
+    EXPECT_NE(refusal(text, false).find(words), std::string::npos) << refusal(text, false);
+  };
+  says("time_s,u_m\n0,0.5\n1,1\n",
+       "storm.csv:2: u is the displacement since the stage began: its first row must be 0 at the time 0, and is 0.5 m");
+  says("time_s,u_m\n0.1,0\n1,1\n", "storm.csv:2: u is the displacement since the stage began");
+  says("time_s,u_m\n0,0\n1,1\n1,2\n", "storm.csv:4: u jumps from 1 to 2 m at 1 s: a body cannot; give it a time to get there");
+}
+
+TEST_F(LoadHistory, that_is_repeated_ends_its_stage_after_its_last_run)
+{
+  problem::Case c = case_with_history(false);
+  c.stage[0].load_repeat = 3;
+  c.stage[0].time_scale = 0.5;
+  const problem::StageSettings stage = read(c, "time_s,u_m,V_N_m\n0,0,1\n1,0.1,2\n2,0,1\n");
+  EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(stage.loads.of("u_displacement"), (std::vector<Real>{0, 0.1, 0, 0.1, 0, 0.1, 0}));
+  EXPECT_EQ(stage.until.time, 3);
+  EXPECT_EQ(stage.load_repeat, 1) << "a resolved case has the runs themselves";
+  c.stage[0].until.time = 1.2;
+  EXPECT_EQ(read(c, "time_s,u_m\n0,0\n1,0.1\n2,0\n").until.time, 1.2);
+  EXPECT_NE(refusal(c, "time_s,u_m\n0,0\n1,0.1\n").find("stage[0].load_repeat: u_displacement ends at 0.1 m"), std::string::npos);
 }
 
 TEST_F(LoadHistory, that_does_not_go_with_its_stage_is_refused_with_the_key)

@@ -89,14 +89,15 @@ TEST(LoadColumns, that_a_geometry_has_not_are_none)
     for (const std::size_t k : columns_for(c, c.stage[0])) found.emplace_back(load_columns[k].key);
     return found;
   };
-  EXPECT_EQ(keys(), (std::vector<std::string>{"x_force", "x_velocity", "y_force", "y_velocity", "rotation_moment", "rotation_velocity"}));
+  EXPECT_EQ(keys(), (std::vector<std::string>{"x_force", "x_velocity", "x_displacement", "y_force", "y_velocity", "y_displacement",
+                                              "rotation_moment", "rotation_velocity", "rotation_angle"}));
   c.geometry = Geometry::axisymmetric;
-  EXPECT_EQ(keys(), (std::vector<std::string>{"y_force", "y_velocity"}));
+  EXPECT_EQ(keys(), (std::vector<std::string>{"y_force", "y_velocity", "y_displacement"}));
   c.geometry = Geometry::space;
   c.symmetry = {"x", "z"};
-  EXPECT_EQ(keys(), (std::vector<std::string>{"y_force", "y_velocity"}));
+  EXPECT_EQ(keys(), (std::vector<std::string>{"y_force", "y_velocity", "y_displacement"}));
   c.stage[0].kind = StageKind::push;
-  EXPECT_EQ(keys(), (std::vector<std::string>{"V", "w"}));
+  EXPECT_EQ(keys(), (std::vector<std::string>{"V", "w", "w_displacement"}));
 }
 
 }  // namespace

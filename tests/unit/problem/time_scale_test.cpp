@@ -57,6 +57,18 @@ TEST(TimeScale, is_limited_by_the_soil_where_the_force_is_large)
   EXPECT_EQ(found->reason, TimeScale::Reason::soil);
 }
 
+TEST(TimeScale, takes_a_jump_for_no_wave)
+{
+  Case c = pipe_in_waves(400);
+  StageSettings& storm = c.stage[0];
+  storm.load_times = {0, 2, 2, 7, 7, 12, 12, 15};
+  storm.loads.of("H") = {0, 400, -400, -400, 400, 400, -400, 0};
+  storm.loads.of("V").assign(8, 500);
+  const std::optional<TimeScale> found = time_scale_of(c, storm);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->half_wave, 5) << "from one jump to the next";
+}
+
 TEST(TimeScale, is_none_of_velocities_nor_without_soil_or_history)
 {
   Case c = pipe_in_waves(400);

@@ -2,6 +2,7 @@
 // Whether a case makes sense: what is asked of check and run, in lines that name the key; and that no example is doubted.
 #include "samples/program.hpp"
 #include "samples/senseless_inputs_in_space.hpp"
+#include "samples/senseless_load_histories.hpp"
 #include "samples/senseless_roles.hpp"
 #include "samples/small_cases.hpp"
 
@@ -136,6 +137,7 @@ std::string name_of(const testing::TestParamInfo<SenselessInput>& row)
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()), name_of);
+INSTANTIATE_TEST_SUITE_P(LoadHistories, SenselessInputs, testing::ValuesIn(test::senseless_load_histories()), name_of);
 INSTANTIATE_TEST_SUITE_P(Roles, SenselessInputs, testing::ValuesIn(test::senseless_roles()), name_of);
 INSTANTIATE_TEST_SUITE_P(InSpace, SenselessInputs, testing::ValuesIn(test::senseless_inputs_in_space()), name_of);
 

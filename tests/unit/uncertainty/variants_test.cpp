@@ -236,6 +236,8 @@ TEST(TwiceTheSpeed, goes_the_same_way_in_half_the_time)
   drag.until.time = 3;
   drag.until.displacement = 0.5;
   drag.load_times = {0, 2};
+  drag.loads.of("u") = {0.1, 0.3};
+  drag.loads.of("w_displacement") = {0, 0.2};
   c.stage.push_back(drag);
   c.output.history_time = 0.1;
   const problem::Case fast = at_twice_the_speed(c);
@@ -246,6 +248,8 @@ TEST(TwiceTheSpeed, goes_the_same_way_in_half_the_time)
   EXPECT_EQ(*s.until.time, 1.5);
   EXPECT_EQ(*s.until.displacement, 0.5);
   EXPECT_EQ(s.load_times, (std::vector<Real>{0, 1}));
+  EXPECT_EQ(s.loads.of("u"), (std::vector<Real>{0.2, 0.6}));
+  EXPECT_EQ(s.loads.of("w_displacement"), (std::vector<Real>{0, 0.2}));
   EXPECT_EQ(*fast.output.history_time, 0.05);
   EXPECT_EQ(fast.stage[0].until.time, c.stage[0].until.time) << "soil that comes to rest takes as long as before";
 }

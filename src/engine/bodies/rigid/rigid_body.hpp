@@ -16,6 +16,7 @@ struct RigidBody {
   Rotation rotation = Rotation::fixed;
   Angular<dim> inertia = no_angular<dim>();    ///< about its centre, kg m; in space about its axes, kg m2; may be infinite
   Matrix<dim> axes = Matrix<dim>::Identity();  ///< columns: the directions of these axes at the start
+  Vec<dim> first_velocity = Vec<dim>::Zero();  ///< m/s, of a free body where its first stage that is not geostatic begins
 };
 
 /// Where a rigid body is: what it has moved since the start.

@@ -14,6 +14,10 @@ void describe(Describe& d, RigidSettings& rigid)
            .range = not_negative});
   d.choice("motion", rigid.motion, {"driven", "free"},
            {.meaning = "motion where no stage drives it: none, or by gravity and its contacts (except in a geostatic stage)"});
+  d.value("velocity", rigid.velocity,
+          {.meaning =
+               "velocity of a free body where the first stage that is not geostatic begins: of what is dropped or thrown; absent = at rest",
+           .unit = "m/s"});
   d.choice("rotation", rigid.rotation, {"fixed", "free"}, {.meaning = "whether the moment of its contacts rotates it about its centre"});
   d.value("moment_of_inertia", rigid.moment_of_inertia,
           {.meaning = "moment of inertia per metre run about its centre (in space: in kg m2, about every axis); absent = that of a solid "
@@ -33,6 +37,10 @@ void check(Describe& d, const std::string& path, const RigidSettings& rigid, int
 {
   std::visit([&](const auto& shape) { check(d, path, shape, dimension); }, rigid.shape);
   d.check(rigid.motion == Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
+  d.check(rigid.velocity.empty() || rigid.motion == Motion::free, path + ".velocity",
+          "is that of a free body where it begins: add motion = \"free\", or drive the body by the velocity of a stage");
+  d.check(rigid.velocity.empty() || static_cast<int>(rigid.velocity.size()) == dimension, path + ".velocity",
+          dimension == 2 ? "needs two components" : "needs three components");
   if (rigid.rotation == Rotation::free) {
     d.check(is_bounded(make_shape<2>(rigid.shape)), path + ".rotation", "a half-plane cannot rotate");
     d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that rotates needs a mass or a moment_of_inertia");

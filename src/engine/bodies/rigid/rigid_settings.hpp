@@ -22,6 +22,7 @@ struct RigidSettings {
   RigidShapeSettings shape;
   Real mass = 0;  ///< kg per metre run (in space: kg); needed where a force moves it
   Motion motion = Motion::driven;
+  std::vector<Real> velocity;  ///< m/s, of a free body where its first stage that is not geostatic begins; empty: at rest
   Rotation rotation = Rotation::fixed;
   std::optional<Real>
       moment_of_inertia;  ///< kg m (in space: kg m2, about every axis) about its centre; absent: that of a solid of this shape and mass

@@ -21,12 +21,12 @@ std::optional<StageSettings> as_push_or_drag(StageSettings s)
   if (s.kind == StageKind::push || s.kind == StageKind::drag) return s;
   if (s.kind != StageKind::drive) return {};
   const problem::FreedomSettings &x = s.drive.x, &y = s.drive.y;
-  for (const auto& [down, up] : {std::pair{"V", "y_force"}, {"w", "y_velocity"}})
+  for (const auto& [down, up] : {std::pair{"V", "y_force"}, {"w", "y_velocity"}, {"w_displacement", "y_displacement"}})
     for (const Real value : s.loads.of(up)) s.loads.of(down).push_back(-value);
-  const auto moves = [&](const problem::FreedomSettings& f, const char* force, const char* velocity) {
-    return f.velocity.value_or(0) != 0 || f.force || !s.loads.of(force).empty() || !s.loads.of(velocity).empty();
+  const auto moves = [&](const problem::FreedomSettings& f, problem::LoadAlong along) {
+    return f.velocity.value_or(0) != 0 || f.force || s.loads.drives(along);
   };
-  if (moves(x, "x_force", "x_velocity")) {
+  if (moves(x, problem::LoadAlong::x)) {
     s.kind = StageKind::drag;
     s.velocity = x.velocity, s.force = x.force;
     s.vertical = y.hold || y.force || y.free || !s.loads.of("V").empty() ? problem::Vertical::hold : problem::Vertical::fixed;
@@ -34,9 +34,10 @@ std::optional<StageSettings> as_push_or_drag(StageSettings s)
     if (y.velocity) s.vertical_velocity = -*y.velocity;
     s.loads.of("H") = s.loads.of("x_force");
     s.loads.of("u") = s.loads.of("x_velocity");
+    s.loads.of("u_displacement") = s.loads.of("x_displacement");
     return s;
   }
-  if (!moves(y, "y_force", "y_velocity")) return {};
+  if (!moves(y, problem::LoadAlong::y)) return {};
   s.kind = StageKind::push;
   if (y.velocity) s.velocity = -*y.velocity;
   if (y.force) s.force = -*y.force;
@@ -46,6 +47,7 @@ std::optional<StageSettings> as_push_or_drag(StageSettings s)
 /// Whether a push by velocity goes up for most of its way.
 bool goes_up(const StageSettings& s)
 {
+  if (const std::vector<Real>& way = s.loads.of("w_displacement"); !way.empty()) return way.back() < 0;
   std::vector<Real> velocity = s.loads.of("w");
   if (velocity.empty())
     for (const Real factor : s.load_factors) velocity.push_back(factor * s.velocity.value_or(0));
@@ -84,18 +86,19 @@ Stage stage_of(const StageSettings& s, Real held_force)
   stage.direction = s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0 ? -1 : 1;
   stage.by_force = s.force || !s.loads.of("H").empty();
   stage.varies = stage.by_force && !s.load_times.empty();
-  stage.holds_V = s.vertical == problem::Vertical::hold && !s.vertical_velocity && s.loads.of("V").empty() && s.loads.of("w").empty();
+  stage.holds_V = s.vertical == problem::Vertical::hold && !s.vertical_velocity && !s.loads.drives(problem::LoadAlong::downwards);
   if (s.vertical_force) stage.V_ramp = s.ramp;
   if (stage.holds_V && !std::isnan(held_force)) stage.held_force = held_force;
   return stage;
 }
 
-/// The parts of a drag by a velocity history between which it turns round.
+/// The parts of a drag by a history of velocity or displacement between which it turns round.
 Stages parts_of(const Stage& whole)
 {
   const StageSettings& s = whole.asked;
-  const std::vector<Real> velocity = whole.kind == StageKind::drag && !whole.by_force ? velocities(s) : std::vector<Real>();
-  if (velocity.empty()) return {whole};
+  if (whole.kind != StageKind::drag || whole.by_force) return {whole};
+  const std::vector<Real> velocity = velocities(s), &way = s.loads.of("u_displacement");
+  if (velocity.empty() && way.empty()) return {whole};
   Stages parts;
   const auto begin_part = [&](Real time, Real value) {
     if (value == 0) return;
@@ -107,7 +110,8 @@ Stages parts_of(const Stage& whole)
     parts.back().from = parts.size() == 1 ? 0 : time;
   };
   const auto time = [&](std::size_t k) { return s.time_scale * s.load_times[k]; };
-  begin_part(0, velocity.front());
+  for (std::size_t k = 1; k < way.size(); ++k) begin_part(time(k - 1), way[k] - way[k - 1]);
+  if (!velocity.empty()) begin_part(0, velocity.front());
   for (std::size_t k = 1; k < velocity.size(); ++k) {
     const Real before = velocity[k - 1], after = velocity[k];
     const bool crosses = before * after < 0;

@@ -215,6 +215,25 @@ TEST(Stages, of_a_velocity_that_turns_round_are_several)
   EXPECT_EQ(path.drags[1].H.back(), 50);
 }
 
+TEST(Stages, of_a_displacement_that_turns_round_are_several)
+{
+  problem::Case c = MadeRun{}.settings();
+  c.stage[1].velocity.reset();
+  c.stage[1].time_scale = 0.5;
+  c.stage[1].load_times = {0, 1, 2, 3, 5, 6};
+  c.stage[1].loads.of("u_displacement") = {0, 0, 0.2, 0.2, -0.2, 0};
+  const Stages stages = stages_of(c);
+  ASSERT_EQ(stages.size(), 4u);
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(stages[k].direction, k == 2 ? -1 : 1) << k;
+  EXPECT_EQ(stages[1].from, 0);
+  EXPECT_EQ(stages[1].to, 1.5) << "until it goes back, after a rest";
+  EXPECT_EQ(stages[2].to, 2.5);
+  c.stage[0].velocity.reset();
+  c.stage[0].load_times = {0, 1};
+  c.stage[0].loads.of("w_displacement") = {0, -0.1};
+  EXPECT_TRUE(stages_of(c)[0].upwards);
+}
+
 TEST(Stages, of_kind_drive_are_pushes_and_drags_too)
 {
   problem::Case c = MadeRun{}.settings();
@@ -233,6 +252,15 @@ TEST(Stages, of_kind_drive_are_pushes_and_drags_too)
   EXPECT_FALSE(stages_of(c)[2].holds_V);
   EXPECT_EQ(stages_of(c)[2].asked.loads.of("V"), (std::vector<Real>{300, 200})) << "downwards";
   EXPECT_EQ(stages_of(c)[2].asked.vertical, problem::Vertical::hold) << "w is not fixed";
+  c.stage.back().drive.x.velocity.reset();
+  c.stage.back().loads = {};
+  c.stage.back().loads.of("x_displacement") = {0, -0.2};
+  EXPECT_EQ(stages_of(c)[2].kind, StageKind::drag);
+  EXPECT_EQ(stages_of(c)[2].direction, -1);
+  c.stage.back().loads = {};
+  c.stage.back().loads.of("y_displacement") = {0, -0.2};
+  EXPECT_EQ(stages_of(c)[2].kind, StageKind::push);
+  EXPECT_FALSE(stages_of(c)[2].upwards);
   c.stage.back().loads = {};
   c.stage.back().load_times = {};
   c.stage.back().drive.x.velocity.reset();
