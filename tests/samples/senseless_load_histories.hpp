@@ -27,7 +27,7 @@ inline const std::vector<SenselessInput>& senseless_load_histories()
       {"velocity_that_jumps",
        "bed",
        warned,
-       {"stage.push.load_history", "changes the speed by 0.4 m/s at once, at 0.02 s of the record"},
+       {"stage.push.load_history", "changes the speed by 0.4 m/s at once, at 20 ms of the record"},
        {},
        "velocity = \"0.1 m/s\"\nramp = \"1 ms\"",
        "load_times = [0, 0.01, 0.02, 0.02, 0.05]\nloads.w = [0, -0.1, -0.1, 0.3, 0.3]"},
