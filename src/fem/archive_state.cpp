@@ -25,7 +25,7 @@ void archive(Archive& k, const FemModel& model, FemState& state)
 {
   static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::max_state + 2) * sizeof(Real));
   static_assert(sizeof(FemContactState) == 5 * sizeof(Real));
-  static_assert(sizeof(FemState) == sizeof(problem::State<2>) + 4 * sizeof(std::vector<Real>) + sizeof(Vec<2>) + 3 * sizeof(Real));
+  static_assert(sizeof(FemState) == sizeof(problem::State<2>) + 5 * sizeof(std::vector<Real>) + sizeof(Vec<2>) + 3 * sizeof(Real));
   k.table("state", [&] { problem::archive(k, model.model, state.state); });
   k.fixed("displacement", state.displacement);
   archive_numbers(k, "points", state.points, [](std::array<SoilPoint, triangle_points>& of_cell, const auto& number) {
@@ -42,6 +42,7 @@ void archive(Archive& k, const FemModel& model, FemState& state)
     number(point.slip);
     number(point.parted);
   });
+  for (std::size_t s = 0; s < state.support_forces.size(); ++s) k(fmt::format("support_force_{}", s), state.support_forces[s]);
   k("gravity", state.gravity);
   k("tractions", state.tractions);
   if (state.tractions.size() != model.model.tractions.size()) k.refuse("it has other tractions");

@@ -419,6 +419,17 @@ Real Assembly::torque() const
   return sum;
 }
 
+std::vector<Vec<2>> Assembly::support_forces(Index stage) const
+{
+  std::vector<Vec<2>> forces(model_.model.supports.size(), Vec<2>::Zero());
+  if (forces.empty()) return forces;
+  const NodeField<boundary::Holders<2>>& holders = model_.mesh.holders[model_.model.fixed_in[stage]];
+  for (Index node = 0; node < holders.size(); ++node)
+    for (int d = 0; d < 2; ++d)
+      if (const Index support = holders[node][d]; support != none) forces[support][d] += residual_[2 * node + d];
+  return forces;
+}
+
 void Assembly::count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const
 {
   problem::Totals<2>& totals = state.state.totals;
@@ -462,6 +473,7 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   state.tractions = loads.tractions;
   state.initial_imbalance_factor = loads.initial_imbalance_factor;
   state.unbalanced = unbalanced_;
+  state.support_forces = support_forces(state.state.stage.index);
   for (std::size_t k = 0; k < change.size(); ++k) state.displacement[k] += change[k];
   Real over = 0, carried = 0;
   for (Index cell = 0; cell < cells_.size(); ++cell)

@@ -80,6 +80,8 @@ public:
   /// Force of the soil on the rigid body, N/m, and its moment about the body's centre, N m/m.
   Vec<2> reaction() const;
   Real torque() const;
+  /// Force of each support on the soil in this stage, N/m: the residual where it holds.
+  std::vector<Vec<2>> support_forces(Index stage) const;
 
   /// Accepts the last evaluation as the new state, and adds its work to the totals.
   void accept(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;

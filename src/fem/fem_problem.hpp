@@ -77,11 +77,12 @@ struct FemState {
   std::vector<Real> displacement;  ///< by unknown: m, rad for the angle, and Pa for excess pore pressures
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
-  Vec<2> gravity = Vec<2>::Zero();    ///< m/s2, acting
-  std::vector<Real> tractions;        ///< load factor of each
-  Real initial_imbalance_factor = 0;  ///< fraction of the initial unbalanced forces that fictitious forces still balance
-  Real unbalanced = 0;                ///< N/m, sum of the unbalanced nodal forces
-  Real overstress = 0;                ///< overstress over stress: integrals of both over the soil at yield
+  std::vector<Vec<2>> support_forces;  ///< N/m, on the soil, by Model::supports
+  Vec<2> gravity = Vec<2>::Zero();     ///< m/s2, acting
+  std::vector<Real> tractions;         ///< load factor of each
+  Real initial_imbalance_factor = 0;   ///< fraction of the initial unbalanced forces that fictitious forces still balance
+  Real unbalanced = 0;                 ///< N/m, sum of the unbalanced nodal forces
+  Real overstress = 0;                 ///< overstress over stress: integrals of both over the soil at yield
 };
 
 /// The interface at a contact point in an increment that begins with this state.

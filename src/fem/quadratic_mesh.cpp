@@ -44,13 +44,16 @@ public:
       if (body_of(cell) != none) add_cell(cell);
   }
 
-  void hold(NodeField<std::uint8_t>& fixed, Index boundary, std::uint8_t directions) const
+  /// The nodes of a boundary, those in the middle of its sides too.
+  std::vector<Index> nodes_at(Index boundary) const
   {
     NodeField<char> at_boundary(made.node_count(), false);
+    std::vector<Index> nodes;
     for (const Index i : mesh_.boundary_nodes[boundary])
-      if (const Index node = node_number_[i]; node != none) at_boundary[node] = true, fixed[node] |= directions;
+      if (const Index node = node_number_[i]; node != none) at_boundary[node] = true, nodes.push_back(node);
     for (const BoundarySide& side : made.boundary_sides)
-      if (at_boundary[side.from] && at_boundary[side.to]) fixed[side.middle] |= directions;
+      if (at_boundary[side.from] && at_boundary[side.to]) nodes.push_back(side.middle);
+    return nodes;
   }
 
   std::vector<BoundarySide> sides_at(Index boundary) const
@@ -154,15 +157,21 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, 
   Maker maker(mesh, c);
   for (const std::vector<char>& holds : support_sets(c).holds) {
     NodeField<std::uint8_t> fixed(maker.made.node_count(), 0), closed = fixed;
+    NodeField<boundary::Holders<2>> holders(c.output.support_reactions ? maker.made.node_count() : 0, {none, none});
     for (std::size_t k = 0; k < c.support.size(); ++k) {
       const auto& [name, support] = c.support[k];
       const Index boundary = fixed_boundary(mesh, name, support);
       if (!holds[k]) continue;
-      maker.hold(fixed, boundary, fixed_directions(support));
-      if (!support.drained) maker.hold(closed, boundary, fixed_directions(support));
+      const std::uint8_t directions = fixed_directions(support);
+      for (const Index node : maker.nodes_at(boundary)) {
+        fixed[node] |= directions;
+        if (!support.drained) closed[node] |= directions;
+        if (c.output.support_reactions) boundary::add_holder<2>(holders[node], static_cast<Index>(k), directions);
+      }
     }
     maker.made.fixed.push_back(std::move(fixed));
     maker.made.impermeable.push_back(std::move(closed));
+    if (c.output.support_reactions) maker.made.holders.push_back(std::move(holders));
   }
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
   for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);

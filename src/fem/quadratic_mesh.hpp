@@ -14,12 +14,13 @@ struct BoundarySide {
 
 /// 6-node triangles that fill the bodies. Nodes are numbered by first use, cells as in the mesh they are made from.
 struct QuadraticMesh {
-  NodeField<Vec<2>> position;                        ///< m
-  CellField<AtSixNodes<Index>> nodes;                ///< corners counter-clockwise, then the mid-side nodes of 01, 12 and 20
-  CellField<Index> body;                             ///< of each cell, an index into Case::body
-  CellField<Index> region;                           ///< of each cell, an index into Mesh::region_names
-  std::vector<NodeField<std::uint8_t>> fixed;        ///< by set of supports, as in Model; bit d: fixed in direction d
-  std::vector<NodeField<std::uint8_t>> impermeable;  ///< likewise: held by a support that is not drained
+  NodeField<Vec<2>> position;                            ///< m
+  CellField<AtSixNodes<Index>> nodes;                    ///< corners counter-clockwise, then the mid-side nodes of 01, 12 and 20
+  CellField<Index> body;                                 ///< of each cell, an index into Case::body
+  CellField<Index> region;                               ///< of each cell, an index into Mesh::region_names
+  std::vector<NodeField<std::uint8_t>> fixed;            ///< by set of supports, as in Model; bit d: fixed in direction d
+  std::vector<NodeField<std::uint8_t>> impermeable;      ///< likewise: held by a support that is not drained
+  std::vector<NodeField<boundary::Holders<2>>> holders;  ///< as Model::holders; empty where no reactions are told
   std::vector<BoundarySide> boundary_sides;
   std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
 

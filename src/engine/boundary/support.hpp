@@ -23,6 +23,18 @@ Index fixed_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const
 /// Bit d is set where direction d is fixed.
 std::uint8_t fixed_directions(const SupportSettings& support);
 
+/// The support that holds a node in each direction, or none.
+template <int dim>
+using Holders = std::array<Index, dim>;
+
+/// A support holds the node in these directions, but for those that one before it holds.
+template <int dim>
+void add_holder(Holders<dim>& of_node, Index support, std::uint8_t directions)
+{
+  for (int d = 0; d < dim; ++d)
+    if ((directions >> d & 1) != 0 && of_node[d] == none) of_node[d] = support;
+}
+
 /// A nodal vector without its components in the directions that are fixed there.
 template <int dim>
 Vec<dim> without_fixed(const NodeField<std::uint8_t>& fixed, Index node, Vec<dim> v)

@@ -114,6 +114,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
     if (shares_pressure(model, body)) grids[b].pressure_shift = CellField<Real>::zeros(model.mesh.cell_count());
     if (model.mesh.metric == mesh::Metric::cartesian && dim == 2)
       grids[b].shift_across = 2 * young_poisson(body.soil.materials.front()).poisson_ratio;
+    if (!model.supports.empty()) grids[b].support_force = NodeField<Vec<dim>>::zeros(model.mesh.node_count());
     if (body.flows()) grids[b].water.make_room(model.mesh, body.soil);
     grids[b].full_cells = model.mpm.quadrature == problem::Quadrature::full_cells;
     if (yields(body.soil.materials.front())) {

@@ -3,6 +3,7 @@
 #include "mpm/reaction.hpp"
 
 #include "contact/strips.hpp"
+#include "mpm/support_reactions.hpp"
 #include "problem/stages.hpp"
 
 namespace berm::mpm {
@@ -131,6 +132,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
     sums.impulse_times_gap += all.times_gap;
     add_to_slices(model, state, contact.rigid, workspace.contact_points[k]);
   }
+  react_at_supports(model, state, workspace);
 }
 
 template <int dim>

@@ -193,6 +193,7 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
     k.table(fmt::format("listed_pose_{}", r), [&] { archive(k, state.listed_poses[r]); });
   for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
   for (std::size_t c = 0; c < state.rigid_impulses.size(); ++c) k(fmt::format("rigid_impulse_{}", c), state.rigid_impulses[c]);
+  for (std::size_t s = 0; s < state.support_impulses.size(); ++s) k(fmt::format("support_impulse_{}", s), state.support_impulses[s]);
   for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
   if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
   for (std::size_t b = 0; b < state.flux.size(); ++b) archive(k, fmt::format("flux_{}", b), state.flux[b]);

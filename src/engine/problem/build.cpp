@@ -38,6 +38,30 @@ NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case
   return fixed;
 }
 
+/// The nodes of the supports and which of these holds each, where their reactions are told.
+template <int dim>
+void list_supports(const Case& c, const SupportSets& sets, Model<dim>& model)
+{
+  if (!c.output.support_reactions) return;
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  boundary::Holders<dim> nobody;
+  nobody.fill(none);
+  model.holders.assign(sets.holds.size(), NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody));
+  for (std::size_t s = 0; s < c.support.size(); ++s) {
+    const auto& [name, settings] = c.support[s];
+    const std::vector<Index>& nodes = mesh.boundary_nodes[fixed_boundary(mesh, name, settings)];
+    auto at_boundary = NodeField<std::uint8_t>::zeros(mesh.node_count());
+    for (const Index node : nodes) at_boundary[node] = 1;
+    Support& support = model.supports.emplace_back();
+    support.name = name;
+    select(
+        "list supports", mesh.node_chunks, [&](Index node) { return at_boundary[node] != 0; }, support.nodes, support.chunks);
+    for (std::size_t k = 0; k < sets.holds.size(); ++k)
+      if (sets.holds[k][s])
+        for (const Index node : nodes) boundary::add_holder<dim>(model.holders[k][node], static_cast<Index>(s), fixed_directions(settings));
+  }
+}
+
 /// The directions in which no water crosses a node: those that are held, but for what only drained supports hold.
 template <int dim>
 NodeField<std::uint8_t> closed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds,
@@ -187,6 +211,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   model.mpm = c.mpm;
   const SupportSets sets = support_sets(c);
   for (const std::vector<char>& holds : sets.holds) model.fixed.push_back(fixed_directions(model.mesh, c, holds));
+  list_supports(c, sets, model);
   hold_axis(model);
   model.parts = parts_of(c);
   hold_symmetry_planes(c, model);
@@ -265,6 +290,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   state.rigid_bodies.resize(model.rigid_bodies.size());
   state.contact_sums.resize(model.rigid_bodies.size());
   for (const DepthSlices& slices : model.depth_slices) state.slice_impulses.emplace_back(slices.count, 0);
+  state.support_impulses.assign(model.supports.size(), Vec<dim>::Zero());
   state.listed_poses.assign(model.rigid_bodies.size(), bodies::Pose<dim>::nowhere());
   const bool by_gravity = loads_by_gravity(c, model.ground);
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model);

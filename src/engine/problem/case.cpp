@@ -182,6 +182,26 @@ void check_tractions(Describe& d, const Case& c)
   }
 }
 
+/// The columns of a reaction begin with the name of the support, as those of other things begin with theirs.
+void check_support_reactions(Describe& d, const Case& c)
+{
+  if (!c.output.support_reactions) return;
+  const std::string key = "output.support_reactions";
+  d.check(!c.support.empty(), key, "there is no support: add a [support.NAME] that holds a boundary, or leave this out");
+  d.check(!c.mpm.active_distance, key, "does not go with mpm.active_distance: soil that rests hands no force to its supports");
+  for (const auto& entry : c.support) {
+    const std::string& name = entry.first;
+    const Index contact = index_of(c.contact, name);
+    const auto free_of = [&](bool taken, const char* table) {
+      d.check(!taken, "support." + name,
+              fmt::format("a [{}.{}] has this name, which columns of the history begin with: give the support another", table, name));
+    };
+    free_of(index_of(c.traction, name) != none, "traction");
+    free_of(contact != none && !c.contact[contact].second.other_body.empty(), "contact");
+    free_of(c.dimension() == 3 && index_of(c.rigid, name) != none, "rigid");
+  }
+}
+
 /// About how many cells a bed gets around a circle or box that is cut out of it, what is cut out counted with them; 0 around a half-plane.
 Real cells_around(const bodies::RigidShapeSettings& shape, mesh::SeabedMesh bed, Real size)
 {
@@ -306,6 +326,10 @@ void describe(Describe& d, OutputSettings& output)
           {.meaning = "time between frames; begin and end of every stage are always written", .unit = "s", .range = positive});
   d.value("frame_travel", output.frame_travel,
           {.meaning = "travel of the driven rigid body between frames", .unit = "m", .range = positive});
+  d.value("support_reactions", output.support_reactions,
+          {.meaning =
+               "the force of each support on the soil is written to history.csv, by direction. At a node that two supports hold in one "
+               "direction, as at a corner, it counts with the one that the case names first"});
   d.value("checkpoint_wall_time", output.checkpoint_wall_time,
           {.meaning =
                "time on the clock between checkpoints, from which berm run --resume resumes; 0 = only at the end of a stage and where the "
@@ -385,6 +409,7 @@ void describe(Describe& d, Case& c)
   check_consolidation(d, c);
   check_active_distance(d, c);
   check_supports(d, c);
+  check_support_reactions(d, c);
   check_tractions(d, c);
   check_axisymmetry(d, c);
   check_symmetry(d, c);

@@ -73,6 +73,7 @@ struct OutputSettings {
   std::optional<Real> history_time;  ///< s between rows of history.csv
   std::optional<Real> frame_time;    ///< s between frames
   std::optional<Real> frame_travel;  ///< m of travel of the driven rigid body between frames
+  bool support_reactions = false;    ///< the force of each support on the soil, in the history
   Real checkpoint_wall_time = 300;   ///< s of wall time between checkpoints; 0: at the ends of stages only, and where the run is stopped
 };
 

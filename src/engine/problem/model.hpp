@@ -80,6 +80,13 @@ struct Watch {
   std::int32_t id;
 };
 
+/// A support whose reaction is told.
+struct Support {
+  std::string name;
+  std::vector<Index> nodes;  ///< of its boundary, ascending
+  Chunks chunks;             ///< of `nodes`
+};
+
 /// What cannot change during a run.
 template <int dim>
 struct Model {
@@ -95,6 +102,9 @@ struct Model {
   std::vector<LoadPoint<dim>> load_points;
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                 ///< by stage: which set
+  std::vector<Support> supports;               ///< by place in Case::support, where their reactions are told; else none
+  std::vector<NodeField<boundary::Holders<dim>>>
+      holders;  ///< as `fixed`: which of these supports holds the node; empty where there are none
   /// As `fixed`, of the flux of water; empty where none flows.
   std::vector<NodeField<std::uint8_t>> impermeable;
   std::array<bool, dim> mirrored = {};  ///< by axis: whether the mesh ends at a plane of symmetry across it, at its lowest coordinate
@@ -217,6 +227,7 @@ struct State {
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
   std::vector<Vec<dim>>
       rigid_impulses;  ///< by contact of rigid bodies: what the other body gave to the first since the start, N s/m or N s
+  std::vector<Vec<dim>> support_impulses;  ///< by Model::supports: given to the soil since the start, N s/m or N s
   std::vector<TractionState> tractions;
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;

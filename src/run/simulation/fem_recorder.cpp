@@ -102,6 +102,10 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
     of_rigid();
     observe_effective_normal<2>(row_, effective_normal_force(model, state));
   }
+  for (std::size_t s = 0; s < state.support_forces.size(); ++s) {
+    row_.of(model.model.supports[s].name);
+    observe_reaction<2>(row_, state.support_forces[s]);
+  }
   file.add(row_);
 }
 

@@ -18,7 +18,8 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
       last_sums_(start.contact_sums),
       last_slice_impulses_(start.slice_impulses),
       last_pair_impulses_(start.pair_impulses),
-      last_rigid_impulses_(start.rigid_impulses)
+      last_rigid_impulses_(start.rigid_impulses),
+      last_support_impulses_(start.support_impulses)
 {
   row_.count_parts(model.parts);
   for (const bodies::Particles<dim>& particles : start.particles) {
@@ -42,6 +43,7 @@ void MpmRecorder<dim>::archive(Archive& k)
     if (!last_slice_impulses_[r].empty()) k.fixed(fmt::format("slice_impulses_{}", r), last_slice_impulses_[r]);
   for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
   for (std::size_t c = 0; c < last_rigid_impulses_.size(); ++c) k(fmt::format("rigid_impulse_{}", c), last_rigid_impulses_[c]);
+  for (std::size_t s = 0; s < last_support_impulses_.size(); ++s) k(fmt::format("support_impulse_{}", s), last_support_impulses_[s]);
   k("out_of_balance", out_of_balance_);
   k("shaking", shaking_);
   k("shaken_rows", shaken_rows_);
@@ -200,6 +202,17 @@ void MpmRecorder<dim>::observe_effective_normals(const problem::Model<dim>& mode
 }
 
 template <int dim>
+void MpmRecorder<dim>::observe_supports(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  const Real time = state.time - last_time_;
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const Vec<dim> impulse = state.support_impulses[s] - last_support_impulses_[s];
+    row_.of(model.supports[s].name);
+    observe_reaction<dim>(row_, time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()));
+  }
+}
+
+template <int dim>
 void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   const Real time = state.time - last_time_;
@@ -255,6 +268,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   observe_watches(model, state);
   observe_effective_normals(model, state);
   observe_depth_slices(model, state);
+  observe_supports(model, state);
   file.add(row_);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, workspace); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
@@ -263,6 +277,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   last_slice_impulses_ = state.slice_impulses;
   last_pair_impulses_ = state.pair_impulses;
   last_rigid_impulses_ = state.rigid_impulses;
+  last_support_impulses_ = state.support_impulses;
 }
 
 template class MpmRecorder<2>;

@@ -41,6 +41,7 @@ private:
   void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
   void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace);
   void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_supports(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_depth_slices(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_effective_normals(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
@@ -48,7 +49,7 @@ private:
   Real last_time_ = 0;
   std::vector<contact::ContactSums<dim>> last_sums_;
   std::vector<std::vector<Real>> last_slice_impulses_;  ///< by rigid body
-  std::vector<Vec<dim>> last_pair_impulses_, last_rigid_impulses_;
+  std::vector<Vec<dim>> last_pair_impulses_, last_rigid_impulses_, last_support_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<WatchPoint<dim>> watch_points_;
   std::vector<problem::LoadPointState<dim>> first_loaded_;

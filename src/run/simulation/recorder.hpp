@@ -42,6 +42,13 @@ void observe_effective_normal(run_folder::Row& row, Real force)
   row("N_eff", force, run_folder::newtons<dim>, "effective normal force on the surface");
 }
 
+/// A support: its force on the soil, N/m or N. A zero has no sign.
+template <int dim>
+void observe_reaction(run_folder::Row& row, const Vec<dim>& force)
+{
+  row("F", Vec<dim>(force + Vec<dim>::Zero()), run_folder::newtons<dim>, "force of the support on the soil");
+}
+
 /// Its rotation, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad). In space both are
 /// vectors: Mx_Nm, anglex_rad ...
 template <int dim>

@@ -10,6 +10,7 @@
 #include "run_folder/progress.hpp"
 #include "structures/base/soil_words.hpp"
 #include "structures/base/spoiled.hpp"
+#include "structures/base/support_reactions.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -125,6 +126,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   run_folder::Summary summary;
   run.quantities = structure.quantities(run, outcome.held_forces);
   for (run_folder::Quantity& quantity : base::dissipation_quantities(run)) run.quantities.push_back(std::move(quantity));
+  for (run_folder::Quantity& quantity : base::support_quantities(run)) run.quantities.push_back(std::move(quantity));
   summary.quantities = run.quantities;
   summary.force_measure = base::measure_quantity(base::body_scale(run));
   summary.timing = timing;

@@ -127,7 +127,9 @@ bool same(const Numbers& a, const Numbers& b)
 TYPED_TEST(StateCheckpoint, leaves_no_number_out)
 {
   constexpr int dim = TypeParam::value;
-  test::SampleRun<dim> first, second;
+  problem::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
+  c.output.support_reactions = true;
+  test::SampleRun<dim> first(c), second(c);
   problem::State<dim>&state = first.problem.state, &found = second.problem.state;
   Real next = 1;
   fill(state.time, next);
@@ -138,6 +140,7 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   fill(state.listed_poses[0], next);
   fill(state.totals, next);
   for (Vec<dim>& impulse : state.pair_impulses) fill(impulse, next);
+  for (Vec<dim>& impulse : state.support_impulses) fill(impulse, next);
   fill(state.stage.begin_time, next);
   fill(state.stage.begin_displacement, next);
   for (bodies::Drive& drive : state.stage.drive) {
@@ -157,6 +160,8 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   EXPECT_TRUE(same(found.listed_poses[0], state.listed_poses[0]));
   EXPECT_TRUE(same(found.totals, state.totals));
   EXPECT_EQ(found.pair_impulses, state.pair_impulses);
+  EXPECT_EQ(state.support_impulses.size(), c.support.size());
+  EXPECT_EQ(found.support_impulses, state.support_impulses);
   EXPECT_EQ(found.stage.begin_time, state.stage.begin_time);
   EXPECT_EQ(found.stage.begin_displacement, state.stage.begin_displacement);
   for (int d = 0; d < dim; ++d) {

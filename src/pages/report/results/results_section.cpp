@@ -72,7 +72,7 @@ std::string results_section(const Runs& runs, const std::vector<Judgement>& judg
     published += structure->published_values(of_structure, shown);
   }
   if (!key.empty()) html += "<h3>Key results</h3>\n" + key;
-  html += consolidation_table(runs) + published;
+  html += consolidation_table(runs) + support_table(runs) + published;
   for (std::size_t k = 0; k < runs.size(); ++k)
     html += structures::structure_of(runs[k].settings).other_results(runs[k], fmt::format("results-{}", k));
   // Tables of several runs name the run, with its mark, in each row; of one run the style of the class puts the mark behind each number.

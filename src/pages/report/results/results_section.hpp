@@ -14,6 +14,9 @@ std::string results_section(const std::vector<record::RunRecord>& runs, const st
 /// How the water drained in each stage, of the runs whose water flows, as HTML with its heading; "" where none does.
 std::string consolidation_table(const std::vector<record::RunRecord>& runs);
 
+/// The reactions of the supports at the ends of stages, of the runs whose history has them, as HTML with its heading; "" where none has.
+std::string support_table(const std::vector<record::RunRecord>& runs);
+
 /// Draws the figures of all runs for print, those of their structures and those over time: SVG and PNG, into a folder that is made. Gives the names of what
 /// was drawn.
 std::vector<std::string> draw_report_figures(const std::vector<record::RunRecord>& runs, const base::PublishedPoints& published,

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/driven/results/known_names_test.cpp
 #include "structures/driven/results/known_names.hpp"
 
+#include "structures/base/support_reactions.hpp"
 #include "structures/driven/results/details.hpp"
 #include "structures/driven/results/results.hpp"
 #include "structures/driven/results/states.hpp"
@@ -101,6 +102,7 @@ std::vector<std::string> known_names(const problem::Case& c)
       for (const char* end : {"_end_of_push", "_end_of_drag"}) names.push_back(std::string(axis) + end);
   for (const problem::StageSettings& stage : c.stage)
     for (const char* begin : {"U_of_", "t50_of_", "T50_of_"}) names.push_back(begin + stage.name);
+  for (const std::string& name : base::support_quantity_names(c)) names.push_back(name);
   for (const std::string& detail : detail_names()) names.push_back(detail);
   return names;
 }
