@@ -9,6 +9,25 @@
 #include <cmath>
 
 namespace berm::report {
+namespace {
+
+constexpr Real round_off = 1e-9;  // of the largest force of the run
+
+bool acts(const problem::Case& c, const base::SupportReaction& reaction)
+{
+  const Index support = problem::index_of(c.support, reaction.support);
+  const std::vector<std::string>& stages = c.support[static_cast<std::size_t>(support)].second.stages;
+  return stages.empty() || std::find(stages.begin(), stages.end(), reaction.stage) != stages.end();
+}
+
+std::string force_cell(const base::SupportReaction& reaction, std::size_t direction, Real largest, Real unit)
+{
+  if (direction >= reaction.force.size()) return text::no_number;
+  const Real force = reaction.force[direction];
+  return text::table_number(std::abs(force) > round_off * largest ? force / unit : 0);
+}
+
+}  // namespace
 
 std::string support_table(const std::vector<record::RunRecord>& runs)
 {
@@ -28,10 +47,10 @@ std::string support_table(const std::vector<record::RunRecord>& runs)
       for (const Real force : reaction.force) largest = std::max(largest, std::abs(force));
     const text::NamedUnit unit = text::unit_of_forces(largest, run.settings.force_dimension());
     for (const base::SupportReaction& reaction : reactions) {
+      if (!acts(run.settings, reaction)) continue;
       std::vector<text::HtmlCell> cells{
           {text::html_text(run.name)}, {text::html_text(reaction.stage)}, {text::html_text(reaction.support)}};
-      for (std::size_t d = 0; d < 3; ++d)
-        cells.push_back({d < reaction.force.size() ? text::table_number(reaction.force[d] / unit.size) : text::no_number, true});
+      for (std::size_t d = 0; d < 3; ++d) cells.push_back({force_cell(reaction, d, largest, unit.size), true});
       cells.push_back({unit.name});
       table.row(cells);
     }
