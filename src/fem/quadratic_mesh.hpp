@@ -20,7 +20,7 @@ struct QuadraticMesh {
   CellField<Index> region;                               ///< of each cell, an index into Mesh::region_names
   std::vector<NodeField<std::uint8_t>> fixed;            ///< by set of supports, as in Model; bit d: fixed in direction d
   std::vector<NodeField<std::uint8_t>> impermeable;      ///< likewise: held by a support that is not drained
-  std::vector<NodeField<boundary::Holders<2>>> holders;  ///< as Model::holders; empty where no reactions are told
+  std::vector<NodeField<boundary::Holders<2>>> holders;  ///< as Model::holders; empty where no reactions are reported
   std::vector<BoundarySide> boundary_sides;
   std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
 

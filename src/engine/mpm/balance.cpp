@@ -46,7 +46,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
   const Real dt = state.dt;
   const bool flows = grid.water.flows();
-  const bool told = grid.support_force.size() > 0;
+  const bool reported = grid.support_force.size() > 0;
   const bool loaded = !model.load_points.empty();
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n) {
@@ -88,7 +88,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     sums_i.gravity = weight;
     sums_i.damping = damping;
     sums_i.support = inertia.cwiseProduct(a) - total;
-    if (told) grid.support_force[i] = sums_i.support;
+    if (reported) grid.support_force[i] = sums_i.support;
     sums_i.gravity_power = weight.dot(mid_velocity);
     if (loaded) {
       sums_i.traction = grid.traction[i];

@@ -144,7 +144,7 @@ struct BodyGrid {
   NodeField<Vec<dim>> acceleration;        ///< corrected, step 4
   NodeField<Vec<dim>> mapped_velocity;     ///< v^(t+1) of steps 7 and 8: moves and strains the particles
   NodeField<Vec<dim>> traction;            ///< N, of the load points; zero where there are none
-  NodeField<Vec<dim>> support_force;       ///< N, of the supports before contact; empty where no reactions are told
+  NodeField<Vec<dim>> support_force;       ///< N, of the supports before contact; empty where no reactions are reported
   NodeField<std::uint8_t> touching;        ///< 1: near a contact, exempt from damping
   NodeField<std::uint8_t> contact_points;  ///< 1: a contact point of this step moves the node
 

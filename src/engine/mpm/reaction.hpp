@@ -5,7 +5,7 @@
 
 namespace berm::mpm {
 
-/// Adds the impulses of all points to the totals, and their opposites to the rigid bodies; and what the supports give where that is told.
+/// Adds the impulses of all points to the totals, and their opposites to the rigid bodies; and what the supports give where that is reported.
 template <int dim>
 void react(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace);
 

@@ -38,7 +38,7 @@ NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case
   return fixed;
 }
 
-/// The nodes of the supports and which of these holds each, where their reactions are told.
+/// The nodes of the supports and which of these holds each, where their reactions are reported.
 template <int dim>
 void list_supports(const Case& c, const SupportSets& sets, Model<dim>& model)
 {

@@ -80,7 +80,7 @@ struct Watch {
   std::int32_t id;
 };
 
-/// A support whose reaction is told.
+/// A support whose reaction is reported.
 struct Support {
   std::string name;
   std::vector<Index> nodes;  ///< of its boundary, ascending
@@ -102,7 +102,7 @@ struct Model {
   std::vector<LoadPoint<dim>> load_points;
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                 ///< by stage: which set
-  std::vector<Support> supports;               ///< by place in Case::support, where their reactions are told; else none
+  std::vector<Support> supports;               ///< by place in Case::support, where their reactions are reported; else none
   std::vector<NodeField<boundary::Holders<dim>>>
       holders;  ///< as `fixed`: which of these supports holds the node; empty where there are none
   /// As `fixed`, of the flux of water; empty where none flows.
