@@ -149,11 +149,12 @@ void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found)
       for (int d = 0; d < s.c.dimension(); ++d) meets = meets && overlap(swept(s, s.ways[k], d), s.rigids[other].space[d]);
       if (!meets) continue;
       asked.emplace_back(rigid, other);
-      found.warn(stage_key(k, s.c.stage[k].rigid.empty() ? "kind" : "rigid"),
-                 fmt::format("\"{0}\" may come to \"{1}\" on its way, and rigid bodies without a contact do not feel each other: the run stops "
-                             "where they overlap; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what "
-                             "shall be pushed aside a mass and motion = \"free\"",
-                             name, other_name));
+      found.warn(
+          stage_key(k, s.c.stage[k].rigid.empty() ? "kind" : "rigid"),
+          fmt::format("\"{0}\" may come to \"{1}\" on its way, and rigid bodies without a contact do not feel each other: the run stops "
+                      "where they overlap; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what "
+                      "shall be pushed aside a mass and motion = \"free\"",
+                      name, other_name));
     }
 }
 

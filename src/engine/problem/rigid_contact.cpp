@@ -27,8 +27,8 @@ bool may_move(const Case& c, const std::string& rigid)
 template <int dim>
 Real overlap_of(const Model<dim>& model, const RigidPair<dim>& pair, const bodies::Pose<dim>& first, const bodies::Pose<dim>& second)
 {
-  const bodies::MeetingPoints<dim> points =
-      meeting_points(pair.meeting, model.rigid_bodies[pair.first], first, model.rigid_bodies[pair.second], second, 0);
+  const bodies::ProximityPoints<dim> points =
+      proximity_points(pair.proximity, model.rigid_bodies[pair.first], first, model.rigid_bodies[pair.second], second, 0);
   return points.count == 0 ? 0 : -points.points[0].gap;
 }
 
@@ -82,15 +82,15 @@ void add_rigid_contacts(const Case& c, Model<dim>& model)
   for (const auto& [name, s] : c.rigid_contact) {
     const Index first = index_of(c.rigid, s.rigid), second = index_of(c.rigid, s.other_rigid);
     const std::string path = "rigid_contact." + name;
-    const auto meeting = bodies::meeting_of<dim>(c.rigid[first].second.shape, c.rigid[second].second.shape);
-    if (!meeting)
+    const auto proximity = bodies::proximity_of<dim>(c.rigid[first].second.shape, c.rigid[second].second.shape);
+    if (!proximity)
       throw KeyError(
           path + (dim == 2 ? ": two half-planes do not meet"
                            : ": in space bodies meet of which one is a sphere, two circles along z, or such a circle and a half-plane"));
     if (!may_move(c, s.rigid) && !may_move(c, s.other_rigid))
       throw KeyError(fmt::format("{}: neither \"{}\" nor \"{}\" moves: no stage drives them, and neither has motion = \"free\"", path,
                                  s.rigid, s.other_rigid));
-    model.rigid_contacts.push_back({{first, second, *meeting}, name, std::tan(s.friction_angle), s.restitution});
+    model.rigid_contacts.push_back({{first, second, *proximity}, name, std::tan(s.friction_angle), s.restitution});
     refuse_overlap_at_start<dim>(model, model.rigid_contacts.back(), path);
   }
   if (c.method != Method::mpm) return;
@@ -106,8 +106,8 @@ void add_rigid_contacts(const Case& c, Model<dim>& model)
       const auto& [other_name, second] = c.rigid[b];
       const bool bounded = bodies::is_bounded(model.rigid_bodies[a].shape) && bodies::is_bounded(model.rigid_bodies[b].shape);
       if (touches(a, b) || !bounded || (!may_move(c, name) && !may_move(c, other_name))) continue;
-      if (const auto meeting = bodies::meeting_of<dim>(first.shape, second.shape)) {
-        model.apart.push_back({a, b, *meeting});
+      if (const auto proximity = bodies::proximity_of<dim>(first.shape, second.shape)) {
+        model.apart.push_back({a, b, *proximity});
         refuse_overlap_at_start(model, model.apart.back(), "rigid." + other_name);
       }
     }
@@ -194,7 +194,7 @@ Real response_along(const Model<dim>& model, const State<dim>& state, const Poin
   return response;
 }
 
-constexpr int max_points = static_cast<int>(max_rigid_contacts) * bodies::max_meeting_points;
+constexpr int max_points = static_cast<int>(max_rigid_contacts) * bodies::max_proximity_points;
 
 template <int dim>
 struct Points {
@@ -224,11 +224,11 @@ void find_points(const Model<dim>& model, const State<dim>& state, const RigidVe
   const Real reach = reach_in_step(model, state, dt);
   for (std::size_t k = 0; k < model.rigid_contacts.size(); ++k) {
     const RigidContact<dim>& contact = model.rigid_contacts[k];
-    const bodies::MeetingPoints<dim> found =
-        meeting_points(contact.meeting, model.rigid_bodies[contact.first], state.rigid_bodies[contact.first],
-                       model.rigid_bodies[contact.second], state.rigid_bodies[contact.second], reach);
+    const bodies::ProximityPoints<dim> found =
+        proximity_points(contact.proximity, model.rigid_bodies[contact.first], state.rigid_bodies[contact.first],
+                         model.rigid_bodies[contact.second], state.rigid_bodies[contact.second], reach);
     for (int p = 0; p < found.count; ++p) {
-      const bodies::MeetingPoint<dim>& at = found.points[p];
+      const bodies::ProximityPoint<dim>& at = found.points[p];
       Point<dim>& point = points.list[points.count++];
       point = Point<dim>();
       point.contact = k, point.normal = at.normal, point.gap = at.gap;

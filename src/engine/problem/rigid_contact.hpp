@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bodies/rigid/dynamics.hpp"
-#include "bodies/rigid/meeting.hpp"
+#include "bodies/rigid/proximity.hpp"
 
 #include <array>
 
@@ -20,7 +20,7 @@ constexpr std::size_t max_rigid_contacts = 16;
 template <int dim>
 struct RigidPair {
   Index first, second;
-  bodies::Meeting<dim> meeting;
+  bodies::Proximity<dim> proximity;
 };
 
 /// A contact of two rigid bodies.

@@ -38,9 +38,9 @@ TEST(AdhesionLaw, is_the_share_of_the_strength_that_the_soil_has_now)
   const material::Material soil = clay(5e3, 0.1);
   const AdhesionLaw law = adhesion_law(skin(0.4, 1, 0), soil_of_one(soil));
   const Real undisturbed[3] = {}, faster[3] = {0, 0.16, 0.16};  // the state of the law: what the rate adds
-  EXPECT_EQ(law.at(soil, undisturbed, 0), 2000);
-  EXPECT_EQ(law.at(soil, faster, 0), 0.4 * 5800);
-  EXPECT_EQ(law.at(soil, undisturbed, 7), 2000) << "slip counts only where it softens";
+  EXPECT_EQ(law.at(soil, undisturbed, 0, 0), 2000);
+  EXPECT_EQ(law.at(soil, faster, 0, 0), 0.4 * 5800);
+  EXPECT_EQ(law.at(soil, undisturbed, 7, 0), 2000) << "slip counts only where it softens";
 }
 
 TEST(AdhesionLaw, falls_exponentially_with_the_slip_to_one_over_its_sensitivity)
@@ -48,10 +48,10 @@ TEST(AdhesionLaw, falls_exponentially_with_the_slip_to_one_over_its_sensitivity)
   const material::Material soil = clay(5e3, 0);
   const AdhesionLaw law = adhesion_law(skin(1, 4, 0.01), soil_of_one(soil));
   const Real undisturbed[3] = {};
-  EXPECT_EQ(law.at(soil, undisturbed, 0), 5e3);
+  EXPECT_EQ(law.at(soil, undisturbed, 0, 0), 5e3);
   // 95 % of the fall, 1 - e^-3, after the ductility; all of it after much more.
-  EXPECT_NEAR(law.at(soil, undisturbed, 0.01), 5e3 * (0.25 + 0.75 * std::exp(-3.)), 1e-9);
-  EXPECT_NEAR(law.at(soil, undisturbed, 1), 1250, 1e-9);
+  EXPECT_NEAR(law.at(soil, undisturbed, 0.01, 0), 5e3 * (0.25 + 0.75 * std::exp(-3.)), 1e-9);
+  EXPECT_NEAR(law.at(soil, undisturbed, 1, 0), 1250, 1e-9);
 }
 
 TEST(AdhesionLaw, of_a_softening_interface_is_never_above_its_share_of_the_present_strength)
@@ -59,8 +59,8 @@ TEST(AdhesionLaw, of_a_softening_interface_is_never_above_its_share_of_the_prese
   const material::Material soil = clay(5e3, 0);
   const AdhesionLaw law = adhesion_law(skin(0.5, 2, 0.01), soil_of_one(soil));
   const Real softened[3] = {10, 0, -0.8};
-  EXPECT_NEAR(law.at(soil, softened, 0), 500, 1e-9);
-  EXPECT_NEAR(law.at(soil, softened, 1), 500, 1e-9);
+  EXPECT_NEAR(law.at(soil, softened, 0, 0), 500, 1e-9);
+  EXPECT_NEAR(law.at(soil, softened, 1, 0), 500, 1e-9);
 }
 
 TEST(AdhesionLaw, of_an_adhesion_in_pascals_falls_too)
@@ -69,8 +69,8 @@ TEST(AdhesionLaw, of_an_adhesion_in_pascals_falls_too)
   contact.adhesion = 3e3;
   const AdhesionLaw law = adhesion_law(contact, soil_of_one(clay(5e3, 0)));
   EXPECT_TRUE(law.soils.empty());
-  EXPECT_EQ(law.at(clay(5e3, 0), nullptr, 0), 3e3);
-  EXPECT_NEAR(law.at(clay(5e3, 0), nullptr, 1), 1.5e3, 1e-9);
+  EXPECT_EQ(law.at(clay(5e3, 0), nullptr, 0, 0), 3e3);
+  EXPECT_NEAR(law.at(clay(5e3, 0), nullptr, 1, 0), 1.5e3, 1e-9);
 }
 
 TEST(MemoryOfParticles, is_there_for_the_contacts_that_need_it_and_follows_the_numbers_of_the_soil)

@@ -26,7 +26,7 @@ Case two_bodies(const bodies::RigidSettings& left, const bodies::RigidSettings& 
 {
   Case c = pipe_over_box({stage_of(StageKind::free)});
   c.rigid = {{"left", left}, {"right", right}};
-  c.rigid_contact = {{"meeting", {"left", "right", friction_angle, restitution}}};
+  c.rigid_contact = {{"proximity", {"left", "right", friction_angle, restitution}}};
   return c;
 }
 

@@ -9,7 +9,7 @@ namespace berm::bodies {
 
 /// Where a rigid body is nearest to another.
 template <int dim>
-struct MeetingPoint {
+struct ProximityPoint {
   Vec<dim> position;  ///< m, on the surface of the second body
   Vec<dim> normal;    ///< unit vector out of the second body
   Real gap;           ///< m; negative where they overlap
@@ -25,25 +25,25 @@ struct Feelers {
 /// How two rigid bodies meet: by the feelers of one at the surface of the other, and the other way round where both have corners. Two straight sides that meet
 /// do so at the corners of either.
 template <int dim>
-struct Meeting {
+struct Proximity {
   Feelers<dim> of_first, of_second;
 };
 
 /// Empty where berm cannot tell how they meet: in space each pair of bodies but a sphere and any other, two circles, and a circle and a half-plane; in the plane two
 /// half-planes.
 template <int dim>
-std::optional<Meeting<dim>> meeting_of(const RigidShapeSettings& first, const RigidShapeSettings& second);
+std::optional<Proximity<dim>> proximity_of(const RigidShapeSettings& first, const RigidShapeSettings& second);
 
-constexpr int max_meeting_points = 4;
+constexpr int max_proximity_points = 4;
 
-/// The nearest points of two bodies there, at most max_meeting_points, farther ones than `reach` (m) left out. The normals point out of the second body.
+/// The nearest points of two bodies there, at most max_proximity_points, farther ones than `reach` (m) left out. The normals point out of the second body.
 template <int dim>
-struct MeetingPoints {
+struct ProximityPoints {
   int count = 0;
-  std::array<MeetingPoint<dim>, max_meeting_points> points;
+  std::array<ProximityPoint<dim>, max_proximity_points> points;
 };
 template <int dim>
-MeetingPoints<dim> meeting_points(const Meeting<dim>& meeting, const RigidBody<dim>& first, const Pose<dim>& first_pose,
-                                  const RigidBody<dim>& second, const Pose<dim>& second_pose, Real reach);
+ProximityPoints<dim> proximity_points(const Proximity<dim>& proximity, const RigidBody<dim>& first, const Pose<dim>& first_pose,
+                                      const RigidBody<dim>& second, const Pose<dim>& second_pose, Real reach);
 
 }  // namespace berm::bodies

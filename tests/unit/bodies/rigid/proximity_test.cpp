@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bodies/rigid/meeting.hpp"
+#include "bodies/rigid/proximity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,15 @@ namespace berm::bodies::this_file {
 namespace {
 
 template <int dim>
-MeetingPoints<dim> points_of(const RigidShapeSettings& first, const RigidShapeSettings& second, const Pose<dim>& first_pose = {},
-                             const Pose<dim>& second_pose = {})
+ProximityPoints<dim> points_of(const RigidShapeSettings& first, const RigidShapeSettings& second, const Pose<dim>& first_pose = {},
+                               const Pose<dim>& second_pose = {})
 {
   RigidBody<dim> a, b;
   a.shape = make_shape<dim>(first), b.shape = make_shape<dim>(second);
-  return meeting_points(*meeting_of<dim>(first, second), a, first_pose, b, second_pose, 1);
+  return proximity_points(*proximity_of<dim>(first, second), a, first_pose, b, second_pose, 1);
 }
 
-TEST(Meeting, of_two_circles_lies_on_the_line_between_their_centres)
+TEST(Proximity, of_two_circles_lies_on_the_line_between_their_centres)
 {
   const auto found = points_of<2>(CircleSettings{{0, 0}, 2}, CircleSettings{{3, 4}, 4});
   ASSERT_EQ(found.count, 0) << "2 m apart, and 1 m is asked for";
@@ -26,7 +26,7 @@ TEST(Meeting, of_two_circles_lies_on_the_line_between_their_centres)
   EXPECT_LE((near.points[0].position - Vec<2>(0.9, 1.2)).norm(), 1e-15) << "on the second";
 }
 
-TEST(Meeting, of_a_circle_and_a_corner_goes_through_the_corner_whichever_is_first)
+TEST(Proximity, of_a_circle_and_a_corner_goes_through_the_corner_whichever_is_first)
 {
   const RigidShapeSettings circle = CircleSettings{{2, 2}, 2}, box = BoxSettings{{0, 0}, {2, 2}};
   const Real gap = std::sqrt(2.) - 1, half = std::sqrt(0.5);
@@ -41,7 +41,7 @@ TEST(Meeting, of_a_circle_and_a_corner_goes_through_the_corner_whichever_is_firs
 }
 
 // A box 2 m wide stands with a gap of 0.1 m on one 4 m wide: two corners of the upper one. Turned by a right angle it is as wide as high, and shifted by its pose.
-TEST(Meeting, of_two_boxes_is_at_the_corners_of_either)
+TEST(Proximity, of_two_boxes_is_at_the_corners_of_either)
 {
   const RigidShapeSettings upper = BoxSettings{{0, 1.1}, {2, 2}}, lower = BoxSettings{{0, -0.5}, {4, 1}};
   for (const Real angle : {0., pi / 2}) {
@@ -62,7 +62,7 @@ TEST(Meeting, of_two_boxes_is_at_the_corners_of_either)
   EXPECT_NEAR(turned_round.points[0].position[1], 0.1, 1e-14) << "on the second: the upper one's base";
 }
 
-TEST(Meeting, in_space_is_known_of_spheres_and_of_circles_along_z)
+TEST(Proximity, in_space_is_known_of_spheres_and_of_circles_along_z)
 {
   const SphereSettings sphere{{0, 2, 5}, 2};
   const CircleSettings circle{{0, 0, 0}, 1};
@@ -71,12 +71,12 @@ TEST(Meeting, in_space_is_known_of_spheres_and_of_circles_along_z)
   EXPECT_NEAR(found.points[0].gap, 0.5, 1e-15);
   EXPECT_LE((found.points[0].normal - Vec<3>(0, -1, 0)).norm(), 1e-15);
   EXPECT_LE((found.points[0].position - Vec<3>(0, 1, 5)).norm(), 1e-15);
-  EXPECT_TRUE(meeting_of<3>(circle, circle));
-  EXPECT_TRUE(meeting_of<3>(circle, HalfPlaneSettings{{0, -1, 0}, {0, 1, 0}}));
+  EXPECT_TRUE(proximity_of<3>(circle, circle));
+  EXPECT_TRUE(proximity_of<3>(circle, HalfPlaneSettings{{0, -1, 0}, {0, 1, 0}}));
   const BoxSettings box{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_FALSE(meeting_of<3>(box, box));
-  EXPECT_FALSE(meeting_of<3>(box, circle));
-  EXPECT_TRUE(meeting_of<3>(box, sphere));
+  EXPECT_FALSE(proximity_of<3>(box, box));
+  EXPECT_FALSE(proximity_of<3>(box, circle));
+  EXPECT_TRUE(proximity_of<3>(box, sphere));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/bodies/rigid/meeting_test.cpp
-#include "bodies/rigid/meeting.hpp"
+// Tests: tests/unit/bodies/rigid/proximity_test.cpp
+#include "bodies/rigid/proximity.hpp"
 
 #include <algorithm>
 
@@ -40,11 +40,11 @@ SurfacePoint<dim> surface_at_pose(const RigidBody<dim>& body, const Pose<dim>& p
 
 /// Keeps the nearest points.
 template <int dim>
-void insert(MeetingPoints<dim>& found, const MeetingPoint<dim>& point)
+void insert(ProximityPoints<dim>& found, const ProximityPoint<dim>& point)
 {
-  int at = std::min(found.count, max_meeting_points - 1);
-  if (found.count == max_meeting_points && !(point.gap < found.points[at].gap)) return;
-  if (found.count < max_meeting_points) ++found.count;
+  int at = std::min(found.count, max_proximity_points - 1);
+  if (found.count == max_proximity_points && !(point.gap < found.points[at].gap)) return;
+  if (found.count < max_proximity_points) ++found.count;
   for (; at > 0 && point.gap < found.points[at - 1].gap; --at) found.points[at] = found.points[at - 1];
   found.points[at] = point;
 }
@@ -52,7 +52,7 @@ void insert(MeetingPoints<dim>& found, const MeetingPoint<dim>& point)
 /// Adds where the feelers of a body meet the surface of another; `second` is whether this is the second of the two.
 template <int dim>
 void add_points(const Feelers<dim>& feelers, const RigidBody<dim>& body, const Pose<dim>& pose, const RigidBody<dim>& surface,
-                const Pose<dim>& surface_pose, bool second, Real reach, MeetingPoints<dim>& found)
+                const Pose<dim>& surface_pose, bool second, Real reach, ProximityPoints<dim>& found)
 {
   const Matrix<dim> turned = pose.orientation.matrix(), surface_turned = surface_pose.orientation.matrix();
   const Vec<dim> center = center_of<dim>(body.shape), moved = center + pose.displacement;
@@ -68,38 +68,38 @@ void add_points(const Feelers<dim>& feelers, const RigidBody<dim>& body, const P
 }  // namespace
 
 template <int dim>
-std::optional<Meeting<dim>> meeting_of(const RigidShapeSettings& first, const RigidShapeSettings& second)
+std::optional<Proximity<dim>> proximity_of(const RigidShapeSettings& first, const RigidShapeSettings& second)
 {
   if constexpr (dim == 3) {
     const bool circle = std::holds_alternative<CircleSettings>(first), other = std::holds_alternative<CircleSettings>(second);
     const bool plane = std::holds_alternative<HalfPlaneSettings>(first) || std::holds_alternative<HalfPlaneSettings>(second);
     if (!is_sphere<3>(first) && !is_sphere<3>(second) && !(circle && other) && !((circle || other) && plane)) return {};
   }
-  Meeting<dim> meeting{feelers_of<dim>(first), feelers_of<dim>(second)};
+  Proximity<dim> proximity{feelers_of<dim>(first), feelers_of<dim>(second)};
   // A ball's nearest point of the other surface is that of the whole ball. Of a sphere and a circle in space it is the sphere that has one.
-  const bool first_is_ball = meeting.of_first.points.size() == 1 && (is_sphere<dim>(first) || !is_sphere<dim>(second));
+  const bool first_is_ball = proximity.of_first.points.size() == 1 && (is_sphere<dim>(first) || !is_sphere<dim>(second));
   if (first_is_ball)
-    meeting.of_second = {};
-  else if (meeting.of_second.points.size() == 1)
-    meeting.of_first = {};
-  if (meeting.of_first.points.empty() && meeting.of_second.points.empty()) return {};
-  return meeting;
+    proximity.of_second = {};
+  else if (proximity.of_second.points.size() == 1)
+    proximity.of_first = {};
+  if (proximity.of_first.points.empty() && proximity.of_second.points.empty()) return {};
+  return proximity;
 }
 
 template <int dim>
-MeetingPoints<dim> meeting_points(const Meeting<dim>& meeting, const RigidBody<dim>& first, const Pose<dim>& first_pose,
-                                  const RigidBody<dim>& second, const Pose<dim>& second_pose, Real reach)
+ProximityPoints<dim> proximity_points(const Proximity<dim>& proximity, const RigidBody<dim>& first, const Pose<dim>& first_pose,
+                                      const RigidBody<dim>& second, const Pose<dim>& second_pose, Real reach)
 {
-  MeetingPoints<dim> found;
-  add_points(meeting.of_first, first, first_pose, second, second_pose, true, reach, found);
-  add_points(meeting.of_second, second, second_pose, first, first_pose, false, reach, found);
+  ProximityPoints<dim> found;
+  add_points(proximity.of_first, first, first_pose, second, second_pose, true, reach, found);
+  add_points(proximity.of_second, second, second_pose, first, first_pose, false, reach, found);
   return found;
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template std::optional<Meeting<dim>> meeting_of(const RigidShapeSettings&, const RigidShapeSettings&);                                   \
-  template MeetingPoints<dim> meeting_points(const Meeting<dim>&, const RigidBody<dim>&, const Pose<dim>&, const RigidBody<dim>&,          \
-                                             const Pose<dim>&, Real);
+  template std::optional<Proximity<dim>> proximity_of(const RigidShapeSettings&, const RigidShapeSettings&);                               \
+  template ProximityPoints<dim> proximity_points(const Proximity<dim>&, const RigidBody<dim>&, const Pose<dim>&, const RigidBody<dim>&,    \
+                                                 const Pose<dim>&, Real);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
