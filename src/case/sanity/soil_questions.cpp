@@ -243,7 +243,8 @@ void what_inertia_do_layers_get(const Scene& s, Findings& found)
     for (std::size_t k = 1; k < soil.materials.size(); ++k) {
       const material::Material& asked = s.c.material[problem::index_of(s.c.material, soil.names[k])].second;
       const Real taken = inertia_density(soil.materials[k]);
-      if (std::abs(taken / inertia_density(asked) - 1) < worth_a_word) continue;
+      const bool given = inertia_density(asked) != density(asked);
+      if (!given || std::abs(taken / inertia_density(asked) - 1) < worth_a_word) continue;
       found.warn(
           fmt::format("material.{}.inertia_density", soil.names[k]),
           fmt::format("is taken as {:.4g} kg/m^3 instead of {:.4g} kg/m^3: the soils of [body.{}] have one density over inertia_density, "

@@ -13,20 +13,21 @@ void describe_water(Describe& d, Law& law)
                    {.meaning = "the water in the pores, of laws of effective stress; left out: drained, or of total stress"});
 }
 
-/// Declares the density that gives the weight, or the unit weight below water instead: neither leaves it 0, both make it NaN, which material::check refuses.
+/// Declares the density that gives the weight, or the unit weight below water instead. Neither leaves it 0, both make it NaN: material::check refuses that.
 template <class Law>
 void describe_weight(Describe& d, Law& law)
 {
   constexpr Real gravity = 9.80665;
-  d.value("density", law.density,
+  std::optional<Real> density, weight;
+  if (law.density > 0) density = law.density;
+  d.value("density", density,
           {.meaning = "mass per volume, which gives the weight: of submerged soil its submerged unit weight over gravity",
            .unit = "kg/m^3",
            .range = positive});
-  std::optional<Real> weight;
   d.value(
       "submerged_unit_weight", weight,
       {.meaning = "instead of `density`: unit weight below water under one gravity of 9.80665 m/s2", .unit = "N/m^3", .range = positive});
-  if (weight) law.density = law.density > 0 ? nan : *weight / gravity;
+  law.density = density && weight ? nan : weight ? *weight / gravity : density.value_or(0);
 }
 
 /// Declares the densities of a law, and the water in its pores.

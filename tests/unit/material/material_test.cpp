@@ -68,7 +68,7 @@ TEST(Material, what_no_law_can_guess_is_required)
     Material material;
     Recorder recorder(law);
     describe(recorder, material);
-    for (const char* key : {"density", "young_modulus", "poisson_ratio"}) {
+    for (const char* key : {"young_modulus", "poisson_ratio"}) {
       ASSERT_NE(recorder.of(key), nullptr);
       EXPECT_TRUE(recorder.of(key)->required) << key;
     }
@@ -79,6 +79,21 @@ TEST(Material, what_no_law_can_guess_is_required)
   EXPECT_TRUE(recorder.of("friction_angle")->required);
   EXPECT_STREQ(recorder.of("friction_angle")->unit, "rad");
   EXPECT_GE(recorder.of("friction_angle")->range.max, 60 * pi / 180);
+}
+
+TEST(Material, needs_a_density_or_a_unit_weight_below_water_and_not_both)
+{
+  MohrCoulomb law;
+  const auto refused_weight = [&] {
+    Recorder recorder(1);
+    check(recorder, "material.sand", Material(law));
+    return recorder.refused.empty() ? std::string() : recorder.refused.front();
+  };
+  EXPECT_EQ(refused_weight(), "material.sand.density");
+  law.density = nan;
+  EXPECT_EQ(refused_weight(), "material.sand.submerged_unit_weight");
+  law.density = 900;
+  EXPECT_EQ(refused_weight(), "");
 }
 
 TEST(Material, dilation_larger_than_friction_is_refused_at_its_key)

@@ -464,6 +464,7 @@ TEST(Stage, drives_the_rigid_body_that_it_names_alone)
   Case c = pipe_over_box({push(0.5)});
   c.rigid.push_back(c.rigid[0]);
   c.rigid[1].first = "other";
+  c.rigid[1].second.shape = bodies::CircleSettings{{1.5, 1.3}, 0.4};
   c.stage[0].rigid = "other";
   auto problem = build<2>(c, ".", ".");
   drive_rigids(problem.model, problem.state, dt);

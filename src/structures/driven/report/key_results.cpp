@@ -334,6 +334,35 @@ std::string folded(const std::string& table)
   return table.empty() ? "" : "<details>\n<summary>All travels, one by one</summary>\n" + table + "</details>\n";
 }
 
+/// The mean of a column over the last stage; NaN where there is none.
+Real mean_of_last_stage(const run_folder::History& history, const std::string& column)
+{
+  if (!history.has(column) || history.rows() == 0) return nan;
+  const std::vector<Real>& values = history[column];
+  Real sum = 0;
+  int rows = 0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (history.stage[k] == history.stage.back()) sum += values[k], ++rows;
+  return sum / rows;
+}
+
+/// What rigid bodies give to each other, which is no part of H and V.
+std::string rigid_contact_notes(const DrivenRuns& runs)
+{
+  std::string notes;
+  for (const DrivenRun& run : runs)
+    for (const auto& [name, contact] : run.settings.rigid_contact) {
+      const int dimension = run.settings.force_dimension();
+      const char* unit = dimension == 2 ? "_N_m" : "_N";
+      const Real x = mean_of_last_stage(run.history, name + "_Fx" + unit), y = mean_of_last_stage(run.history, name + "_Fy" + unit);
+      if (std::isnan(x)) continue;
+      notes += text::html_paragraph(fmt::format(
+          "H and V are those of the soil alone. Beside them {} pushes {} by {} along x and {} along y, means over the last stage.",
+          contact.other_rigid, contact.rigid, text::force_words(x, dimension), text::force_words(y, dimension)));
+    }
+  return notes;
+}
+
 }  // namespace
 
 std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown)
@@ -342,7 +371,7 @@ std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown)
   const std::string tables = states_table(runs, shown) + push_table(runs, shown, several) + drag_table(runs, shown, several) +
                              resistance_table(runs, shown, several) + displacements_table(runs, shown) + uplift_table(runs, shown) +
                              folded(stages_table(runs, shown));
-  return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + converged_notes(runs) + tables;
+  return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + rigid_contact_notes(runs) + converged_notes(runs) + tables;
 }
 
 }  // namespace berm::driven

@@ -49,7 +49,7 @@ TEST(Proximity, of_two_boxes_is_at_the_corners_of_either)
     pose.orientation.angle = angle;
     pose.displacement = {0.5, 0};
     const auto found = points_of<2>(upper, lower, pose);
-    ASSERT_EQ(found.count, 2);
+    ASSERT_EQ(found.count, 3) << "and farther the lower one's corner";
     for (int k = 0; k < 2; ++k) {
       EXPECT_NEAR(found.points[k].gap, 0.1, 1e-14);
       EXPECT_LE((found.points[k].normal - Vec<2>(0, 1)).norm(), 1e-14);
