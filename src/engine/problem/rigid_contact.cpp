@@ -291,6 +291,24 @@ void find_impulses(const Model<dim>& model, State<dim>& state, Points<dim>& poin
   }
 }
 
+/// Of the work of an impulse on a body what is no kinetic energy in the balance: all of it, and of a free body that of freedoms that a velocity prescribes.
+template <int dim>
+Real work_on_held(bool free, const Side<dim>& side, const Vec<dim>& impulse, const Vec<dim>& velocity, const bodies::Angular<dim>& turning)
+{
+  const auto held = [&](int freedom) { return !free || !side.gives_way.by_force[freedom]; };
+  Real work = 0;
+  for (int d = 0; d < dim; ++d)
+    if (held(d)) work += impulse[d] * velocity[d];
+  const bodies::Angular<dim> moment = bodies::moment_of(side.arm, impulse);
+  if constexpr (dim == 2) {
+    if (held(2)) work += moment * turning;
+  } else {
+    for (int d = 0; d < 3; ++d)
+      if (held(3 + d)) work += moment[d] * turning[d];
+  }
+  return work;
+}
+
 }  // namespace
 
 template <int dim>
@@ -310,11 +328,12 @@ void push_apart(const Model<dim>& model, State<dim>& state, const RigidVelocitie
     for (int k = 0; k < 2; ++k) {
       const Side<dim>& side = point.sides[k];
       const bodies::RigidState<dim>& body = state.rigid_bodies[side.body];
-      const Vec<dim> mean = (body.velocity + before.velocity[point.contact][k]) / 2 +
-                            bodies::cross(bodies::Angular<dim>((body.angular_velocity + before.angular[point.contact][k]) / 2), side.arm);
-      const Real gained = (k == 0 ? 1 : -1) * impulse.dot(mean);
-      state.totals.friction -= gained;
-      if (model.rigid_bodies[side.body].motion != bodies::Motion::free) state.totals.external -= gained;
+      const Vec<dim> given = k == 0 ? impulse : Vec<dim>(-impulse);
+      const Vec<dim> velocity = (body.velocity + before.velocity[point.contact][k]) / 2;
+      const bodies::Angular<dim> turning = (body.angular_velocity + before.angular[point.contact][k]) / 2;
+      state.totals.friction -= given.dot(velocity + bodies::cross(turning, side.arm));
+      const bool free = model.rigid_bodies[side.body].motion == bodies::Motion::free;
+      state.totals.external -= work_on_held(free, side, given, velocity, turning);
     }
   }
 }

@@ -55,7 +55,7 @@ RigidVelocities<dim> velocities_at_contacts(const Model<dim>& model, const State
 ///   left of the slip (Moreau 1988; Newton's law of impact).
 ///
 /// The impulses act on both bodies, opposite and at one point, so that momentum and angular momentum are kept to round-off. What velocities prescribe does not give
-/// way. Work: what is lost is friction; what a body gains that is not free is external work. `last`: the velocities of the step before. Throws RunError where neither
+/// way. Work: what is lost is friction; what a body gains that is not free, or in a freedom that a velocity prescribes, is external work. `last`: the velocities of the step before. Throws RunError where neither
 /// body gives way.
 template <int dim>
 void push_apart(const Model<dim>& model, State<dim>& state, const RigidVelocities<dim>& last, Real dt);
