@@ -143,7 +143,7 @@ void make_contact(FemModel& model)
     model.contact = make_contact_points(sides, model.mesh.position, rigid.shape, metric);
     Real length = 0;
     for (const FemContactPoint& point : model.contact) length += section_of(metric, point.area, model.mesh.position[point.node]);
-    model.interface = {contact.friction, 0, rules_of(contact.scheme).tied,
+    model.interface = {0, 0, rules_of(contact.scheme).tied,
                        contact_stiffness * stiffest_at_contact(model, contact.body) * static_cast<Real>(sides.size()) / length,
                        contact.tension};
     set_adhesion(model, contact);

@@ -30,7 +30,7 @@ struct FemModel {
   CellField<std::array<Real, triangle_points>> depth;  ///< m, of the integration points below the bed's surface at the start
   Index rigid = none;                                  ///< the rigid body in contact with the soil
   std::vector<FemContactPoint> contact;
-  FemInterface interface;  ///< but for its adhesion, which is that of the point
+  FemInterface interface;  ///< but for its friction and adhesion, which are those of the point
   problem::AdhesionLaw adhesion_law;
   Real width = 1;                             ///< m, of the rigid body, unit of the increments of travel; 1 where there is none
   Real weight = 0;                            ///< N/m, of all soil

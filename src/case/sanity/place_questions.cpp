@@ -140,11 +140,8 @@ void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found)
       const Index rigid = s.ways[k].rigid;
       if (rigid == none || rigid == other || !s.rigids[rigid].bounded || !s.rigids[other].bounded) continue;
       const std::string &name = s.c.rigid[rigid].first, &other_name = s.c.rigid[other].first;
-      const auto joins = [&](const auto& contact) {
-        const contact::RigidContactSettings& c = contact.second;
-        return (c.rigid == name && c.other_rigid == other_name) || (c.rigid == other_name && c.other_rigid == name);
-      };
-      bool meets = std::none_of(s.c.rigid_contact.begin(), s.c.rigid_contact.end(), joins) &&
+      const auto joins_them = [&](const auto& contact) { return joins(contact.second, name, other_name); };
+      bool meets = std::none_of(s.c.rigid_contact.begin(), s.c.rigid_contact.end(), joins_them) &&
                    std::find(asked.begin(), asked.end(), std::pair(rigid, other)) == asked.end();
       for (int d = 0; d < s.c.dimension(); ++d) meets = meets && overlap(swept(s, s.ways[k], d), s.rigids[other].space[d]);
       if (!meets) continue;

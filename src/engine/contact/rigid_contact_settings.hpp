@@ -14,4 +14,10 @@ struct RigidContactSettings {
 
 void describe(Describe& d, RigidContactSettings& contact);
 
+/// Whether it is between these two, whichever comes first.
+inline bool joins(const RigidContactSettings& contact, const std::string& one, const std::string& other)
+{
+  return (contact.rigid == one && contact.other_rigid == other) || (contact.rigid == other && contact.other_rigid == one);
+}
+
 }  // namespace berm::contact

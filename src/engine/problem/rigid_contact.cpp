@@ -66,9 +66,8 @@ void check_rigid_contacts(Describe& d, const Case& c)
                 index_of(c.contact, name) == none && index_of(c.rigid, name) == none,
             path, "another table has this name, which columns of the history begin with");
     for (const auto& [other, again] : c.rigid_contact)
-      d.check(&again == &contact || !((again.rigid == contact.rigid && again.other_rigid == contact.other_rigid) ||
-                                      (again.rigid == contact.other_rigid && again.other_rigid == contact.rigid)),
-              path, fmt::format("is between the same bodies as [rigid_contact.{}]", other));
+      d.check(&again == &contact || !joins(again, contact.rigid, contact.other_rigid), path,
+              fmt::format("is between the same bodies as [rigid_contact.{}]", other));
     for (const std::string& rigid : {contact.rigid, contact.other_rigid})
       for (std::size_t k = 0; k < c.stage.size(); ++k)
         d.check(c.stage[k].drive.point.empty() || c.stage[k].rigid != rigid, fmt::format("stage[{}].drive.point", k),
@@ -94,10 +93,9 @@ void add_rigid_contacts(const Case& c, Model<dim>& model)
     refuse_overlap_at_start<dim>(model, model.rigid_contacts.back(), path);
   }
   if (c.method != Method::mpm) return;
-  const auto touches = [&](Index a, Index b) {
-    return std::any_of(model.rigid_contacts.begin(), model.rigid_contacts.end(), [&](const RigidContact<dim>& contact) {
-      return (contact.first == a && contact.second == b) || (contact.first == b && contact.second == a);
-    });
+  const auto touches = [&](const std::string& one, const std::string& other) {
+    return std::any_of(c.rigid_contact.begin(), c.rigid_contact.end(),
+                       [&](const auto& contact) { return joins(contact.second, one, other); });
   };
   const Index count = static_cast<Index>(c.rigid.size());
   for (Index a = 0; a < count; ++a)
@@ -105,7 +103,7 @@ void add_rigid_contacts(const Case& c, Model<dim>& model)
       const auto& [name, first] = c.rigid[a];
       const auto& [other_name, second] = c.rigid[b];
       const bool bounded = bodies::is_bounded(model.rigid_bodies[a].shape) && bodies::is_bounded(model.rigid_bodies[b].shape);
-      if (touches(a, b) || !bounded || (!may_move(c, name) && !may_move(c, other_name))) continue;
+      if (touches(name, other_name) || !bounded || (!may_move(c, name) && !may_move(c, other_name))) continue;
       if (const auto proximity = bodies::proximity_of<dim>(first.shape, second.shape)) {
         model.apart.push_back({a, b, *proximity});
         refuse_overlap_at_start(model, model.apart.back(), "rigid." + other_name);
