@@ -155,13 +155,13 @@ AtSixNodes<Vec<2>> QuadraticMesh::positions_of(Index cell) const
 QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, const std::vector<bodies::RigidShape<2>>& shapes)
 {
   Maker maker(mesh, c);
-  for (const std::vector<char>& holds : support_sets(c).holds) {
+  for (const std::vector<problem::SupportRole>& roles : support_sets(c).roles) {
     NodeField<std::uint8_t> fixed(maker.made.node_count(), 0), closed = fixed;
     NodeField<boundary::Holders<2>> holders(c.output.support_reactions ? maker.made.node_count() : 0, {none, none});
     for (std::size_t k = 0; k < c.support.size(); ++k) {
       const auto& [name, support] = c.support[k];
       const Index boundary = fixed_boundary(mesh, name, support);
-      if (!holds[k]) continue;
+      if (roles[k] == problem::SupportRole::none) continue;
       const std::uint8_t directions = fixed_directions(support);
       for (const Index node : maker.nodes_at(boundary)) {
         fixed[node] |= directions;

@@ -52,7 +52,8 @@ bool is_named(const problem::Case& c, const std::string& material)
     const bodies::BodySettings& body = named.second;
     return body.material == material ||
            std::any_of(body.soil_layer.begin(), body.soil_layer.end(), [&](const auto& layer) { return layer.material == material; }) ||
-           std::any_of(body.region_material.begin(), body.region_material.end(), [&](const auto& of) { return of.second == material; });
+           std::any_of(body.region_material.begin(), body.region_material.end(), [&](const auto& of) { return of.second == material; }) ||
+           std::any_of(body.fill.begin(), body.fill.end(), [&](const auto& fill) { return fill.material == material; });
   });
 }
 

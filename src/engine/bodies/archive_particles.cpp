@@ -32,15 +32,15 @@ void keep_lanes(Archive& k, const std::string& name, const std::vector<Index>& o
       std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(n) * lanes, lanes, numbers_of(order[n]));
 }
 
-/// Whether the lanes with a particle hold each of the numbers 0 ... count - 1 once.
+/// Whether the lanes with a particle hold numbers from 0 to `end` - 1, each at most once.
 template <int dim>
-bool numbered(const Particles<dim>& particles)
+bool have_numbers_below(Index end, const Particles<dim>& particles)
 {
-  std::vector<bool> seen(static_cast<std::size_t>(particles.size()), false);
+  std::vector<bool> seen(static_cast<std::size_t>(end), false);
   bool valid = true;
   particles.visit([&](Index, Index b, int l) {
     const std::int32_t id = particles.block(b).id[l];
-    valid = valid && id >= 0 && id < particles.size() && !seen[static_cast<std::size_t>(id)];
+    valid = valid && id >= 0 && id < end && !seen[static_cast<std::size_t>(id)];
     if (valid) seen[static_cast<std::size_t>(id)] = true;
   });
   return valid;
@@ -74,7 +74,7 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
 }
 
 template <int dim>
-void Particles<dim>::archive(Archive& k)
+void Particles<dim>::archive(Archive& k, std::optional<Index> numbered)
 {
   std::vector<Index> cells = occupied(), counts;
   for (const Index cell : cells) counts.push_back(count_[cell]);
@@ -87,7 +87,9 @@ void Particles<dim>::archive(Archive& k)
       valid = cells[c] > (c > 0 ? cells[c - 1] : -1) && cells[c] < count_.size() && counts[c] > 0;
       total += counts[c];
     }
-    if (!valid || total != size_) k.refuse(fmt::format("it does not have the {} particles of this body in cells of this mesh", size_));
+    if (!valid || (numbered ? total > *numbered : total != size_))
+      k.refuse(fmt::format("it does not have the {} particles of this body in cells of this mesh", numbered.value_or(size_)));
+    size_ = static_cast<Index>(total);
     lay_out(cells, counts);
   }
   const std::vector<Index> order = blocks_in_order(*this);
@@ -103,10 +105,11 @@ void Particles<dim>::archive(Archive& k)
       if (field.info.goes(to_checkpoint))
         keep_lanes<Real>(k, component_name(field.info, component, dim), order,
                          [&](Index b) { return reinterpret_cast<Real*>(extra(b) + field.offset + component); });
-  if (k.reads() && !numbered(*this)) k.refuse(fmt::format("its particles are not numbered from 0 to {}", size_ - 1));
+  const Index end = numbered.value_or(size_);
+  if (k.reads() && !have_numbers_below(end, *this)) k.refuse(fmt::format("its particles are not numbered from 0 to {}", end - 1));
 }
 
-template void Particles<2>::archive(Archive&);
-template void Particles<3>::archive(Archive&);
+template void Particles<2>::archive(Archive&, std::optional<Index>);
+template void Particles<3>::archive(Archive&, std::optional<Index>);
 
 }  // namespace berm::bodies

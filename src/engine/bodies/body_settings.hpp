@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/describe.hpp"
+#include "bodies/earthwork_settings.hpp"
 
 namespace berm::bodies {
 
@@ -51,6 +51,8 @@ struct BodySettings {
   std::vector<Real> initial_stress;               ///< Pa, xx, yy and zz everywhere, tension positive, instead of k0
   std::vector<InitialVelocity> initial_velocity;  ///< summed
   Real initial_angular_velocity = 0;              ///< rad/s about the centre of mass (in space: about z), added to initial_velocity
+  std::vector<ExcavationSettings> excavation;
+  std::vector<FillSettings> fill;
 
   /// Horizontal over vertical stress at the start at a depth below the bed's surface, m; empty as k0 is.
   std::optional<Real> k0_at(Real depth) const

@@ -246,7 +246,7 @@ Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const 
   std::erase_if(seeds, [&](const Seed<dim>& seed) {
     return std::any_of(start.holes.begin(), start.holes.end(), [&](const auto& hole) { return surface_at(hole, seed.x).distance < 0; });
   });
-  Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.extra);
+  Particles<dim> particles(mesh, static_cast<Index>(seeds.size()) + start.room, start.extra);
   const Vec<dim> center = center_of_section(seeds);
   std::int32_t id = 0;
   for (const Seed<dim>& seed : seeds) {

@@ -40,6 +40,7 @@ struct StartState {
   Real surface;                             ///< m, level of the bed's surface
   std::vector<FieldInfo> extra = {};        ///< extra fields of its particles; the law's state variables come first
   int first_local = 0;                      ///< where among their numbers SoilAtPoint::own begins
+  Index room = 0;                           ///< for particles that may come later
   std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies in contact with it, which displace its particles
   /// Of soil that varies, at a point in a cell; replaces density and stress.
   std::function<SoilAtPoint(Index cell, const Vec<dim>& x)> soil_at = {};

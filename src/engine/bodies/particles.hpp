@@ -8,6 +8,7 @@
 #include "mesh/mesh.hpp"
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -187,8 +188,8 @@ public:
   void unpack(const std::vector<std::byte>& bytes);
 
   /// All particles with their cells, blocks and lanes, on which sums depend to the last bit. Reading replaces the particles
-  /// by as many others.
-  void archive(Archive& k);
+  /// by as many others, with the numbers 0 ... size() - 1; where soil comes and goes by any that have different numbers below `numbered`.
+  void archive(Archive& k, std::optional<Index> numbered = {});
 
   /// Calls visit(cell, block index, lane) for each particle, cell by cell in ascending order.
   template <class Visit>

@@ -15,6 +15,9 @@ void describe(Describe& d, SupportSettings& support)
   d.value("fixed", support.fixed, {.meaning = "directions that are fixed: \"x\", \"y\", \"z\"", .required = true});
   d.value("drained", support.drained,
           {.meaning = "the water of consolidating soil crosses the boundary; else it does not in the directions that are fixed"});
+  d.value("absorbs", support.absorbs,
+          {.meaning = "the boundary holds in geostatic stages only; in others it keeps the force that it held then, and gives way like the "
+                      "same soil without end would: dashpots of the soil's impedance in the directions that are fixed"});
   d.value("stages", support.stages, {.meaning = "names of the stages in which it acts; in others it is released; absent or empty = all"});
 }
 

@@ -12,6 +12,7 @@ struct SupportSettings {
   std::vector<std::string> fixed;        ///< "x", "y", "z"
   std::vector<std::string> stages = {};  ///< in which it acts; empty: all
   bool drained = false;                  ///< water crosses it
+  bool absorbs = false;                  ///< it holds in geostatic stages, and takes up waves in others
 };
 
 void describe(Describe& d, SupportSettings& support);

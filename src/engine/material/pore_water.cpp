@@ -25,6 +25,12 @@ void describe(Describe& d, PoreWater& water)
           {.meaning = "hydraulic conductivity k of Darcy's law; without effect unless drainage is consolidation",
            .unit = "m/s",
            .range = positive});
+  d.value("real_permeability", water.real_permeability,
+          {.meaning =
+               "that of the soil that is modelled, where `permeability` is larger to make the run shorter: until.real_time of a stage at "
+               "rest then lasts as much shorter, so that the soil consolidates as far",
+           .unit = "m/s",
+           .range = positive});
   d.value("kozeny_carman", water.kozeny_carman,
           {.meaning = "the permeability follows the porosity n as n^3 / (1 - n)^2 does; else it is constant"});
   d.value("water_depth", water.water_depth,

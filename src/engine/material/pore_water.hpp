@@ -19,12 +19,13 @@ constexpr Real water_density = 1000, unit_weight_of_water = 9810;  ///< kg/m3, N
 /// The water in the pores of a soil whose law is one of effective stress: parameters.
 struct PoreWater {
   Drainage drainage = Drainage::undrained;
-  std::optional<Real> bulk_modulus;       ///< K_w, Pa; empty: K_w / n is `stiffness_over_skeleton` P-wave moduli of the skeleton
-  std::optional<Real> porosity;           ///< n; empty: e / (1 + e) of the law's void ratio
-  Real water_depth = 0;                   ///< m
-  std::optional<Real> min_pressure = {};  ///< Pa, of the excess pore pressure; empty: that of cavitation
-  std::optional<Real> permeability = {};  ///< k, m/s: hydraulic conductivity, at the porosity of the start
-  bool kozeny_carman = false;             ///< k follows the porosity
+  std::optional<Real> bulk_modulus;            ///< K_w, Pa; empty: K_w / n is `stiffness_over_skeleton` P-wave moduli of the skeleton
+  std::optional<Real> porosity;                ///< n; empty: e / (1 + e) of the law's void ratio
+  Real water_depth = 0;                        ///< m
+  std::optional<Real> min_pressure = {};       ///< Pa, of the excess pore pressure; empty: that of cavitation
+  std::optional<Real> permeability = {};       ///< k, m/s: hydraulic conductivity, at the porosity of the start
+  std::optional<Real> real_permeability = {};  ///< m/s, of the soil that is modelled, where k is scaled
+  bool kozeny_carman = false;                  ///< k follows the porosity
 
   bool operator==(const PoreWater&) const = default;
 };

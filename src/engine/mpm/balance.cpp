@@ -14,7 +14,7 @@ namespace {
 template <int dim>
 struct NodalSums {
   Vec<dim> gravity = Vec<dim>::Zero(), traction = Vec<dim>::Zero(), damping = Vec<dim>::Zero(), support = Vec<dim>::Zero();  // forces, N
-  Real gravity_power = 0, traction_power = 0, damping_power = 0;
+  Real gravity_power = 0, traction_power = 0, damping_power = 0, support_power = 0;
   Real traction_size = 0;  // sum of |tractions of nodes|, N
   Real unbalanced = 0;     // sum of the absolute components, N
   Real all = 0;            // of velocities and internal forces; finite where all of them are
@@ -27,6 +27,7 @@ struct NodalSums {
     support += other.support;
     gravity_power += other.gravity_power;
     traction_power += other.traction_power;
+    support_power += other.support_power;
     traction_size += other.traction_size;
     damping_power += other.damping_power;
     unbalanced += other.unbalanced;
@@ -47,6 +48,8 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const Real dt = state.dt;
   const bool flows = grid.water.flows();
   const bool reported = grid.support_force.size() > 0;
+  const boundary::Dashpots<dim>& dashpots = model.dashpots[body];
+  const bool absorbing = dashpots.any(), holding = model.stages[state.stage.index].kind == problem::StageKind::geostatic;
   const bool loaded = !model.load_points.empty();
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n) {
@@ -81,7 +84,10 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(force[d]);
     }
     const Vec<dim> total = force + damping;
-    a = total.cwiseQuotient(inertia);
+    const Index dashpot = absorbing ? dashpots.of_node[i] : none;
+    a = dashpot == none || holding
+            ? Vec<dim>(total.cwiseQuotient(inertia))
+            : boundary::acceleration_with<dim>(dashpots.resistance[dashpot], inertia, total + state.held_forces[body][i], v, dt);
     for (int d = 0; d < dim; ++d)
       if (fixed[i] >> d & 1) a[d] = -v[d] / dt;
     const Vec<dim> mid_velocity = v + 0.5 * dt * a;
@@ -89,6 +95,12 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     sums_i.damping = damping;
     sums_i.support = inertia.cwiseProduct(a) - total;
     if (reported) grid.support_force[i] = sums_i.support;
+    if (dashpot != none) {
+      for (int d = 0; d < dim && holding; ++d)
+        if (dashpots.directions[dashpot] >> d & 1) state.held_forces[body][i][d] = sums_i.support[d];
+      for (int d = 0; d < dim && !holding; ++d)
+        if (!(fixed[i] >> d & 1)) sums_i.support_power += sums_i.support[d] * mid_velocity[d];
+    }
     sums_i.gravity_power = weight.dot(mid_velocity);
     if (loaded) {
       sums_i.traction = grid.traction[i];
@@ -105,7 +117,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   totals.traction_impulse += dt * sums.traction;
   totals.damping_impulse += dt * sums.damping;
   totals.support_impulse += dt * sums.support;
-  totals.external += dt * (sums.gravity_power + sums.traction_power);
+  totals.external += dt * (sums.gravity_power + sums.traction_power + sums.support_power);
   totals.damping -= dt * sums.damping_power;
   workspace.unbalanced = (body == 0 ? 0 : workspace.unbalanced) + sums.unbalanced;
   workspace.weight = (body == 0 ? 0 : workspace.weight) + sums.gravity.norm() + sums.traction_size;

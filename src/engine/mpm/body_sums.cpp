@@ -64,6 +64,7 @@ Real momentum_error(const problem::State<dim>& state, mesh::Metric metric)
     now += sums.momentum;
     moving += std::sqrt(2 * sums.mass * sums.kinetic);
   }
+  now += taken_out(state).momentum;
   const problem::Totals<dim>& t = state.totals;
   const Vec<dim> given =
       t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse + t.flow_impulse;

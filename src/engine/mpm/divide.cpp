@@ -67,16 +67,17 @@ void divide(const problem::Model<dim>& model, problem::State<dim>& state)
 
 namespace {
 
-/// Gives all ranks what the state has of the water at all nodes and in all cells.
+/// Gives all ranks what the state has at all nodes and in all cells.
 template <int dim>
-void share_water(problem::State<dim>& state)
+void share_fields(problem::State<dim>& state)
 {
   Ranks& ranks = Ranks::of_run();
-  for (NodeField<Vec<dim>>& flux : state.flux)
-    if (flux.size() > 0)
-      ranks.share<Vec<dim>>(
-          flux.size(), [&](Index node) { return ranks.owner_of_node(node); }, [&](Index node, Vec<dim>& w) { w = flux[node]; },
-          [&](Index node, const Vec<dim>& w) { flux[node] = w; });
+  for (std::vector<NodeField<Vec<dim>>>* fields : {&state.flux, &state.held_forces})
+    for (NodeField<Vec<dim>>& field : *fields)
+      if (field.size() > 0)
+        ranks.share<Vec<dim>>(
+            field.size(), [&](Index node) { return ranks.owner_of_node(node); }, [&](Index node, Vec<dim>& v) { v = field[node]; },
+            [&](Index node, const Vec<dim>& v) { field[node] = v; });
   for (CellField<Real>& sums : state.pressure_sums)
     if (sums.size() > 0)
       ranks.share<Real>(
@@ -98,7 +99,7 @@ bool divide_anew(const problem::Model<dim>& model, problem::State<dim>& state, R
   ranks.share_chunks(costs.data(), sizeof(Real));
   const std::vector<Index> before = ranks.first_chunk(), after = equal_shares(costs, ranks.count());
   if (!(longest(costs, after) < (1 - little) * longest(costs, before))) return false;
-  share_water(state);
+  share_fields(state);
   std::vector<Messenger::Letter> letters;
   for (int r = 0; r < ranks.count(); ++r)
     if (r != ranks.rank()) letters.push_back({r, {}, {}});
@@ -168,7 +169,7 @@ WholeState<dim>::WholeState(problem::State<dim>& state) : state_(state)
 {
   const Ranks& ranks = Ranks::of_run();
   if (!ranks.divided()) return;
-  share_water(state);
+  share_fields(state);
   std::vector<std::vector<std::byte>> packed;
   for (const bodies::Particles<dim>& particles : state.particles) packed.push_back(packed_of_all(particles));
   if (!ranks.is_first()) return;

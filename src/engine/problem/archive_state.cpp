@@ -23,15 +23,15 @@ void archive(Archive& k, const std::string& name, bodies::Orientation<3>& orient
 }
 
 template <int dim>
-void archive(Archive& k, const std::string& name, NodeField<Vec<dim>>& flux)
+void archive(Archive& k, const std::string& name, NodeField<Vec<dim>>& vectors)
 {
-  if (flux.size() == 0) return;
-  std::vector<Real> numbers(static_cast<std::size_t>(flux.size()) * dim);
-  for (Index node = 0; node < flux.size(); ++node)
-    for (int d = 0; d < dim; ++d) numbers[node * dim + d] = flux[node][d];
+  if (vectors.size() == 0) return;
+  std::vector<Real> numbers(static_cast<std::size_t>(vectors.size()) * dim);
+  for (Index node = 0; node < vectors.size(); ++node)
+    for (int d = 0; d < dim; ++d) numbers[node * dim + d] = vectors[node][d];
   k.fixed(name, numbers);
-  for (Index node = 0; node < flux.size(); ++node)
-    for (int d = 0; d < dim; ++d) flux[node][d] = numbers[node * dim + d];
+  for (Index node = 0; node < vectors.size(); ++node)
+    for (int d = 0; d < dim; ++d) vectors[node][d] = numbers[node * dim + d];
 }
 
 void archive(Archive& k, const std::string& name, CellField<Real>& sums)
@@ -154,6 +154,29 @@ void archive(Archive& k, ActiveSoil<dim>& active, std::size_t rigid_bodies)
 }
 
 template <int dim>
+void archive_earthworks(Archive& k, const Model<dim>& model, State<dim>& state)
+{
+  for (std::size_t w = 0; w < state.earthworks.size(); ++w)
+    k.table(model.earthworks[w].name, [&] {
+      EarthworkState<dim>& work = state.earthworks[w];
+      static_assert(sizeof(work) == (5 + dim) * sizeof(Real));
+      k("lifts", work.lifts);
+      k("particles", work.particles);
+      k("volume", work.volume);
+      k("mass", work.mass);
+      k("momentum", work.momentum);
+      k("kinetic", work.kinetic);
+      if (work.lifts < 0 || work.lifts > model.earthworks[w].lifts) k.refuse(fmt::format("there is no lift {}", work.lifts));
+    });
+  for (std::size_t b = 0; b < state.numbered.size(); ++b) {
+    const std::int32_t at_start = state.numbered[b];
+    k(fmt::format("numbered_{}", b), state.numbered[b]);
+    if (state.numbered[b] < at_start || state.numbered[b] > std::numeric_limits<std::int32_t>::max() / 2)
+      k.refuse(fmt::format("a body cannot have had {} particles", state.numbered[b]));
+  }
+}
+
+template <int dim>
 void archive(Archive& k, const Model<dim>& model, std::vector<LoadPointState<dim>>& points)
 {
   std::vector<Index> cells;
@@ -197,8 +220,13 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
   if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
   for (std::size_t b = 0; b < state.flux.size(); ++b) archive(k, fmt::format("flux_{}", b), state.flux[b]);
+  for (std::size_t b = 0; b < state.held_forces.size(); ++b) archive(k, fmt::format("held_forces_{}", b), state.held_forces[b]);
   for (std::size_t b = 0; b < state.pressure_sums.size(); ++b) archive(k, fmt::format("pressure_sums_{}", b), state.pressure_sums[b]);
-  for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].archive(k); });
+  if (!model.earthworks.empty()) k.table("earthworks", [&] { archive_earthworks(k, model, state); });
+  for (std::size_t b = 0; b < state.particles.size(); ++b) {
+    const std::optional<Index> numbered = model.earthworks.empty() ? std::nullopt : std::optional<Index>(state.numbered[b]);
+    k.table(fmt::format("body_{}", b), [&] { state.particles[b].archive(k, numbered); });
+  }
 }
 
 template void archive(Archive&, contact::ContactSums<2>&);

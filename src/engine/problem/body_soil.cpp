@@ -68,6 +68,7 @@ BodySoil soil_of(const Case& c, const bodies::BodySettings& body)
   add(soil, c, body.material);
   for (const bodies::SoilLayerSettings& layer : body.soil_layer) soil.layers.push_back({layer.top, add(soil, c, layer.material)});
   for (const auto& [region, name] : body.region_material) soil.of_region[region] = add(soil, c, name);
+  for (const bodies::FillSettings& fill : body.fill) soil.of_fill.push_back(add(soil, c, fill.material));
   if (c.method == Method::mpm && !hydraulics(soil.materials.front())) {
     const Real ratio = density(soil.materials.front()) / inertia_density(soil.materials.front());
     for (material::Material& material : soil.materials)
@@ -94,10 +95,14 @@ std::vector<FieldInfo> local_fields(const BodySoil& soil)
 
 std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth)
 {
+  return local_values(soil, soil.material_index_at(region, depth), depth);
+}
+
+std::vector<Real> local_values(const BodySoil& soil, Index material, Real depth)
+{
   if (!varies(soil)) return {};
-  const Index number = soil.material_index_at(region, depth);
-  std::vector<Real> values = local_values(at_depth(soil.materials[number], depth));
-  if (soil.materials.size() > 1) values.push_back(static_cast<Real>(number));
+  std::vector<Real> values = local_values(at_depth(soil.materials[material], depth));
+  if (soil.materials.size() > 1) values.push_back(static_cast<Real>(material));
   return values;
 }
 
@@ -166,6 +171,7 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
             body.regions);
     check_material(key, name);
   }
+  for (std::size_t k = 0; k < body.fill.size(); ++k) check_material(fmt::format("{}.fill[{}].material", path, k), body.fill[k].material);
 }
 
 void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body)

@@ -20,6 +20,7 @@ struct BodySoil {
   std::vector<std::string> names;             ///< of their tables
   std::vector<SoilLayer> layers = {};         ///< downwards, below the first material
   std::map<std::string, Index> of_region = {};
+  std::vector<Index> of_fill = {};  ///< by place in BodySettings::fill
 
   /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
   Index material_index_at(const std::string& region, Real depth) const;
@@ -42,6 +43,7 @@ bool varies(const BodySoil& soil);
 /// What these particles keep, after the state variables of the law: strength, stiffness, and the material's number where there are several.
 std::vector<FieldInfo> local_fields(const BodySoil& soil);
 std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth);
+std::vector<Real> local_values(const BodySoil& soil, Index material, Real depth);
 
 /// The material of a particle, from its extra numbers.
 const material::Material& material_of(const BodySoil& soil, const Real* extra);
@@ -51,7 +53,7 @@ int material_index_offset(const BodySoil& soil);
 /// All extra fields of a body's particles: those of its law, then what each keeps of its own.
 std::vector<FieldInfo> particle_extra(const BodySoil& soil);
 
-/// Refuses layers and regions that do not fit together.
+/// Refuses layers, regions and fills that do not fit together.
 void check_soil(Describe& d, const Case& c, const std::string& path, const bodies::BodySettings& body);
 
 /// Throws InputError where strength or stiffness at a depth (m) that a body reaches are none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
+#include "problem/absorbing.hpp"
 #include "problem/equilibrium.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
@@ -26,14 +27,14 @@ NodeField<Real> nodal_damping(const mesh::Mesh<dim>& mesh, const bodies::BodySet
 }
 
 template <int dim>
-NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds)
+NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<SupportRole>& roles)
 {
   auto fixed = NodeField<std::uint8_t>::zeros(mesh.node_count());
   for (std::size_t k = 0; k < c.support.size(); ++k) {
     const auto& [name, support] = c.support[k];
     const Index boundary = fixed_boundary(mesh, name, support);
     for (Index node : mesh.boundary_nodes[boundary])
-      if (holds[k]) fixed[node] |= fixed_directions(support);
+      if (roles[k] == SupportRole::holds) fixed[node] |= fixed_directions(support);
   }
   return fixed;
 }
@@ -46,7 +47,7 @@ void list_supports(const Case& c, const SupportSets& sets, Model<dim>& model)
   const mesh::Mesh<dim>& mesh = model.mesh;
   boundary::Holders<dim> nobody;
   nobody.fill(none);
-  model.holders.assign(sets.holds.size(), NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody));
+  model.holders.assign(sets.roles.size(), NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody));
   for (std::size_t s = 0; s < c.support.size(); ++s) {
     const auto& [name, settings] = c.support[s];
     const std::vector<Index>& nodes = mesh.boundary_nodes[fixed_boundary(mesh, name, settings)];
@@ -56,34 +57,24 @@ void list_supports(const Case& c, const SupportSets& sets, Model<dim>& model)
     support.name = name;
     select(
         "list supports", mesh.node_chunks, [&](Index node) { return at_boundary[node] != 0; }, support.nodes, support.chunks);
-    for (std::size_t k = 0; k < sets.holds.size(); ++k)
-      if (sets.holds[k][s])
+    for (std::size_t k = 0; k < sets.roles.size(); ++k)
+      if (sets.roles[k][s] != SupportRole::none)
         for (const Index node : nodes) boundary::add_holder<dim>(model.holders[k][node], static_cast<Index>(s), fixed_directions(settings));
   }
 }
 
 /// The directions in which no water crosses a node: those that are held, but for what only drained supports hold.
 template <int dim>
-NodeField<std::uint8_t> closed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds,
+NodeField<std::uint8_t> closed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<SupportRole>& roles,
                                           const NodeField<std::uint8_t>& fixed)
 {
-  std::vector<char> drained = holds, others = holds;
-  for (std::size_t k = 0; k < c.support.size(); ++k) (c.support[k].second.drained ? others : drained)[k] = 0;
+  std::vector<SupportRole> drained = roles, others = roles;
+  for (std::size_t k = 0; k < c.support.size(); ++k) (c.support[k].second.drained ? others : drained)[k] = SupportRole::none;
   const NodeField<std::uint8_t> by_drained = fixed_directions(mesh, c, drained), by_others = fixed_directions(mesh, c, others);
   auto closed = NodeField<std::uint8_t>::zeros(mesh.node_count());
   for (Index node = 0; node < mesh.node_count(); ++node)
     closed[node] = static_cast<std::uint8_t>(fixed[node] & ~(by_drained[node] & ~by_others[node]));
   return closed;
-}
-
-/// The body that fills each region of the mesh, the first where several do, or none.
-template <int dim>
-std::vector<Index> bodies_of_regions(const mesh::Mesh<dim>& mesh, const Case& c)
-{
-  std::vector<Index> body_of(mesh.region_names.size(), none);
-  for (Index b = static_cast<Index>(c.body.size()); b-- > 0;)
-    for (const std::string& region : c.body[b].second.regions) body_of[bodies::filled_region(mesh, c.body[b].first, region)] = b;
-  return body_of;
 }
 
 /// Load points of all tractions, where they lie at the start.
@@ -127,6 +118,12 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
     all.mean_impedance += p.volume * here.mean_impedance;
     volume += p.volume;
   });
+  for (const Index material : body.soil.of_fill) {
+    const SoilWaves to_come = waves_of(at_depth(body.soil.materials[material], 0));
+    all.fastest = std::max(all.fastest, to_come.fastest);
+    all.slowest = std::min(all.slowest, to_come.slowest);
+    all.min_density = std::min(all.min_density, to_come.min_density);
+  }
   for (Real* mean : {&all.mean_speed, &all.mean_density, &all.mean_impedance}) *mean /= volume;
   return all;
 }
@@ -210,7 +207,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   model.ground = ground_of(c);
   model.mpm = c.mpm;
   const SupportSets sets = support_sets(c);
-  for (const std::vector<char>& holds : sets.holds) model.fixed.push_back(fixed_directions(model.mesh, c, holds));
+  for (const std::vector<SupportRole>& roles : sets.roles) model.fixed.push_back(fixed_directions(model.mesh, c, roles));
   list_supports(c, sets, model);
   hold_axis(model);
   model.parts = parts_of(c);
@@ -243,8 +240,9 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     model.bodies.push_back({name, soil, nodal_damping(model.mesh, settings), density(first) / inertia_density(first)});
   }
   if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<dim>& body) { return body.flows(); }))
-    for (std::size_t k = 0; k < sets.holds.size(); ++k)
-      model.impermeable.push_back(closed_directions(model.mesh, c, sets.holds[k], model.fixed[k]));
+    for (std::size_t k = 0; k < sets.roles.size(); ++k)
+      model.impermeable.push_back(closed_directions(model.mesh, c, sets.roles[k], model.fixed[k]));
+  add_dashpots(c, model);
   for (const auto& [name, s] : c.contact) {
     const Index body = index_of(c.body, s.body);
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
@@ -302,6 +300,9 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
                                   particle_extra(body.soil)};
     start.first_local = state_size(material);
     for (const FieldInfo& field : memory_fields(c, name)) start.extra.push_back(field);
+    const auto number = static_cast<Index>(state.particles.size());
+    add_earthworks(settings, number, model);
+    start.room = room_for_fills(model, number);
     if (varies(body.soil)) start.soil_at = [&](Index cell, const Vec<dim>& x) { return soil_at(model, body, cell, x); };
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
@@ -313,6 +314,8 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
       if (contact.memory.bond != none && model.bodies[contact.body].name == name)
         bond_at_start(model.mesh.metric, state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);
     if (varies(body.soil)) body.waves = waves_in(model, body, state.particles.back());
+    state.held_forces.push_back(NodeField<Vec<dim>>::zeros(model.dashpots[number].any() ? model.mesh.node_count() : 0));
+    state.numbered.push_back(state.particles.back().size());
     if (state.particles.back().size() == 0)
       throw KeyError(
           fmt::format("body.{}: has no particles: all cells of its regions lie within the rigid bodies; check their place and size, "
@@ -329,6 +332,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   model.pressure_window = 2 * longest_pressure_period(model, state.particles);
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
   state.rigid_impulses.assign(c.rigid_contact.size(), Vec<dim>::Zero());
+  state.earthworks.resize(model.earthworks.size());
   state.tractions.resize(model.tractions.size());
   place_loads(c, problem);
   for (const auto& [name, watch] : c.watch) {

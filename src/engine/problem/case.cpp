@@ -3,6 +3,8 @@
 #include "problem/case.hpp"
 
 #include "problem/body_soil.hpp"
+#include "problem/drainage.hpp"
+#include "problem/earthworks.hpp"
 #include "problem/interface.hpp"
 #include "problem/names.hpp"
 #include "problem/stage_checks.hpp"
@@ -156,6 +158,28 @@ void check_consolidation(Describe& d, const Case& c)
   }
 }
 
+/// Gives the stages that last a real time their time in the run.
+void find_real_times(Describe& d, Case& c)
+{
+  for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    StageSettings& stage = c.stage[k];
+    if (!stage.until.real_time) continue;
+    const std::string path = fmt::format("stage[{}].until.real_time", k);
+    const std::optional<Real> part = part_of_real_time(c);
+    d.check(has_flowing_water(c), path,
+            "no soil has water that flows: give it water.drainage = \"consolidation\", or end the stage otherwise");
+    d.check(!has_flowing_water(c) || part, path,
+            "needs water.real_permeability of each material whose water flows, the same part of its permeability in all");
+    d.check(speed_of(stage) == 0, path, "is for a body at rest or under a force: what moves takes its time in the run");
+    if (!part) continue;
+    const Real time = *part * *stage.until.real_time;
+    constexpr Real same = 1e-9;
+    d.check(!stage.until.time || std::abs(*stage.until.time / time - 1) < same, path,
+            fmt::format("is {:.4g} s in the run, and until.time says otherwise: give one of them", time));
+    stage.until.time = time;
+  }
+}
+
 void check_supports(Describe& d, const Case& c)
 {
   const std::vector<std::string> directions =
@@ -164,6 +188,13 @@ void check_supports(Describe& d, const Case& c)
     for (const std::string& direction : support.fixed)
       d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is no direction", direction), directions);
     check_stage_names(d, c, "support." + name + ".stages", support.stages);
+    if (!support.absorbs) continue;
+    const std::string key = "support." + name + ".absorbs";
+    d.check(c.method == Method::mpm, key, "is for the material point method: finite elements have no waves");
+    d.check(!has_flowing_water(c), key, "is not for soil whose water flows: its two waves need dashpots of their own");
+    const bool at_rest = !c.stage.empty() && c.stage.front().kind == StageKind::geostatic;
+    const bool weighs = std::any_of(c.gravity.begin(), c.gravity.end(), [](Real g) { return g != 0; });
+    d.check(at_rest || !weighs, key, "needs a geostatic stage first, in which the boundary finds the force that it then keeps");
   }
 }
 
@@ -399,12 +430,14 @@ void describe(Describe& d, Case& c)
   bodies::check_entries(d, "gravity", c.gravity, c.dimension(), true);
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);
+  check_earthworks(d, c);
   check_initial_state(d, c);
   check_rigids(d, c);
   for (const auto& [name, watch] : c.watch) {
     check_name(d, "watch." + name + ".body", watch.body, "body", names_of(c.body));
     bodies::check_entries(d, "watch." + name + ".point", watch.point, c.dimension());
   }
+  find_real_times(d, c);
   check_stages(d, c);
   check_consolidation(d, c);
   check_active_distance(d, c);
@@ -421,13 +454,17 @@ SupportSets support_sets(const Case& c)
 {
   SupportSets sets;
   for (const StageSettings& stage : c.stage) {
-    std::vector<char> holds;
-    for (const auto& [name, support] : c.support) holds.push_back(support.stages.empty() || among(stage.name, support.stages));
-    const auto same = std::find(sets.holds.begin(), sets.holds.end(), holds);
-    sets.of_stage.push_back(static_cast<Index>(same - sets.holds.begin()));
-    if (same == sets.holds.end()) sets.holds.push_back(holds);
+    std::vector<SupportRole> roles;
+    for (const auto& [name, support] : c.support) {
+      const bool acts = support.stages.empty() || among(stage.name, support.stages);
+      const bool absorbs = support.absorbs && stage.kind != StageKind::geostatic;
+      roles.push_back(!acts ? SupportRole::none : absorbs ? SupportRole::absorbs : SupportRole::holds);
+    }
+    const auto same = std::find(sets.roles.begin(), sets.roles.end(), roles);
+    sets.of_stage.push_back(static_cast<Index>(same - sets.roles.begin()));
+    if (same == sets.roles.end()) sets.roles.push_back(roles);
   }
-  if (sets.holds.empty()) sets.holds.emplace_back(c.support.size(), true);
+  if (sets.roles.empty()) sets.roles.emplace_back(c.support.size(), SupportRole::holds);
   return sets;
 }
 

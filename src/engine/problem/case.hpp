@@ -132,9 +132,12 @@ Index index_of(const std::vector<std::pair<std::string, T>>& tables, const std::
   return none;
 }
 
-/// The sets of supports that hold together, by place in Case::support; and the set of each stage.
+/// What a support does in a stage.
+enum class SupportRole : char { none, holds, absorbs };
+
+/// The sets of supports that act together, by place in Case::support; and the set of each stage.
 struct SupportSets {
-  std::vector<std::vector<char>> holds;
+  std::vector<std::vector<SupportRole>> roles;
   std::vector<Index> of_stage;
 };
 SupportSets support_sets(const Case& c);

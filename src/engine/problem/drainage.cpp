@@ -34,6 +34,21 @@ std::optional<Real> strength_under(const material::Material& material, Real dept
   return shear_strength(there, -pressure, undisturbed.data());
 }
 
+std::optional<Real> part_of_real_time(const Case& c)
+{
+  constexpr Real same = 1e-6;
+  std::optional<Real> part;
+  for (const auto& entry : c.material) {
+    if (!hydraulics(entry.second)) continue;
+    const std::optional<material::PoreWater> water = pore_water(entry.second);
+    if (!water->real_permeability) return std::nullopt;
+    const Real here = *water->real_permeability / *water->permeability;
+    if (part && !(std::abs(here / *part - 1) < same)) return std::nullopt;
+    part = here;
+  }
+  return part;
+}
+
 std::vector<Consolidation> consolidation_of(const Case& c, Real depth)
 {
   std::vector<Consolidation> found;

@@ -21,6 +21,10 @@ struct Consolidation {
 /// Whether water flows through the pores of a body (by name; "": of any).
 bool has_flowing_water(const Case& c, const std::string& name = "");
 
+/// The part of a real time that a stage at rest lasts in a run: real over modelled permeability of the soil whose water flows; empty where that is not given or
+/// differs from material to material.
+std::optional<Real> part_of_real_time(const Case& c);
+
 /// The shear strength of undisturbed soil at a depth (m) under a vertical stress, Pa; empty where it does not yield.
 std::optional<Real> strength_under(const material::Material& material, Real depth, Real pressure);
 

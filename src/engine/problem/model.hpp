@@ -3,6 +3,7 @@
 
 #include "bodies/particles.hpp"
 #include "bodies/rigid/dynamics.hpp"
+#include "boundary/dashpots.hpp"
 #include "boundary/support.hpp"
 #include "contact/contact_sums.hpp"
 #include "mesh/patches.hpp"
@@ -10,6 +11,7 @@
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 #include "problem/depth_slices.hpp"
+#include "problem/earthworks.hpp"
 #include "problem/ground.hpp"
 #include "problem/interface.hpp"
 #include "problem/pressure_means.hpp"
@@ -97,12 +99,14 @@ struct Model {
   std::vector<DepthSlices> depth_slices;  ///< by rigid body
   std::vector<Contact> contacts;
   std::vector<RigidContact<dim>> rigid_contacts;
-  std::vector<RigidPair<dim>> apart;  ///< without a contact: they must not come to overlap
+  std::vector<RigidPair<dim>> apart;       ///< without a contact: they must not come to overlap
+  std::vector<Earthwork<dim>> earthworks;  ///< in the order in which those that are due at once are done
   std::vector<Traction> tractions;
   std::vector<LoadPoint<dim>> load_points;
-  std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
-  std::vector<Index> fixed_in;                 ///< by stage: which set
-  std::vector<Support> supports;               ///< by place in Case::support, where their reactions are reported; else none
+  std::vector<NodeField<std::uint8_t>> fixed;     ///< by set of supports that hold together; bit d: direction d of the node is held
+  std::vector<Index> fixed_in;                    ///< by stage: which set
+  std::vector<boundary::Dashpots<dim>> dashpots;  ///< by body, of the boundaries that absorb
+  std::vector<Support> supports;                  ///< by place in Case::support, where their reactions are reported; else none
   std::vector<NodeField<boundary::Holders<dim>>>
       holders;  ///< as `fixed`: which of these supports holds the node; empty where there are none
   /// As `fixed`, of the flux of water; empty where none flows.
@@ -215,6 +219,8 @@ struct State {
   BigIndex step = 0;
   Real dt = 0;                                    ///< s, the time step in force
   std::vector<bodies::Particles<dim>> particles;  ///< by body
+  std::vector<std::int32_t> numbered;             ///< by body: particles that have got a number so far
+  std::vector<EarthworkState<dim>> earthworks;    ///< by Model::earthworks
   std::vector<NodeField<Vec<dim>>> flux;          ///< by body, at the nodes: of water against the soil (Darcy), m/s; empty where none flows
   std::vector<CellField<Real>>
       pressure_sums;  ///< by body: weighted excess pore pressures of the window in hand, Pa; empty where none flows
@@ -228,6 +234,8 @@ struct State {
   std::vector<Vec<dim>>
       rigid_impulses;  ///< by contact of rigid bodies: what the other body gave to the first since the start, N s/m or N s
   std::vector<Vec<dim>> support_impulses;  ///< by Model::supports: given to the soil since the start, N s/m or N s
+  std::vector<NodeField<Vec<dim>>>
+      held_forces;  ///< by body, at the nodes of boundaries that absorb: what held them when they last did, N; empty where none does
   std::vector<TractionState> tractions;
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;

@@ -50,6 +50,13 @@ void describe(Describe& d, DriveSettings& drive)
 void describe(Describe& d, Until& until)
 {
   d.value("time", until.time, {.meaning = "time since the stage began", .unit = "s", .range = not_negative});
+  d.value(
+      "real_time", until.real_time,
+      {.meaning =
+           "of a stage at rest in soil whose water flows: time that passes for the soil that is modelled, such as \"30 days\"; it lasts "
+           "real_permeability / permeability times that in the run",
+       .unit = "s",
+       .range = positive});
   d.value("displacement", until.displacement,
           {.meaning = "horizontal travel of the rigid body in this stage; in a stage of kind drive its distance from where the stage began",
            .unit = "m",

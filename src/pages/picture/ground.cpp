@@ -181,6 +181,13 @@ Index kind_of(const Ground& ground, const std::string& body)
   return found == ground.kinds.end() ? none : static_cast<Index>(found - ground.kinds.begin());
 }
 
+Index kind_of(const Ground& ground, const std::string& body, const std::string& material)
+{
+  const auto found = std::find_if(ground.kinds.begin(), ground.kinds.end(),
+                                  [&](const SoilKind& kind) { return kind.body == body && kind.material == material; });
+  return found == ground.kinds.end() ? kind_of(ground, body) : static_cast<Index>(found - ground.kinds.begin());
+}
+
 Ground ground_of(const problem::Case& c, const Sketch& sketch)
 {
   Ground ground;

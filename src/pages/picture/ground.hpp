@@ -55,5 +55,7 @@ Ground ground_of(const problem::Case& c, const Sketch& sketch);
 
 /// The first kind of a body: of a block or disk all of it.
 Index kind_of(const Ground& ground, const std::string& body);
+/// The kind of a material of a body; where it is equal to the first one, that.
+Index kind_of(const Ground& ground, const std::string& body, const std::string& material);
 
 }  // namespace berm::picture

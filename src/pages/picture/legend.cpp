@@ -126,8 +126,15 @@ void soils(Column& column, const Model& model, const std::function<std::string(c
   std::set<Index> seen;
   for (const Piece& piece : model.ground.pieces) seen.insert(piece.kind);
   for (const NamedOutline& body : model.sketch.bodies) seen.insert(kind_of(model.ground, body.name));
+  for (const EarthworkSketch& work : model.sketch.earthworks)
+    if (!work.material.empty()) seen.insert(kind_of(model.ground, work.body, work.material));
   for (Index kind = 0; kind < static_cast<Index>(model.ground.kinds.size()); ++kind)
     if (seen.contains(kind)) column.swatch(words(model.ground.kinds[kind]), soil_color(kind), {surface_color, 1});
+  for (const EarthworkSketch& work : model.sketch.earthworks) {
+    const bool fills = !work.material.empty();
+    column.swatch(work.words, fills ? soil_color(kind_of(model.ground, work.body, work.material)) : "none",
+                  {fills ? surface_color : load_color, 1.6, dashed});
+  }
 }
 
 std::string rigid_words(const std::string& name, const bodies::RigidSettings& rigid, const Outline& outline)

@@ -77,6 +77,16 @@ void cells(Canvas& canvas, const Model& model, const Scale& scale)
   if (model.ground.cells > 0) sides(canvas, model, scale, true, {mesh_color, 0.6});
 }
 
+/// Fills in the colour of their soil, excavations as a dashed line.
+void earthworks(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (const EarthworkSketch& work : model.sketch.earthworks) {
+    const Points points = outline_points(work.outline, scale, Vec<2>::Zero());
+    if (!work.material.empty()) canvas.polygon(points, soil_color(kind_of(model.ground, work.body, work.material)));
+    canvas.outline(points, {work.material.empty() ? load_color : surface_color, 1.6, dashed});
+  }
+}
+
 /// Their rim has the colour of contacts where there is one.
 void rigid_bodies(Canvas& canvas, const Model& model, const Scale& scale)
 {
@@ -269,6 +279,7 @@ void ground(Canvas& canvas, const Model& model, const Scale& scale)
 {
   cells(canvas, model, scale);
   surface(canvas, model, scale);
+  earthworks(canvas, model, scale);
   rigid_bodies(canvas, model, scale);
   canvas.outline(in_pixels(scale, model.sketch.fine), {fine_color, 1.6, dashed});
   watches(canvas, model, scale);

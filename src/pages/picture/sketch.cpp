@@ -3,6 +3,7 @@
 #include "picture/sketch.hpp"
 
 #include "problem/drainage.hpp"
+#include "structures/base/soil_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -70,6 +71,8 @@ void add_bodies(Sketch& sketch, const problem::Case& c)
       sketch.notes.push_back(fmt::format("The rigid half-plane \"{}\" is parallel to the plane of the drawing.", name));
     sketch.rigid_bodies.push_back({name, outline});
   }
+  for (const base::EarthworkWords& work : base::earthworks_in_words(c))
+    sketch.earthworks.push_back({work.body, work.material, work.words, outline_of(work.settings.area)});
 }
 
 void take_domain_from_bodies(Sketch& sketch)

@@ -44,11 +44,19 @@ struct Flight {
   Vec<2> at, velocity;  ///< its middle, m; m/s
 };
 
+/// Where a stage places or takes out soil.
+struct EarthworkSketch {
+  std::string body, material;  ///< material "": it takes soil out
+  std::string words;
+  Outline outline;
+};
+
 /// What a case looks like at its start in the plane x-y, and where its rigid bodies are driven: all that can be told without its mesh.
 struct Sketch {
   Extent domain;         ///< of the mesh; around the bodies where its outline is not known
   Points outline, fine;  ///< of the mesh and of its zone of fine cells, from the lower left corner; none where not known
   std::vector<NamedOutline> bodies, rigid_bodies;
+  std::vector<EarthworkSketch> earthworks;
   std::optional<Real> surface;  ///< level of the bed's surface
   problem::Ground ground;       ///< instead, where that is not level
   std::vector<PathStep> path;

@@ -96,7 +96,20 @@ FrameMaker<dim>::FrameMaker(const problem::Model<dim>& model, const problem::Sta
       const Vec<dim> x = position_of<dim>(block, l);
       known[id] = {x, x, cell};
     });
+    at_start_.push_back(known.size());
   }
+}
+
+/// Remembers particles that came since the frame before.
+template <int dim>
+void FrameMaker<dim>::meet_new(const bodies::Particles<dim>& particles, std::vector<Known>& known) const
+{
+  visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index cell, Index b, int l) {
+    const auto id = static_cast<std::size_t>(particles.block(b).id[l]);
+    if (known.size() <= id) known.resize(id + 1);
+    const Vec<dim> x = position_of<dim>(particles.block(b), l);
+    if (known[id].first_cell == none) known[id] = {x, x, cell};
+  });
 }
 
 template <int dim>
@@ -115,6 +128,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
   Index next = 0;
   for (std::size_t body = 0; body < state.particles.size(); ++body) {
     const bodies::Particles<dim>& particles = state.particles[body];
+    meet_new(particles, known_[body]);
     std::vector<Index> point(known_[body].size(), none);  // by id
     visit_all<dim>(particles, model_.mesh.cell_count(),
                    [&](Index, Index b, int l) { point.at(static_cast<std::size_t>(particles.block(b).id[l])) = 0; });
@@ -196,16 +210,40 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
   });
 }
 
+/// Where particles were first that came after the start, the first `at_start` of the list.
+template <int dim>
+void FrameMaker<dim>::archive_new(Archive& k, const std::string& ending, std::size_t at_start, std::vector<Known>& known) const
+{
+  std::vector<Index> cells;
+  for (std::size_t id = at_start; id < known.size(); ++id) cells.push_back(known[id].first_cell);
+  k("first_cell" + ending, cells);
+  known.resize(at_start + cells.size());
+  for (int d = 0; d < dim; ++d) {
+    std::vector<Real> places;
+    for (std::size_t n = 0; n < cells.size(); ++n) places.push_back(known[at_start + n].first[d]);
+    k.fixed("first_" + std::to_string(d) + ending, places);
+    for (std::size_t n = 0; n < cells.size(); ++n) known[at_start + n].first[d] = places[n];
+  }
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    if (cells[n] < none || cells[n] >= model_.mesh.cell_count()) k.refuse("the mesh has no cell " + std::to_string(cells[n]));
+    known[at_start + n].first_cell = cells[n];
+  }
+}
+
 template <int dim>
 void FrameMaker<dim>::archive(Archive& k)
 {
-  for (std::size_t body = 0; body < known_.size(); ++body)
+  for (std::size_t body = 0; body < known_.size(); ++body) {
+    std::vector<Known>& known = known_[body];
+    const std::string ending = "_of_body_" + std::to_string(body);
+    if (!model_.earthworks.empty()) archive_new(k, ending, at_start_[body], known);
     for (int d = 0; d < dim; ++d) {
       std::vector<Real> places;
-      for (const Known& known : known_[body]) places.push_back(known.last[d]);
-      k.fixed("position_" + std::to_string(d) + "_of_body_" + std::to_string(body), places);
-      for (std::size_t id = 0; id < places.size(); ++id) known_[body][id].last[d] = places[id];
+      for (const Known& particle : known) places.push_back(particle.last[d]);
+      k.fixed("position_" + std::to_string(d) + ending, places);
+      for (std::size_t id = 0; id < places.size(); ++id) known[id].last[d] = places[id];
     }
+  }
 }
 
 template class FrameMaker<2>;

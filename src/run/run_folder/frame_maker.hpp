@@ -10,28 +10,32 @@ namespace berm::run_folder {
 template <int dim>
 class FrameMaker {
 public:
-  /// Remembers where the particles of `start` are, and keeps the model, which must outlive it. The strain of frames counts from there.
+  /// Remembers where the particles of `start` are, and keeps the model, which must outlive it. The strain of frames counts from there; that of particles that come
+  /// later from the first frame that they are in.
   FrameMaker(const problem::Model<dim>& model, const problem::State<dim>& start);
 
   /// The next frame: its increments count from the frame made before.
   Frame<dim> make(const problem::State<dim>& state);
 
-  /// What the increments of the next frame count from. Where the particles were at the start is not kept: a resumed run makes its FrameMaker at the
-  /// same start.
+  /// What the increments of the next frame count from, and where particles were first that came later. Where the particles were at the start is not kept: a
+  /// resumed run makes its FrameMaker at the same start.
   void archive(Archive& k);
 
 private:
   /// What is remembered of a particle.
   struct Known {
-    Vec<dim> first = Vec<dim>::Zero(), last = Vec<dim>::Zero();  ///< m, where it was at the start and at the frame before
-    Index first_cell = none;
+    Vec<dim> first = Vec<dim>::Zero(), last = Vec<dim>::Zero();  ///< m, where it was first and at the frame before
+    Index first_cell = none;                                     ///< none: in no frame yet
   };
 
+  void meet_new(const bodies::Particles<dim>& particles, std::vector<Known>& known) const;
+  void archive_new(Archive& k, const std::string& ending, std::size_t at_start, std::vector<Known>& known) const;
   void add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, const std::vector<Index>& point,
                    Frame<dim>& frame) const;
 
   const problem::Model<dim>& model_;
   std::vector<std::vector<Known>> known_;  ///< by body, then id
+  std::vector<std::size_t> at_start_;      ///< how many of them there were, by body
 
 public:
   /// Bytes that are kept between frames for each particle.

@@ -18,7 +18,7 @@ struct ColumnUnit {
 inline constexpr ColumnUnit bare{"1", ""}, seconds{"s", "s"}, metres{"m", "m"}, metres_per_second{"m/s", "m_s"}, radians{"rad", "rad"},
     pascals{"Pa", "Pa"};
 inline constexpr ColumnUnit whole_newtons{"N", "N"}, whole_joules{"J", "J"}, whole_newton_metres{"N m", "Nm"},
-    whole_newton_metre_seconds{"N m s", "Nm_s"}, square_metres{"m2", "m2"};
+    whole_newton_metre_seconds{"N m s", "Nm_s"}, square_metres{"m2", "m2"}, whole_kilograms{"kg", "kg"};
 /// What a model of a part in space has a part of, in the unit of the whole.
 constexpr ColumnUnit of_part(const ColumnUnit& whole)
 {
@@ -36,6 +36,9 @@ inline constexpr ColumnUnit newton_metre_seconds = dim == 2 ? ColumnUnit{"N s", 
                                                             : of_part(whole_newton_metre_seconds);
 template <int dim>
 inline constexpr ColumnUnit surface = dim == 2 ? ColumnUnit{"m", "m", &square_metres} : of_part(square_metres);
+
+template <int dim>
+inline constexpr ColumnUnit kilograms = dim == 2 ? ColumnUnit{"kg/m", "kg_m", &whole_kilograms} : of_part(whole_kilograms);
 
 /// What is said of a column of history.csv where its value is made.
 struct Column {

@@ -37,6 +37,7 @@ public:
   /// Before the first increment; the start finds its equilibrium. Throws RunError where it finds none.
   void begin(bool at_start);
   void step();
+  bool soil_changed() const { return false; }
   /// A row for each increment.
   Real history_interval() const { return 0; }
   void add_row(run_folder::HistoryFile& file) { recorder_.add_row(problem_.model, problem_.state, last_, file); }

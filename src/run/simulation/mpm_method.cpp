@@ -142,9 +142,35 @@ template <int d>
 void MpmMethod<d>::step()
 {
   if (Ranks::of_run().divided()) divide_anew();
+  soil_changed_ = state().step % mpm::steps_between_time_steps == 0 && change_soil();
   mpm::step(model(), problem_.state, *workspace_);
   recorder_.observe_step(model(), *workspace_);
   mpm::refuse_rigid_outside_mesh(model(), state());
+}
+
+/// Fills and excavations, where the time step is due: it depends on the soil.
+template <int d>
+bool MpmMethod<d>::change_soil()
+{
+  const std::vector<problem::EarthworkState<d>> before = state().earthworks;
+  if (!carry_out_earthworks(model(), problem_.state)) return false;
+  workspace_.emplace(model(), state());
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const problem::Earthwork<d>& work = model().earthworks[k];
+    const problem::EarthworkState<d>& now = state().earthworks[k];
+    if (now.lifts == before[k].lifts) continue;
+    const std::string of_lifts = work.lifts > 1 ? fmt::format(", lift {} of {}", now.lifts, work.lifts) : "";
+    const BigIndex particles = now.particles - before[k].particles;
+    const char* unit = model().mesh.metric == mesh::Metric::cartesian && d == 2 ? "kg/m" : "kg";
+    spdlog::info("{} \"{}\"{}: {} particles, {:.4g} {} in {:.4g} {} {} at t = {:.4g} s", work.fills ? "fill" : "excavation", work.name,
+                 of_lifts, particles, model().parts * (now.mass - before[k].mass), unit, model().parts * (now.volume - before[k].volume),
+                 unit == std::string("kg") ? "m3" : "m2", work.fills ? "placed" : "taken out", state().time);
+    if (particles == 0)
+      spdlog::warn("{} \"{}\"{}: {}", work.fills ? "fill" : "excavation", work.name, of_lifts,
+                   work.fills ? "there is no room in its area: soil or rigid bodies take all of it"
+                              : "there is no soil of its body in its area");
+  }
+  return true;
 }
 
 /// Where some ranks wait for others: soon after the start, then less and less often. Not where the time step is due, as with a checkpoint.

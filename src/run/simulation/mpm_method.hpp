@@ -44,6 +44,8 @@ public:
   /// Before the first step, of the start or of a checkpoint.
   void begin(bool at_start);
   void step();
+  /// Whether soil was placed or taken out before the last step.
+  bool soil_changed() const { return soil_changed_; }
   /// s between rows of the history.
   Real history_interval() const { return history_interval_; }
   void add_row(run_folder::HistoryFile& file);
@@ -73,6 +75,7 @@ private:
   Pace measure_pace();
   void refuse_other_problem() const;
   void divide_anew();
+  bool change_soil();
   bool is_at_rest() const;
   void log_equilibrium(const problem::StageSettings& stage) const;
   void log_force_limit(const problem::StageSettings& stage);
@@ -91,6 +94,7 @@ private:
   // Since when it is measured how long this rank works without waiting, 0 where it is not; and s that it had waited for others until then.
   std::chrono::steady_clock::time_point measured_since_;
   Real waited_ = 0;
+  bool soil_changed_ = false;
   BigIndex next_division_ = 0, steps_between_divisions_ = 0;
   CellWatch<d> cells_;
   Real equilibrium_ = nan;

@@ -90,7 +90,7 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (model.rigid_bodies[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigid_bodies[r], state.rigid_bodies[r]);
   const problem::Totals<dim>& t = state.totals;
-  const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.filter + t.friction - t.external;
+  const Real error = kinetic + taken_out(state).kinetic - first_kinetic_ + t.internal + t.damping + t.filter + t.friction - t.external;
   if (!std::isfinite(error))
     throw RunError(fmt::format("energies are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
                                model.mpm.courant));
@@ -170,6 +170,16 @@ void MpmRecorder<dim>::observe_tractions(const problem::Model<dim>& model, const
     }
     row_.of(model.tractions[t].name);
     area.observe(row_, part_of_traction(model.tractions[t], state.tractions[t], state.time));
+  }
+}
+
+template <int dim>
+void MpmRecorder<dim>::observe_earthworks(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  for (std::size_t k = 0; k < model.earthworks.size(); ++k) {
+    row_.of(model.earthworks[k].name);
+    row_("mass", state.earthworks[k].mass, run_folder::kilograms<dim>,
+         model.earthworks[k].fills ? "mass placed so far" : "mass taken out so far");
   }
 }
 
@@ -265,6 +275,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   }
   observe_contacts(model, state, workspace);
   observe_tractions(model, state);
+  observe_earthworks(model, state);
   observe_watches(model, state);
   observe_effective_normals(model, state);
   observe_depth_slices(model, state);

@@ -44,6 +44,7 @@ private:
   void observe_supports(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_depth_slices(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_effective_normals(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_earthworks(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
 
   Real last_time_ = 0;

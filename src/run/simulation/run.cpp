@@ -177,7 +177,8 @@ bool Run<Method>::frame_is_due() const
 {
   const problem::OutputSettings& output = request_.settings.output;
   const Real travel = driven() == none ? 0 : (state().rigid_bodies[driven()].displacement - frame_displacement_).norm();
-  return (output.frame_time && state().time >= frame_time_ + *output.frame_time) || (output.frame_travel && travel >= *output.frame_travel);
+  return method_.soil_changed() || (output.frame_time && state().time >= frame_time_ + *output.frame_time) ||
+         (output.frame_travel && travel >= *output.frame_travel);
 }
 
 template <class Method>

@@ -172,7 +172,12 @@ Watched<dim> WatchPoint<dim>::read(const problem::Model<dim>& model, const bodie
   Ranks& ranks = Ranks::of_run();
   ranks.gather(found, movers);
   std::sort(movers.begin(), movers.end(), [](const Mover<dim>& a, const Mover<dim>& b) { return a.id < b.id; });
-  if (movers.size() != neighbours_.size()) throw RunError(fmt::format("particles around particle {} are gone", nearest_));
+  if (movers.size() != neighbours_.size()) {
+    if (model.earthworks.empty()) throw RunError(fmt::format("particles around particle {} are gone", nearest_));
+    SymTensor<dim> no_stress;
+    std::fill_n(no_stress.c, tensor_size<dim>, nan);
+    return {Vec<dim>::Constant(nan), Vec<dim>::Constant(nan), no_stress, nan};  // taken out
+  }
 
   Watched<dim> now{Vec<dim>::Zero(), Vec<dim>::Zero(), {}, 0};
   Index cell = none;

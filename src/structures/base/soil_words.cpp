@@ -31,6 +31,26 @@ std::string layers_in_words(const problem::BodySoil& soil)
   return words;
 }
 
+std::vector<EarthworkWords> earthworks_in_words(const problem::Case& c)
+{
+  std::vector<EarthworkWords> all;
+  const auto add = [&](const std::string& body, const bodies::EarthworkSettings& work, const std::string& material) {
+    std::string words = material.empty() ? "excavation " + work.name : fmt::format("fill {} of {}", work.name, material);
+    words += fmt::format(", in stage \"{}\"", work.stage);
+    if (work.lifts > 1)
+      words += fmt::format(", {} lifts{}", work.lifts, work.duration > 0 ? fmt::format(" in {:.3g} s", work.duration) : "");
+    all.push_back({work, body, material, words});
+  };
+  for (const auto& [name, body] : c.body) {
+    for (const bodies::ExcavationSettings& excavation : body.excavation) add(name, excavation, "");
+    for (const bodies::FillSettings& fill : body.fill) {
+      add(name, fill, fill.material);
+      if (fill.k0) all.back().words += ", K₀ = " + text::number_words(*fill.k0);
+    }
+  }
+  return all;
+}
+
 std::vector<std::string> soil_words(const problem::Case& c)
 {
   std::vector<std::string> lines;
@@ -43,6 +63,8 @@ std::vector<std::string> soil_words(const problem::Case& c)
       lines.push_back(fmt::format("             {} deep, the lowest point of the {}: {}", text::length_words(depth), body_word(c),
                                   values_in_words(soil.at("", depth))));
   }
+  for (const EarthworkWords& work : earthworks_in_words(c))
+    lines.push_back(fmt::format("soil         body \"{}\": {}", work.body, work.words));
   return lines;
 }
 

@@ -11,6 +11,14 @@ namespace berm::base {
 /// The layers of a soil downwards, or its regions: "\"sand\", from 5 mm down \"clay\"".
 std::string layers_in_words(const problem::BodySoil& soil);
 
+/// A fill or an excavation in words: "fill backfill of sand, in stage \"backfill\", 3 lifts in 2 s".
+struct EarthworkWords {
+  const bodies::EarthworkSettings& settings;
+  std::string body, material;  ///< material "": it takes soil out
+  std::string words;
+};
+std::vector<EarthworkWords> earthworks_in_words(const problem::Case& c);
+
 /// What `berm check` says of bodies whose soil varies, line by line: their layers or regions, and strength and stiffness at the surface and at the lowest
 /// point that the main rigid body reaches in a push.
 std::vector<std::string> soil_words(const problem::Case& c);

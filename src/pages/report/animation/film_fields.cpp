@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
+#include <map>
 
 namespace berm::report {
 namespace {
@@ -79,12 +80,15 @@ float length(const std::vector<float>& vectors, Index k)
 
 }  // namespace
 
-FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body, FilmPart part, Index most)
-    : first_(run_folder::read_soil(first.soil)),
+FilmReader::FilmReader(const std::vector<run_folder::FrameFiles>& files, int dimension, const std::string& body, bool soil_changes,
+                       FilmPart part, Index most)
+    : first_(run_folder::read_soil(files.front().soil)),
+      soil_changes_(soil_changes),
       fields_(film_fields(first_.fields, body))
 {
-  const Index count = static_cast<Index>(first_.x.size());
-  if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));
+  if (first_.x.empty()) throw RunError(fmt::format("{}: has no particles", first_.file.string()));
+  if (soil_changes) add_points_of(files);
+  const Index count = static_cast<Index>(first_.id.size());
   with_z_ = dimension == 3 && part == FilmPart::whole;
   has_flow_ = !with_z_ && run_folder::find_field(first_.fields, flow_field) != nullptr;
   if (with_z_) one_of_ = (count + most - 1) / most;
@@ -97,59 +101,89 @@ FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const
     chosen_.push_back(k);
     sizes_.push_back(static_cast<float>(size) * stands_for);
   }
-  if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first.soil.string()));
+  if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first_.file.string()));
 }
 
-run_folder::SavedSoil FilmReader::same_soil(const run_folder::FrameFiles& files) const
+/// A frame that cannot be read is told of where the film reads it.
+void FilmReader::add_points_of(const std::vector<run_folder::FrameFiles>& files)
 {
-  run_folder::SavedSoil soil = run_folder::read_soil(files.soil);
-  if (soil.id != first_.id || soil.body != first_.body)
-    throw RunError(fmt::format("{}: has other particles than the first frame", files.soil.string()));
-  return soil;
+  std::map<std::pair<std::int32_t, std::int32_t>, bool> known;
+  for (std::size_t k = 0; k < first_.id.size(); ++k) known[{first_.body[k], first_.id[k]}] = true;
+  for (std::size_t f = 1; f < files.size(); ++f) try {
+      const run_folder::SavedSoil soil = run_folder::read_soil(files[f].soil);
+      for (std::size_t k = 0; k < soil.id.size(); ++k) {
+        bool& there = known[{soil.body[k], soil.id[k]}];
+        if (there) continue;
+        there = true;
+        first_.body.push_back(soil.body[k]);
+        first_.id.push_back(soil.id[k]);
+        first_.z.push_back(soil.z[k]);
+        first_.volume.push_back(soil.volume[k]);
+      }
+    } catch (const RunError&) {
+      return;
+    }
+}
+
+FilmReader::Found FilmReader::find(const run_folder::FrameFiles& files) const
+{
+  Found found{run_folder::read_soil(files.soil), chosen_};
+  const run_folder::SavedSoil& soil = found.soil;
+  if (soil.id == first_.id && soil.body == first_.body) return found;
+  if (!soil_changes_ || soil.id.empty()) throw RunError(fmt::format("{}: has other particles than the first frame", files.soil.string()));
+  std::map<std::pair<std::int32_t, std::int32_t>, Index> places;
+  for (std::size_t k = 0; k < soil.id.size(); ++k) places[{soil.body[k], soil.id[k]}] = static_cast<Index>(k);
+  const auto largest = static_cast<Index>(std::max_element(soil.volume.begin(), soil.volume.end()) - soil.volume.begin());
+  for (Index& place : found.places) {
+    const auto at = places.find({first_.body[place], first_.id[place]});
+    place = at == places.end() ? largest : at->second;
+  }
+  return found;
 }
 
 FilmFrame FilmReader::read(const run_folder::FrameFiles& files) const
 {
-  FilmFrame frame = film_frame(same_soil(files));
+  FilmFrame frame = film_frame(find(files));
   if (!files.rigid.empty()) frame.rigid_bodies = run_folder::read_rigids(files.rigid);
   return frame;
 }
 
 void FilmReader::add_summed(const run_folder::FrameFiles& files, FilmFrame& frame) const
 {
-  const run_folder::SavedSoil soil = same_soil(files);
+  const Found found = find(files);
   for (std::size_t f = 0; f < fields_.size(); ++f)
     if (fields_[f].summed) {
-      const std::vector<float> more = values(soil, fields_[f]);
+      const std::vector<float> more = values(found, fields_[f]);
       std::transform(more.begin(), more.end(), frame.fields[f].begin(), frame.fields[f].begin(), std::plus<>());
     }
 }
 
-std::vector<float> FilmReader::values(const run_folder::SavedSoil& soil, const FilmField& field) const
+std::vector<float> FilmReader::values(const Found& found, const FilmField& field) const
 {
-  const std::vector<float>& all = soil[field.source];
-  const bool vectors = all.size() != soil.x.size();
+  const std::vector<float>& all = found.soil[field.source];
+  const bool vectors = all.size() != found.soil.x.size();
   const auto factor = static_cast<float>(field.factor);
   std::vector<float> chosen;
   chosen.reserve(chosen_.size());
-  for (const Index k : chosen_) chosen.push_back(finite(factor * (vectors ? length(all, k) : all[k])));
+  for (const Index k : found.places) chosen.push_back(finite(factor * (vectors ? length(all, k) : all[k])));
   return chosen;
 }
 
-FilmFrame FilmReader::film_frame(const run_folder::SavedSoil& soil) const
+FilmFrame FilmReader::film_frame(const Found& found) const
 {
+  const run_folder::SavedSoil& soil = found.soil;
   FilmFrame frame;
   frame.x.reserve(chosen_.size());
   frame.y.reserve(chosen_.size());
-  for (const Index k : chosen_) {
+  for (const Index k : found.places) {
     frame.x.push_back(soil.x[k]);
     frame.y.push_back(soil.y[k]);
     if (with_z_) frame.z.push_back(soil.z[k]);
   }
-  for (const FilmField& field : fields_) frame.fields.push_back(values(soil, field));
+  for (const FilmField& field : fields_) frame.fields.push_back(values(found, field));
   if (!has_flow_) return frame;
   const std::vector<float>& flow = soil[flow_field];
-  for (const Index k : chosen_) {
+  for (const Index k : found.places) {
     frame.flow_x.push_back(finite(flow[3 * k]));
     frame.flow_y.push_back(finite(flow[3 * k + 1]));
   }

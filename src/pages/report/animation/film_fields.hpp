@@ -34,11 +34,14 @@ enum class FilmPart { slice, whole };
 constexpr Index max_in_space = 40'000;
 
 /// Reads the frames of a run as its film shows them: all points in plane strain; in space those of the slice in the middle, or of the whole as many as `most`.
+/// Where soil comes and goes the film has all points that any frame has. While one is not there it lies on one that is, the largest, and has its values, so that
+/// it is not seen.
 class FilmReader {
 public:
-  /// `body` is the word of the rigid body that is driven, or "". Reads the first frame, whose points all others must have. Throws RunError where it cannot be read or has no points.
-  FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body, FilmPart part = FilmPart::slice,
-             Index most = max_in_space);
+  /// `body` is the word of the rigid body that is driven, or "". Reads the first frame, whose points all others must have; where soil comes and goes, all that can
+  /// be read. Throws RunError where the first cannot be read or has no points.
+  FilmReader(const std::vector<run_folder::FrameFiles>& files, int dimension, const std::string& body, bool soil_changes = false,
+             FilmPart part = FilmPart::slice, Index most = max_in_space);
 
   /// What the first frame holds of fields.
   const std::vector<FilmField>& fields() const { return fields_; }
@@ -61,14 +64,20 @@ public:
   void add_summed(const run_folder::FrameFiles& files, FilmFrame& frame) const;
 
 private:
-  run_folder::SavedSoil same_soil(const run_folder::FrameFiles& files) const;
-  FilmFrame film_frame(const run_folder::SavedSoil& soil) const;
+  /// A frame, and where in it the points are that the film shows.
+  struct Found {
+    run_folder::SavedSoil soil;
+    std::vector<Index> places;
+  };
+  void add_points_of(const std::vector<run_folder::FrameFiles>& files);
+  Found find(const run_folder::FrameFiles& files) const;
+  FilmFrame film_frame(const Found& found) const;
+  std::vector<float> values(const Found& found, const FilmField& field) const;
 
-  std::vector<float> values(const run_folder::SavedSoil& soil, const FilmField& field) const;
-
-  run_folder::SavedSoil first_;
+  run_folder::SavedSoil first_;  ///< and behind its points those that come later: id, body, z and volume
+  bool soil_changes_;
   std::vector<FilmField> fields_;
-  std::vector<Index> chosen_;  ///< points of the frames that the film shows
+  std::vector<Index> chosen_;  ///< of these points, those that the film shows
   std::vector<float> sizes_;
   Real middle_ = 0;
   Index one_of_ = 1;

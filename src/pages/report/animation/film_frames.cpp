@@ -91,8 +91,11 @@ FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory, Fi
       if (run.history.rows() > 0) footage.fault = "there is no film of the soil: frames/ lists no frames";
       return footage;
     }
-    const FilmReader reader(files.front(), run.settings.dimension(), base::drives_a_body(run.settings) ? base::body_word(run.settings) : "",
-                            part);
+    const auto& bodies = run.settings.body;
+    const bool soil_changes = std::any_of(bodies.begin(), bodies.end(),
+                                          [](const auto& body) { return !body.second.fill.empty() || !body.second.excavation.empty(); });
+    const FilmReader reader(files, run.settings.dimension(), base::drives_a_body(run.settings) ? base::body_word(run.settings) : "",
+                            soil_changes, part);
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();
     footage.one_of = reader.one_of();

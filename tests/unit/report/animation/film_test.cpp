@@ -411,7 +411,7 @@ TEST(film, particles_that_are_too_many_in_space_are_thinned_and_stand_for_their_
 {
   const SampleFilmRun<3> sample;
   const std::vector<run_folder::FrameFiles> files = run_folder::frame_files(sample.folder / "frames");
-  const FilmReader all(files.front(), 3, "", FilmPart::whole), some(files.front(), 3, "", FilmPart::whole, 43);
+  const FilmReader all(files, 3, "", false, FilmPart::whole), some(files, 3, "", false, FilmPart::whole, 43);
   EXPECT_EQ(all.one_of(), 1);
   EXPECT_EQ(all.count(), 128u);
   EXPECT_EQ(some.one_of(), 3);

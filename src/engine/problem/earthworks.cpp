@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/problem/earthworks_test.cpp
+#include "problem/earthworks.hpp"
+
+#include "bodies/fill.hpp"
+#include "core/error.hpp"
+#include "problem/model.hpp"
+#include "problem/names.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+/// Between two levels, m.
+struct Slab {
+  Real bottom, top;
+};
+
+/// Of the lifts from `first` to before `end`.
+template <int dim>
+Slab slab_of(const Earthwork<dim>& work, Index first, Index end)
+{
+  const auto level = [&](Index lift) { return work.bottom + (work.top - work.bottom) * static_cast<Real>(lift) / work.lifts; };
+  return work.fills ? Slab{level(first), level(end)} : Slab{level(work.lifts - end), level(work.lifts - first)};
+}
+
+template <int dim>
+Index lifts_due(const Earthwork<dim>& work, const State<dim>& state)
+{
+  if (state.stage.index < work.stage) return 0;
+  if (state.stage.index > work.stage || work.duration == 0) return work.lifts;
+  const Real passed = (state.time - state.stage.begin_time) / work.duration * work.lifts;
+  return passed < work.lifts ? 1 + static_cast<Index>(passed) : work.lifts;
+}
+
+template <int dim>
+bool is_within(const Earthwork<dim>& work, const Slab& slab, const Vec<dim>& x)
+{
+  if (x[1] < slab.bottom || x[1] > slab.top) return false;
+  if (dim == 3 && (x[dim - 1] < work.z_range[0] || x[dim - 1] > work.z_range[1])) return false;
+  return surface_at(work.area, x).distance <= 0;
+}
+
+/// Whether the box around a cell has a part in the slab of the box around the area.
+template <int dim>
+bool comes_near(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, Index cell)
+{
+  Real left = infinity, right = -infinity;
+  for (const Vec<2>& corner : work.corners) left = std::min(left, corner[0]), right = std::max(right, corner[0]);
+  Vec<dim> lower = Vec<dim>::Constant(infinity), upper = -lower;
+  for (const Index node : model.mesh.nodes[cell]) {
+    lower = lower.cwiseMin(model.mesh.position[node]);
+    upper = upper.cwiseMax(model.mesh.position[node]);
+  }
+  return lower[0] <= right && upper[0] >= left && lower[1] <= slab.top && upper[1] >= slab.bottom;
+}
+
+/// The highest level of the area at x, m.
+template <int dim>
+Real top_at(const Earthwork<dim>& work, Real x)
+{
+  Real top = work.bottom;
+  for (std::size_t k = 0; k < work.corners.size(); ++k) {
+    const Vec<2>&a = work.corners[k], &b = work.corners[(k + 1) % work.corners.size()];
+    if (std::min(a[0], b[0]) > x || std::max(a[0], b[0]) < x) continue;
+    top = std::max(top, a[0] == b[0] ? std::max(a[1], b[1]) : a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]));
+  }
+  return top;
+}
+
+/// Points of a cell where particles of a fill would be, but for what is there already.
+template <int dim>
+std::vector<Vec<dim>> points_in(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, Index cell,
+                                const std::vector<std::array<Real, dim + 1>>& points)
+{
+  std::vector<Vec<dim>> inside;
+  for (const std::array<Real, dim + 1>& point : points) {
+    Vec<dim> x = Vec<dim>::Zero();
+    for (int k = 0; k <= dim; ++k) x += point[k] * model.mesh.position[model.mesh.nodes[cell][k]];
+    if (is_within(work, slab, x)) inside.push_back(x);
+  }
+  return inside;
+}
+
+template <int dim>
+std::vector<std::vector<std::array<Real, dim + 1>>> points_of_regions(const Earthwork<dim>& work)
+{
+  std::vector<std::vector<std::array<Real, dim + 1>>> points;
+  for (const int side : work.per_side) points.push_back(bodies::points_in_simplex<dim>(side));
+  return points;
+}
+
+/// What an earthwork does in a cell.
+template <int dim>
+struct InCell {
+  Index cell;
+  Index particles = 0;
+  Real volume = 0, mass = 0, kinetic = 0;
+  Vec<dim> momentum = Vec<dim>::Zero();
+
+  void add(const bodies::Particle<dim>& p)
+  {
+    ++particles;
+    volume += p.volume;
+    mass += p.mass;
+    momentum += p.mass * p.v;
+    kinetic += p.mass * p.v.squaredNorm() / 2;
+  }
+};
+
+template <int dim>
+std::vector<InCell<dim>> take_out(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, bodies::Particles<dim>& particles)
+{
+  std::vector<InCell<dim>> done;
+  const std::vector<Index> cells = particles.occupied();
+  for (const Index cell : cells) {
+    if (!comes_near(model, work, slab, cell)) continue;
+    InCell<dim> here{cell};
+    for (Index index = particles.count_in(cell); index-- > 0;)
+      if (is_within(work, slab, particles.read_at(cell, index).x)) here.add(particles.take(cell, index));
+    if (here.particles > 0) done.push_back(here);
+  }
+  return done;
+}
+
+/// A particle that is there already.
+template <int dim>
+struct Neighbour {
+  Index cell;
+  Vec<dim> x;
+  Real section;  ///< m2, in space m3
+};
+
+/// The particles of all bodies, of all ranks, in and around the cells where a fill may come; by cell.
+template <int dim>
+class SoilAround {
+public:
+  SoilAround(const Model<dim>& model, const State<dim>& state, const Earthwork<dim>& work, const Slab& slab) : mesh_(model.mesh)
+  {
+    auto near = NodeField<std::uint8_t>::zeros(mesh_.node_count());
+    for (Index cell = 0; cell < mesh_.cell_count(); ++cell)
+      if (comes_near(model, work, slab, cell))
+        for (const Index node : mesh_.nodes[cell]) near[node] = 1;
+    std::vector<Neighbour<dim>> own;
+    for (const bodies::Particles<dim>& particles : state.particles)
+      for (const Index cell : particles.occupied()) {
+        const auto& nodes = mesh_.nodes[cell];
+        if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return near[node] != 0; })) continue;
+        for (Index index = 0; index < particles.count_in(cell); ++index) {
+          const bodies::Particle<dim> p = particles.read_at(cell, index);
+          own.push_back({cell, p.x, section_of(mesh_.metric, p.volume, p.x)});
+        }
+      }
+    Ranks::of_run().gather(own, all_);
+    std::stable_sort(all_.begin(), all_.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; });
+  }
+
+  /// Whether a particle of this section finds room at a point of a cell: three quarters of the width of the wider of the two from all others, where less than nine
+  /// tenths of the cells around are filled.
+  bool has_room(Index cell, const Vec<dim>& x, Real section) const
+  {
+    constexpr Real apart = 0.75, full = 0.9;
+    const mesh::Shape<dim> shape = mesh_.shape(cell);
+    Real filled = 0;
+    for (int k = 0; k <= dim; ++k) {
+      Real taken = 0, whole = 0;
+      const Index node = mesh_.nodes[cell][k];
+      for (Index e = mesh_.first_entry[node]; e < mesh_.first_entry[node + 1]; ++e) {
+        const Index around = mesh_.entries[e] / (dim + 1);
+        whole += mesh_.section(around);
+        for (auto p = first_in(around); p != all_.end() && p->cell == around; ++p) {
+          if ((p->x - x).norm() < apart * std::pow(std::max(section, p->section), 1. / dim)) return false;
+          taken += p->section;
+        }
+      }
+      filled += shape.value(k, x) * taken / whole;
+    }
+    return filled < full;
+  }
+
+private:
+  auto first_in(Index cell) const
+  {
+    return std::lower_bound(all_.begin(), all_.end(), cell, [](const Neighbour<dim>& p, Index wanted) { return p.cell < wanted; });
+  }
+
+  const mesh::Mesh<dim>& mesh_;
+  std::vector<Neighbour<dim>> all_;
+};
+
+/// A particle of a fill, without a number.
+template <int dim>
+bodies::Particle<dim> particle_at(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, const Vec<dim>& x, Real section)
+{
+  const BodySoil& soil = model.bodies[work.body].soil;
+  const Real top = top_at(work, x[0]);
+  const material::Material material = at_depth(soil.materials[work.material], std::max(Real(0), top - x[1]));
+  bodies::Particle<dim> p;
+  p.x = x;
+  p.volume = section * weight_at(model.mesh.metric, x);
+  p.mass = inertia_density(material) * p.volume;
+  SymTensor<3> stress{};
+  if (work.k0) {
+    p.stress[1] = density(material) * model.gravity[1] * std::max(Real(0), std::min(top, slab.top) - x[1]);
+    p.stress[0] = p.stress[2] = *work.k0 * p.stress[1];
+    std::copy_n(p.stress.c, tensor_size<dim>, stress.c);
+  }
+  initial_state(material, stress, p.extra);
+  const std::vector<Real> own = local_values(soil, work.material, std::max(Real(0), top - x[1]));
+  std::copy(own.begin(), own.end(), p.extra + state_size(material));
+  return p;
+}
+
+template <int dim>
+std::vector<InCell<dim>> place(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, State<dim>& state)
+{
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  bodies::Particles<dim>& particles = state.particles[work.body];
+  std::vector<bodies::RigidShape<dim>> holes;
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) holes.push_back(placed(model.rigid_bodies[r], state.rigid_bodies[r]));
+  const auto points = points_of_regions(work);
+  const SoilAround<dim> around(model, state, work, slab);
+  std::vector<InCell<dim>> done, of_all;
+  std::vector<std::pair<Index, bodies::Particle<dim>>> made;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    if (!Ranks::of_run().owns_cell(cell) || !comes_near(model, work, slab, cell)) continue;
+    const auto& of_cell = points[mesh.region[cell]];
+    const Real section = mesh.section(cell) / static_cast<Real>(of_cell.size());
+    std::vector<Vec<dim>> free = points_in(model, work, slab, cell, of_cell);
+    std::erase_if(free, [&](const Vec<dim>& x) {
+      return !around.has_room(cell, x, section) ||
+             std::any_of(holes.begin(), holes.end(), [&](const auto& hole) { return surface_at(hole, x).distance < 0; });
+    });
+    InCell<dim> here{cell};
+    for (const Vec<dim>& x : free) {
+      made.emplace_back(cell, particle_at(model, work, slab, x, section));
+      here.add(made.back().second);
+    }
+    if (here.particles > 0) done.push_back(here);
+  }
+  // Numbers go on in the order of the cells, whichever rank has them.
+  Ranks::of_run().gather(done, of_all);
+  std::int32_t next = state.numbered[work.body];
+  for (const InCell<dim>& cell : of_all) {
+    if (!done.empty() && cell.cell == done.front().cell) break;
+    next += cell.particles;
+  }
+  for (auto& [cell, particle] : made) {
+    particle.id = next++;
+    particles.insert(cell, particle);
+  }
+  for (const InCell<dim>& cell : of_all) state.numbered[work.body] += cell.particles;
+  return done;
+}
+
+template <int dim>
+void count(const std::vector<InCell<dim>>& done, Real weight_over_mass, EarthworkState<dim>& sum)
+{
+  std::vector<InCell<dim>> of_all;
+  Ranks::of_run().gather(done, of_all);
+  for (const InCell<dim>& cell : of_all) {
+    sum.particles += cell.particles;
+    sum.volume += cell.volume;
+    sum.mass += weight_over_mass * cell.mass;
+    sum.momentum += cell.momentum;
+    sum.kinetic += cell.kinetic;
+  }
+}
+
+void check_earthwork(Describe& d, const Case& c, const std::string& path, const bodies::EarthworkSettings& work)
+{
+  std::vector<std::string> stages;
+  for (const StageSettings& stage : c.stage) stages.push_back(stage.name);
+  const auto stage = std::find(stages.begin(), stages.end(), work.stage);
+  d.check(stage != stages.end(), path + ".stage", fmt::format("there is no stage \"{}\"", work.stage), stages);
+  bodies::check(d, path, work.area, c.dimension());
+  d.check(c.method == Method::mpm, path,
+          "the small-strain finite elements have no stage that places or takes out soil: make the fill a region of the mesh, or a layer");
+  d.check(work.z_range.empty() || c.dimension() == 3, path + ".z_range", "is for space");
+  d.check(work.z_range.empty() || (work.z_range.size() == 2 && work.z_range[0] < work.z_range[1]), path + ".z_range",
+          "needs 2 numbers, the smaller one first");
+  d.check(work.duration == 0 || work.lifts > 1, path + ".duration", "spreads lifts over time, and there is one: give it lifts");
+  if (stage != stages.end()) {
+    const Until& until = c.stage[static_cast<std::size_t>(stage - stages.begin())].until;
+    d.check(!until.time || work.duration <= *until.time, path + ".duration",
+            fmt::format("is longer than stage \"{}\", {:.4g} s", work.stage, until.time.value_or(0)));
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void add_earthworks(const bodies::BodySettings& settings, Index body, Model<dim>& model)
+{
+  const auto add = [&](const bodies::EarthworkSettings& work, bool fills) {
+    const auto stage = std::find_if(model.stages.begin(), model.stages.end(),
+                                    [&](const StageSettings& candidate) { return candidate.name == work.stage; });
+    Earthwork<dim> made{work.name,
+                        fills,
+                        body,
+                        static_cast<Index>(stage - model.stages.begin()),
+                        bodies::make_shape<dim>(work.area),
+                        {},
+                        {-infinity, infinity},
+                        infinity,
+                        -infinity,
+                        work.lifts,
+                        work.duration};
+    for (std::size_t k = 0; k < work.area.x.size(); ++k) made.corners.emplace_back(work.area.x[k], work.area.y[k]);
+    for (const Vec<2>& corner : made.corners) made.bottom = std::min(made.bottom, corner[1]), made.top = std::max(made.top, corner[1]);
+    if (!work.z_range.empty()) made.z_range = {work.z_range[0], work.z_range[1]};
+    model.earthworks.push_back(made);
+  };
+  for (const bodies::ExcavationSettings& excavation : settings.excavation) add(excavation, false);
+  for (std::size_t k = 0; k < settings.fill.size(); ++k) {
+    add(settings.fill[k], true);
+    Earthwork<dim>& work = model.earthworks.back();
+    work.material = model.bodies[body].soil.of_fill[k];
+    work.k0 = settings.fill[k].k0;
+    for (const std::string& region : model.mesh.region_names)
+      work.per_side.push_back(static_cast<int>(std::lround(std::pow(bodies::particles_per_cell<dim>(settings, region), 1. / dim))));
+    if (room_for_fills(model, body) == 0)
+      throw KeyError(fmt::format("body.{}.fill[{}].x: no cell of the mesh is there", model.bodies[body].name, k));
+  }
+}
+
+void check_earthworks(Describe& d, const Case& c)
+{
+  std::vector<std::string> names;
+  const auto check_name_of = [&](const std::string& path, const std::string& name) {
+    d.check(!among(name, names), path + ".name", fmt::format("another fill or excavation has the name \"{}\"", name));
+    names.push_back(name);
+    const bool taken = index_of(c.body, name) != none || index_of(c.rigid, name) != none || index_of(c.contact, name) != none ||
+                       index_of(c.support, name) != none || index_of(c.traction, name) != none || index_of(c.watch, name) != none;
+    d.check(!taken, path + ".name", "something else of the case has this name, which columns of the history begin with");
+  };
+  for (const auto& [name, body] : c.body) {
+    const std::string path = "body." + name;
+    for (std::size_t k = 0; k < body.excavation.size(); ++k) {
+      check_earthwork(d, c, fmt::format("{}.excavation[{}]", path, k), body.excavation[k]);
+      check_name_of(fmt::format("{}.excavation[{}]", path, k), body.excavation[k].name);
+    }
+    for (std::size_t k = 0; k < body.fill.size(); ++k) {
+      const std::string item = fmt::format("{}.fill[{}]", path, k);
+      check_earthwork(d, c, item, body.fill[k]);
+      check_name_of(item, body.fill[k].name);
+      const bool upright = c.gravity.size() < 2 ||
+                           (c.gravity[1] <= 0 &&
+                            std::all_of(c.gravity.begin(), c.gravity.end(), [&](const Real& g) { return &g == &c.gravity[1] || g == 0; }));
+      d.check(!body.fill[k].k0 || upright, item + ".k0", "the stress of a fill at rest is for gravity along -y");
+    }
+    d.check(!c.mpm.active_distance || (body.fill.empty() && body.excavation.empty()), "mpm.active_distance",
+            fmt::format("does not go with the fills and excavations of [body.{}]: soil that rests would not take their load", name));
+  }
+}
+
+template <int dim>
+Index room_for_fills(const Model<dim>& model, Index body)
+{
+  Index room = 0;
+  for (const Earthwork<dim>& work : model.earthworks) {
+    if (!work.fills || work.body != body) continue;
+    const auto points = points_of_regions(work);
+    const Slab slab = slab_of(work, 0, work.lifts);
+    for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+      if (comes_near(model, work, slab, cell))
+        room += static_cast<Index>(points_in(model, work, slab, cell, points[model.mesh.region[cell]]).size());
+  }
+  return room;
+}
+
+template <int dim>
+bool carry_out_earthworks(const Model<dim>& model, State<dim>& state)
+{
+  bool changed = false;
+  for (std::size_t k = 0; k < model.earthworks.size(); ++k) {
+    const Earthwork<dim>& work = model.earthworks[k];
+    EarthworkState<dim>& so_far = state.earthworks[k];
+    const Index due = lifts_due(work, state);
+    if (so_far.lifts >= due) continue;
+    const Slab slab = slab_of(work, so_far.lifts, due);
+    bodies::Particles<dim>& particles = state.particles[work.body];
+    const std::vector<InCell<dim>> done = work.fills ? place(model, work, slab, state) : take_out(model, work, slab, particles);
+    count(done, model.bodies[work.body].weight_over_mass, so_far);
+    so_far.lifts = due;
+    particles.sort_occupied();
+    changed = true;
+  }
+  return changed;
+}
+
+template <int dim>
+EarthworkState<dim> taken_out(const State<dim>& state)
+{
+  EarthworkState<dim> sum;
+  for (const EarthworkState<dim>& work : state.earthworks) sum.momentum += work.momentum, sum.kinetic += work.kinetic;
+  return sum;
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void add_earthworks(const bodies::BodySettings&, Index, Model<dim>&);                                                           \
+  template Index room_for_fills(const Model<dim>&, Index);                                                                                 \
+  template bool carry_out_earthworks(const Model<dim>&, State<dim>&);                                                                      \
+  template EarthworkState<dim> taken_out(const State<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::problem

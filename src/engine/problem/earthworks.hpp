@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/rigid/polygon.hpp"
+#include "core/describe.hpp"
+
+#include <array>
+#include <optional>
+
+namespace berm::bodies {
+struct BodySettings;
+}
+
+namespace berm::problem {
+
+struct Case;
+template <int dim>
+struct Model;
+template <int dim>
+struct State;
+
+/// Soil that a stage places or takes out, with its names looked up.
+template <int dim>
+struct Earthwork {
+  std::string name;
+  bool fills;  ///< or takes out
+  Index body, stage;
+  bodies::Polygon<dim> area;
+  std::vector<Vec<2>> corners;  ///< m, of the area
+  std::array<Real, 2> z_range;  ///< m
+  Real bottom, top;             ///< m, levels y between which the area lies
+  int lifts;
+  Real duration;  ///< s
+  // Of a fill.
+  Index material = none;           ///< number among those of the body
+  std::optional<Real> k0 = {};     ///< of each lift under its own weight
+  std::vector<int> per_side = {};  ///< particles along the side of a cell, by region of the mesh
+};
+
+/// What an earthwork has done so far, per metre run (in space: in all; around an axis per radian).
+template <int dim>
+struct EarthworkState {
+  Index lifts = 0;  ///< of its lifts
+  BigIndex particles = 0;
+  Real volume = 0;  ///< m2 or m3, as the particles had it
+  Real mass = 0;    ///< kg/m or kg, of the density that gives the weight
+  // Of soil taken out; soil that is placed rests.
+  Vec<dim> momentum = Vec<dim>::Zero();  ///< N s/m or N s, of the density that gives the inertia
+  Real kinetic = 0;                      ///< J/m or J
+};
+
+/// All earthworks of a body, in the order in which those that are due at once are done: first what is taken out.
+template <int dim>
+void add_earthworks(const bodies::BodySettings& settings, Index body, Model<dim>& model);
+
+/// Checks beyond the range of a single key.
+void check_earthworks(Describe& d, const Case& c);
+
+/// How many particles the fills of a body can need.
+template <int dim>
+Index room_for_fills(const Model<dim>& model, Index body);
+
+/// Places and takes out what is due at this moment; true where something was. A fill puts particles, at rest, at the points of the cells where a body would have
+/// them at the start: inside its area and no rigid body, three quarters of a particle's width or more away from those that are there, and where
+/// these fill less than nine tenths of the cells around. Depends on the state alone, and not on how it is divided among ranks.
+template <int dim>
+bool carry_out_earthworks(const Model<dim>& model, State<dim>& state);
+
+/// What soil took along that was taken out: momentum and kinetic energy.
+template <int dim>
+EarthworkState<dim> taken_out(const State<dim>& state);
+
+}  // namespace berm::problem
