@@ -2,6 +2,7 @@
 #include "mesh/gmsh.hpp"
 
 #include "core/error.hpp"
+#include "mesh/doubled_nodes.hpp"
 #include "mesh/line_reader.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr BigIndex any_tag = std::numeric_limits<std::int32_t>::max();
 constexpr BigIndex any_node_tag = std::numeric_limits<BigIndex>::max();
+constexpr std::string_view of_partition = "_part{";  // begins the names of the groups that Gmsh adds where it partitions a mesh
 constexpr const char* kinds[] = {"point", "curve", "surface", "volume"};
 
 // A group by its name: the indices of the region or boundary that it becomes.
@@ -27,7 +29,20 @@ struct Group {
 template <int dim>
 class Reader {
 public:
-  explicit Reader(const std::filesystem::path& path) : name_(path.string()), lines_(path) {}
+  Reader(const std::filesystem::path& path, const GmshFile* settings) : name_(path.string()), lines_(path), settings_(settings)
+  {
+    for (int d = 0; d < 3; ++d) axis_[d] = d, factor_[d] = settings == nullptr ? 1 : settings->scale;
+    if (settings == nullptr) return;
+    bool taken[3] = {};
+    for (std::size_t d = 0; d < settings->axes.size(); ++d) {
+      const std::string& word = settings->axes[d];
+      axis_[d] = word.back() - 'x';
+      taken[axis_[d]] = true;
+      if (word.front() == '-') factor_[d] = -factor_[d];
+    }
+    if (settings->axes.size() == 2) axis_[2] = !taken[0] ? 0 : !taken[1] ? 1 : 2;
+    for (std::size_t d = 0; d < settings->shift.size(); ++d) shift_[static_cast<int>(d)] = settings->shift[d];
+  }
 
   Mesh<dim> read()
   {
@@ -41,6 +56,8 @@ public:
         read_names();
       else if (name == "Entities")
         read_entities();
+      else if (name == "PartitionedEntities")
+        read_partitioned_entities();
       else if (name == "Nodes")
         read_nodes();
       else if (name == "Elements")
@@ -106,7 +123,7 @@ private:
       const std::string name(line.substr(first + 1, last - first - 1));
       if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }))
         lines_.fail_expected("a physical name without control characters");
-      group_index_[{dimension, tag}] = add_group(dimension, name);
+      if (!name.starts_with(of_partition)) group_index_[{dimension, tag}] = add_group(dimension, name);
     }
   }
 
@@ -131,12 +148,39 @@ private:
       for (BigIndex n = 0; n < counts[dimension]; ++n) read_entity(dimension);
   }
 
-  void read_entity(int dimension)
+  // The parts of the entities: elements name these where the mesh is partitioned. Elements on the far side of a border (ghosts) are in a section of their own.
+  void read_partitioned_entities()
+  {
+    if (!has_entities_) lines_.fail("$PartitionedEntities comes before $Entities");
+    once(has_partitions_, "$PartitionedEntities");
+    constexpr const char *expected_parts = "the number of partitions", *expected_ghosts = "the number of ghost entities";
+    constexpr const char* expected_counts = "the numbers of points, curves, surfaces and volumes";
+    lines_.need(expected_parts);
+    lines_.integer(expected_parts, 0, any_tag);
+    lines_.need(expected_ghosts);
+    const BigIndex ghosts = lines_.count(expected_ghosts, 4);
+    for (BigIndex n = 0; n < ghosts; ++n) lines_.need("a ghost entity: tag and partition");
+    lines_.need(expected_counts);
+    BigIndex counts[4];
+    for (BigIndex& count : counts) count = lines_.count(expected_counts, 8);
+    for (int dimension = 0; dimension < 4; ++dimension)
+      for (BigIndex n = 0; n < counts[dimension]; ++n) read_entity(dimension, true);
+  }
+
+  void read_entity(int dimension, bool is_part = false)
   {
     const std::string expected =
-        fmt::format("a {}: tag, {} coordinates, number of physical tags and the tags", kinds[dimension], dimension == 0 ? 3 : 6);
+        fmt::format("a {}: tag,{} {} coordinates, number of physical tags and the tags", kinds[dimension],
+                    is_part ? " dimension and tag of what it is a part of, number of partitions and these," : "", dimension == 0 ? 3 : 6);
     lines_.need(expected.c_str());
     const BigIndex tag = lines_.integer(expected.c_str(), -any_tag, any_tag);
+    if (is_part) {
+      lines_.integer(expected.c_str(), -1, 3);
+      lines_.integer(expected.c_str(), -any_tag, any_tag);
+      const BigIndex partitions = lines_.count(expected.c_str(), 1);
+      for (BigIndex n = 0; n < partitions; ++n) lines_.integer(expected.c_str(), 0, any_tag);
+      entity_groups_.erase({dimension, tag});  // a whole that has the number of one of its parts
+    }
     for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) lines_.real(expected.c_str());
     const BigIndex count = lines_.count(expected.c_str(), 1);
     std::vector<Index> groups;
@@ -148,8 +192,9 @@ private:
     std::sort(groups.begin(), groups.end());
     groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
     if (dimension == dim && groups.size() > 1)
-      lines_.fail(fmt::format("{} {} is in the groups \"{}\" and \"{}\"; a cell is in one region only", kinds[dimension], tag,
-                              mesh_.region_names[groups[0]], mesh_.region_names[groups[1]]));
+      lines_.fail(fmt::format("{} {} is in the groups \"{}\" and \"{}\"; a cell is in one region only: take it out of one of them, or name "
+                              "a third group of what they share",
+                              kinds[dimension], tag, mesh_.region_names[groups[0]], mesh_.region_names[groups[1]]));
     if (!entity_groups_.emplace(std::pair{dimension, tag}, std::move(groups)).second)
       lines_.fail(fmt::format("{} {} is defined twice", kinds[dimension], tag));
   }
@@ -199,11 +244,19 @@ private:
         lines_.need("the coordinates x y z of a node");
         Vec<3> x;
         for (int d = 0; d < 3; ++d) x[d] = lines_.real("the coordinates x y z of a node");
-        points_.push_back(x);
+        points_.push_back(placed(x));
       }
     }
     if (static_cast<BigIndex>(points_.size()) != total)
       lines_.fail(fmt::format("the blocks up to here hold {} nodes, but the section began with {}", points_.size(), total));
+  }
+
+  // Where a point of the file is, m.
+  Vec<3> placed(const Vec<3>& x) const
+  {
+    Vec<3> y;
+    for (int d = 0; d < 3; ++d) y[d] = factor_[d] * x[axis_[d]] + shift_[d];
+    return y;
   }
 
   void read_elements()
@@ -263,9 +316,12 @@ private:
     constexpr BigIndex simplex = dim == 2 ? 2 : 4;
     constexpr const char* expected = dim == 2 ? "an element tag and the tags of the 3 nodes of a triangle"
                                               : "an element tag and the tags of the 4 nodes of a tetrahedron";
+    constexpr BigIndex of_second_order = dim == 2 ? 9 : 11;
     if (block.dimension > dim) lines_.fail("a named group of volumes cannot be in a plane mesh; is the case 3D?");
-    if (block.third != simplex)
-      lines_.fail(fmt::format("a named group has elements of type {} ({}), but cells must be {} of first order (type {})", block.third,
+    const bool middles = block.third == of_second_order;
+    has_middles_ = has_middles_ || middles;
+    if (block.third != simplex && !middles)
+      lines_.fail(fmt::format("a named group has elements of type {} ({}), but cells must be {} (type {})", block.third,
                               name_of_type(block.third), dim == 2 ? "triangles" : "tetrahedra", simplex));
     for (BigIndex n = 0; n < block.count; ++n) {
       lines_.need(expected);
@@ -274,8 +330,12 @@ private:
       for (Index& i : corner) {
         i = node(expected);
         if (dim == 2 && std::abs(points_[i][2]) > 1e-9 * points_[i].norm())
-          lines_.fail(fmt::format("a plane mesh must lie in z = 0, but a node of this triangle is at z = {} m", points_[i][2]));
+          lines_.fail(fmt::format(
+              "a plane mesh must lie in z = 0, but a node of this triangle is at z = {} m; mesh.axes = [\"x\", \"z\"] takes the x and z "
+              "of the file as x and y",
+              points_[i][2]));
       }
+      for (int k = 0; k < (middles ? dim * (dim + 1) / 2 : 0); ++k) node("an element of second order with all its nodes");
       lines_.need_end(expected);
       mesh_.nodes.push_back(corner);
       mesh_.region.push_back(block.groups->front());
@@ -297,10 +357,6 @@ private:
       return "prisms";
     case 7:
       return "pyramids";
-    case 9:
-      return "triangles of second order";
-    case 11:
-      return "tetrahedra of second order";
     default:
       return "of another shape or order";
     }
@@ -315,6 +371,10 @@ private:
     if (mesh_.cell_count() == 0)
       throw InputError(fmt::format("{}: no {} is in a named physical group: name one with Physical {}(\"bed\") = {{...}};", name_,
                                    dim == 2 ? "triangle" : "tetrahedron", dim == 2 ? "Surface" : "Volume"));
+    if (has_middles_)
+      mesh_.remarks.push_back(fmt::format("has {} of second order: their corners are used, with straight sides between them",
+                                          dim == 2 ? "triangles" : "tetrahedra"));
+    if (settings_ != nullptr && !settings_->made_from) join_doubled_nodes(mesh_, settings_->merge_tolerance, name_);
     try {
       mesh_.complete();
     } catch (const RunError& error) {
@@ -326,7 +386,11 @@ private:
   std::string name_;
   Lines lines_;
   Mesh<dim> mesh_;
-  bool has_names_ = false, has_entities_ = false, has_nodes_ = false, has_elements_ = false;
+  const GmshFile* settings_;  // null: of a mesh that berm made
+  int axis_[3];
+  Real factor_[3];
+  Vec<3> shift_ = Vec<3>::Zero();
+  bool has_names_ = false, has_entities_ = false, has_partitions_ = false, has_nodes_ = false, has_elements_ = false, has_middles_ = false;
   std::vector<std::string> higher_names_;
   std::map<std::pair<int, BigIndex>, Index> group_index_;                 // (dimension, physical tag)
   std::map<std::pair<int, BigIndex>, std::vector<Index>> entity_groups_;  // (dimension, entity tag)
@@ -341,15 +405,45 @@ void describe(Describe& d, GmshFile& mesh)
   d.value("file", mesh.file,
           {.meaning = "mesh of Gmsh (.msh, format 4.1, ASCII), or a geometry (.geo) for Gmsh to mesh; its path relative to this file",
            .required = true});
+  d.value("scale", mesh.scale, {.meaning = "metres over the unit of the file: 0.001 of a mesh in millimetres", .range = positive});
+  d.value("axes", mesh.axes,
+          {.meaning = "which coordinates of the file become x, y (and z), such as [\"x\", \"z\"] of a section drawn in x and z, or "
+                      "[\"x\", \"z\", \"-y\"] of a mesh with z up; left out, they stay"});
+  d.value("shift", mesh.shift, {.meaning = "added to the coordinates, after axes and scale", .unit = "m"});
+  d.value("merge_tolerance", mesh.merge_tolerance,
+          {.meaning = "nodes no farther apart become one, of meshes whose parts share none; left out, nodes at one place are refused",
+           .unit = "m",
+           .range = positive});
+}
+
+void check_axes(Describe& d, const std::string& path, const std::vector<std::string>& axes, int dimension)
+{
+  static const std::vector<std::string> words = {"x", "y", "z", "-x", "-y", "-z"};
+  d.check(axes.empty() || axes.size() == static_cast<std::size_t>(dimension), path,
+          fmt::format("needs {} axes, and has {}", dimension, axes.size()));
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    d.check(std::find(words.begin(), words.end(), axes[k]) != words.end(), path, fmt::format("\"{}\" is no axis", axes[k]), words);
+    for (std::size_t other = 0; other < k; ++other)
+      d.check(axes[k].empty() || axes[other].empty() || axes[k].back() != axes[other].back(), path,
+              fmt::format("takes {} of the file twice", axes[k].empty() ? ' ' : axes[k].back()));
+  }
 }
 
 template <int dim>
 Mesh<dim> read_msh(const std::filesystem::path& path)
 {
-  return Reader<dim>(path).read();
+  return Reader<dim>(path, nullptr).read();
+}
+
+template <int dim>
+Mesh<dim> read_msh(const std::filesystem::path& path, const GmshFile& settings)
+{
+  return Reader<dim>(path, &settings).read();
 }
 
 template Mesh<2> read_msh<2>(const std::filesystem::path&);
 template Mesh<3> read_msh<3>(const std::filesystem::path&);
+template Mesh<2> read_msh<2>(const std::filesystem::path&, const GmshFile&);
+template Mesh<3> read_msh<3>(const std::filesystem::path&, const GmshFile&);
 
 }  // namespace berm::mesh

@@ -52,6 +52,8 @@ Lines::Lines(const std::filesystem::path& path) : name_(path.string())
   }
   if (!in || error || !in.read(content_.data(), static_cast<std::streamsize>(content_.size())))
     throw InputError(fmt::format("{}: the file cannot be read", name_));
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (content_.starts_with(byte_order_mark)) place_ = byte_order_mark.size();
 }
 
 bool Lines::next()

@@ -89,6 +89,7 @@ struct Mesh {
   std::vector<std::string> boundary_names;
   std::vector<std::vector<Index>> boundary_nodes;  ///< by boundary, ascending
   Metric metric = Metric::cartesian;
+  std::vector<std::string> remarks;  ///< what was changed of the file that it was read from, for who runs it
 
   // What follows is derived by complete().
   NodeField<Index> first_entry;                                 ///< entries of node i: first_entry[i] ... first_entry[i + 1] - 1

@@ -33,9 +33,9 @@ Mesh<dim> make(const GmshFile& mesh, const fs::path& case_folder, const fs::path
   if (user_file.extension() == ".geo") {
     if (!fs::is_regular_file(user_file)) throw KeyError(fmt::format("mesh.file: there is no geometry {}", user_file.string()));
     run_gmsh(user_file, ours, dim);
-    return read_msh<dim>(ours);
+    return read_msh<dim>(ours, mesh);
   }
-  Mesh<dim> read = read_msh<dim>(user_file);
+  Mesh<dim> read = read_msh<dim>(user_file, mesh);
   if (!fs::exists(ours) || !fs::equivalent(user_file, ours)) fs::copy_file(user_file, ours, fs::copy_options::overwrite_existing);
   return read;
 }

@@ -428,6 +428,10 @@ void describe(Describe& d, Case& c)
   d.check(c.method == Method::mpm || c.dimension() == 2, "method",
           "finite elements are plane: they need geometry = \"plane_strain\" or \"axisymmetric\"");
   bodies::check_entries(d, "gravity", c.gravity, c.dimension(), true);
+  if (const auto* file = std::get_if<mesh::GmshFile>(&c.mesh)) {
+    mesh::check_axes(d, "mesh.axes", file->axes, c.dimension());
+    bodies::check_entries(d, "mesh.shift", file->shift, c.dimension(), true);
+  }
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);
   check_earthworks(d, c);

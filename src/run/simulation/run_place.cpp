@@ -71,7 +71,8 @@ problem::Case case_to_run(const RunRequest& request)
       std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == problem::Method::mpm && settings.dimension() == 2;
   std::error_code error;
   if (request.resume && (from_file || made) && fs::exists(mesh, error)) {
-    mesh::GmshFile file{mesh.string()};
+    mesh::GmshFile file = from_file ? std::get<mesh::GmshFile>(settings.mesh) : mesh::GmshFile{};
+    file.file = mesh.string();
     if (made) file.made_from = std::get<mesh::SeabedMesh>(settings.mesh);
     settings.mesh = file;
   }

@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"\n0 1 0\n", "\n0 1e999 0\n", 27, "out of range"}, Malformed{"\n0 1 0\n", "\n0 1.5x 0\n", 27, "coordinates"},
         Malformed{"\n1 1 0\n", "\n1 1 0.5\n", 43, "z = 0"}, Malformed{"5 5 1 5", "4 5 1 5", 43, "hold 4 elements"},
         Malformed{"5 5 1 5", "5 6 1 5", 45, "hold 5 elements"}, Malformed{"2 1 2 1\n4", "2 1 3 1\n4", 42, "quadrangles"},
-        Malformed{"2 1 2 1\n4", "2 1 9 1\n4", 42, "second order"}, Malformed{"2 1 2 1\n4", "2 1 -2 1\n4", 42, "out of range"},
+        Malformed{"2 1 2 1\n4", "2 1 9 1\n4", 43, "second order"}, Malformed{"2 1 2 1\n4", "2 1 -2 1\n4", 42, "out of range"},
         Malformed{"2 1 2 1\n4", "3 1 4 1\n4", 42, "volume 1 is not among the entities"},
         Malformed{"4 10 30 7", "4 10 30", 43, "3 nodes of a triangle"}, Malformed{"4 10 30 7", "4 10 30 7 400", 43, "follows"},
         Malformed{"4 10 30 7", "4 10 30 8", 43, "node 8 is not among"}, Malformed{"4 10 30 7", "4 10 30 0", 43, "out of range"},

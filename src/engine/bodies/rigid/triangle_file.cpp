@@ -66,6 +66,12 @@ private:
   int number_ = 0;
 };
 
+std::string without_capitals(std::string text)
+{
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
 Triangles text_stl(Lines lines)
 {
   Collected found;
@@ -73,8 +79,9 @@ Triangles text_stl(Lines lines)
   std::vector<Index> corners;
   while (lines.next(words)) {
     if (words.empty()) continue;
-    if (words[0] == "vertex") corners.push_back(found.point(lines.three_numbers(words)));
-    if (words[0] != "endloop") continue;
+    const std::string keyword = without_capitals(words[0]);
+    if (keyword == "vertex") corners.push_back(found.point(lines.three_numbers(words)));
+    if (keyword != "endloop") continue;
     if (corners.size() != 3) lines.refuse(fmt::format("a facet of an STL file has three vertices, and this one {}", corners.size()));
     found.triangle({corners[0], corners[1], corners[2]});
     corners.clear();
@@ -139,13 +146,12 @@ Triangles read_triangles(const std::filesystem::path& file)
   std::ostringstream all;
   if (!std::filesystem::is_regular_file(file) || !(all << in.rdbuf())) throw InputError(fmt::format("{} cannot be read", file.string()));
   const std::string bytes = all.str();
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = without_capitals(file.extension().string());
   if (ending == ".obj") return obj({file.string(), bytes});
   if (ending != ".stl") throw InputError(fmt::format("{}: is neither an STL nor an OBJ file by its ending: .stl, .obj", file.string()));
   const std::size_t of_facets = stl_header + sizeof(std::uint32_t) + facets_of(bytes) * stl_facet;
   if (bytes.size() >= stl_header + sizeof(std::uint32_t) && bytes.size() == of_facets) return binary_stl(bytes);
-  if (bytes.starts_with("solid")) return text_stl({file.string(), bytes});
+  if (without_capitals(bytes.substr(0, 5)) == "solid") return text_stl({file.string(), bytes});
   throw InputError(fmt::format("{}: has {} bytes, and a binary STL file with its {} facets has {}", file.string(), bytes.size(),
                                facets_of(bytes), of_facets));
 }

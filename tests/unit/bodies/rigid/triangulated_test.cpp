@@ -4,6 +4,7 @@
 #include "bodies/rigid/triangle_file.hpp"
 #include "core/error.hpp"
 
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
@@ -82,6 +83,12 @@ std::string text_stl(const Triangles& t)
   return text + "endsolid body\n";
 }
 
+std::string in_capitals(std::string text)
+{
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
 std::string binary_stl(const Triangles& t)
 {
   std::string bytes(80, ' ');
@@ -108,7 +115,8 @@ std::string obj(const Triangles& t)
 TEST_F(SurfaceFile, of_each_format_has_the_same_triangles)
 {
   const Triangles box = box_of({0.25, -0.5, 1}, {1.25, 0.5, 3});
-  for (const auto& [name, text] : {std::pair{"a.stl", text_stl(box)}, {"b.STL", binary_stl(box)}, {"c.obj", obj(box)}}) {
+  for (const auto& [name, text] :
+       {std::pair{"a.stl", text_stl(box)}, {"b.STL", binary_stl(box)}, {"c.obj", obj(box)}, {"capitals.stl", in_capitals(text_stl(box))}}) {
     const Triangles read = read_triangles(file(name, text));
     ASSERT_EQ(read.points.size(), 8u) << name;  // three times four corners become one point each
     ASSERT_EQ(read.corners.size(), 12u) << name;
