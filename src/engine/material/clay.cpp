@@ -22,11 +22,12 @@ void describe(Describe& d, Clay& law)
   d.value("rigidity_index", law.rigidity_index,
           {.meaning = "shear modulus over the intact undrained strength, G / s_u, instead of young_modulus", .range = positive});
   describe_elasticity(d, law, !law.rigidity_index);
+  describe_shansep(d, law);
   d.value("undrained_strength", law.undrained_strength,
           {.meaning = "intact undrained shear strength up to the reference rate",
            .unit = "Pa",
            .range = not_negative,
-           .required = law.profile.strength.empty()});
+           .required = law.profile.strength.empty() && !law.shansep});
   d.value("undrained_strength_gradient", law.undrained_strength_gradient,
           {.meaning =
                "increase of the undrained strength with depth below the bed's surface at the start; a particle keeps that of where it "
@@ -65,7 +66,7 @@ void check(Describe& d, const std::string& path, const Clay& law)
   const bool stiffness_given = law.young_modulus > 0 || law.young_modulus_gradient != 0 || !law.profile.young_modulus.empty();
   d.check(!law.rigidity_index || !stiffness_given, path + ".rigidity_index",
           "gives the stiffness, and so does young_modulus: leave one of them out");
-  d.check(!law.rigidity_index || law.undrained_strength > 0, path + ".undrained_strength",
+  d.check(!law.rigidity_index || law.undrained_strength > 0, path + (law.shansep ? ".shansep.min_strength" : ".undrained_strength"),
           "must be above 0 at the surface where rigidity_index gives the stiffness: soil without strength would have none");
   d.check(law.sensitivity == 1 || law.ductility > 0, path + ".ductility", "is missing: sensitivity is above 1, so the clay softens");
   d.check(law.rate_parameter == 0 || law.reference_rate > 0, path + ".reference_rate", "is missing: rate_parameter is above 0");
@@ -77,9 +78,9 @@ void check(Describe& d, const std::string& path, const Clay& law)
   }
 }
 
-Clay at_depth(Clay law, Real depth)
+Clay at_depth(Clay law, Real depth, Real weight_above)
 {
-  law = at_depth<Clay>(law, depth);
+  law = at_depth<Clay>(law, depth, weight_above);
   law.young_modulus = young_modulus_of(law);
   law.rigidity_index.reset();
   return law;

@@ -40,6 +40,7 @@ struct Clay {
   std::optional<Real> softening_length;  ///< m; empty: none
   Real young_modulus_gradient = 0;       ///< Pa/m, increase with depth
   ProfileOf<Clay> profile = {};
+  std::optional<Shansep> shansep = {};  ///< instead of undrained_strength
   std::optional<PoreWater> water = {};
 
   bool operator==(const Clay&) const = default;
@@ -55,8 +56,8 @@ void describe(Describe& d, Clay& law);
 /// Refuses stiffness given twice or not at all, softening or a rate effect without its measure, and softening that is faster than elastic unloading.
 void check(Describe& d, const std::string& path, const Clay& law);
 
-/// With the strength at a depth (m), and the stiffness that goes with it.
-Clay at_depth(Clay law, Real depth);
+/// With the strength at a depth (m) under the weight of the soil above (Pa), and the stiffness that goes with it.
+Clay at_depth(Clay law, Real depth, Real weight_above = 0);
 
 /// Of soil at the bed's surface.
 Elasticity elasticity(const Clay& law);

@@ -34,17 +34,31 @@ void check_profile(Describe& d, const std::string& path, const DepthProfile& pro
   d.check(depth.size() > 1, path + ".profile.depth", "needs two depths at least");
   d.check(std::adjacent_find(depth.begin(), depth.end(), std::greater_equal<>()) == depth.end(), path + ".profile.depth",
           "each depth must be larger than the one before");
-  d.check(!profile.strength.empty() || !profile.young_modulus.empty(), path + ".profile",
+  d.check(!profile.strength.empty() || !profile.young_modulus.empty() || !profile.ocr.empty(), path + ".profile",
           strength_key == nullptr ? "needs young_modulus" : fmt::format("needs {}, young_modulus or both", strength_key));
+  const auto check_size = [&](const char* key, const std::vector<Real>& values) {
+    d.check(values.empty() || values.size() == depth.size(), fmt::format("{}.profile.{}", path, key),
+            fmt::format("needs a value for each of the {} depths, and has {}", depth.size(), values.size()));
+  };
   const auto check_one = [&](const char* key, const std::vector<Real>& values, Real at_surface, Real gradient) {
     if (values.empty()) return;
-    d.check(values.size() == depth.size(), path + ".profile." + key,
-            fmt::format("needs a value for each of the {} depths, and has {}", depth.size(), values.size()));
+    check_size(key, values);
     d.check(at_surface == values.front(), path + "." + key, fmt::format("is given by profile.{}: leave it out", key));
     d.check(gradient == 0, fmt::format("{}.{}_gradient", path, key), fmt::format("does not go with profile.{}", key));
   };
   if (strength_key != nullptr) check_one(strength_key, profile.strength, *strength.value, *strength.gradient);
   check_one("young_modulus", profile.young_modulus, young_modulus, young_modulus_gradient);
+  check_size("ocr", profile.ocr);
+}
+
+void check_stress_history(Describe& d, const std::string& path, const Shansep& shansep, const DepthProfile& profile,
+                          const std::string& strength_key, const StrengthAtDepth& strength)
+{
+  constexpr const char* twice = "is given by shansep: leave one of them out";
+  d.check(*strength.value == shansep.min_strength, path + "." + strength_key, twice);
+  d.check(*strength.gradient == 0, fmt::format("{}.{}_gradient", path, strength_key), twice);
+  d.check(profile.strength.empty(), fmt::format("{}.profile.{}", path, strength_key), twice);
+  check_shansep(d, path + ".shansep", shansep, !profile.ocr.empty());
 }
 
 }  // namespace berm::material

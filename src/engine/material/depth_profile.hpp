@@ -3,6 +3,7 @@
 
 #include "core/describe.hpp"
 #include "core/field_info.hpp"
+#include "material/shansep.hpp"
 
 #include <algorithm>
 
@@ -12,6 +13,7 @@ namespace berm::material {
 struct DepthProfile {
   std::vector<Real> depth;                    ///< m, ascending
   std::vector<Real> strength, young_modulus;  ///< Pa
+  std::vector<Real> ocr;                      ///< overconsolidation ratio, of a law with shansep
 
   bool empty() const { return depth.empty(); }
   bool operator==(const DepthProfile&) const = default;
@@ -31,6 +33,8 @@ void describe(Describe& d, ProfileOf<Law>& profile)
   if constexpr (Law::strength_key != nullptr)
     d.value(Law::strength_key, profile.strength,
             {.meaning = "strength at these depths, instead of the key of the same name above", .unit = "Pa", .range = not_negative});
+  if constexpr (Law::strength_key != nullptr)
+    d.value("ocr", profile.ocr, {.meaning = "overconsolidation ratio at these depths, for shansep", .range = positive});
   d.value("young_modulus", profile.young_modulus,
           {.meaning = "Young's modulus at these depths, instead of the key of the same name above", .unit = "Pa", .range = positive});
 }
@@ -43,12 +47,30 @@ struct StrengthAtDepth {
   Real *value = nullptr, *gradient = nullptr;
 };
 
-/// Sets the strength at the surface to that of the profile.
+/// A law whose strength may follow from the vertical stress.
+template <class Law>
+concept KnowsStressHistory = requires(Law law)
+{
+  law.shansep;
+};
+
+/// Sets the strength at the surface to that of the profile, or to the least by the vertical stress.
 template <class Law>
 void take_surface_strength(Law& law)
 {
-  if (const StrengthAtDepth strength = strength_at_depth(law); !law.profile.strength.empty() && *strength.value == 0)
-    *strength.value = law.profile.strength.front();
+  const StrengthAtDepth strength = strength_at_depth(law);
+  if (*strength.value != 0) return;
+  if (!law.profile.strength.empty()) *strength.value = law.profile.strength.front();
+  if (law.shansep) *strength.value = law.shansep->min_strength;
+}
+
+/// Declares the strength by the vertical stress.
+template <class Law>
+void describe_shansep(Describe& d, Law& law)
+{
+  d.optional_table("shansep", law.shansep,
+                   {.meaning = "undrained strength by the vertical effective stress at the start, S sigma'_v0 OCR^m, instead of the "
+                               "strength itself; a particle keeps that of where it began"});
 }
 
 /// A law that knows gradients and a profile; the others are the same at all depths.
@@ -64,6 +86,8 @@ concept KnowsDepth = requires(Law law)
 template <class Law>
 bool varies([[maybe_unused]] Law law)
 {
+  if constexpr (KnowsStressHistory<Law>)
+    if (law.shansep) return true;
   if constexpr (KnowsDepth<Law>) {
     const StrengthAtDepth strength = strength_at_depth(law);
     return !law.profile.empty() || law.young_modulus_gradient != 0 || (strength.gradient != nullptr && *strength.gradient != 0);
@@ -71,9 +95,9 @@ bool varies([[maybe_unused]] Law law)
   return false;
 }
 
-/// The law with the strength and the stiffness at a depth, m; above the surface with those of the surface.
+/// The law with the strength and the stiffness at a depth, m, under the weight of the soil above over area, Pa; above the surface with those of the surface.
 template <class Law>
-Law at_depth(Law law, [[maybe_unused]] Real depth)
+Law at_depth(Law law, [[maybe_unused]] Real depth, [[maybe_unused]] Real weight_above = 0)
 {
   if constexpr (KnowsDepth<Law>) {
     depth = std::max(Real(0), depth);
@@ -82,6 +106,13 @@ Law at_depth(Law law, [[maybe_unused]] Real depth)
       if (!law.profile.strength.empty()) *strength.value = value_at(law.profile, law.profile.strength, depth);
       *strength.gradient = 0;
     }
+    if constexpr (KnowsStressHistory<Law>)
+      if (law.shansep) {
+        std::optional<Real> ocr;
+        if (!law.profile.ocr.empty()) ocr = value_at(law.profile, law.profile.ocr, depth);
+        *strength_at_depth(law).value = strength_by(*law.shansep, weight_above, ocr);
+        law.shansep.reset();
+      }
     law.young_modulus += law.young_modulus_gradient * depth;
     if (!law.profile.young_modulus.empty()) law.young_modulus = value_at(law.profile, law.profile.young_modulus, depth);
     law.young_modulus_gradient = 0;
@@ -109,6 +140,7 @@ Law with_local_values(Law law, [[maybe_unused]] const Real* own)
     if (const StrengthAtDepth strength = strength_at_depth(law); strength.value != nullptr) *strength.value = *own++;
     law.young_modulus = *own;
     law.profile = {};
+    if constexpr (KnowsStressHistory<Law>) law.shansep.reset();
   }
   return law;
 }
@@ -143,9 +175,17 @@ template <class Prepared, class T>
 void check_profile(Describe& d, const std::string& path, const DepthProfile& profile, const char* strength_key,
                    const StrengthAtDepth& strength, Real young_modulus, Real young_modulus_gradient);
 
+/// Refuses a strength by the vertical stress that the table at `path` gives another way too.
+void check_stress_history(Describe& d, const std::string& path, const Shansep& shansep, const DepthProfile& profile,
+                          const std::string& strength_key, const StrengthAtDepth& strength);
+
 template <class Law>
 void check_depths([[maybe_unused]] Describe& d, [[maybe_unused]] const std::string& path, [[maybe_unused]] Law law)
 {
+  if constexpr (KnowsStressHistory<Law>) {
+    if (law.shansep) check_stress_history(d, path, *law.shansep, law.profile, Law::strength_key, strength_at_depth(law));
+    d.check(law.shansep || law.profile.ocr.empty(), path + ".profile.ocr", "is for a strength by shansep, and there is none");
+  }
   if constexpr (KnowsDepth<Law>)
     if (!law.profile.empty())
       check_profile(d, path, law.profile, Law::strength_key, strength_at_depth(law), law.young_modulus, law.young_modulus_gradient);

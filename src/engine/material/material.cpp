@@ -232,9 +232,19 @@ Material with_local_values(const Material& material, const Real* own)
   return visit([&](const auto& law) { return Material(with_local_values(law, own)); }, material);
 }
 
-Material at_depth(const Material& material, Real depth)
+Material at_depth(const Material& material, Real depth, Real weight_above)
 {
-  return visit([&](const auto& law) { return Material(at_depth(law, depth)); }, material);
+  return visit([&](const auto& law) { return Material(at_depth(law, depth, weight_above)); }, material);
+}
+
+const Shansep* shansep(const Material& material)
+{
+  return visit(
+      [](const auto& law) -> const Shansep* {
+        if constexpr (KnowsStressHistory<std::decay_t<decltype(law)>>) return law.shansep ? &*law.shansep : nullptr;
+        return nullptr;
+      },
+      material);
 }
 
 bool non_associated(const Material& material)

@@ -3,6 +3,7 @@
 
 #include "material/elasticity.hpp"
 #include "material/law_queries.hpp"
+#include "material/shansep.hpp"
 
 #include <any>
 #include <concepts>
@@ -130,7 +131,9 @@ Material without_dilation(const Material& material);
 
 // Variation with depth (material/depth_profile.hpp).
 bool varies(const Material& material);
-Material at_depth(const Material& material, Real depth);
+Material at_depth(const Material& material, Real depth, Real weight_above = 0);
+/// Of a law whose strength follows from the vertical stress; else null.
+const Shansep* shansep(const Material& material);
 std::vector<Real> local_values(const Material& material);
 std::vector<FieldInfo> local_fields(const Material& material);
 Material with_local_values(const Material& material, const Real* own);

@@ -14,6 +14,7 @@ void describe(Describe& d, MohrCoulomb& law)
   // 60 degrees, and a little for rounding.
   constexpr Real steepest = 1.0472;
   describe_elasticity(d, law);
+  describe_shansep(d, law);
   d.value("cohesion", law.cohesion,
           {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
   d.value("cohesion_gradient", law.cohesion_gradient,
@@ -45,6 +46,7 @@ void check(Describe& d, const std::string& path, const MohrCoulomb& law)
 {
   d.check(law.dilation_angle <= law.friction_angle, path + ".dilation_angle",
           "the dilation angle cannot be larger than the friction angle");
+  d.check(!law.shansep || law.friction_angle == 0, path + ".shansep", "gives the undrained strength: it needs friction_angle = 0");
   d.check(!law.band_width || !law.d50, path + ".d50", "is another way to give band_width; keep one of them");
 }
 

@@ -37,7 +37,8 @@ struct MohrCoulomb {
   std::optional<Real> max_opening;     ///< upper bound of the opening; empty: 0.2 where the soil dilates, else 0
   Real young_modulus_gradient = 0;     ///< Pa/m, increase with depth
   ProfileOf<MohrCoulomb> profile = {};
-  Real cohesion_share = 1;  ///< of this law: the cohesion over that which particles keep (in_cells_of)
+  std::optional<Shansep> shansep = {};  ///< instead of the cohesion, where friction_angle is 0
+  Real cohesion_share = 1;              ///< of this law: the cohesion over that which particles keep (in_cells_of)
   std::optional<PoreWater> water = {};
 
   bool operator==(const MohrCoulomb&) const = default;

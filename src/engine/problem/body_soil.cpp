@@ -21,11 +21,51 @@ Index add(BodySoil& soil, const Case& c, const std::string& name)
   return static_cast<Index>(soil.materials.size()) - 1;
 }
 
+Real size_of_gravity(const Case& c)
+{
+  Real size = 0;
+  for (const Real g : c.gravity) size = std::hypot(size, g);
+  return size;
+}
+
 /// Whether density over inertia density of a material is another, beyond what digits in the input do to it.
 bool differs_from(Real ratio, const material::Material& material)
 {
   constexpr Real same = 1e-6;
   return !(std::abs(density(material) / inertia_density(material) / ratio - 1) < same);
+}
+
+/// Whether all materials that a body names are there.
+bool knows_materials(const Case& c, const bodies::BodySettings& body)
+{
+  const auto known = [&](const std::string& name) { return index_of(c.material, name) != none; };
+  return known(body.material) &&
+         std::all_of(body.soil_layer.begin(), body.soil_layer.end(), [&](const auto& l) { return known(l.material); }) &&
+         std::all_of(body.region_material.begin(), body.region_material.end(), [&](const auto& r) { return known(r.second); }) &&
+         std::all_of(body.fill.begin(), body.fill.end(), [&](const auto& fill) { return known(fill.material); });
+}
+
+/// Refuses a strength by the vertical stress where that is not known.
+void check_vertical_stress(Describe& d, const Case& c, const std::string& path, const bodies::BodySettings& body)
+{
+  if (!knows_materials(c, body)) return;  // of a visitor that does not throw
+  const BodySoil soil = soil_of(c, body);
+  const Real first = density(soil.materials.front());
+  const bool one_density = std::all_of(soil.of_region.begin(), soil.of_region.end(),
+                                       [&](const auto& region) { return density(soil.materials[region.second]) == first; });
+  for (std::size_t k = 0; k < soil.materials.size(); ++k) {
+    if (shansep(soil.materials[k]) == nullptr) continue;
+    const std::string key = "material." + soil.names[k] + ".shansep";
+    d.check(soil.gravity > 0 || soil.vertical_stress_at_start, key,
+            fmt::format("needs the vertical stress at the start: there is neither gravity nor {}.initial_stress", path));
+    d.check(soil.vertical_stress_at_start.value_or(1) > 0, path + ".initial_stress",
+            fmt::format("needs vertical compression, a negative second number, from which the strength of [material.{}] follows",
+                        soil.names[k]));
+    d.check(one_density || soil.vertical_stress_at_start, key,
+            fmt::format("counts the weight above in layers: give the soils of [{}] by soil_layer instead of region_material, or give them "
+                        "one density",
+                        path));
+  }
 }
 
 }  // namespace
@@ -41,7 +81,17 @@ Index BodySoil::material_index_at(const std::string& region, Real depth) const
 
 material::Material BodySoil::at(const std::string& region, Real depth) const
 {
-  return at_depth(materials[material_index_at(region, depth)], depth);
+  return at_depth(materials[material_index_at(region, depth)], depth, vertical_stress(region, depth));
+}
+
+material::Material BodySoil::in_fill(Index material, Real depth) const
+{
+  return at_depth(materials[material], depth, gravity * density(materials[material]) * depth);
+}
+
+Real BodySoil::vertical_stress(const std::string& region, Real depth) const
+{
+  return vertical_stress_at_start.value_or(gravity * mass_above(region, std::max(Real(0), depth)));
 }
 
 Real BodySoil::mass_above(const std::string& region, Real depth) const
@@ -65,6 +115,8 @@ BodySoil soil_of_one(const material::Material& material, const std::string& name
 BodySoil soil_of(const Case& c, const bodies::BodySettings& body)
 {
   BodySoil soil;
+  soil.gravity = size_of_gravity(c);
+  if (body.initial_stress.size() == 3) soil.vertical_stress_at_start = -body.initial_stress[1];
   add(soil, c, body.material);
   for (const bodies::SoilLayerSettings& layer : body.soil_layer) soil.layers.push_back({layer.top, add(soil, c, layer.material)});
   for (const auto& [region, name] : body.region_material) soil.of_region[region] = add(soil, c, name);
@@ -95,13 +147,14 @@ std::vector<FieldInfo> local_fields(const BodySoil& soil)
 
 std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth)
 {
-  return local_values(soil, soil.material_index_at(region, depth), depth);
+  if (!varies(soil)) return {};
+  return local_values(soil, soil.material_index_at(region, depth), soil.at(region, depth));
 }
 
-std::vector<Real> local_values(const BodySoil& soil, Index material, Real depth)
+std::vector<Real> local_values(const BodySoil& soil, Index material, const material::Material& there)
 {
   if (!varies(soil)) return {};
-  std::vector<Real> values = local_values(at_depth(soil.materials[material], depth));
+  std::vector<Real> values = local_values(there);
   if (soil.materials.size() > 1) values.push_back(static_cast<Real>(material));
   return values;
 }
@@ -142,7 +195,7 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
     const material::Material &first = c.material[own].second, &second = c.material[other].second;
     d.check(same_law(first, second), key,
             fmt::format("[material.{}] has the law \"{}\", [material.{}] of the same body \"{}\": all materials of a body need one law; "
-                        "make another body of it, with a [contact] between them",
+                        "make another body of it, a region of the mesh, and join the two by a [contact] with scheme = \"tied\"",
                         name, law_word(second), body.material, law_word(first)));
     d.check(
         has_pore_pressure(first) == has_pore_pressure(second) && hydraulics(first).has_value() == hydraulics(second).has_value(), key,
@@ -172,12 +225,13 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
     check_material(key, name);
   }
   for (std::size_t k = 0; k < body.fill.size(); ++k) check_material(fmt::format("{}.fill[{}].material", path, k), body.fill[k].material);
+  check_vertical_stress(d, c, path, body);
 }
 
 void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body)
 {
   const Index number = soil.material_index_at(region, depth);
-  const material::Material there = at_depth(soil.materials[number], depth);
+  const material::Material there = soil.at(region, depth);
   const std::vector<FieldInfo> fields = local_fields(there);
   const std::vector<Real> values = local_values(there);
   for (std::size_t k = 0; k < values.size(); ++k) {

@@ -20,14 +20,20 @@ struct BodySoil {
   std::vector<std::string> names;             ///< of their tables
   std::vector<SoilLayer> layers = {};         ///< downwards, below the first material
   std::map<std::string, Index> of_region = {};
+  Real gravity = 0;                                   ///< m/s2, size
+  std::optional<Real> vertical_stress_at_start = {};  ///< Pa, compression positive, where it is the same everywhere
   std::vector<Index> of_fill = {};  ///< by place in BodySettings::fill
 
   /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
   Index material_index_at(const std::string& region, Real depth) const;
   /// The material there, with its strength and stiffness.
   material::Material at(const std::string& region, Real depth) const;
+  /// Of a fill so far below its top, m, under its own weight.
+  material::Material in_fill(Index material, Real depth) const;
   /// Mass of the soil above a depth over area, kg/m2, that gives the weight: of the layers; in bodies without layers of the material there alone.
   Real mass_above(const std::string& region, Real depth) const;
+  /// Vertical effective stress at the start there, Pa, compression positive, of the weight above or as the input gives it.
+  Real vertical_stress(const std::string& region, Real depth) const;
 };
 
 /// One material everywhere.
@@ -43,7 +49,7 @@ bool varies(const BodySoil& soil);
 /// What these particles keep, after the state variables of the law: strength, stiffness, and the material's number where there are several.
 std::vector<FieldInfo> local_fields(const BodySoil& soil);
 std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth);
-std::vector<Real> local_values(const BodySoil& soil, Index material, Real depth);
+std::vector<Real> local_values(const BodySoil& soil, Index material, const material::Material& there);
 
 /// The material of a particle, from its extra numbers.
 const material::Material& material_of(const BodySoil& soil, const Real* extra);

@@ -111,7 +111,7 @@ std::string soil_words(const problem::Case& c, const SoilKind& kind)
       words += fmt::format(", φ = {}, ψ = {}, c = {}", text::angle_words(strength->friction_angle),
                            text::angle_words(strength->dilation_angle), c_words);
     else
-      words += ", sᵤ = " + c_words;
+      words += ", sᵤ = " + (shansep(material) != nullptr ? formula_words(*shansep(material)) : c_words);
   }
   const auto [E, nu] = young_poisson(material);
   words += fmt::format(", E = {}, ν = {}, ρ = {:.0f} kg/m³", text::stress_words(E), text::number_words(nu), density(material));

@@ -42,7 +42,10 @@ std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run)
   const auto noted = run.summary->text.find(region_entry);
   if (noted == run.summary->text.end()) return soil;
   const auto found = soil->of_region.find(noted->second);
-  return found == soil->of_region.end() ? soil : problem::soil_of_one(soil->materials[found->second], soil->names[found->second]);
+  if (found == soil->of_region.end()) return soil;
+  problem::BodySoil one = problem::soil_of_one(soil->materials[found->second], soil->names[found->second]);
+  one.gravity = soil->gravity, one.vertical_stress_at_start = soil->vertical_stress_at_start;
+  return one;
 }
 
 Real soil_depth(const problem::Case& c, const problem::Ground& ground, Real w)

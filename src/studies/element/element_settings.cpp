@@ -166,7 +166,7 @@ void check_test(Describe& d, const std::string& path, const TestSettings& test, 
   check_start(d, path, start_of(test.kind));
   check_path(d, path, test);
   if (material == nullptr) return;  // of a visitor that does not throw
-  check_strength(d, path, start_of(test.kind), material::at_depth(*material, test.depth));
+  check_strength(d, path, start_of(test.kind), material::at_depth(*material, test.depth, start_of(test.kind).vertical()));
   d.check(!drained(test.kind) || std::holds_alternative<Oedometer>(test.kind) || !knows_total_stress_alone(*material), path + ".drained",
           fmt::format("{} has an undrained strength, and knows nothing of drained soil: drained = false", test.material));
 }
@@ -248,7 +248,7 @@ bool knows_total_stress_alone(const material::Material& material)
 
 material::Material material_of(const ElementCase& c, const TestSettings& test)
 {
-  return material::drained(material::at_depth(*material_named(c, test.material), test.depth));
+  return material::drained(material::at_depth(*material_named(c, test.material), test.depth, start_of(test.kind).vertical()));
 }
 
 ElementCase read_element_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)

@@ -97,6 +97,54 @@ TEST(Build, gives_each_particle_mass_strength_stiffness_and_stress_of_its_layer)
   EXPECT_EQ(waves.min_density, 1500);
 }
 
+/// The box with strengths by the vertical stress: OCR over depth above, POP from 0.5 m down.
+Case by_stress()
+{
+  Case c = layered();
+  c.gravity = {0, -10};
+  auto &above = *c.material[0].second.get_if<material::MohrCoulomb>(), &below = *c.material[1].second.get_if<material::MohrCoulomb>();
+  above.cohesion = below.cohesion = 0;
+  above.shansep = material::Shansep{.ratio = 0.25, .exponent = 0.8, .ocr = {}, .pop = {}};
+  above.profile.depth = {0, 0.25};
+  above.profile.ocr = {5, 3};
+  below.shansep = material::Shansep{.ratio = 0.3, .exponent = 0.7, .ocr = {}, .pop = 12e3};
+  c.body[0].second.soil_layer = {{0.5, "stiff"}};
+  return c;
+}
+
+TEST(Build, gives_each_particle_the_strength_by_the_vertical_stress_that_the_soil_above_makes)
+{
+  const Case c = by_stress();
+  const Problem<2> problem = build<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
+  const bodies::Particles<2>& particles = problem.state.particles[0];
+  int above = 0, below = 0;
+  particles.visit([&](Index, Index b, int l) {
+    const bodies::Particle<2> p = particles.read(b, l);
+    const Real depth = 2 - p.x[1];
+    if (depth < 0.5) {
+      const Real ocr = depth < 0.25 ? 5 - 8 * depth : 3;
+      EXPECT_NEAR(p.extra[1], 0.25 * 15e3 * depth * std::pow(ocr, 0.8), 1e-9 * 1e4);
+      ++above;
+    } else {
+      const Real stress = 7.5e3 + 20e3 * (depth - 0.5);
+      EXPECT_NEAR(p.extra[1], 0.3 * stress * std::pow((stress + 12e3) / stress, 0.7), 1e-9 * 1e4);
+      ++below;
+    }
+  });
+  EXPECT_GT(above, 50);
+  EXPECT_GT(below, 50);
+}
+
+TEST(BodySoil, of_a_stress_that_is_the_same_everywhere_has_the_strength_by_it)
+{
+  Case c = by_stress();
+  c.body[0].second.initial_stress = {-10e3, -20e3, -10e3};
+  const BodySoil soil = soil_of(c, c.body[0].second);
+  for (const Real depth : {0., 0.4, 3.})
+    EXPECT_DOUBLE_EQ(strength_at_rest(soil.at("box", depth))->cohesion,
+                     depth < 0.5 ? 5e3 * std::pow(depth == 0 ? 5 : 3, 0.8) : 6e3 * std::pow(1.6, 0.7));
+}
+
 TEST(Build, refuses_soil_whose_strength_is_negative_where_the_body_reaches)
 {
   Case c = layered();

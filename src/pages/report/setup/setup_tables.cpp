@@ -51,13 +51,19 @@ void add_law(Rows& rows, const std::string& prefix, const material::MohrCoulomb&
 {
   rows.add(prefix + "friction angle", text::angle_words(law.friction_angle));
   rows.add(prefix + "dilation angle", text::angle_words(law.dilation_angle));
-  rows.add(prefix + "cohesion", text::stress_words(law.cohesion) + (varies(law) ? " at the surface" : ""));
+  if (law.shansep)
+    rows.add(prefix + "undrained strength", formula_words(*law.shansep));
+  else
+    rows.add(prefix + "cohesion", text::stress_words(law.cohesion) + (varies(law) ? " at the surface" : ""));
   if (law.cohesion_gradient != 0) rows.add(prefix + "cohesion per metre of depth", text::stress_words(law.cohesion_gradient));
 }
 
 void add_law(Rows& rows, const std::string& prefix, const material::Clay& law)
 {
-  rows.add(prefix + "undrained strength", text::stress_words(law.undrained_strength) + (varies(law) ? " at the surface" : ""));
+  if (law.shansep)
+    rows.add(prefix + "undrained strength", formula_words(*law.shansep));
+  else
+    rows.add(prefix + "undrained strength", text::stress_words(law.undrained_strength) + (varies(law) ? " at the surface" : ""));
   if (law.undrained_strength_gradient != 0)
     rows.add(prefix + "undrained strength per metre of depth", text::stress_words(law.undrained_strength_gradient));
   rows.add(prefix + "sensitivity", text::number_words(law.sensitivity));

@@ -126,7 +126,9 @@ std::string soil_over_depth(const std::vector<record::RunRecord>& runs)
       same->second.push_back(run.name);
   }
   if (soils.empty()) return "";
-  text::HtmlTable table("soil-table", "Soil over depth below the bed's surface at the start: linear in each row");
+  text::HtmlTable table(
+      "soil-table",
+      "Soil over depth below the bed's surface at the start: linear in each row, but where it follows from the vertical stress");
   table.columns({{"depth"}, {"material"}, {"cohesion or undrained strength"}, {"friction angle"}, {"Young's modulus"}, {"density"}});
   for (const auto& [groups, names] : soils)
     for (const auto& [name, rows] : groups) {
