@@ -25,6 +25,10 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found);
 void does_soil_fill_the_bed(const Scene& s, Findings& found);
 void is_there_soil_at_a_watch(const Scene& s, Findings& found);
 
+// A mesh from a file.
+void is_the_mesh_what_its_file_says(const Scene& s, Findings& found);
+void is_the_mesh_in_metres(const Scene& s, Findings& found);
+
 // Ground that is not level.
 void does_the_ground_stand(const Scene& s, Findings& found);
 void does_the_body_fit_the_ground(const Scene& s, Findings& found);
@@ -32,6 +36,7 @@ void does_the_body_fit_the_ground(const Scene& s, Findings& found);
 // The soil.
 void does_gravity_point_down(const Scene& s, Findings& found);
 void is_the_soil_a_soil(const Scene& s, Findings& found);
+void is_the_strength_by_stress_that_of_clay(const Scene& s, Findings& found);
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found);
 void is_the_strain_rate_smooth(const Scene& s, Findings& found);
 void is_softening_free_of_the_cells(const Scene& s, Findings& found);
@@ -53,11 +58,14 @@ void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found);
 void is_damping_small(const Scene& s, Findings& found);
 void do_forces_press_down(const Scene& s, Findings& found);
 
+void do_names_stay_names(const Scene& s, Findings& found);
+
 // The roles of stages.
 void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found);
 void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found);
 
 // The water.
+void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found);
 void does_water_have_time_to_flow(const Scene& s, Findings& found);
 
 // The run.

@@ -44,7 +44,21 @@ std::optional<std::size_t> drag_of_the_answers(const Scene& s)
   return last;
 }
 
+/// What table programs (pandas, R) read as a missing value.
+constexpr const char* missing_values[] = {"NA", "N/A", "NULL", "NaN", "None", "n/a", "nan", "null", "<NA>", "#NA", "#N/A", "-nan", "-NaN"};
+
 }  // namespace
+
+void do_names_stay_names(const Scene& s, Findings& found)
+{
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k)
+    for (const char* word : missing_values)
+      if (s.c.stage[k].name == word)
+        found.warn(stage_key(k, "name"),
+                   fmt::format("is \"{}\", which table programs such as pandas read as a missing value: in the stage column of history.csv "
+                               "the stage would have no name; take another",
+                               word));
+}
 
 void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found)
 {

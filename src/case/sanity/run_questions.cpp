@@ -2,10 +2,12 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "sanity/questions.hpp"
 
+#include "material/clay.hpp"
 #include "problem/stages.hpp"
 #include "run_folder/progress.hpp"
 #include "sanity/sanity.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::sanity {
@@ -51,20 +53,97 @@ void is_the_history_fine_enough(const Scene& s, Findings& found)
                          words_of(time, "s"), words_of(rounded_up(time / 1000), "s")));
 }
 
+namespace {
+
+/// A key that may have no effect, and why.
+struct Unused {
+  std::string key;
+  bool idle;  ///< it has none here, and is not what it is when left out
+  std::string why;
+};
+
+/// Whether a clay has a number above what it is when left out, or the input says that it has not.
+bool is_given(const Scene& s, const std::string& material, const char* key, bool above)
+{
+  return above || s.places.has(fmt::format("material.{}.{}", material, key));
+}
+
+void add_material_keys(const Scene& s, std::vector<Unused>& keys)
+{
+  for (const auto& [name, material] : s.c.material) {
+    const auto* clay = material.get_if<material::Clay>();
+    if (clay == nullptr) continue;
+    const auto add = [&, &own = name](const char* key, bool idle, const char* why) {
+      keys.push_back({fmt::format("material.{}.{}", own, key), idle, why});
+    };
+    const bool softens = is_given(s, name, "sensitivity", clay->sensitivity > 1);
+    const bool knows_rate = is_given(s, name, "rate_parameter", clay->rate_parameter > 0);
+    constexpr const char* no_softening =
+        "without a sensitivity above 1 the clay does not soften; give it (sensitivity = 1 says that it does not)";
+    constexpr const char* no_rate =
+        "without a rate_parameter the clay does not know its rate; give it (rate_parameter = 0 says that it does not)";
+    add("ductility", !softens && clay->ductility > 0, no_softening);
+    add("softening_length", !softens && clay->softening_length, no_softening);
+    add("reference_rate", !knows_rate && clay->reference_rate > 0, no_rate);
+    add("rate_scale", !knows_rate && clay->rate_scale != 1, no_rate);
+    add("rate_smoothing", !knows_rate && clay->rate_smoothing, no_rate);
+  }
+}
+
+void add_stage_keys(const Scene& s, std::vector<Unused>& keys)
+{
+  const bool softens = std::any_of(s.c.material.begin(), s.c.material.end(), [&](const auto& named) {
+    const auto* clay = named.second.template get_if<material::Clay>();
+    return clay != nullptr && is_given(s, named.first, "sensitivity", clay->sensitivity > 1);
+  });
+  const problem::StageSettings as_left_out;
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
+    const problem::StageSettings& stage = s.c.stage[k];
+    keys.push_back({stage_key(k, "ramp"), s.ways[k].rigid == none, "the stage drives nothing"});
+    keys.push_back({stage_key(k, "strength_recovery"), stage.strength_recovery > 0 && !softens,
+                    "no clay softens, which takes a sensitivity above 1; give it"});
+    keys.push_back({stage_key(k, "equilibrium"),
+                    stage.kind != problem::StageKind::geostatic && stage.equilibrium != as_left_out.equilibrium,
+                    "it is for a geostatic stage, at whose end equilibrium is checked"});
+  }
+}
+
+void add_body_keys(const Scene& s, std::vector<Unused>& keys)
+{
+  for (const auto& [name, body] : s.c.body)
+    keys.push_back({fmt::format("body.{}.particles_per_cell", name), body.particles_per_cell > 0 && (body.block || body.disk),
+                    "spacing gives the particles of a block or a disk"});
+  for (Index r = 0; r < static_cast<Index>(s.c.rigid.size()); ++r) {
+    const auto& [name, rigid] = s.c.rigid[r];
+    const bool turns = rigid.rotation == bodies::Rotation::free ||
+                       std::any_of(s.ways.begin(), s.ways.end(), [&](const Way& way) { return way.rigid == r && way.turns; });
+    keys.push_back({fmt::format("rigid.{}.moment_of_inertia", name), rigid.moment_of_inertia && !turns,
+                    "the body cannot turn; give it rotation = \"free\" or a stage that turns it"});
+  }
+  const contact::ContactSettings as_left_out;
+  for (const auto& [name, contact] : s.c.contact)
+    keys.push_back({fmt::format("contact.{}.gap_closing_steps", name),
+                    contact.gap_closing_steps != as_left_out.gap_closing_steps &&
+                        (contact.detection == contact::Detection::overlap || contact.detection == contact::Detection::distance),
+                    "detection \"overlap\" and \"distance\" look at no gap"});
+}
+
+}  // namespace
+
 void is_every_key_used(const Scene& s, Findings& found)
 {
-  const auto unused = [&](const std::string& key, const char* why) {
-    if (s.places.has(key)) found.warn(key, fmt::format("is not used: {}; leave it out", why));
-  };
-  if (s.is_mpm()) {
-    unused("fem", "method is \"mpm\"");
-  } else {
-    unused("mpm", "method is \"fem\"");
-    unused("output.history_time", "finite elements write a row for each increment");
-  }
-  for (std::size_t k = 0; k < s.c.stage.size(); ++k)
-    if (s.ways[k].rigid == none) unused(stage_key(k, "ramp"), "the stage drives nothing");
-  if (s.gravity == 0) unused("gravity_ramp", "there is no gravity");
+  std::vector<Unused> keys = {{"fem", s.is_mpm(), "method is \"mpm\""},
+                              {"mpm", !s.is_mpm(), "method is \"fem\""},
+                              {"output.history_time", !s.is_mpm(), "finite elements write a row for each increment"},
+                              {"gravity_ramp", s.gravity == 0, "there is no gravity"}};
+  add_stage_keys(s, keys);
+  add_material_keys(s, keys);
+  add_body_keys(s, keys);
+  for (const Unused& one : keys)
+    if (one.idle && s.places.has(one.key)) {
+      const bool says_what_else = one.why.find("; give") != std::string::npos;
+      found.warn(one.key, fmt::format("is not used: {}{}", one.why, says_what_else ? ", or leave this out" : "; leave it out"));
+    }
 }
 
 }  // namespace berm::sanity

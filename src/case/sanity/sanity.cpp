@@ -14,6 +14,8 @@ namespace {
 
 /// All questions, in the order in which their answers are shown.
 constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_down,
+                                                          is_the_mesh_in_metres,
+                                                          is_the_mesh_what_its_file_says,
                                                           does_the_driven_body_touch_soil,
                                                           do_bodies_at_each_other_touch,
                                                           do_rigid_bodies_pass_through_each_other,
@@ -33,6 +35,8 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_the_ground_stand,
                                                           does_the_body_fit_the_ground,
                                                           is_the_soil_a_soil,
+                                                          is_the_soil_as_heavy_as_in_water,
+                                                          is_the_strength_by_stress_that_of_clay,
                                                           is_the_stiffness_that_of_soil,
                                                           is_the_strain_rate_smooth,
                                                           is_softening_free_of_the_cells,
@@ -50,6 +54,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           is_the_mass_that_of_a_pipe,
                                                           is_damping_small,
                                                           do_forces_press_down,
+                                                          do_names_stay_names,
                                                           are_roles_in_the_order_of_a_life,
                                                           is_it_said_what_the_answers_are_of,
                                                           does_water_have_time_to_flow,

@@ -129,6 +129,7 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
   scene.up_sign = model.axes.sign;
   scene.gravity = model.gravity.norm();
   for (int d = 0; d < dim; ++d) scene.mesh[d] = {model.mesh.lower[d], model.mesh.upper[d]};
+  scene.mesh_remarks = model.mesh.remarks;
   for (const bodies::RigidBody<dim>& rigid : model.rigid_bodies) scene.rigids.push_back(rigid_scene(rigid));
   const std::vector<std::vector<Index>> cells = cells_of_bodies(c, model, particles);
   for (std::size_t b = 0; b < c.body.size(); ++b) {

@@ -83,6 +83,7 @@ struct Scene {
   Real up_sign = 1;
   Real gravity = 0;  ///< m/s2, size
   Spans mesh = {};
+  std::vector<std::string> mesh_remarks = {};  ///< of what reading changed of its file
   problem::Ground ground = {};
   std::vector<RigidScene> rigids = {};
   std::vector<BodyScene> bodies = {};

@@ -28,6 +28,12 @@ struct Soil {
   material::Material material;
 
   std::string key(const std::string& key) const { return fmt::format("material.{}.{}", name, key); }
+  /// With the strength that it would have at the base of the body.
+  material::Material at_base(const Scene& s) const
+  {
+    const Real depth = s.depth_of(body);
+    return at_depth(material, depth, soil_of(s.c, s.c.body[body].second).vertical_stress(s.region_at(body, depth), depth));
+  }
 };
 
 /// The soils of all bodies, each once.
@@ -131,7 +137,7 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
           fmt::format("is {:.3g} kg/m3; soil has 1400 to 2200 saturated, 400 to 1200 submerged: write \"877 kg/m^3\"", density(material)));
     const std::optional<material::Strength> strength = strength_at_rest(material);
     if (!strength) continue;
-    const std::optional<material::Strength> at_base = strength_at_rest(at_depth(material, s.depth_of(soil.body)));
+    const std::optional<material::Strength> at_base = strength_at_rest(soil.at_base(s));
     if (strength->cohesion == 0 && strength->friction_angle == 0 && !(at_base && at_base->cohesion > 0))
       strength_key(material) == "cohesion"
           ? found.refuse(soil.key("friction_angle"),

@@ -8,6 +8,41 @@
 
 namespace berm::sanity {
 
+void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
+{
+  constexpr Real sea_water = 1025, heaviest_in_water = 1300, heaviest_dry = 1900, lightest = 300;  // kg/m3
+  if (s.gravity == 0) return;
+  const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
+  for (const auto& [name, body] : s.c.body) {
+    const problem::BodySoil soil = soil_of(s.c, body);
+    for (std::size_t k = 0; k < soil.materials.size(); ++k) {
+      const material::Material& asked = s.c.material[problem::index_of(s.c.material, soil.names[k])].second;
+      const Real own = density(asked);
+      const std::string path = "material." + soil.names[k] + ".", weight = path + "submerged_unit_weight";
+      const bool as_weight = s.places.has(weight);
+      if (!yields(asked)) continue;
+      if (own >= 100 && own < lightest)
+        found.warn(as_weight ? weight : path + "density",
+                   fmt::format("is {:.3g} kg/m3, {:.2g} kN/m3: even very soft clay weighs 3 kN/m3 in water, sand 8 to 11: is the unit "
+                               "right? submerged_unit_weight takes it in kN/m^3",
+                               own, own * standard_gravity / 1e3));
+      if (own < heaviest_in_water || own > 4000) continue;
+      const std::string why =
+          as_weight                       ? "soil weighs 3 to 12 kN/m3 in water, 14 to 22 with it"
+          : has_pore_pressure(asked)      ? "its water carries its own weight in the pore pressure, and density gives the rest"
+          : inertia_density(asked) != own ? "inertia_density is that of the soil with its water, so density is to give the weight in water"
+          : seabed && own >= heaviest_dry ? "it is that of soil with water in its pores, and the bed lies in water"
+                                          : "";
+      if (why.empty()) continue;
+      found.warn(
+          as_weight ? weight : path + "density",
+          fmt::format("is {:.4g} kg/m3: {}; if it lies in water write submerged_unit_weight = \"{:.2g} kN/m^3\", that of this density less "
+                      "water",
+                      own, why, (own - sea_water) * standard_gravity / 1e3));
+    }
+  }
+}
+
 void does_water_have_time_to_flow(const Scene& s, Findings& found)
 {
   constexpr Real nothing_drains = 0.01, drained = 10;

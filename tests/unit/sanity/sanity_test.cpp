@@ -3,7 +3,9 @@
 #include "samples/program.hpp"
 #include "samples/senseless_inputs_in_space.hpp"
 #include "samples/senseless_load_histories.hpp"
+#include "samples/senseless_meshes.hpp"
 #include "samples/senseless_roles.hpp"
+#include "samples/senseless_soils.hpp"
 #include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -139,6 +141,8 @@ std::string name_of(const testing::TestParamInfo<SenselessInput>& row)
 INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()), name_of);
 INSTANTIATE_TEST_SUITE_P(LoadHistories, SenselessInputs, testing::ValuesIn(test::senseless_load_histories()), name_of);
 INSTANTIATE_TEST_SUITE_P(Roles, SenselessInputs, testing::ValuesIn(test::senseless_roles()), name_of);
+INSTANTIATE_TEST_SUITE_P(Soils, SenselessInputs, testing::ValuesIn(test::senseless_soils()), name_of);
+INSTANTIATE_TEST_SUITE_P(Meshes, SenselessInputs, testing::ValuesIn(test::senseless_meshes()), name_of);
 INSTANTIATE_TEST_SUITE_P(InSpace, SenselessInputs, testing::ValuesIn(test::senseless_inputs_in_space()), name_of);
 
 class Examples : public testing::TestWithParam<fs::path> {};
