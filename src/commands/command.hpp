@@ -24,6 +24,7 @@ Command add_export(CLI::App& program);
 Command add_macro_element(CLI::App& program);
 Command add_study(CLI::App& program);
 Command add_envelope(CLI::App& program);
+Command add_safety(CLI::App& program);
 Command add_element(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);

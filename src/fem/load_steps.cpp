@@ -66,7 +66,8 @@ void LoadSteps::find_first_equilibrium()
   drained.drained = true;
   for (Real& factor : drained.tractions) factor = 0;
   if ((model_.flow.count > 0 && !release_imbalance(drained)) || !release_imbalance(loads))
-    throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
+    throw NoEquilibrium(
+        "the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
 }
 
 /// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found.
@@ -268,7 +269,7 @@ IncrementEnd LoadSteps::advance()
     relaxation_ = std::min(4 * relaxation_, model_.settings.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
     if (dt_ < 1e-4 * first_dt_)
-      throw RunError(fmt::format(
+      throw NoEquilibrium(fmt::format(
           "stage \"{}\": no equilibrium at t = {:.6g} s, even with an increment of {:.2g} s; the unbalanced forces stay at {:.2g} "
           "of the contact forces. A larger fem.relaxation (now {}) or a finer mesh may help",
           stage().name, state_.state.time, dt, end.unbalance, model_.settings.relaxation));
@@ -311,7 +312,7 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
 
 void LoadSteps::refuse_overstress() const
 {
-  throw RunError(
+  throw NoEquilibrium(
       fmt::format("stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, held "
                   "by the speed of the flow alone",
                   stage().name, state_.state.time, state_.overstress));
@@ -324,7 +325,7 @@ bool LoadSteps::next_stage()
   const Index held = model_.model.fixed_in[state_.state.stage.index];
   ++state_.state.stage.index;
   if (model_.model.fixed_in[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
-    throw RunError(fmt::format("stage \"{}\": the soil finds no equilibrium without the supports that are released", stage().name));
+    throw NoEquilibrium(fmt::format("stage \"{}\": the soil finds no equilibrium without the supports that are released", stage().name));
   begin_stage(model_.model, state_.state);
   if (const Real share = stage().strength_recovery; share > 0)
     for (Index cell = 0; cell < state_.points.size(); ++cell)

@@ -2,9 +2,15 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "core/error.hpp"
 #include "fem/newton.hpp"
 
 namespace berm::fem {
+
+/// The soil carries its loads in no equilibrium that could be found.
+struct NoEquilibrium : RunError {
+  using RunError::RunError;
+};
 
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
 /// lets the next grow. Each starts from the last one's change, scaled. The viscosity eta of an increment (Assembly::evaluate) is relaxation over
@@ -20,14 +26,14 @@ public:
   Real memory_to_come() const { return newton_.memory_to_come(); }
 
   /// Finds the equilibrium of the first state, the rigid body at rest: under its weight consolidated soil has no excess pore pressure; tractions of the
-  /// start come at once, and no water has flowed since. Throws RunError where it finds none.
+  /// start come at once, and no water has flowed since. Throws NoEquilibrium where it finds none.
   void find_first_equilibrium();
 
-  /// One increment of the present stage, to its end at most. Throws RunError where even the smallest increment finds no equilibrium.
+  /// One increment of the present stage, to its end at most. Throws NoEquilibrium where even the smallest increment finds no equilibrium.
   IncrementEnd advance();
 
   /// Goes to the next stage; false after the last one. Where supports are released their reactions are taken away first, at one moment, the rigid body at rest.
-  /// Throws RunError where the soil finds no equilibrium without them.
+  /// Throws NoEquilibrium where the soil finds none without them.
   bool next_stage();
 
   /// How deep the rigid body's contact points were in the soil at most, m, in the equilibria that the last of these three found.

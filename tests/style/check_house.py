@@ -299,7 +299,7 @@ def examples(tree):
 
 def silence(tree):
     """Only what runs cases, main.cpp, the progress line and the run log write to the terminal."""
-    studies = tuple(f"src/studies/{room}/" for room in ("benchmark", "envelope", "jobs", "study", "uncertainty", "verification"))
+    studies = tuple(f"src/studies/{room}/" for room in ("benchmark", "envelope", "jobs", "safety", "study", "uncertainty", "verification"))
     allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
     pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b"

@@ -114,6 +114,15 @@ std::optional<Real> shear_strength(const Clay& law, Real /*middle*/, const Real*
   return law.undrained_strength * (1 + state[2]);
 }
 
+std::optional<Clay> with_strength_over(Clay law, Real factor)
+{
+  if (law.rigidity_index) *law.rigidity_index *= factor;
+  law.undrained_strength /= factor;
+  law.undrained_strength_gradient /= factor;
+  for (Real& strength : law.profile.strength) strength /= factor;
+  return law;
+}
+
 Clay with_rate_smoothing(Clay law, Real time)
 {
   if (!law.rate_smoothing) law.rate_smoothing = time;

@@ -67,6 +67,9 @@ std::vector<FieldInfo> state_fields(const Clay& law);
 std::optional<Strength> strength_at_rest(const Clay& law);
 std::optional<Real> shear_strength(const Clay& law, Real middle, const Real* state);
 
+/// The undrained strength over the factor, intact and remoulded; the stiffness stays.
+std::optional<Clay> with_strength_over(Clay law, Real factor);
+
 /// Smooths the rate over a time (s) where the input names none.
 Clay with_rate_smoothing(Clay law, Real time);
 inline bool knows_rate(const Clay& law)

@@ -110,6 +110,13 @@ std::optional<Real> shear_strength(const L&, Real /*middle*/, const Real* /*stat
   return {};
 }
 
+/// The law with all of its strength divided by a factor, at the same stiffness; empty where it does not say which of its parameters are strength.
+template <Law L>
+std::optional<L> with_strength_over(const L& law, Real /*factor*/)
+{
+  return yields(law) ? std::optional<L>() : law;
+}
+
 /// Whether plastic shearing dilates.
 template <Law L>
 bool dilates(const L&)

@@ -172,6 +172,16 @@ std::optional<Real> shear_strength(const Material& material, Real middle, const 
   return visit([&](const auto& law) { return shear_strength(law, middle, state); }, material);
 }
 
+std::optional<Material> with_strength_over(const Material& material, Real factor)
+{
+  return visit(
+      [&](const auto& law) -> std::optional<Material> {
+        if (auto weaker = with_strength_over(law, factor)) return Material(*weaker);
+        return {};
+      },
+      material);
+}
+
 bool knows_rate(const Material& material)
 {
   return visit([](const auto& law) { return knows_rate(law); }, material);

@@ -120,6 +120,7 @@ void initial_state(const Material& material, const SymTensor<3>& stress, Real* s
 bool yields(const Material& material);
 std::optional<Strength> strength_at_rest(const Material& material);
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state);
+std::optional<Material> with_strength_over(const Material& material, Real factor);
 bool knows_rate(const Material& material);
 Material with_rate_smoothing(const Material& material, Real time);
 void recover(const Material& material, Real share, Real* state);

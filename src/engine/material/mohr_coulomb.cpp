@@ -80,6 +80,17 @@ MohrCoulomb in_cells_of(MohrCoulomb law, Real size)
   return law;
 }
 
+std::optional<MohrCoulomb> with_strength_over(MohrCoulomb law, Real factor)
+{
+  law.friction_angle = std::atan(std::tan(law.friction_angle) / factor);
+  law.dilation_angle = std::min(law.dilation_angle, law.friction_angle);
+  law.cohesion /= factor;
+  law.cohesion_gradient /= factor;
+  for (Real& strength : law.profile.strength) strength /= factor;
+  if (law.tension_cutoff) *law.tension_cutoff /= factor;
+  return law;
+}
+
 namespace {
 
 /// The largest and the smallest principal stress.

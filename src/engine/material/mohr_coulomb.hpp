@@ -83,6 +83,9 @@ MohrCoulomb with_grains(MohrCoulomb law, Real d50);
 /// Friction and cohesion fall by the same share. [Davis 1968]
 MohrCoulomb in_cells_of(MohrCoulomb law, Real size);
 
+/// Cohesion, tan(friction_angle) and tension cut-off over the factor; the dilation angle stays, but is at most the friction angle.
+std::optional<MohrCoulomb> with_strength_over(MohrCoulomb law, Real factor);
+
 std::optional<Real> shear_strength(const MohrCoulomb& law, Real middle, const Real* state);
 
 inline bool dilates(const MohrCoulomb& law)

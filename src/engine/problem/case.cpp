@@ -7,6 +7,7 @@
 #include "problem/earthworks.hpp"
 #include "problem/interface.hpp"
 #include "problem/names.hpp"
+#include "problem/safety.hpp"
 #include "problem/stage_checks.hpp"
 #include "problem/stages.hpp"
 #include "problem/symmetry.hpp"
@@ -347,6 +348,21 @@ void describe(Describe& d, WatchSettings& watch)
            .required = true});
 }
 
+void describe(Describe& d, SafetySettings& safety)
+{
+  d.value("factor", safety.factor,
+          {.meaning = "what the strength of all soil and of its interfaces is divided by from the start on: cohesion, tangents of friction "
+                      "angles, undrained strength, adhesion, tension",
+           .range = positive,
+           .required = true});
+  d.value("movement", safety.movement,
+          {.meaning =
+               "displacement of the soil at which it has failed, which ends the run; absent = a hundredth of the height that can slide "
+               "and twice the compression of elastic soil of that height under its weight and loads",
+           .unit = "m",
+           .range = positive});
+}
+
 void describe(Describe& d, OutputSettings& output)
 {
   d.value("history_time", output.history_time,
@@ -422,6 +438,9 @@ void describe(Describe& d, Case& c)
   d.table("mpm", c.mpm, {.meaning = "the material point method"});
   d.table("fem", c.fem, {.meaning = "the finite element method"});
   d.named_tables("watch", c.watch, {.meaning = "points of the soil whose motion, stress and pore pressure are written to the history"});
+  d.optional_table(
+      "safety", c.safety,
+      {.meaning = "a trial of the factor of safety: whether the soil stands with less strength; berm safety makes such trials"});
   d.table("output", c.output, {.meaning = "what is written"});
   d.table("report", c.report, {.meaning = "what berm report says of the work that the run is part of; changes no result"});
 
@@ -451,6 +470,7 @@ void describe(Describe& d, Case& c)
   check_axisymmetry(d, c);
   check_symmetry(d, c);
   check_fem(d, c);
+  check_safety(d, c);
   check_output(d, c);
 }
 

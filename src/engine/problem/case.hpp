@@ -68,6 +68,12 @@ struct WatchSettings {
   std::vector<Real> point;  ///< m
 };
 
+/// A trial of the factor of safety (problem/safety.hpp).
+struct SafetySettings {
+  Real factor = 1;               ///< what the strength of all soil is divided by
+  std::optional<Real> movement;  ///< m, of the soil, from which on it has failed; empty: movement_at_failure
+};
+
 /// What is written, and how often.
 struct OutputSettings {
   std::optional<Real> history_time;  ///< s between rows of history.csv
@@ -105,6 +111,7 @@ struct Case {
   MpmSettings mpm;
   FemSettings fem;
   std::vector<std::pair<std::string, WatchSettings>> watch;
+  std::optional<SafetySettings> safety;
   OutputSettings output;
   ReportSettings report;
 
@@ -117,6 +124,7 @@ struct Case {
 void describe(Describe& d, MpmSettings& mpm);
 void describe(Describe& d, FemSettings& fem);
 void describe(Describe& d, WatchSettings& watch);
+void describe(Describe& d, SafetySettings& safety);
 void describe(Describe& d, OutputSettings& output);
 void describe(Describe& d, ReportSettings& report);
 

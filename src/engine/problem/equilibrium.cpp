@@ -9,6 +9,7 @@ namespace berm::problem {
 namespace {
 
 constexpr Real margin = 4;
+constexpr Real patience = 10;  // of a trial of the factor of safety: soil near its limit moves slowly
 
 /// The slowest shear wave of a body's soil, down to a depth, m/s.
 Real slowest_shear_wave(const BodySoil& soil, Real depth)
@@ -89,14 +90,15 @@ Real time_to_equilibrium(Real period, Real damping, Real accepted)
 template <int dim>
 void limit_equilibrium(const Case& c, Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles)
 {
-  if (std::none_of(model.stages.begin(), model.stages.end(), ends_at_equilibrium)) return;
+  if (std::none_of(model.stages.begin(), model.stages.end(), ends_at_equilibrium) && !c.safety) return;
   model.longest_period = longest_period(model, particles);
   Real damping = 1;
   for (const auto& [name, body] : c.body) damping = std::min(damping, body.damping);
   for (StageSettings& stage : model.stages)
     if (ends_at_equilibrium(stage) && !stage.until.time) {
       stage.until.equilibrium = true;
-      stage.until.time = model.gravity_ramp + time_to_equilibrium(model.longest_period, stage.damping.value_or(damping), stage.equilibrium);
+      const Real time = time_to_equilibrium(model.longest_period, stage.damping.value_or(damping), stage.equilibrium);
+      stage.until.time = model.gravity_ramp + (c.safety ? patience : 1) * time;
     }
 }
 

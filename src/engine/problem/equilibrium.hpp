@@ -26,7 +26,8 @@ Real longest_pressure_period(const Model<dim>& model, const std::vector<bodies::
 /// with a margin of 4 for soil that yields on its way.
 Real time_to_equilibrium(Real period, Real damping, Real accepted);
 
-/// Gives each stage that ends at equilibrium its limit of time, where the input names none (that of gravity's ramp and time_to_equilibrium), and the model its period.
+/// Gives each stage that ends at equilibrium its limit of time, where the input names none (that of gravity's ramp and time_to_equilibrium; in a trial of the factor of safety ten times as
+/// long), and the model its period.
 template <int dim>
 void limit_equilibrium(const Case& c, Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
 

@@ -50,7 +50,11 @@ constexpr const char* check_names[] = {"finished",
                                        "largest_unbalance",
                                        "loose_increments",
                                        "largest_overstress",
-                                       "strength_lag"};
+                                       "strength_lag",
+                                       "soil_failed",
+                                       "soil_at_rest",
+                                       "soil_movement_m",
+                                       "soil_movement_limit_m"};
 
 }  // namespace
 

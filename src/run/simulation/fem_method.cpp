@@ -3,6 +3,7 @@
 #include "simulation/fem_method.hpp"
 
 #include "fem/fem_problem.hpp"
+#include "problem/safety.hpp"
 #include "problem/stages.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
@@ -43,6 +44,59 @@ FemMethod::FemMethod(const RunRequest& request, const io::ScratchFolder& scratch
       frame_maker_(problem_.model)
 {
   refuse_without_memory(steps_.memory_to_come(), memory_in_use(), size_words(), larger_elements);
+  if (!request.settings.safety) return;
+  factor_ = request.settings.safety->factor;
+  const NodeField<Vec<2>>& nodes = problem_.model.mesh.position;
+  trial_.emplace(movement_at_failure(request.settings, model(), depth_of_soil(model(), std::vector<Vec<2>>(nodes.begin(), nodes.end()))));
+  trial_->begin_stage(!moves_body(model().stages.front()));
+  moved_from_ = problem_.state.displacement;
+}
+
+/// In a trial of the factor of safety soil without an equilibrium is soil that fails.
+template <class Act>
+void FemMethod::try_to(const Act& act)
+{
+  try {
+    act();
+  } catch (const fem::NoEquilibrium& why) {
+    if (!trial_) throw;
+    spdlog::info("{}", why.what());
+    trial_->note_no_equilibrium();
+  }
+}
+
+/// The largest displacement of a node, m.
+Real FemMethod::movement() const
+{
+  const std::vector<Real>& now = problem_.state.displacement;
+  Real largest = 0;
+  for (Index node = 0; node < problem_.model.mesh.node_count(); ++node)
+    largest = std::max(largest, std::hypot(now[2 * node] - moved_from_[2 * node], now[2 * node + 1] - moved_from_[2 * node + 1]));
+  return largest;
+}
+
+bool FemMethod::is_last_stage() const
+{
+  return state().stage.index + 1 == static_cast<Index>(model().stages.size());
+}
+
+/// What a body has moved counts no more.
+void FemMethod::end_stage_of_trial()
+{
+  if (is_last_stage() && !trial_->failed() && trial_->flows_on()) trial_->note_flow();
+  if (is_last_stage()) trial_->end(!trial_->failed());
+  if (is_last_stage() || trial_->failed()) return spdlog::info("{}", trial_->words(factor_));
+  if (moves_body(model().stages[state().stage.index])) moved_from_ = problem_.state.displacement;
+  trial_->begin_stage(!moves_body(model().stages[state().stage.index + 1]));
+}
+
+void FemMethod::add_row(run_folder::HistoryFile& file)
+{
+  if (trial_) {
+    trial_->note(state().time, movement());
+    recorder_.note_movement(trial_->movement());
+  }
+  recorder_.add_row(problem_.model, problem_.state, last_, file);
 }
 
 std::string FemMethod::size_words() const
@@ -62,13 +116,15 @@ sanity::Scene FemMethod::scene(const RunRequest& request, int) const
 void FemMethod::begin(bool at_start)
 {
   if (!at_start) return;
-  steps_.find_first_equilibrium();
+  try_to([&] { steps_.find_first_equilibrium(); });
   recorder_.observe_steps(steps_);
 }
 
 void FemMethod::step()
 {
-  last_ = steps_.advance();
+  if (trial_ && trial_->failed()) return;
+  try_to([&] { last_ = steps_.advance(); });
+  if (trial_ && trial_->failed()) return;
   recorder_.observe_steps(steps_);
   iterations_ += last_.iterations;
   if (last_.converged) return;
@@ -79,9 +135,14 @@ void FemMethod::step()
 
 bool FemMethod::next_stage()
 {
-  if (!steps_.next_stage()) return false;
-  recorder_.observe_steps(steps_);
-  return true;
+  if (trial_) {
+    end_stage_of_trial();
+    if (trial_->failed()) return false;
+  }
+  bool begins = true;
+  try_to([&] { begins = steps_.next_stage(); });
+  if (begins) recorder_.observe_steps(steps_);
+  return begins;
 }
 
 void FemMethod::archive(Archive& k)
@@ -91,6 +152,11 @@ void FemMethod::archive(Archive& k)
   k.table("steps", [&] { steps_.archive(k); });
   k("iterations", iterations_);
   k("accepted_above_tolerance", accepted_above_tolerance_);
+  if (trial_)
+    k.table("trial", [&] {
+      trial_->archive(k);
+      k.fixed("moved_from", moved_from_);
+    });
   k.table("state", [&] { fem::archive(k, problem_.model, problem_.state); });
 }
 
@@ -101,12 +167,15 @@ run_folder::Summary::Checks FemMethod::checks() const
         "the strength of the soil lags behind its pressure by {:.2g} of what its flow dissipates, and forces may be off by as much; "
         "compare a run with a tenth of fem.largest_step",
         recorder_.strength_lag());
-  return {{"energy_error", recorder_.energy_error()},
-          {"largest_unbalance", recorder_.largest_unbalance()},
-          {"loose_increments", static_cast<Real>(accepted_above_tolerance_)},
-          {"largest_overstress", recorder_.largest_overstress()},
-          {"strength_lag", recorder_.strength_lag()},
-          {"friction_work_is_loss", state().totals.friction >= 0}};
+  run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()},
+                                        {"largest_unbalance", recorder_.largest_unbalance()},
+                                        {"loose_increments", static_cast<Real>(accepted_above_tolerance_)},
+                                        {"largest_overstress", recorder_.largest_overstress()},
+                                        {"strength_lag", recorder_.strength_lag()},
+                                        {"friction_work_is_loss", state().totals.friction >= 0}};
+  if (trial_)
+    for (auto& check : trial_->checks()) checks.push_back(std::move(check));
+  return checks;
 }
 
 void FemMethod::print_check(const Context& context)

@@ -8,6 +8,7 @@
 #include "sanity/scene.hpp"
 #include "simulation/fem_recorder.hpp"
 #include "simulation/simulate.hpp"
+#include "simulation/trial.hpp"
 
 namespace berm::simulation {
 
@@ -34,16 +35,16 @@ public:
   const problem::State<2>& state() const { return problem_.state.state; }
   const FemRecorder& recorder() const { return recorder_; }
 
-  /// Before the first increment; the start finds its equilibrium. Throws RunError where it finds none.
+  /// Before the first increment; the start finds its equilibrium. Throws RunError where it finds none, but in a trial of the factor of safety.
   void begin(bool at_start);
   void step();
   bool soil_changed() const { return false; }
   /// A row for each increment.
   Real history_interval() const { return 0; }
-  void add_row(run_folder::HistoryFile& file) { recorder_.add_row(problem_.model, problem_.state, last_, file); }
+  void add_row(run_folder::HistoryFile& file);
   run_folder::Frame<2> make_frame() { return frame_maker_.make(problem_.state); }
   /// False after the last one.
-  bool stage_ended() const { return problem::stage_ended(model(), state()); }
+  bool stage_ended() const { return problem::stage_ended(model(), state()) || (trial_ && trial_->failed()); }
   bool next_stage();
   bool at_checkpoint_boundary() const { return true; }
   void archive(Archive& k);
@@ -59,6 +60,11 @@ public:
 
 private:
   Real measure_iteration();
+  template <class Act>
+  void try_to(const Act& act);
+  Real movement() const;
+  void end_stage_of_trial();
+  bool is_last_stage() const;
 
   fem::FemProblem problem_;
   fem::LoadSteps steps_;
@@ -66,6 +72,9 @@ private:
   run_folder::FemFrameMaker frame_maker_;
   fem::IncrementEnd last_{true, 0, 0, {}};
   BigIndex iterations_ = 0, accepted_above_tolerance_ = 0;
+  Real factor_ = 1;               ///< of safety
+  std::optional<Trial> trial_;    ///< of it
+  std::vector<Real> moved_from_;  ///< m, displacements that its movement counts from
 };
 
 }  // namespace berm::simulation

@@ -106,6 +106,7 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
     row_.of(model.model.supports[s].name);
     observe_reaction<2>(row_, state.support_forces[s]);
   }
+  observe_movement();
   file.add(row_);
 }
 

@@ -11,6 +11,7 @@
 #include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/equilibrium.hpp"
+#include "problem/safety.hpp"
 #include "problem/stages.hpp"
 #include "problem/time_scale.hpp"
 #include "run_folder/frames.hpp"
@@ -58,6 +59,8 @@ Real interval_of(const problem::Case& c)
   return time / 1000;
 }
 
+constexpr BigIndex steps_between_looks = 16;  // at all particles
+
 /// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
 template <int dim>
 problem::Problem<dim> build_for(const RunRequest& request, const io::ScratchFolder& scratch)
@@ -86,6 +89,20 @@ MpmMethod<d>::MpmMethod(const RunRequest& request, const io::ScratchFolder& scra
       frame_maker_(model(), state())
 {
   for (const bodies::Particles<d>& particles : state().particles) counts_.particles += particles.size();
+  if (case_.safety) begin_trial();
+}
+
+template <int d>
+void MpmMethod<d>::begin_trial()
+{
+  if (Ranks::of_run().count() > 1) throw InputError("a trial of the factor of safety is run by one process: start it without the launcher");
+  std::vector<Vec<d>> corners;
+  for (const bodies::Particles<d>& particles : state().particles)
+    for (const Index cell : particles.occupied())
+      for (const Index node : model().mesh.nodes[cell]) corners.push_back(model().mesh.position[node]);
+  trial_.emplace(movement_at_failure(case_, model(), depth_of_soil(model(), corners)));
+  trial_->begin_stage(!moves_body(model().stages.front()));
+  places_.note(state());
 }
 
 template <int d>
@@ -145,6 +162,7 @@ void MpmMethod<d>::step()
   soil_changed_ = state().step % mpm::steps_between_time_steps == 0 && change_soil();
   mpm::step(model(), problem_.state, *workspace_);
   recorder_.observe_step(model(), *workspace_);
+  if (trial_ && state().step % steps_between_looks == 0) trial_->note(places_.largest_movement(state()));
   mpm::refuse_rigid_outside_mesh(model(), state());
 }
 
@@ -204,6 +222,10 @@ mpm::WholeState<d> MpmMethod<d>::whole_state()
 template <int d>
 void MpmMethod<d>::add_row(run_folder::HistoryFile& file)
 {
+  if (trial_) {
+    trial_->note(places_.largest_movement(state()));
+    recorder_.note_movement(trial_->movement());
+  }
   recorder_.add_row(model(), state(), *workspace_, file);
   cells_.observe(model(), state());
 }
@@ -238,10 +260,9 @@ bool MpmMethod<d>::is_at_rest() const
 template <int d>
 bool MpmMethod<d>::stage_ended() const
 {
-  constexpr BigIndex steps = 16;  // between two looks at all particles
-  if (problem::stage_ended(model(), state())) return true;
-  return state().step % steps == 0 && workspace_->weight > 0 && in_balance(model(), state(), workspace_->unbalanced / workspace_->weight) &&
-         is_at_rest();
+  if (problem::stage_ended(model(), state()) || (trial_ && trial_->failed())) return true;
+  return state().step % steps_between_looks == 0 && workspace_->weight > 0 &&
+         in_balance(model(), state(), workspace_->unbalanced / workspace_->weight) && is_at_rest();
 }
 
 template <int d>
@@ -264,15 +285,32 @@ template <int d>
 bool MpmMethod<d>::next_stage()
 {
   const problem::StageSettings& stage = model().stages[state().stage.index];
-  if (stage.kind == problem::StageKind::geostatic) {
+  if (stage.kind == problem::StageKind::geostatic && !(trial_ && trial_->failed())) {
     equilibrium_ = recorder_.out_of_balance();
     log_equilibrium(stage);
   }
   log_force_limit(stage);
-  if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) return false;
+  if (trial_) end_stage_of_trial();
+  if (is_last_stage() || (trial_ && trial_->failed())) return false;
   ++problem_.state.stage.index;
   begin_stage(model(), problem_.state);
   return true;
+}
+
+template <int d>
+bool MpmMethod<d>::is_last_stage() const
+{
+  return state().stage.index + 1 == static_cast<Index>(model().stages.size());
+}
+
+/// What a body has moved counts no more.
+template <int d>
+void MpmMethod<d>::end_stage_of_trial()
+{
+  if (is_last_stage()) trial_->end(is_at_rest());
+  if (is_last_stage() || trial_->failed()) return spdlog::info("{}", trial_->words(case_.safety->factor));
+  if (moves_body(model().stages[state().stage.index])) places_.note(state());
+  trial_->begin_stage(!moves_body(model().stages[state().stage.index + 1]));
 }
 
 /// How near to its limit of force the stage has ended that is over, by the last row of the history.
@@ -305,6 +343,11 @@ void MpmMethod<d>::archive(Archive& k)
   k("equilibrium", equilibrium_);
   if (std::any_of(model().stages.begin(), model().stages.end(), [](const auto& stage) { return stage.until.force.has_value(); }))
     k("beyond_force_limit", beyond_force_limit_);
+  if (trial_)
+    k.table("trial", [&] {
+      trial_->archive(k);
+      places_.archive(k);
+    });
   k.table("state", [&] { problem::archive(k, model(), problem_.state); });
 }
 
@@ -326,6 +369,8 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
   checks.emplace_back("mass_at_min_volume", soil.at_min_volume);
   checks.emplace_back("mass_at_max_volume", soil.at_max_volume);
   checks.emplace_back("mass_in_the_air", soil.in_the_air);
+  if (trial_)
+    for (auto& check : trial_->checks()) checks.push_back(std::move(check));
   const run_folder::Summary::Checks of_cells = cells_.checks();
   checks.insert(checks.end(), of_cells.begin(), of_cells.end());
   if (const Index main = model().main_rigid; main != none)

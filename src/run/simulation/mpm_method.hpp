@@ -10,6 +10,7 @@
 #include "simulation/cell_watch.hpp"
 #include "simulation/mpm_recorder.hpp"
 #include "simulation/simulate.hpp"
+#include "simulation/trial.hpp"
 
 #include <chrono>
 
@@ -77,6 +78,9 @@ private:
   void divide_anew();
   bool change_soil();
   bool is_at_rest() const;
+  void begin_trial();
+  void end_stage_of_trial();
+  bool is_last_stage() const;
   void log_equilibrium(const problem::StageSettings& stage) const;
   void log_force_limit(const problem::StageSettings& stage);
   void print_load_histories() const;
@@ -99,6 +103,8 @@ private:
   CellWatch<d> cells_;
   Real equilibrium_ = nan;
   Real beyond_force_limit_ = nan;  ///< the largest of all stages, over the limit
+  std::optional<Trial> trial_;     ///< of the factor of safety
+  ParticlePlaces<d> places_;       ///< that its movement counts from
 };
 
 }  // namespace berm::simulation

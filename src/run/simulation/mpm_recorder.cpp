@@ -280,6 +280,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   observe_effective_normals(model, state);
   observe_depth_slices(model, state);
   observe_supports(model, state);
+  Recorder<dim>::observe_movement();
   file.add(row_);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, workspace); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;

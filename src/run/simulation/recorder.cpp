@@ -28,6 +28,14 @@ void Recorder<dim>::observe_overlap()
 }
 
 template <int dim>
+void Recorder<dim>::observe_movement()
+{
+  if (!movement_) return;
+  row_.of_main("run");
+  row_("movement", *movement_, run_folder::metres, "largest displacement of the soil since the start, or since a stage that moved a body");
+}
+
+template <int dim>
 void Recorder<dim>::archive(Archive& k)
 {
   k("vertical", vertical_);

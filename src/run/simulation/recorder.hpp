@@ -137,6 +137,9 @@ public:
   /// The largest work done so far, J/m or J.
   Real largest_work() const { return largest_work_; }
 
+  /// How far the soil of a trial of the factor of safety has moved, m: from then on a column of the rows.
+  void note_movement(Real movement) { movement_ = movement; }
+
   /// What the next row takes from those before it, and from the steps since the last one.
   void archive(Archive& k);
 
@@ -144,6 +147,7 @@ protected:
   /// A depth of the soil in the main rigid body, m, of which the next row has the maximum.
   void note_overlap(Real depth) { max_overlap_ = std::max(max_overlap_, depth); }
   void observe_overlap();
+  void observe_movement();
   /// u, w, H and V of a rigid body with this force of the soil on it.
   void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction);
   /// The energy error of the run is compared with the largest work, of which `at_least` (J/m or J) is one.
@@ -153,7 +157,8 @@ protected:
 
 private:
   Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0;
-  Real max_overlap_ = 0;  ///< m, since the last row
+  Real max_overlap_ = 0;          ///< m, since the last row
+  std::optional<Real> movement_;  ///< m
 };
 
 }  // namespace berm::simulation

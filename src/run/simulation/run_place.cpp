@@ -7,6 +7,7 @@
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "problem/safety.hpp"
 #include "run_folder/origin.hpp"
 #include "run_folder/summary_file.hpp"
 #include "simulation/checkpoints.hpp"
@@ -64,7 +65,7 @@ run_folder::RunFolder folder_of(const RunRequest& request, const io::ScratchFold
 
 problem::Case case_to_run(const RunRequest& request)
 {
-  problem::Case settings = request.settings;
+  problem::Case settings = problem::with_reduced_strength(request.settings);
   const fs::path mesh = fs::absolute(request.folder / "mesh.msh");
   const bool from_file = std::holds_alternative<mesh::GmshFile>(settings.mesh);
   const bool made =

@@ -14,19 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The case with a mesh file that is found from any folder.
-problem::Case with_whole_path(problem::Case c, const fs::path& case_file)
-{
-  if (auto* mesh = std::get_if<mesh::GmshFile>(&c.mesh))
-    mesh->file = fs::absolute(case_file.parent_path() / mesh->file).lexically_normal().string();
-  return c;
-}
-
 }  // namespace
 
 jobs::Outcome find_envelope(const EnvelopeRequest& request)
 {
-  const problem::Case settings = with_whole_path(request.settings, request.case_file);
+  const problem::Case settings = jobs::with_whole_paths(request.settings, request.case_file);
   std::vector<EnvelopeRow> rows;
   for (const Probe& probe : choose_probes(settings, request.how)) rows.push_back({probe, "finished", {}});
   simulation::check_buildable({.settings = rows[0].probe.settings, .case_file = request.case_file, .folder = request.folder});

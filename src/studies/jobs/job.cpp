@@ -72,6 +72,13 @@ bool is_of_case(const Job& job)
   return is_of(job.folder, input::read_case(job.case_file, job.set));
 }
 
+problem::Case with_whole_paths(problem::Case settings, const fs::path& case_file)
+{
+  if (auto* mesh = std::get_if<mesh::GmshFile>(&settings.mesh))
+    mesh->file = fs::absolute(case_file.parent_path() / mesh->file).lexically_normal().string();
+  return settings;
+}
+
 std::vector<std::string> words_of(const Job& job)
 {
   std::vector<std::string> words = {job.element ? "element" : "run"};

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: BSD-3-Clause
+n = 10;
+Include "slope.geo";

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: BSD-3-Clause
+n = 20;
+Include "slope.geo";

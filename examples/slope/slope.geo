@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A slope of 2 : 1, 10 m high, with n cells over its height, on a rigid base at the level of its toe; air where the soil may go.
+H = 10;
+h = H / n;
+Point(1) = {-1.2 * H, 0, 0, h};
+Point(2) = {2 * H, 0, 0, h};
+Point(3) = {0, H, 0, h};
+Point(4) = {-1.2 * H, H, 0, h};
+Point(5) = {2.5 * H, 0, 0, 2 * h};
+Point(6) = {2.5 * H, 0.3 * H, 0, 2 * h};
+Point(7) = {0.2 * H, 1.2 * H, 0, 2 * h};
+Point(8) = {-1.2 * H, 1.2 * H, 0, 2 * h};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {2, 5};
+Line(6) = {5, 6};
+Line(7) = {6, 7};
+Line(8) = {7, 8};
+Line(9) = {8, 4};
+Curve Loop(1) = {1, 2, 3, 4};
+Curve Loop(2) = {5, 6, 7, 8, 9, -3, -2};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2};
+Physical Surface("soil") = {1};
+Physical Surface("air") = {2};
+Physical Curve("left") = {4, 9};
+Physical Curve("base") = {1, 5};
+Mesh.Algorithm = 6;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/safety/safety_test.cpp
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "safety/find_safety.hpp"
+#include "structures/structures.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::commands {
+namespace {
+
+/// Throws InputError where the options of the search contradict each other.
+void check_search(const safety::SearchSettings& how)
+{
+  if (!(how.low < how.high))
+    throw InputError(
+        fmt::format("--low {} is not below --high {}: the search begins between them, the smaller one first", how.low, how.high));
+}
+
+}  // namespace
+
+Command add_safety(CLI::App& program)
+{
+  struct Options : CaseOptions {
+    safety::SearchSettings how;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* app =
+      program.add_subcommand("safety", "find the factor of safety of a case: how far its strength can fall until the soil fails");
+  options->take_cases(*app);
+  options->take_jobs(*app);
+  options->take_runner(*app);
+  app->add_option("-o,--output", options->output, "folder for the answer and its trials (default: out/safety/CASE)");
+  const CLI::Range factors(safety::min_factor, safety::max_factor);
+  app->add_option("--low", options->how.low, "factor where the search begins (default: 1)")->check(factors);
+  app->add_option("--high", options->how.high, "and where it begins from above (default: 2)")->check(factors);
+  app->add_option("--tolerance", options->how.tolerance, "how near the two factors of the answer come to each other (default: 0.01)")
+      ->check(CLI::Range(safety::smallest_tolerance, 0.5));
+  return {app, [options] {
+            catch_interrupts();
+            messages_to_stderr();
+            if (options->files.size() > 1)
+              throw InputError(fmt::format("a factor of safety is that of one case, and here are {}", options->files.size()));
+            check_search(options->how);
+            options->how.at_once = options->jobs();
+            const std::filesystem::path file = options->files[0];
+            const std::filesystem::path folder =
+                options->output.empty() ? std::filesystem::path("out/safety") / file.stem() : std::filesystem::path(options->output);
+            std::vector<std::string> overrides = options->overrides;
+            overrides.push_back(fmt::format("safety.factor={}", options->how.low));
+            auto [settings, places] = structures::read_case(file, overrides);
+            try {
+              return status_of(safety::find_safety({std::move(settings), file, folder, options->how, options->runner()}));
+            } catch (const KeyError& error) {
+              throw InputError(places.located(error.what()));
+            }
+          }};
+}
+
+}  // namespace berm::commands

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/model.hpp"
+
+namespace berm::problem {
+
+/// The case with its strength over its safety.factor F, from its start on: of every soil (with_strength_over), and of interfaces tan(friction_angle), adhesion and finite tension; an adhesion that is a
+/// share of the undrained strength falls with that. Contacts of two rigid bodies stay. Geostatic stages ask for an equilibrium of strictest_equilibrium. The case itself where it is no trial.
+Case with_reduced_strength(Case c);
+
+/// Largest out-of-balance force over the weight with which the soil of a trial is at rest.
+constexpr Real strictest_equilibrium = 1e-3;
+
+/// Whether a velocity or a displacement moves the body of a stage: what the soil does then is no sign of failure.
+bool moves_body(const StageSettings& stage);
+
+/// Refuses a trial without soil that has a strength which can be divided, without a load, or with a last stage that moves a body.
+void check_safety(Describe& d, const Case& c);
+
+/// The depth of soil whose cells have these corners, m: the greatest below ground that is not level, else from the highest to the lowest.
+template <int dim>
+Real depth_of_soil(const Model<dim>& model, const std::vector<Vec<dim>>& corners);
+
+/// safety.movement, or by default the displacement of soil that has failed, m:
+///
+///   L / 100 + 2 int_0^l (density g z + q) / E dz,
+///
+/// L the height that can slide: the relief of ground that is not level, or the width of the rigid body on level ground, at most the depth of the soil; l = L, or the whole depth where some soil begins
+/// without stress and is compressed by its weight; q the pressure of the largest load. Of several bodies the largest. A slide that began with F too large by x stops after about x L, so that L / 100 is an error of about 1 %.
+template <int dim>
+Real movement_at_failure(const Case& c, const Model<dim>& model, Real depth);
+
+}  // namespace berm::problem

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/archive.hpp"
+#include "problem/model.hpp"
+#include "run_folder/summary.hpp"
+
+namespace berm::simulation {
+
+/// A trial of the factor of safety (problem/safety.hpp): whether the soil stands with less strength. Its movement is the largest displacement of a point of the soil since the start, or since the last
+/// stage that moved a body ended. The soil
+///
+///   fails    where it moves by more than the limit in a stage that moves no body, finds no equilibrium, or (finite elements) goes on flowing in the last half of the last stage;
+///   stands   where it has not failed, and rests at the end of the last stage.
+class Trial {
+public:
+  explicit Trial(Real limit) : limit_(limit) {}
+
+  /// A stage begins; `counts`: it moves no body, so that movement is a sign of failure.
+  void begin_stage(bool counts);
+  /// The movement now, m.
+  void note(Real movement);
+  /// The same at a time, s, of a method whose soil flows at a steady speed where it fails.
+  void note(Real time, Real movement);
+  void note_no_equilibrium() { no_equilibrium_ = true; }
+  void note_flow() { flowed_ = true; }
+  /// The last stage has ended.
+  void end(bool rests) { rests_ = rests; }
+
+  bool failed() const { return failed_ || no_equilibrium_ || flowed_; }
+  Real movement() const { return movement_; }
+  /// Whether more than a tenth of the movement fell into the last half of the stage's time; not of what is less than a thousandth of the limit.
+  bool flows_on() const;
+
+  run_folder::Summary::Checks checks() const;
+  /// "the soil fails with its strength over 1.4: ..."
+  std::string words(Real factor) const;
+  void archive(Archive& k);
+
+private:
+  Real limit_;  ///< m
+  Real movement_ = 0;
+  bool counts_ = true, failed_ = false, no_equilibrium_ = false, flowed_ = false, rests_ = false;
+  std::vector<Real> times_, movements_;  ///< of the present stage
+};
+
+/// Where the particles of all bodies were, by body, id and direction.
+template <int dim>
+class ParticlePlaces {
+public:
+  void note(const problem::State<dim>& state);
+  /// The largest displacement from there, m.
+  Real largest_movement(const problem::State<dim>& state) const;
+  void archive(Archive& k);
+
+private:
+  std::vector<std::vector<Real>> places_;
+};
+
+}  // namespace berm::simulation

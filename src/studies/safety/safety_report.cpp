@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/safety/safety_test.cpp
+#include "safety/safety_report.hpp"
+
+#include "io/atomic_file.hpp"
+#include "run_folder/progress.hpp"
+#include "text/base64_zlib.hpp"
+#include "text/html.hpp"
+#include "text/plain_page.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace berm::safety {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string cell(Real value)
+{
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+std::string metres(Real value)
+{
+  return std::isfinite(value) ? fmt::format("{:.3g} m", value) : "";
+}
+
+std::string wall_time(Real value)
+{
+  return std::isfinite(value) ? run_folder::words_of_duration(value) : "";
+}
+
+std::string title_of(const problem::Case& settings)
+{
+  return settings.title.empty() ? "Factor of safety" : settings.title;
+}
+
+std::string summary_json(const problem::Case& settings, const std::vector<Trial>& trials, bool finished)
+{
+  const Bracket bracket = bracket_of(trials);
+  const auto number = [](const std::optional<Real>& value, const char* meaning) -> Json {
+    return {{"value", value ? Json(*value) : Json()}, {"unit", "1"}, {"meaning", meaning}};
+  };
+  const std::optional<Real> middle =
+      bracket.stands && bracket.fails ? std::optional<Real>((*bracket.stands + *bracket.fails) / 2) : std::nullopt;
+  Json all = {{"quantities",
+               {{"factor_of_safety", number(middle, "the middle between the next two")},
+                {"factor_that_stands", number(bracket.stands, "the largest factor, below the next, at which the soil stands")},
+                {"factor_that_fails", number(bracket.fails, "the smallest factor at which it fails")}}},
+              {"checks", {{"finished", finished}, {"undecided_between", bracket.undecided.size()}}}};
+  Json list = Json::array();
+  for (const Trial& trial : trials) {
+    list.push_back({{"factor", trial.factor},
+                    {"end", word_of(trial.end)},
+                    {"movement_m", trial.movement},
+                    {"movement_limit_m", trial.limit},
+                    {"wall_s", trial.wall_s}});
+    if (!trial.why.empty()) list.back()["why"] = trial.why;
+  }
+  all["trials"] = list;
+  all["text"] = {{"title", settings.title}, {"answer", answer_in_words(trials)}, {"version", BERM_VERSION}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string trials_html(const std::vector<Trial>& trials)
+{
+  std::string html =
+      "<table>\n" + text::plain_row({"F", "the soil", "largest displacement", "has failed from", "wall time", ""}, 0, 4, "th");
+  for (const Trial& trial : trials)
+    html += text::plain_row({fmt::format("<a href=\"runs/{}\">{:.4f}</a>", trial_name(trial.factor), trial.factor), word_of(trial.end),
+                             metres(trial.movement), metres(trial.limit), wall_time(trial.wall_s), text::html_text(trial.why)},
+                            0, 4, "td");
+  return html + "</table>\n";
+}
+
+std::string picture_html(const fs::path& file, const std::string& caption)
+{
+  std::error_code error;
+  if (!fs::exists(file, error)) return "";
+  return fmt::format("<figure><img src=\"data:image/png;base64,{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+                     text::base64(io::read_text_file(file)), text::html_text(caption), text::html_text(caption));
+}
+
+std::string definition_html(const problem::Case& settings)
+{
+  std::string html =
+      "<p>F is the number that the strength of the soil is divided by, from the start of the first stage on: cohesion, tan(friction "
+      "angle), "
+      "undrained strength and tension cut-off of every soil, tan(friction angle), adhesion and tension of its interfaces. The stiffness "
+      "and "
+      "the dilation angle stay; the dilation angle is at most the reduced friction angle.</p>\n"
+      "<p>The soil <b>fails</b> where a point of it moves farther than the displacement in the table, in a stage that moves no body: a "
+      "hundredth of the height that can slide, and twice the compression of elastic soil of that height under its weight and loads, unless "
+      "safety.movement says otherwise. ";
+  html += settings.method == problem::Method::fem
+              ? "It also fails where the finite elements find no equilibrium, or where more than a tenth of the displacement comes in the "
+                "last half of the last stage: soil of small strain that flows once flows on."
+              : "Larger displacements make the slope flatter, and a slide comes to rest: that it rests at last does not say that it stood.";
+  return html + " It <b>stands</b> where it has not failed and is at rest at the end of the last stage.</p>\n";
+}
+
+std::string page_html(const problem::Case& settings, const std::vector<Trial>& trials, const std::vector<std::string>& figures,
+                      const fs::path& folder)
+{
+  const Bracket bracket = bracket_of(trials);
+  std::string html =
+      fmt::format("<h1>{}</h1>\n<p><b>{}</b></p>\n", text::html_text(title_of(settings)), text::html_text(answer_in_words(trials)));
+  html += "<h2>Trials</h2>\n" + trials_html(trials);
+  html += "<h2>What is failure</h2>\n" + definition_html(settings);
+  std::string pictures;
+  for (const std::string& figure : figures)
+    pictures += picture_html(folder / (figure + ".png"), figure == "movement" ? "Displacement over the factor" : "Displacement over time");
+  if (!pictures.empty()) html += fmt::format("<h2>Displacement</h2>\n<div class=\"pictures\">\n{}</div>\n", pictures);
+  std::string soil;
+  const auto add = [&](const std::optional<Real>& factor, const char* words) {
+    if (factor)
+      soil += picture_html(folder / "runs" / trial_name(*factor) / "soil.png", fmt::format("F = {:.4f}: the soil {}", *factor, words));
+  };
+  add(bracket.fails, "fails");
+  add(bracket.stands, "stands");
+  if (!soil.empty()) html += fmt::format("<h2>Mechanism</h2>\n<div class=\"pictures\">\n{}</div>\n", soil);
+  html +=
+      fmt::format("<p class=\"quiet\">berm {}, {}. All digits are in <a href=\"safety.csv\">safety.csv</a> and <a "
+                  "href=\"summary.json\">summary.json</a>; a trial is a run like any other: berm report runs/F_... makes its page.</p>\n",
+                  BERM_VERSION, settings.method == problem::Method::fem ? "finite elements" : "material point method");
+  return text::plain_page("berm: " + title_of(settings), html);
+}
+
+}  // namespace
+
+std::string trial_name(Real factor)
+{
+  return fmt::format("F_{:.4f}", factor);
+}
+
+std::string safety_csv(const std::vector<Trial>& trials)
+{
+  std::string csv = "factor,end,movement_m,movement_limit_m,wall_s\n";
+  for (const Trial& trial : trials)
+    csv += fmt::format("{},{},{},{},{}\n", trial.factor, word_of(trial.end), cell(trial.movement), cell(trial.limit), cell(trial.wall_s));
+  return csv;
+}
+
+std::string answer_in_words(const std::vector<Trial>& trials)
+{
+  const Bracket bracket = bracket_of(trials);
+  const auto at = [&](Real factor) {
+    return *std::find_if(trials.begin(), trials.end(), [&](const Trial& t) { return t.factor == factor; });
+  };
+  std::string words;
+  if (bracket.stands && bracket.fails)
+    words =
+        fmt::format("F = {:.4g} to {:.4g}: the soil stands with its strength over {:.4g} (it moves by {}) and fails with it over {:.4g}",
+                    *bracket.stands, *bracket.fails, *bracket.stands, metres(at(*bracket.stands).movement), *bracket.fails);
+  else if (bracket.fails)
+    words = fmt::format("F is below {:.4g}, where the soil still fails", *bracket.fails);
+  else if (bracket.stands)
+    words = fmt::format("F is above {:.4g}, where the soil still stands", *bracket.stands);
+  else
+    words = "no trial tells whether the soil stands or fails";
+  if (bracket.fails && *bracket.fails <= 1) words += "; F is below 1: it fails as it is";
+  if (!bracket.undecided.empty()) words += fmt::format("; undecided: {}", fmt::join(bracket.undecided, ", "));
+  if (!bracket.stands_above.empty())
+    words += fmt::format("; yet it stands at {}, which is doubtful: compare the histories", fmt::join(bracket.stands_above, ", "));
+  return words;
+}
+
+std::string safety_words(const std::vector<Trial>& trials)
+{
+  std::string words = fmt::format("{:>8}  {:<10} {:>14} {:>14} {:>10}\n", "F", "the soil", "movement (m)", "failed at (m)", "wall (s)");
+  const auto number = [](Real value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("-"); };
+  for (const Trial& trial : trials)
+    words += fmt::format("{:>8.4f}  {:<10} {:>14} {:>14} {:>10}{}\n", trial.factor, word_of(trial.end), number(trial.movement),
+                         number(trial.limit), number(trial.wall_s), trial.why.empty() ? "" : "  " + trial.why);
+  return words + answer_in_words(trials) + "\n";
+}
+
+void write_safety_report(const problem::Case& settings, const std::vector<Trial>& trials, const fs::path& folder, bool finished)
+{
+  io::write_atomically(folder / "safety.csv", safety_csv(trials));
+  io::write_atomically(folder / "summary.json", summary_json(settings, trials, finished));
+  const std::vector<std::string> figures = draw_safety(trials, folder, title_of(settings));
+  io::write_atomically(folder / "safety.html", page_html(settings, trials, figures, folder));
+}
+
+}  // namespace berm::safety

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+#include "safety/search.hpp"
+
+#include <filesystem>
+
+namespace berm::safety {
+
+/// Of its folder: F_1.3750.
+std::string trial_name(Real factor);
+
+/// safety.csv: a line a trial, by factor. What is not known is empty.
+std::string safety_csv(const std::vector<Trial>& trials);
+
+/// The table of trials for people, and the answer below it.
+std::string safety_words(const std::vector<Trial>& trials);
+
+/// The answer alone: "F = 1.378 to 1.385: ...".
+std::string answer_in_words(const std::vector<Trial>& trials);
+
+/// Writes FOLDER/safety.csv, summary.json, movement.png (over the factor), movement_in_time.png (of the two trials beside the answer and those next to them) and safety.html with both, what failure means and
+/// the soil of these two trials. The trials are in the order of their factors; `finished`: the search is over.
+void write_safety_report(const problem::Case& settings, const std::vector<Trial>& trials, const std::filesystem::path& folder,
+                         bool finished);
+
+/// Draws the figures; the names of those that were drawn, without ".png".
+std::vector<std::string> draw_safety(const std::vector<Trial>& trials, const std::filesystem::path& folder, const std::string& title);
+
+}  // namespace berm::safety

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "safety/safety_report.hpp"
+#include "samples/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::safety::this_file {
+namespace {
+
+/// A column of clay between two smooth plates, which carries 2 s_u = 20 kPa, under 14 kPa: F = 1.4286 for a uniform stress.
+constexpr const char* column = R"(
+method = "fem"
+[mesh]
+kind = "box"
+size = [0.5, 1]
+cells = [2, 4]
+[material.clay]
+law = "mohr_coulomb"
+density = 2000
+young_modulus = 10e6
+poisson_ratio = 0.3
+cohesion = 10e3
+friction_angle = 0
+[body.clay]
+material = "clay"
+regions = ["box"]
+[support.middle]
+boundary = "left"
+fixed = ["x"]
+[support.base]
+boundary = "bottom"
+fixed = ["y"]
+[traction.load]
+boundary = "top"
+stress = [0, -14e3]
+ramp = 0.1
+[[stage]]
+name = "load"
+kind = "free"
+until.time = 1
+)";
+
+class SafetyCommand : public testing::Test {
+protected:
+  void SetUp() override { folder_.write("column.toml", column); }
+  Ended safety(std::vector<std::string> words) const
+  {
+    words.insert(words.begin(), {"safety", "column.toml", "-o", "found", "--threads", "2"});
+    return run_program(folder_.path(), words);
+  }
+  std::string refusal(const std::vector<std::string>& words) const
+  {
+    const Ended ended = safety(words);
+    EXPECT_EQ(ended.status, 2) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "found")) << "a wrong input leaves nothing";
+    return ended.err;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(SafetyCommand, finds_the_factor_of_a_column_of_clay_and_runs_nothing_twice)
+{
+  const Ended ended = safety({});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string csv = text_of_file(folder_ / "found/safety.csv");
+  Real stands = 0, fails = infinity;
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "factor,end,movement_m,movement_limit_m,wall_s");
+  while (std::getline(lines, line)) {
+    const Real factor = std::stod(line);
+    if (line.find(",stands,") != std::string::npos) stands = std::max(stands, factor);
+    if (line.find(",fails,") != std::string::npos) fails = std::min(fails, factor);
+  }
+  EXPECT_LE(stands, 20. / 14);
+  EXPECT_GT(fails, 20. / 14 * (1 - 1e-3)) << csv;
+  EXPECT_LE(fails - stands, 0.01 * (1 + 1e-9));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "found/safety.html"));
+  EXPECT_NE(text_of_file(folder_ / "found/summary.json").find("factor_that_stands"), std::string::npos);
+
+  const Ended again = safety({});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("trials have their result already"), std::string::npos) << again.err;
+  EXPECT_EQ(again.err.find("F_"), std::string::npos) << "none is run again: " << again.err;
+  EXPECT_EQ(again.out, ended.out);
+}
+
+TEST_F(SafetyCommand, says_that_soil_fails_as_it_is)
+{
+  const Ended ended = safety({"--tolerance", "0.05", "--set", "traction.load.stress=[0, -25e3]"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("F is below 1: it fails as it is"), std::string::npos) << ended.out;
+}
+
+TEST_F(SafetyCommand, keeps_trials_of_another_case_apart)
+{
+  ASSERT_EQ(safety({"--tolerance", "0.2"}).status, 0);
+  const Ended other = safety({"--tolerance", "0.2", "--set", "material.clay.cohesion=15e3"});
+  EXPECT_EQ(other.status, 0) << other.err;
+  EXPECT_EQ(other.err.find("already"), std::string::npos) << other.err;
+}
+
+TEST_F(SafetyCommand, refuses_what_has_no_factor_of_safety)
+{
+  EXPECT_NE(refusal({"--low", "2", "--high", "1.5"}).find("--low 2 is not below --high 1.5"), std::string::npos);
+  EXPECT_NE(refusal({"--set", "traction.load.stress=[0, 0]", "--set", "material.clay.law=linear_elastic"}).find("column.toml"),
+            std::string::npos);
+  EXPECT_NE(refusal({"--set", "stage.load.kind=drag"}).find("column.toml"), std::string::npos);
+  EXPECT_NE(refusal({"--tolerance", "0"}).find("--tolerance"), std::string::npos);
+  folder_.write("column.toml",
+                std::string(column).replace(std::string(column).find("kind = \"box\""), 12, "kind = \"gmsh\"\nfile = \"none.msh\"\n#"));
+  EXPECT_NE(refusal({}).find("none.msh"), std::string::npos);
+}
+
+TEST(SafetyReport, tells_the_ends_of_the_bracket_and_what_is_doubtful)
+{
+  std::vector<Trial> trials = {
+      {1, TrialEnd::stands, 0.001, 0.1, 2}, {1.25, TrialEnd::stands, 0.012, 0.1, 3}, {1.3, TrialEnd::fails, 0.11, 0.1, 5}};
+  EXPECT_EQ(answer_in_words(trials),
+            "F = 1.25 to 1.3: the soil stands with its strength over 1.25 (it moves by 0.012 m) and fails with it over 1.3");
+  EXPECT_EQ(safety_csv(trials),
+            "factor,end,movement_m,movement_limit_m,wall_s\n1,stands,0.001,0.1,2\n1.25,stands,0.012,0.1,3\n1.3,fails,0.11,0.1,5\n");
+  trials.push_back({1.28, TrialEnd::undecided});
+  trials.push_back({1.4, TrialEnd::stands});
+  EXPECT_NE(answer_in_words(trials).find("undecided: 1.28"), std::string::npos);
+  EXPECT_NE(answer_in_words(trials).find("yet it stands at 1.4"), std::string::npos);
+  EXPECT_NE(safety_csv(trials).find("\n1.28,undecided,,,\n"), std::string::npos);
+  EXPECT_EQ(answer_in_words({{10, TrialEnd::stands}}), "F is above 10, where the soil still stands");
+  EXPECT_EQ(answer_in_words({{0.1, TrialEnd::fails}}), "F is below 0.1, where the soil still fails; F is below 1: it fails as it is");
+}
+
+}  // namespace
+}  // namespace berm::safety::this_file
