@@ -16,6 +16,9 @@ namespace {
 /// Stiffness of the contact springs, relative to a layer of soil as thick as the elements at the body.
 constexpr Real contact_stiffness = 100;
 
+/// Near its limit the soil of a trial of the factor of safety settles slowly.
+constexpr Real patience_of_trial = 10;
+
 /// The unknowns of an element, and the entries of the matrix that they couple.
 class PatternMaker {
 public:
@@ -275,6 +278,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model.model);
   if (by_gravity) refuse_without_k0(c);
   model.settings = c.fem;
+  if (c.safety) model.patience = patience_of_trial;
   model.non_associated = flows_non_associated(model.model);
   std::vector<bodies::RigidShape<2>> shapes;
   for (const bodies::RigidBody<2>& rigid : model.model.rigid_bodies) shapes.push_back(rigid.shape);

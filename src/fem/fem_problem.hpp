@@ -37,6 +37,7 @@ struct FemModel {
   std::vector<std::vector<NodalLoad>> loads;  ///< by traction
   problem::FemSettings settings;
   bool non_associated = false;  ///< the flow of some soil is non-associated
+  Real patience = 1;            ///< relaxation times that a stage without motion lasts, over the usual number
   std::vector<FemWatch> watches;
   FlowModel flow;
 

@@ -115,7 +115,7 @@ void LoadSteps::begin()
   const Real speed = speed_of_body();
   const bool moves = speed > 0;
   first_dt_ = moves ? first_travel * model_.width / speed + (now.ramp > 0 ? now.ramp / 100 : 0)
-                    : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / 50;
+                    : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / (50 * model_.patience);
   shortest_dt_ = (moves || model_.flow.count == 0 ? 1 : min_first_dt) * first_dt_;
   dt_ = model_.flow.count > 0 ? std::clamp(model_.flow.first_dt, shortest_dt_, first_dt_) : first_dt_;
   last_dt_ = 0;

@@ -122,9 +122,9 @@ void check_safety(Describe& d, const Case& c)
                     "pressure, and berm does not know what the properties of a law of your own are; take \"mohr_coulomb\" or \"clay\"",
                     material::law_word(soil)));
   }
-  d.check(yields_somewhere, "safety.factor",
-          "no soil of this case has a strength that could be divided: give one the law mohr_coulomb or clay");
-  d.check(has_load(c), "safety.factor", "nothing loads the soil of this case, so that it never fails: add gravity, a traction or a force");
+  d.check(yields_somewhere, "material",
+          "no soil of this case has a strength that a factor of safety could divide: give one the law mohr_coulomb or clay");
+  d.check(has_load(c), "gravity", "nothing loads the soil of this case, so that it never fails: add gravity, a traction or a force");
   d.check(c.stage.empty() || !moves_body(c.stage.back()), fmt::format("stage[{}].kind", c.stage.empty() ? 0 : c.stage.size() - 1),
           "the last stage moves a body, so that the soil cannot come to rest: let a stage follow that is geostatic, free, or by a force");
 }

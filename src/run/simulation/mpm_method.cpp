@@ -60,6 +60,7 @@ Real interval_of(const problem::Case& c)
 }
 
 constexpr BigIndex steps_between_looks = 16;  // at all particles
+constexpr Real at_rest_in_period = 1e-3;      // of the displacement of failure: what soil at rest may drift by in a period
 
 /// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
 template <int dim>
@@ -103,6 +104,7 @@ void MpmMethod<d>::begin_trial()
   trial_.emplace(movement_at_failure(case_, model(), depth_of_soil(model(), corners)));
   trial_->begin_stage(!moves_body(model().stages.front()));
   places_.note(state());
+  drift_ = WindowMeans(model().longest_period);
 }
 
 template <int d>
@@ -162,7 +164,10 @@ void MpmMethod<d>::step()
   soil_changed_ = state().step % mpm::steps_between_time_steps == 0 && change_soil();
   mpm::step(model(), problem_.state, *workspace_);
   recorder_.observe_step(model(), *workspace_);
-  if (trial_ && state().step % steps_between_looks == 0) trial_->note(places_.largest_movement(state()));
+  if (trial_ && state().step % steps_between_looks == 0) {
+    trial_->note(places_.largest_movement(state()));
+    drift_.note(state().time - state().stage.begin_time, trial_->movement());
+  }
   mpm::refuse_rigid_outside_mesh(model(), state());
 }
 
@@ -307,7 +312,7 @@ bool MpmMethod<d>::is_last_stage() const
 template <int d>
 void MpmMethod<d>::end_stage_of_trial()
 {
-  if (is_last_stage()) trial_->end(is_at_rest());
+  if (is_last_stage()) trial_->end(is_at_rest() || drift_.drift() <= at_rest_in_period * trial_->limit());
   if (is_last_stage() || trial_->failed()) return spdlog::info("{}", trial_->words(case_.safety->factor));
   if (moves_body(model().stages[state().stage.index])) places_.note(state());
   trial_->begin_stage(!moves_body(model().stages[state().stage.index + 1]));
@@ -346,6 +351,7 @@ void MpmMethod<d>::archive(Archive& k)
   if (trial_)
     k.table("trial", [&] {
       trial_->archive(k);
+      drift_.archive(k);
       places_.archive(k);
     });
   k.table("state", [&] { problem::archive(k, model(), problem_.state); });

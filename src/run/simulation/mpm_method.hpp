@@ -104,6 +104,7 @@ private:
   Real equilibrium_ = nan;
   Real beyond_force_limit_ = nan;  ///< the largest of all stages, over the limit
   std::optional<Trial> trial_;     ///< of the factor of safety
+  WindowMeans drift_;              ///< of its movement
   ParticlePlaces<d> places_;       ///< that its movement counts from
 };
 

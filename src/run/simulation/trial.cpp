@@ -5,6 +5,7 @@
 #include "bodies/particle_position.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace berm::simulation {
@@ -65,6 +66,32 @@ void Trial::archive(Archive& k)
   k("times", times_);
   k("movements", movements_);
   if (times_.size() != movements_.size()) k.refuse("its times and movements are not as many");
+}
+
+void WindowMeans::note(Real since, Real value)
+{
+  if (since < now_) *this = WindowMeans(length_);
+  now_ = since;
+  if (since - begin_ >= length_ && numbers_ > 0) {
+    before_ = last_;
+    last_ = sum_ / numbers_;
+    ++count_;
+    begin_ = since;
+    sum_ = numbers_ = 0;
+  }
+  sum_ += value;
+  ++numbers_;
+}
+
+void WindowMeans::archive(Archive& k)
+{
+  k("window_begin", begin_);
+  k("window_now", now_);
+  k("window_sum", sum_);
+  k("window_numbers", numbers_);
+  k("window_last", last_);
+  k("window_before", before_);
+  k("window_count", count_);
 }
 
 template <int dim>

@@ -5,6 +5,8 @@
 #include "problem/model.hpp"
 #include "run_folder/summary.hpp"
 
+#include <cmath>
+
 namespace berm::simulation {
 
 /// A trial of the factor of safety (problem/safety.hpp): whether the soil stands with less strength. Its movement is the largest displacement of a point of the soil since the start, or since the last
@@ -29,6 +31,7 @@ public:
 
   bool failed() const { return failed_ || no_equilibrium_ || flowed_; }
   Real movement() const { return movement_; }
+  Real limit() const { return limit_; }
   /// Whether more than a tenth of the movement fell into the last half of the stage's time; not of what is less than a thousandth of the limit.
   bool flows_on() const;
 
@@ -42,6 +45,24 @@ private:
   Real movement_ = 0;
   bool counts_ = true, failed_ = false, no_equilibrium_ = false, flowed_ = false, rests_ = false;
   std::vector<Real> times_, movements_;  ///< of the present stage
+};
+
+/// Means of a number over windows of time that lie behind one another: those of the last two whole ones tell how it drifts, without its swings.
+class WindowMeans {
+public:
+  explicit WindowMeans(Real length = 0) : length_(length) {}
+  /// The next number; the windows begin anew where the time since the beginning is less than before.
+  void note(Real since, Real value);
+  /// The change from one window to the next; infinity while there are less than two.
+  Real drift() const { return count_ < 2 ? infinity : std::abs(last_ - before_); }
+  void archive(Archive& k);
+
+private:
+  Real length_;               ///< s
+  Real begin_ = 0, now_ = 0;  ///< s, of the open window, and of the last number
+  Real sum_ = 0, numbers_ = 0;
+  Real last_ = 0, before_ = 0;
+  Index count_ = 0;  ///< of whole windows
 };
 
 /// Where the particles of all bodies were, by body, id and direction.

@@ -122,6 +122,7 @@ TEST(MovementAtFailure, is_a_hundredth_of_the_height_and_twice_the_compression_o
   c.contact.clear();
   c.rigid.clear();
   c.body[0].second.k0 = 0.5;
+  c.surface = 2;
   const Problem<2> problem = build<2>(c, ".", ".");
   // gamma H^2 / (2 E) of the box, 2 m high.
   EXPECT_NEAR(movement_at_failure(c, problem.model, 2), 0.02 + 2 * 20e3 * 4 / 2 / 1e7, 1e-7);
@@ -133,6 +134,7 @@ TEST(MovementAtFailure, counts_the_width_of_the_body_on_level_ground_and_its_loa
 {
   Case c = trial_of(soil_with_all(), 2);
   c.body[0].second.k0 = 0.5;
+  c.surface = 2;
   c.contact.clear();
   c.stage[0] = stage_of(StageKind::push);
   c.stage[0].force = 8e3;

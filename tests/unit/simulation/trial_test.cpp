@@ -84,5 +84,20 @@ TEST(Trial, takes_no_flow_from_what_is_round_off_beside_the_limit)
   EXPECT_FALSE(Trial(0.1).flows_on());
 }
 
+TEST(WindowMeans, tell_the_drift_of_a_number_that_swings)
+{
+  WindowMeans means(1);
+  for (int k = 0; k <= 3010; ++k) {
+    const Real t = k / 1000.;
+    means.note(t, 5 * std::sin(2 * pi * t) + 0.2 * t);
+    if (k < 1990) {
+      EXPECT_EQ(means.drift(), infinity);
+    }
+  }
+  EXPECT_NEAR(means.drift(), 0.2, 0.02) << "windows are whole to a thousandth, a swing of 5 leaves 5 / 1000 of itself";
+  means.note(0, 1);
+  EXPECT_EQ(means.drift(), infinity) << "another stage begins";
+}
+
 }  // namespace
 }  // namespace berm::simulation::this_file
