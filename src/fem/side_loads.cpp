@@ -32,7 +32,7 @@ std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<B
       for (int k = 0; k < 3; ++k) x += value[k] * mesh.position[nodes[k]];
       const Real length = weight * loaded * along.norm() * weight_at(metric, x);
       for (int k = 0; k < 3; ++k) {
-        of_side[k].force += value[k] * length * stress_on<2>(traction, outwards);
+        of_side[k].force += value[k] * length * stress_on<2>(traction, outwards, x);
         of_side[k].area += value[k] * length;
       }
     }

@@ -4,6 +4,7 @@
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -57,6 +58,12 @@ void describe(Describe& d, TractionSettings& traction)
           {.meaning = "instead of stress: force over area against the soil, at a right angle to the boundary at the start; its "
                       "direction is constant",
            .unit = "Pa"});
+  d.value(
+      "pressure_gradient", traction.pressure_gradient,
+      {.meaning =
+           "what the pressure grows with depth below `level`, as that of water or of wet concrete does: pressure + gradient (level - y)",
+       .unit = "Pa/m"});
+  d.value("level", traction.level, {.meaning = "y from which the pressure grows downwards; above it is `pressure`", .unit = "m"});
   d.value("x_range", traction.x_range,
           {.meaning = "from and to, in two dimensions: only this part of the boundary is loaded; absent = all of it", .unit = "m"});
   d.value("ramp", traction.ramp,
@@ -77,9 +84,10 @@ Index loaded_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, cons
 }
 
 template <int dim>
-Vec<dim> stress_on(const TractionSettings& traction, const Vec<dim>& normal)
+Vec<dim> stress_on(const TractionSettings& traction, const Vec<dim>& normal, const Vec<dim>& x)
 {
-  if (traction.pressure) return -*traction.pressure * normal;
+  if (traction.pressure)
+    return -(*traction.pressure + traction.pressure_gradient * std::max(Real(0), traction.level.value_or(x[1]) - x[1])) * normal;
   return Eigen::Map<const Vec<dim>>(traction.stress.data());
 }
 
@@ -111,7 +119,7 @@ std::vector<LoadedPoint<dim>> loaded_points(const mesh::Mesh<dim>& mesh, const s
       const Real area = loaded * dim * mesh.section(cell) * inwards.norm() / static_cast<Real>(std::max<std::size_t>(points.size(), 1));
       for (const Vec<dim>& x : points) {
         const Real weighted = area * weight_at(mesh.metric, x);
-        points_on_boundary.push_back({cell, x, weighted * stress_on<dim>(traction, -inwards.normalized()), weighted});
+        points_on_boundary.push_back({cell, x, weighted * stress_on<dim>(traction, -inwards.normalized(), x), weighted});
       }
     }
   if (points_on_boundary.empty()) refuse_without_soil(name, traction);
@@ -127,7 +135,7 @@ void refuse_without_soil(const std::string& name, const TractionSettings& tracti
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template Index loaded_boundary(const mesh::Mesh<dim>&, const std::string&, const TractionSettings&);                                     \
-  template Vec<dim> stress_on(const TractionSettings&, const Vec<dim>&);                                                                   \
+  template Vec<dim> stress_on(const TractionSettings&, const Vec<dim>&, const Vec<dim>&);                                                  \
   template std::vector<LoadedPoint<dim>> loaded_points(const mesh::Mesh<dim>&, const std::string&, const TractionSettings&,                \
                                                        const std::vector<Index>&);
 BERM_INSTANTIATE(2)

@@ -15,6 +15,8 @@ struct TractionSettings {
   std::vector<Real> x_range;        ///< m, from and to: only this part of the boundary; empty: all of it
   Real ramp = 0;                    ///< s, over which it grows to its value, and falls to zero in a stage without it
   std::vector<std::string> stages;  ///< in which it acts; empty: all
+  Real pressure_gradient = 0;       ///< Pa/m, of the pressure with depth below `level`
+  std::optional<Real> level = {};   ///< m, y
 };
 
 void describe(Describe& d, TractionSettings& traction);
@@ -23,9 +25,9 @@ void describe(Describe& d, TractionSettings& traction);
 template <int dim>
 Index loaded_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction);
 
-/// Traction, Pa, where the soil has this outward normal.
+/// Traction, Pa, at a point where the soil has this outward normal.
 template <int dim>
-Vec<dim> stress_on(const TractionSettings& traction, const Vec<dim>& normal);
+Vec<dim> stress_on(const TractionSettings& traction, const Vec<dim>& normal, const Vec<dim>& x);
 
 /// The part of a line that x_range leaves, as fractions of the way from one end to the other; from >= to where it is empty.
 struct LoadedPart {

@@ -24,8 +24,8 @@ struct PoreWater {
   Real water_depth = 0;                        ///< m
   std::optional<Real> min_pressure = {};       ///< Pa, of the excess pore pressure; empty: that of cavitation
   std::optional<Real> permeability = {};       ///< k, m/s: hydraulic conductivity, at the porosity of the start
-  std::optional<Real> real_permeability = {};  ///< m/s, of the soil that is modelled, where k is scaled
   bool kozeny_carman = false;                  ///< k follows the porosity
+  std::optional<Real> real_permeability = {};  ///< m/s, of the soil that is modelled, where k is scaled
 
   bool operator==(const PoreWater&) const = default;
 };

@@ -86,15 +86,21 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   return reaction;
 }
 
-/// Adds the impulses of all points along the bed to the depth slices of the rigid body. A plane of symmetry across the bed balances them.
+/// Adds the impulses of all points to the depth slices of the rigid body: those along the bed, which a plane of symmetry across it and an axis balance, and those
+/// of upright sides along them.
 template <int dim>
 void add_to_slices(const problem::Model<dim>& model, problem::State<dim>& state, Index rigid, const contact::ContactPoints<dim>& points)
 {
   const problem::DepthSlices& slices = model.depth_slices[rigid];
-  if (slices.count == 0 || model.mirrored[model.axes.along]) return;
+  if (slices.count == 0) return;
+  const bool balanced = model.mirrored[model.axes.along] || model.mesh.metric == mesh::Metric::axisymmetric;
   const Real center = model.axes.height(center_now(model.rigid_bodies[rigid], state.rigid_bodies[rigid]));
-  for (const contact::ContactPoint<dim>& point : points.list)
-    state.slice_impulses[rigid][slices.at(model.axes.height(point.position) - center)] += point.impulse[model.axes.along];
+  for (const contact::ContactPoint<dim>& point : points.list) {
+    const Index slice = slices.at(model.axes.height(point.position) - center);
+    if (!balanced) state.slice_impulses[rigid][slice] += point.impulse[model.axes.along];
+    if (std::abs(point.normal[model.axes.up]) < parallel_to_axis)
+      state.slice_shaft_impulses[rigid][slice] += model.axes.height(point.impulse);
+  }
 }
 
 }  // namespace

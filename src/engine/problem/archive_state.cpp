@@ -211,7 +211,10 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t r = 0; r < state.contact_sums.size(); ++r)
     k.table(fmt::format("contact_sums_{}", r), [&] { archive(k, state.contact_sums[r]); });
   for (std::size_t r = 0; r < state.slice_impulses.size(); ++r)
-    if (!state.slice_impulses[r].empty()) k.fixed(fmt::format("slice_impulses_{}", r), state.slice_impulses[r]);
+    if (!state.slice_impulses[r].empty()) {
+      k.fixed(fmt::format("slice_impulses_{}", r), state.slice_impulses[r]);
+      k.fixed(fmt::format("slice_shaft_impulses_{}", r), state.slice_shaft_impulses[r]);
+    }
   for (std::size_t r = 0; r < state.listed_poses.size(); ++r)
     k.table(fmt::format("listed_pose_{}", r), [&] { archive(k, state.listed_poses[r]); });
   for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);

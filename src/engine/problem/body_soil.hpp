@@ -22,7 +22,7 @@ struct BodySoil {
   std::map<std::string, Index> of_region = {};
   Real gravity = 0;                                   ///< m/s2, size
   std::optional<Real> vertical_stress_at_start = {};  ///< Pa, compression positive, where it is the same everywhere
-  std::vector<Index> of_fill = {};  ///< by place in BodySettings::fill
+  std::vector<Index> of_fill = {};                    ///< by place in BodySettings::fill
 
   /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
   Index material_index_at(const std::string& region, Real depth) const;

@@ -119,7 +119,7 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
     volume += p.volume;
   });
   for (const Index material : body.soil.of_fill) {
-    const SoilWaves to_come = waves_of(at_depth(body.soil.materials[material], 0));
+    const SoilWaves to_come = waves_of(body.soil.in_fill(material, 0));
     all.fastest = std::max(all.fastest, to_come.fastest);
     all.slowest = std::min(all.slowest, to_come.slowest);
     all.min_density = std::min(all.min_density, to_come.min_density);
@@ -287,7 +287,10 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   model.patches = make_patches(model.mesh, model.mpm.volumetric_projection ? mesh::patch_cells<dim> : 1);
   state.rigid_bodies.resize(model.rigid_bodies.size());
   state.contact_sums.resize(model.rigid_bodies.size());
-  for (const DepthSlices& slices : model.depth_slices) state.slice_impulses.emplace_back(slices.count, 0);
+  for (const DepthSlices& slices : model.depth_slices) {
+    state.slice_impulses.emplace_back(slices.count, 0);
+    state.slice_shaft_impulses.emplace_back(slices.count, 0);
+  }
   state.support_impulses.assign(model.supports.size(), Vec<dim>::Zero());
   state.listed_poses.assign(model.rigid_bodies.size(), bodies::Pose<dim>::nowhere());
   const bool by_gravity = loads_by_gravity(c, model.ground);

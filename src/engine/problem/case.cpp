@@ -93,9 +93,8 @@ void check_rigids(Describe& d, const Case& c)
   for (const auto& [name, rigid] : c.rigid) {
     const std::string path = "rigid." + name;
     bodies::check(d, path, rigid, c.dimension());
-    d.check(rigid.depth_slices == 0 || (c.method == Method::mpm && c.geometry != Geometry::axisymmetric), path + ".depth_slices",
-            "is for the material point method in space or in plane strain: around an axis horizontal forces balance, and finite elements "
-            "do not tell them apart");
+    d.check(rigid.depth_slices == 0 || c.method == Method::mpm, path + ".depth_slices",
+            "is for the material point method: finite elements do not tell forces apart by depth");
     const auto* profile = std::get_if<bodies::ProfileSettings>(&rigid.shape);
     d.check(c.geometry != Geometry::plane_strain || profile == nullptr || !is_ring(*profile), path + ".x",
             "of a ring, off the axis all around, is for axisymmetry and space; in plane strain use shape = \"polygon\"");
@@ -207,6 +206,10 @@ void check_tractions(Describe& d, const Case& c)
             "a [body.NAME] or [watch.NAME] has this name, which columns of the history begin with");
     d.check(traction.stress.empty() == traction.pressure.has_value(), path, "needs either stress or pressure, and not both");
     if (!traction.pressure) bodies::check_entries(d, path + ".stress", traction.stress, c.dimension());
+    d.check(traction.pressure_gradient == 0 || traction.pressure, path + ".pressure_gradient",
+            "belongs to a pressure: give pressure = 0 where there is none at the level");
+    d.check((traction.pressure_gradient != 0) == traction.level.has_value(), path + ".level",
+            "is where the pressure begins to grow: give both level and pressure_gradient, or neither");
     const std::vector<Real>& range = traction.x_range;
     d.check(range.empty() || c.dimension() == 2, path + ".x_range", "a part of a boundary can be loaded in two dimensions only");
     d.check(range.empty() || (range.size() == 2 && range[0] < range[1]), path + ".x_range", "needs 2 numbers, the smaller one first");

@@ -196,7 +196,7 @@ bodies::Particle<dim> particle_at(const Model<dim>& model, const Earthwork<dim>&
 {
   const BodySoil& soil = model.bodies[work.body].soil;
   const Real top = top_at(work, x[0]);
-  const material::Material material = at_depth(soil.materials[work.material], std::max(Real(0), top - x[1]));
+  const material::Material material = soil.in_fill(work.material, std::max(Real(0), top - x[1]));
   bodies::Particle<dim> p;
   p.x = x;
   p.volume = section * weight_at(model.mesh.metric, x);
@@ -208,7 +208,7 @@ bodies::Particle<dim> particle_at(const Model<dim>& model, const Earthwork<dim>&
     std::copy_n(p.stress.c, tensor_size<dim>, stress.c);
   }
   initial_state(material, stress, p.extra);
-  const std::vector<Real> own = local_values(soil, work.material, std::max(Real(0), top - x[1]));
+  const std::vector<Real> own = local_values(soil, work.material, material);
   std::copy(own.begin(), own.end(), p.extra + state_size(material));
   return p;
 }

@@ -227,6 +227,7 @@ struct State {
   std::vector<bodies::RigidState<dim>> rigid_bodies;
   std::vector<contact::ContactSums<dim>> contact_sums;  ///< by rigid body
   std::vector<std::vector<Real>> slice_impulses;  ///< by rigid body and slice (DepthSlices): given to the soil along the bed, N s/m or N s
+  std::vector<std::vector<Real>> slice_shaft_impulses;  ///< the same: given to the soil upwards by sides that are upright
   /// By rigid body: its pose when the cells near it were last listed (contact/detect.hpp), on which the order of sums depends.
   std::vector<bodies::Pose<dim>> listed_poses;
   std::vector<Vec<dim>>

@@ -37,12 +37,12 @@ enum class StageRole {
 /// A stage ends when the first of the limits that are given is reached.
 struct Until {
   std::optional<Real> time;           ///< s since the stage began
-  std::optional<Real> real_time;      ///< s that the soil which is modelled consolidates for; `time` follows once a case is read
   std::optional<Real> displacement;   ///< m, |u - u at the stage's begin|; of a drive the distance from there
   std::optional<Real> embedment;      ///< m, w: that or more, of a body that is lifted that or less
   std::optional<Real> force;          ///< N per metre: H of a drag, V of a push, in one upwards that or less
   std::optional<Real> consolidation;  ///< degree of consolidation
   bool equilibrium = false;           ///< geostatic: as soon as the soil is at rest and in balance
+  std::optional<Real> real_time;      ///< s that the soil which is modelled consolidates for; `time` follows once a case is read
 };
 
 /// How a displacement of the driven body goes; nothing: it is fixed.

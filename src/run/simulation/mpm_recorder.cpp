@@ -17,6 +17,7 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
     : last_time_(start.time),
       last_sums_(start.contact_sums),
       last_slice_impulses_(start.slice_impulses),
+      last_slice_shaft_impulses_(start.slice_shaft_impulses),
       last_pair_impulses_(start.pair_impulses),
       last_rigid_impulses_(start.rigid_impulses),
       last_support_impulses_(start.support_impulses)
@@ -40,7 +41,10 @@ void MpmRecorder<dim>::archive(Archive& k)
   for (std::size_t r = 0; r < last_sums_.size(); ++r)
     k.table(fmt::format("contact_sums_{}", r), [&] { problem::archive(k, last_sums_[r]); });
   for (std::size_t r = 0; r < last_slice_impulses_.size(); ++r)
-    if (!last_slice_impulses_[r].empty()) k.fixed(fmt::format("slice_impulses_{}", r), last_slice_impulses_[r]);
+    if (!last_slice_impulses_[r].empty()) {
+      k.fixed(fmt::format("slice_impulses_{}", r), last_slice_impulses_[r]);
+      k.fixed(fmt::format("slice_shaft_impulses_{}", r), last_slice_shaft_impulses_[r]);
+    }
   for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
   for (std::size_t c = 0; c < last_rigid_impulses_.size(); ++c) k(fmt::format("rigid_impulse_{}", c), last_rigid_impulses_[c]);
   for (std::size_t s = 0; s < last_support_impulses_.size(); ++s) k(fmt::format("support_impulse_{}", s), last_support_impulses_[s]);
@@ -234,10 +238,13 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
     else
       row_.of(model.rigid_bodies[r].name);
     for (Index k = 0; k < slices.count; ++k) {
-      const Real impulse = state.slice_impulses[r][k] - last_slice_impulses_[r][k];
-      row_(fmt::format("H{}", k + 1), time > 0 ? impulse / time : 0, run_folder::newtons<dim>,
-           fmt::format("horizontal force on the soil from {:.4g} to {:.4g} m below the bed", k * slices.thickness,
-                       (k + 1) * slices.thickness));
+      const auto of_slice = [&](const char* symbol, Real impulse, const char* what) {
+        row_(fmt::format("{}{}", symbol, k + 1), time > 0 ? impulse / time + 0. : 0, run_folder::newtons<dim>,
+             fmt::format("{} from {:.4g} to {:.4g} m below the bed", what, k * slices.thickness, (k + 1) * slices.thickness));
+      };
+      if (model.mesh.metric != mesh::Metric::axisymmetric)
+        of_slice("H", state.slice_impulses[r][k] - last_slice_impulses_[r][k], "horizontal force on the soil");
+      of_slice("V_shaft", last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k], "upward force on upright sides");
     }
   }
 }
@@ -287,6 +294,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   last_time_ = state.time;
   last_sums_ = state.contact_sums;
   last_slice_impulses_ = state.slice_impulses;
+  last_slice_shaft_impulses_ = state.slice_shaft_impulses;
   last_pair_impulses_ = state.pair_impulses;
   last_rigid_impulses_ = state.rigid_impulses;
   last_support_impulses_ = state.support_impulses;

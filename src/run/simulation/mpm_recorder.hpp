@@ -49,7 +49,7 @@ private:
 
   Real last_time_ = 0;
   std::vector<contact::ContactSums<dim>> last_sums_;
-  std::vector<std::vector<Real>> last_slice_impulses_;  ///< by rigid body
+  std::vector<std::vector<Real>> last_slice_impulses_, last_slice_shaft_impulses_;  ///< by rigid body
   std::vector<Vec<dim>> last_pair_impulses_, last_rigid_impulses_, last_support_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<WatchPoint<dim>> watch_points_;

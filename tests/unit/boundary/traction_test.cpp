@@ -76,6 +76,19 @@ TEST(Traction, of_a_pressure_pushes_at_a_right_angle_against_the_soil)
   EXPECT_NEAR((of("left") - Vec<2>(25, 0)).norm(), 0, 1e-12);  // the soil's half of the side alone
 }
 
+TEST(Traction, of_a_pressure_that_grows_with_depth_has_the_thrust_of_water)
+{
+  TractionSettings traction;
+  traction.boundary = "left";
+  traction.pressure = 20;
+  traction.pressure_gradient = 100;
+  traction.level = 0.5;
+  // 20 x 0.5 + 100 x 0.5^2 / 2: the points are the middles of equal parts, where what is linear is summed exactly.
+  EXPECT_NEAR((load_of<2>(traction).force - Vec<2>(22.5, 0)).norm(), 0, 1e-12);
+  traction.level = 0.25;  // above it the pressure is 20
+  EXPECT_NEAR((load_of<2>(traction).force - Vec<2>(13.125, 0)).norm(), 0, 1e-12);
+}
+
 TEST(Traction, acts_within_its_range_to_the_point)
 {
   TractionSettings traction;

@@ -26,7 +26,7 @@ struct RigidSettings {
   Rotation rotation = Rotation::fixed;
   std::optional<Real>
       moment_of_inertia;  ///< kg m (in space: kg m2, about every axis) about its centre; absent: that of a solid of this shape and mass
-  int depth_slices = 0;   ///< of its height in the soil at the start, over which the soil's horizontal force is told apart
+  int depth_slices = 0;   ///< of its height in the soil at the start, over which the soil's forces are told apart
   std::string structure = "automatic";  ///< what it is to the reader of its results (structures/structures.hpp)
 };
 
