@@ -10,7 +10,7 @@ namespace berm::sanity {
 
 void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
 {
-  constexpr Real sea_water = 1025, heaviest_in_water = 1300, heaviest_dry = 1900, lightest = 300;  // kg/m3
+  constexpr Real sea_water = 1025, heaviest_in_water = 1300, heaviest_dry = 1900, heaviest_saturated = 3000, lightest = 300;  // kg/m3
   if (s.gravity == 0) return;
   const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
   for (const auto& [name, body] : s.c.body) {
@@ -27,12 +27,15 @@ void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
                                "right? submerged_unit_weight takes it in kN/m^3",
                                own, own * standard_gravity / 1e3));
       if (own < heaviest_in_water || own > 4000) continue;
+      const std::optional<material::Strength> strength = strength_at_rest(asked);
+      const bool is_clay = strength && strength->friction_angle == 0;  // no undrained strength without water
       const std::string why =
-          as_weight                       ? "soil weighs 3 to 12 kN/m3 in water, 14 to 22 with it"
-          : has_pore_pressure(asked)      ? "its water carries its own weight in the pore pressure, and density gives the rest"
-          : inertia_density(asked) != own ? "inertia_density is that of the soil with its water, so density is to give the weight in water"
-          : seabed && own >= heaviest_dry ? "it is that of soil with water in its pores, and the bed lies in water"
-                                          : "";
+          as_weight                  ? "soil weighs 3 to 12 kN/m3 in water, 14 to 22 with it"
+          : has_pore_pressure(asked) ? "its water carries its own weight in the pore pressure, and density gives the rest"
+          : inertia_density(asked) != own && inertia_density(asked) < heaviest_saturated
+              ? "inertia_density is that of the soil with its water, so density is to give the weight in water"
+          : seabed && (own >= heaviest_dry || is_clay) ? "it is that of soil with water in its pores, and a seabed lies in water"
+                                                       : "";
       if (why.empty()) continue;
       found.warn(
           as_weight ? weight : path + "density",

@@ -25,6 +25,17 @@ Real shortest_edge(const Mesh<dim>& mesh)
   return shortest;
 }
 
+/// Whether coordinates have the digits for nodes that far apart (m): else nothing is found.
+template <int dim>
+bool resolves(const Mesh<dim>& mesh, Real reach)
+{
+  constexpr Real most_boxes = 1e15;
+  Real largest = 0;
+  for (const auto& corner : mesh.nodes)
+    for (const Index i : corner) largest = std::max(largest, mesh.position[i].cwiseAbs().maxCoeff());
+  return reach > 0 && std::isfinite(reach) && largest < most_boxes * reach;
+}
+
 /// Points by the box of a grid that they lie in.
 template <int dim>
 class Boxes {
@@ -112,12 +123,12 @@ Index join(Mesh<dim>& mesh, Real tolerance, const std::string& file)
 template <int dim>
 void join_doubled_nodes(Mesh<dim>& mesh, const std::optional<Real>& tolerance, const std::string& file)
 {
-  if (tolerance)
+  if (tolerance && resolves(mesh, *tolerance))
     if (const Index joined = join(mesh, *tolerance, file); joined > 0)
       mesh.remarks.push_back(
           fmt::format("has {} nodes that lie no farther than mesh.merge_tolerance from another: they are one with it", joined));
   const Real shortest = shortest_edge(mesh), reach = at_one_place * shortest;
-  if (!(reach > 0) || !std::isfinite(reach)) return;  // refused with the reason where the cells are looked at
+  if (!resolves(mesh, reach)) return;  // cells without a size are refused where they are looked at
   Boxes<dim> boxes(mesh.position, reach);
   const std::vector<char> used = used_by_cells(mesh);
   for (Index i = 0; i < mesh.node_count(); ++i) {

@@ -216,7 +216,8 @@ void add_mesh(Rows& rows)
     if (bed->step) rows.length("step: x where its face begins", bed->step->position);
     if (bed->layer > 0) rows.length("bed: outer layer", bed->layer);
   }
-  if (const auto* file = std::get_if<mesh::GmshFile>(&c.mesh)) rows.add("mesh", "from " + file->file);
+  if (const auto* file = std::get_if<mesh::GmshFile>(&c.mesh))
+    rows.add("mesh", "from " + file->file + (file->scale != 1 ? fmt::format(", times {:g}", file->scale) : ""));
   if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh))
     for (std::size_t d = 0; d < box->size.size(); ++d)
       rows.length(fmt::format("mesh: length along {}", static_cast<char>('x' + d)), box->size[d]);
