@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/safety/safety_test.cpp
+// Tests: tests/unit/safety/find_safety_test.cpp
 #include "safety/find_safety.hpp"
 
 #include "core/error.hpp"

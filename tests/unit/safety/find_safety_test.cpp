@@ -60,7 +60,8 @@ protected:
 
 TEST_F(SafetyCommand, finds_the_factor_of_a_column_of_clay_and_runs_nothing_twice)
 {
-  const Ended ended = safety({});
+  const std::vector<std::string> words = {"--low", "1.3", "--high", "1.6", "--tolerance", "0.05"};
+  const Ended ended = safety(words);
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::string csv = text_of_file(folder_ / "found/safety.csv");
   Real stands = 0, fails = infinity;
@@ -75,11 +76,11 @@ TEST_F(SafetyCommand, finds_the_factor_of_a_column_of_clay_and_runs_nothing_twic
   }
   EXPECT_LE(stands, 20. / 14);
   EXPECT_GT(fails, 20. / 14 * (1 - 1e-3)) << csv;
-  EXPECT_LE(fails - stands, 0.01 * (1 + 1e-9));
+  EXPECT_LE(fails - stands, 0.05 * (1 + 1e-9));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "found/safety.html"));
   EXPECT_NE(text_of_file(folder_ / "found/summary.json").find("factor_that_stands"), std::string::npos);
 
-  const Ended again = safety({});
+  const Ended again = safety(words);
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_NE(again.err.find("trials have their result already"), std::string::npos) << again.err;
   EXPECT_EQ(again.err.find("F_"), std::string::npos) << "none is run again: " << again.err;
@@ -88,15 +89,15 @@ TEST_F(SafetyCommand, finds_the_factor_of_a_column_of_clay_and_runs_nothing_twic
 
 TEST_F(SafetyCommand, says_that_soil_fails_as_it_is)
 {
-  const Ended ended = safety({"--tolerance", "0.05", "--set", "traction.load.stress=[0, -25e3]"});
+  const Ended ended = safety({"--tolerance", "0.3", "--set", "traction.load.stress=[0, -25e3]"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("F is below 1: it fails as it is"), std::string::npos) << ended.out;
 }
 
 TEST_F(SafetyCommand, keeps_trials_of_another_case_apart)
 {
-  ASSERT_EQ(safety({"--tolerance", "0.2"}).status, 0);
-  const Ended other = safety({"--tolerance", "0.2", "--set", "material.clay.cohesion=15e3"});
+  ASSERT_EQ(safety({"--tolerance", "0.5", "--low", "1.3"}).status, 0);
+  const Ended other = safety({"--tolerance", "0.5", "--low", "1.3", "--set", "material.clay.cohesion=15e3"});
   EXPECT_EQ(other.status, 0) << other.err;
   EXPECT_EQ(other.err.find("already"), std::string::npos) << other.err;
 }
@@ -104,13 +105,18 @@ TEST_F(SafetyCommand, keeps_trials_of_another_case_apart)
 TEST_F(SafetyCommand, refuses_what_has_no_factor_of_safety)
 {
   EXPECT_NE(refusal({"--low", "2", "--high", "1.5"}).find("--low 2 is not below --high 1.5"), std::string::npos);
-  EXPECT_NE(refusal({"--set", "traction.load.stress=[0, 0]", "--set", "material.clay.law=linear_elastic"}).find("column.toml"),
-            std::string::npos);
-  EXPECT_NE(refusal({"--set", "gravity=[0, 0]", "--set", "material.clay.law=modified_cam_clay"}).find("column.toml"), std::string::npos);
   EXPECT_NE(refusal({"--tolerance", "0"}).find("--tolerance"), std::string::npos);
-  folder_.write("column.toml",
-                std::string(column).replace(std::string(column).find("kind = \"box\""), 12, "kind = \"gmsh\"\nfile = \"none.msh\"\n#"));
+  const auto replace = [this](const std::string& words, const std::string& by) {
+    std::string text = column;
+    folder_.write("column.toml", text.replace(text.find(words), words.size(), by));
+  };
+  replace("kind = \"box\"\nsize = [0.5, 1]\ncells = [2, 4]", "kind = \"gmsh\"\nfile = \"none.msh\"");
   EXPECT_NE(refusal({}).find("none.msh"), std::string::npos);
+  replace("[traction.load]\nboundary = \"top\"\nstress = [0, -14e3]\nramp = 0.1\n", "");
+  EXPECT_NE(refusal({}).find("nothing loads the soil"), std::string::npos);
+  replace("law = \"mohr_coulomb\"\ndensity = 2000\nyoung_modulus = 10e6\npoisson_ratio = 0.3\ncohesion = 10e3\nfriction_angle = 0",
+          "law = \"linear_elastic\"\ndensity = 2000\nyoung_modulus = 10e6\npoisson_ratio = 0.3");
+  EXPECT_NE(refusal({}).find("no soil of this case has a strength"), std::string::npos);
 }
 
 TEST(SafetyReport, tells_the_ends_of_the_bracket_and_what_is_doubtful)
