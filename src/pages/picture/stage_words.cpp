@@ -95,7 +95,10 @@ std::string until_words(const problem::StageSettings& stage, int dimension, Real
         fmt::format("{} = {}", stage.kind == problem::StageKind::drag ? "H" : "V", text::force_words(scale * *until.force, dimension)));
   if (until.consolidation) limits.push_back(fmt::format("U = {:.3g} %", 100 * *until.consolidation));
   if (ends_at_equilibrium(stage)) limits.emplace_back("equilibrium");
-  if (until.time) limits.push_back(text::time_words(*until.time));
+  constexpr Real day = 86400;  // s
+  if (until.time)
+    limits.push_back(text::time_words(*until.time) +
+                     (until.real_time ? fmt::format(", which are {:.4g} days of the soil", *until.real_time / day) : ""));
   return fmt::format("{}", fmt::join(limits, " or "));
 }
 

@@ -2,7 +2,6 @@
 #include "problem/earthworks.hpp"
 
 #include "core/error.hpp"
-#include "mpm/body_sums.hpp"
 #include "sample_case.hpp"
 
 #include <gtest/gtest.h>
@@ -26,6 +25,24 @@ Case half_full()
   body.regions.clear();
   body.block = bodies::BlockSettings{{1, 0.5}, {2, 1}, 0, 0.25 / 3};
   return c;
+}
+
+/// Over all particles of a body.
+struct Sums {
+  Real mass = 0, kinetic = 0;
+  Vec<2> momentum = Vec<2>::Zero();
+};
+
+Sums sums_over(const bodies::Particles<2>& particles)
+{
+  Sums sums;
+  particles.visit([&](Index, Index b, int l) {
+    const bodies::Particle<2> p = particles.read(b, l);
+    sums.mass += p.mass;
+    sums.kinetic += p.mass * p.v.squaredNorm() / 2;
+    sums.momentum += p.mass * p.v;
+  });
+  return sums;
 }
 
 template <class Settings>
@@ -70,16 +87,15 @@ TEST(Earthworks, fill_places_the_mass_of_its_area_at_rest)
   c.body[0].second.fill = {fill_of(0.5, 1.5, 1, 1.75)};
   Problem<2> problem = at_works(c);
   State<2>& state = problem.state;
-  const mpm::BodySums<2> before = mpm::sums_over(state.particles[0]);
+  const Sums before = sums_over(state.particles[0]);
   ASSERT_TRUE(carry_out_earthworks(problem.model, state));
-  const mpm::BodySums<2> after = mpm::sums_over(state.particles[0]);
+  const Sums after = sums_over(state.particles[0]);
   // 4 x 3 squares of the mesh with two triangles of nine particles each.
   EXPECT_EQ(state.earthworks[0].particles, 4 * 3 * 2 * 9);
   EXPECT_NEAR(state.earthworks[0].volume, 0.75, round_off(1));
   EXPECT_NEAR(state.earthworks[0].mass, 1500, round_off(1500));
   EXPECT_NEAR(after.mass - before.mass, 1500, round_off(3500));
   EXPECT_EQ(after.momentum, before.momentum);
-  EXPECT_EQ(mpm::momentum_error(state, problem.model.mesh.metric), 0);
   EXPECT_FALSE(carry_out_earthworks(problem.model, state)) << "once is enough";
 }
 
@@ -178,15 +194,14 @@ TEST(Earthworks, excavation_tells_what_it_takes_along)
   c.body[0].second.excavation = {excavation_of(0.6, 1.1, 0.4, 1.2)};
   Problem<2> problem = at_works(c);
   State<2>& state = problem.state;
-  const mpm::BodySums<2> before = mpm::sums_over(state.particles[0]);
+  const Sums before = sums_over(state.particles[0]);
   ASSERT_TRUE(carry_out_earthworks(problem.model, state));
-  const mpm::BodySums<2> after = mpm::sums_over(state.particles[0]);
+  const Sums after = sums_over(state.particles[0]);
   const EarthworkState<2>& cut = state.earthworks[0];
   EXPECT_GT(cut.particles, 20);
   EXPECT_NEAR(before.mass - after.mass, cut.mass, round_off(2000));
   EXPECT_NEAR((before.momentum - after.momentum - cut.momentum).norm(), 0, round_off(1000));
   EXPECT_NEAR(before.kinetic - after.kinetic, cut.kinetic, round_off(1000));
-  EXPECT_NEAR(mpm::momentum_error(state, problem.model.mesh.metric), 0, 1e-13);
   state.particles[0].visit([&](Index, Index b, int l) {
     const Vec<2> x = state.particles[0].read(b, l).x;
     EXPECT_FALSE(0.6 < x[0] && x[0] < 1.1 && 0.4 < x[1]);
@@ -199,9 +214,9 @@ TEST(Earthworks, what_is_taken_out_and_filled_in_one_stage_is_replaced)
   c.body[0].second.excavation = {excavation_of(0, 1, 0.5, 1)};
   c.body[0].second.fill = {fill_of(0, 1, 0.5, 1)};
   Problem<2> problem = at_works(c);
-  const Real before = mpm::sums_over(problem.state.particles[0]).mass;
+  const Real before = sums_over(problem.state.particles[0]).mass;
   carry_out_earthworks(problem.model, problem.state);
-  EXPECT_NEAR(mpm::sums_over(problem.state.particles[0]).mass - before, 0.5 * (2000 - 1000), round_off(2000));
+  EXPECT_NEAR(sums_over(problem.state.particles[0]).mass - before, 0.5 * (2000 - 1000), round_off(2000));
 }
 
 TEST(Earthworks, particles_of_a_fill_have_its_material)
