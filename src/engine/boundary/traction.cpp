@@ -62,7 +62,8 @@ void describe(Describe& d, TractionSettings& traction)
       "pressure_gradient", traction.pressure_gradient,
       {.meaning =
            "what the pressure grows with depth below `level`, as that of water or of wet concrete does: pressure + gradient (level - y)",
-       .unit = "Pa/m"});
+       .unit = "Pa/m",
+       .range = not_negative});
   d.value("level", traction.level, {.meaning = "y from which the pressure grows downwards; above it is `pressure`", .unit = "m"});
   d.value("x_range", traction.x_range,
           {.meaning = "from and to, in two dimensions: only this part of the boundary is loaded; absent = all of it", .unit = "m"});

@@ -87,6 +87,7 @@ std::optional<MohrCoulomb> with_strength_over(MohrCoulomb law, Real factor)
   law.cohesion /= factor;
   law.cohesion_gradient /= factor;
   for (Real& strength : law.profile.strength) strength /= factor;
+  if (law.shansep) law.shansep->ratio /= factor, law.shansep->min_strength /= factor;
   if (law.tension_cutoff) *law.tension_cutoff /= factor;
   return law;
 }

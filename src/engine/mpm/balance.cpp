@@ -75,19 +75,21 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       for (int d = 0; d < dim; ++d)
         if (inertia[d] < m) force[d] -= water.mass / water.inertia * (water.force[d] - water.drag * state.flux[body][i][d]);
     }
+    const Index dashpot = absorbing ? dashpots.of_node[i] : none;
+    const bool gives_way = dashpot != none && !holding;
+    Vec<dim> unbalanced = force;
+    if (gives_way) unbalanced += state.held_forces[body][i];
     const Vec<dim>& v = grid.velocity[i];
     const Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
     Vec<dim> damping = Vec<dim>::Zero();
     for (int d = 0; d < dim; ++d) {
       const bool held = fixed[i] >> d & 1;
-      if (!held) damping[d] = boundary::local_damping(factor, force[d], v[d]);
-      if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(force[d]);
+      if (!held) damping[d] = boundary::local_damping(factor, unbalanced[d], v[d]);
+      if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(unbalanced[d]);
     }
     const Vec<dim> total = force + damping;
-    const Index dashpot = absorbing ? dashpots.of_node[i] : none;
-    a = dashpot == none || holding
-            ? Vec<dim>(total.cwiseQuotient(inertia))
-            : boundary::acceleration_with<dim>(dashpots.resistance[dashpot], inertia, total + state.held_forces[body][i], v, dt);
+    a = !gives_way ? Vec<dim>(total.cwiseQuotient(inertia))
+                   : boundary::acceleration_with<dim>(dashpots.resistance[dashpot], inertia, total + state.held_forces[body][i], v, dt);
     for (int d = 0; d < dim; ++d)
       if (fixed[i] >> d & 1) a[d] = -v[d] / dt;
     const Vec<dim> mid_velocity = v + 0.5 * dt * a;

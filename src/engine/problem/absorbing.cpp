@@ -5,6 +5,7 @@
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::problem {
@@ -42,6 +43,21 @@ Matrix<dim> in_directions(Matrix<dim> resistance, std::uint8_t directions)
   for (int d = 0; d < dim; ++d)
     if ((directions >> d & 1) == 0) resistance.row(d).setZero(), resistance.col(d).setZero();
   return resistance;
+}
+
+/// Where no soil is at the start the boundary holds what comes there.
+template <int dim>
+void hold_without_soil(const Case& c, const std::string& name, std::uint8_t directions, const std::vector<Index>& nodes, Model<dim>& model)
+{
+  const SupportSets sets = support_sets(c);
+  const auto place = static_cast<std::size_t>(index_of(c.support, name));
+  const auto has_dashpot = [&](Index node) {
+    return std::any_of(model.dashpots.begin(), model.dashpots.end(),
+                       [&](const auto& of_body) { return of_body.any() && of_body.of_node[node] != none; });
+  };
+  for (std::size_t k = 0; k < sets.roles.size(); ++k)
+    for (const Index node : nodes)
+      if (sets.roles[k][place] == SupportRole::absorbs && !has_dashpot(node)) model.fixed[k][node] |= directions;
 }
 
 }  // namespace
@@ -86,6 +102,7 @@ void add_dashpots(const Case& c, Model<dim>& model)
         dashpots.directions[place] |= directions;
       }
     }
+    hold_without_soil(c, name, directions, mesh.boundary_nodes[fixed_boundary(mesh, name, support)], model);
   }
 }
 

@@ -118,12 +118,14 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
     all.mean_impedance += p.volume * here.mean_impedance;
     volume += p.volume;
   });
-  for (const Index material : body.soil.of_fill) {
-    const SoilWaves to_come = waves_of(body.soil.in_fill(material, 0));
-    all.fastest = std::max(all.fastest, to_come.fastest);
-    all.slowest = std::min(all.slowest, to_come.slowest);
-    all.min_density = std::min(all.min_density, to_come.min_density);
-  }
+  constexpr int depths = 20;  // of a fill that is looked at from its top to its base
+  for (const Earthwork<dim>& work : model.earthworks)
+    for (int k = 0; work.fills && &model.bodies[work.body] == &body && k <= depths; ++k) {
+      const SoilWaves to_come = waves_of(body.soil.in_fill(work.material, (work.top - work.bottom) * k / depths));
+      all.fastest = std::max(all.fastest, to_come.fastest);
+      all.slowest = std::min(all.slowest, to_come.slowest);
+      all.min_density = std::min(all.min_density, to_come.min_density);
+    }
   for (Real* mean : {&all.mean_speed, &all.mean_density, &all.mean_impedance}) *mean /= volume;
   return all;
 }

@@ -94,7 +94,7 @@ void check_rigids(Describe& d, const Case& c)
     const std::string path = "rigid." + name;
     bodies::check(d, path, rigid, c.dimension());
     d.check(rigid.depth_slices == 0 || c.method == Method::mpm, path + ".depth_slices",
-            "is for the material point method: finite elements do not tell forces apart by depth");
+            "is for the material point method: finite elements do not split forces by depth");
     const auto* profile = std::get_if<bodies::ProfileSettings>(&rigid.shape);
     d.check(c.geometry != Geometry::plane_strain || profile == nullptr || !is_ring(*profile), path + ".x",
             "of a ring, off the axis all around, is for axisymmetry and space; in plane strain use shape = \"polygon\"");
@@ -170,7 +170,9 @@ void find_real_times(Describe& d, Case& c)
             "no soil has water that flows: give it water.drainage = \"consolidation\", or end the stage otherwise");
     d.check(!has_flowing_water(c) || part, path,
             "needs water.real_permeability of each material whose water flows, the same part of its permeability in all");
-    d.check(speed_of(stage) == 0, path, "is for a body at rest or under a force: what moves takes its time in the run");
+    d.check(!moves_body(stage), path, "is for a body at rest or under a force: what moves takes its time in the run");
+    d.check(part.value_or(0) <= 1, path,
+            "is for a run that is shortened: water.real_permeability is larger than permeability, are the two the other way round?");
     if (!part) continue;
     const Real time = *part * *stage.until.real_time;
     constexpr Real same = 1e-9;
@@ -191,6 +193,7 @@ void check_supports(Describe& d, const Case& c)
     if (!support.absorbs) continue;
     const std::string key = "support." + name + ".absorbs";
     d.check(c.method == Method::mpm, key, "is for the material point method: finite elements have no waves");
+    d.check(support.stages.empty(), key, "acts in all stages: leave out the stages of this support");
     d.check(!has_flowing_water(c), key, "is not for soil whose water flows: its two waves need dashpots of their own");
     const bool at_rest = !c.stage.empty() && c.stage.front().kind == StageKind::geostatic;
     const bool weighs = std::any_of(c.gravity.begin(), c.gravity.end(), [](Real g) { return g != 0; });

@@ -38,14 +38,15 @@ std::optional<Real> part_of_real_time(const Case& c)
 {
   constexpr Real same = 1e-6;
   std::optional<Real> part;
-  for (const auto& entry : c.material) {
-    if (!hydraulics(entry.second)) continue;
-    const std::optional<material::PoreWater> water = pore_water(entry.second);
-    if (!water->real_permeability) return std::nullopt;
-    const Real here = *water->real_permeability / *water->permeability;
-    if (part && !(std::abs(here / *part - 1) < same)) return std::nullopt;
-    part = here;
-  }
+  for (const auto& entry : c.body)
+    for (const material::Material& material : soil_of(c, entry.second).materials) {
+      if (!hydraulics(material)) continue;
+      const std::optional<material::PoreWater> water = pore_water(material);
+      if (!water->real_permeability) return std::nullopt;
+      const Real here = *water->real_permeability / *water->permeability;
+      if (part && !(std::abs(here / *part - 1) < same)) return std::nullopt;
+      part = here;
+    }
   return part;
 }
 

@@ -321,6 +321,10 @@ void add_earthworks(const bodies::BodySettings& settings, Index body, Model<dim>
     work.k0 = settings.fill[k].k0;
     for (const std::string& region : model.mesh.region_names)
       work.per_side.push_back(static_cast<int>(std::lround(std::pow(bodies::particles_per_cell<dim>(settings, region), 1. / dim))));
+    if (work.top > model.mesh.upper[1])
+      throw KeyError(
+          fmt::format("body.{}.fill[{}].y: reaches y = {:.4g} m, and the mesh ends at {:.4g} m: draw it lower, or make the mesh higher",
+                      model.bodies[body].name, k, work.top, model.mesh.upper[1]));
     if (room_for_fills(model, body) == 0)
       throw KeyError(fmt::format("body.{}.fill[{}].x: no cell of the mesh is there", model.bodies[body].name, k));
   }

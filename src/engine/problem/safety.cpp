@@ -24,11 +24,14 @@ template <int dim>
 Real pressure_of_loads(const Case& c, const Model<dim>& model)
 {
   Real pressure = 0, force = 0;
-  for (const auto& [name, traction] : c.traction)
-    pressure = std::max(pressure, traction.pressure ? std::abs(*traction.pressure) : bodies::to_vec<dim>(traction.stress).norm());
+  for (const auto& [name, traction] : c.traction) {
+    const Real below_level = std::max(Real(0), traction.level.value_or(0) - model.mesh.lower[1]);
+    pressure = std::max(pressure, traction.pressure ? std::abs(*traction.pressure) + std::abs(traction.pressure_gradient) * below_level
+                                                    : bodies::to_vec<dim>(traction.stress).norm());
+  }
   if (model.main_rigid == none) return pressure;
   const bodies::RigidBody<dim>& body = model.rigid_bodies[model.main_rigid];
-  if (body.motion == bodies::Motion::free) force = body.mass * model.gravity.norm();
+  if (body.motion == bodies::Motion::free) force = model.parts * body.mass * model.gravity.norm();
   for (const StageSettings& stage : c.stage)
     for (const std::optional<Real>& given :
          {stage.force, stage.vertical_force, stage.drive.x.force, stage.drive.y.force, stage.drive.z.force})
@@ -124,6 +127,10 @@ void check_safety(Describe& d, const Case& c)
   }
   d.check(yields_somewhere, "material",
           "no soil of this case has a strength that a factor of safety could divide: give one the law mohr_coulomb or clay");
+  for (const auto& [name, body] : c.body)
+    d.check(body.fill.empty() && body.excavation.empty(), "body." + name,
+            "a trial of the factor of safety follows the movement of soil that is there from the start to the end: leave out its fills and "
+            "excavations, and let the case begin with the ground as it is then");
   d.check(has_load(c), "gravity", "nothing loads the soil of this case, so that it never fails: add gravity, a traction or a force");
   d.check(c.stage.empty() || !moves_body(c.stage.back()), fmt::format("stage[{}].kind", c.stage.empty() ? 0 : c.stage.size() - 1),
           "the last stage moves a body, so that the soil cannot come to rest: let a stage follow that is geostatic, free, or by a force");

@@ -177,6 +177,10 @@ bool MpmMethod<d>::change_soil()
 {
   const std::vector<problem::EarthworkState<d>> before = state().earthworks;
   if (!carry_out_earthworks(model(), problem_.state)) return false;
+  for (std::size_t b = 0; b < state().particles.size(); ++b)
+    if (!Ranks::of_run().any(state().particles[b].size() > 0))
+      throw RunError(fmt::format("body \"{}\" has no soil left after its excavations at t = {:.4g} s: leave some of it",
+                                 model().bodies[b].name, state().time));
   workspace_.emplace(model(), state());
   for (std::size_t k = 0; k < before.size(); ++k) {
     const problem::Earthwork<d>& work = model().earthworks[k];

@@ -77,7 +77,11 @@ std::string stage_words(const problem::Case& c, const problem::StageDrainage& st
     return fmt::format("stage \"{}\": v D/c_v = {:.3g}, {}", name, stage.number, drainage_word(stage.number));
   }
   if (std::isnan(stage.number)) return fmt::format("stage \"{}\": as long as its consolidation takes", name);
-  return fmt::format("stage \"{}\": T = c_v t/D2 = {:.3g}", name, stage.number);
+  constexpr Real day = 86400;  // s
+  const std::optional<Real> real = c.stage[stage.stage].until.real_time;
+  return fmt::format("stage \"{}\": T = c_v t/D2 = {:.3g}{}", name, stage.number,
+                     real ? fmt::format(", {:.4g} days of the soil in {:.4g} s of the run", *real / day, *c.stage[stage.stage].until.time)
+                          : "");
 }
 
 std::string stage_line(const problem::Case& c, const problem::StageDrainage& stage, const problem::Consolidation& soil, Real width)

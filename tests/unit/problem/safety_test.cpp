@@ -71,6 +71,19 @@ TEST(ReducedStrength, divides_the_strength_of_a_profile)
   EXPECT_EQ(c.material[0].second.get<material::MohrCoulomb>().profile.strength, (std::vector<Real>{1e3, 2e3}));
 }
 
+TEST(ReducedStrength, divides_a_strength_by_stress_history)
+{
+  material::Clay clay;
+  clay.density = 1600;
+  clay.shansep = material::Shansep{};
+  clay.shansep->ratio = 0.3;
+  clay.shansep->min_strength = 1500;
+  const Case c = with_reduced_strength(trial_of(clay, 3));
+  const std::optional<material::Shansep> reduced = c.material[0].second.get<material::Clay>().shansep;
+  EXPECT_NEAR(reduced->ratio, 0.1, 1e-15);
+  EXPECT_NEAR(reduced->min_strength, 500, 1e-12);
+}
+
 TEST(ReducedStrength, divides_the_undrained_strength_of_clay_and_leaves_its_stiffness_and_sensitivity)
 {
   material::Clay clay;

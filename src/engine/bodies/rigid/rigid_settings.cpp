@@ -25,9 +25,8 @@ void describe(Describe& d, RigidSettings& rigid)
            .unit = "kg m",
            .range = positive});
   d.value("depth_slices", rigid.depth_slices,
-          {.meaning =
-               "number of slices of its height in the soil at the start over which the horizontal force of the soil is told apart: p-y "
-               "curves of a pile (docs/how_to/penetrate.md)",
+          {.meaning = "number of slices of its height in the soil at the start over which the forces of the soil are split: p-y curves "
+                      "and shaft friction of a pile (docs/how_to/penetrate.md)",
            .range = {0, 100}});
   d.value("structure", rigid.structure,
           {.meaning = "structure whose results it has: automatic takes it from shape, ground and stages (docs/how_to/penetrate.md)"});

@@ -104,7 +104,7 @@ FilmReader::FilmReader(const std::vector<run_folder::FrameFiles>& files, int dim
   if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first_.file.string()));
 }
 
-/// A frame that cannot be read is told of where the film reads it.
+/// A frame that cannot be read is reported where the film reads it.
 void FilmReader::add_points_of(const std::vector<run_folder::FrameFiles>& files)
 {
   std::map<std::pair<std::int32_t, std::int32_t>, bool> known;
@@ -127,7 +127,7 @@ void FilmReader::add_points_of(const std::vector<run_folder::FrameFiles>& files)
 
 FilmReader::Found FilmReader::find(const run_folder::FrameFiles& files) const
 {
-  Found found{run_folder::read_soil(files.soil), chosen_};
+  Found found{run_folder::read_soil(files.soil), chosen_, {}};
   const run_folder::SavedSoil& soil = found.soil;
   if (soil.id == first_.id && soil.body == first_.body) return found;
   if (!soil_changes_ || soil.id.empty()) throw RunError(fmt::format("{}: has other particles than the first frame", files.soil.string()));
@@ -136,7 +136,8 @@ FilmReader::Found FilmReader::find(const run_folder::FrameFiles& files) const
   const auto largest = static_cast<Index>(std::max_element(soil.volume.begin(), soil.volume.end()) - soil.volume.begin());
   for (Index& place : found.places) {
     const auto at = places.find({first_.body[place], first_.id[place]});
-    place = at == places.end() ? largest : at->second;
+    found.absent.push_back(at == places.end());
+    place = found.absent.back() ? largest : at->second;
   }
   return found;
 }
@@ -153,7 +154,9 @@ void FilmReader::add_summed(const run_folder::FrameFiles& files, FilmFrame& fram
   const Found found = find(files);
   for (std::size_t f = 0; f < fields_.size(); ++f)
     if (fields_[f].summed) {
-      const std::vector<float> more = values(found, fields_[f]);
+      std::vector<float> more = values(found, fields_[f]);
+      for (std::size_t k = 0; k < found.absent.size(); ++k)
+        if (found.absent[k]) more[k] = 0;
       std::transform(more.begin(), more.end(), frame.fields[f].begin(), frame.fields[f].begin(), std::plus<>());
     }
 }

@@ -68,6 +68,7 @@ private:
   struct Found {
     run_folder::SavedSoil soil;
     std::vector<Index> places;
+    std::vector<bool> absent;  ///< that lie on another; empty: none does
   };
   void add_points_of(const std::vector<run_folder::FrameFiles>& files);
   Found find(const run_folder::FrameFiles& files) const;
