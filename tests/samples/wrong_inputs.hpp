@@ -125,7 +125,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "displacement = \"0.4 m\"",
        "displacment = \"0.4 m\"",
        59,
-       {"stage.drag.until.displacment", "did you mean \"displacement\"?", "allowed: time, displacement, embedment, force"},
+       {"stage.drag.until.displacment", "did you mean \"displacement\"?", "allowed: time, real_time, displacement, embedment"},
        {}},
       {"misspelt_key_in_an_inline_table",
        "{embedment",

@@ -48,8 +48,8 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const Real dt = state.dt;
   const bool flows = grid.water.flows();
   const bool reported = grid.support_force.size() > 0;
-  const boundary::Dashpots<dim>& dashpots = model.dashpots[body];
-  const bool absorbing = dashpots.any(), holding = model.stages[state.stage.index].kind == problem::StageKind::geostatic;
+  const bool absorbing = !model.dashpots.empty() && model.dashpots[body].any();
+  const bool holding = model.stages[state.stage.index].kind == problem::StageKind::geostatic;
   const bool loaded = !model.load_points.empty();
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n) {
@@ -75,7 +75,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       for (int d = 0; d < dim; ++d)
         if (inertia[d] < m) force[d] -= water.mass / water.inertia * (water.force[d] - water.drag * state.flux[body][i][d]);
     }
-    const Index dashpot = absorbing ? dashpots.of_node[i] : none;
+    const Index dashpot = absorbing ? model.dashpots[body].of_node[i] : none;
     const bool gives_way = dashpot != none && !holding;
     Vec<dim> unbalanced = force;
     if (gives_way) unbalanced += state.held_forces[body][i];
@@ -89,7 +89,8 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     }
     const Vec<dim> total = force + damping;
     a = !gives_way ? Vec<dim>(total.cwiseQuotient(inertia))
-                   : boundary::acceleration_with<dim>(dashpots.resistance[dashpot], inertia, total + state.held_forces[body][i], v, dt);
+                   : boundary::acceleration_with<dim>(model.dashpots[body].resistance[dashpot], inertia, total + state.held_forces[body][i],
+                                                      v, dt);
     for (int d = 0; d < dim; ++d)
       if (fixed[i] >> d & 1) a[d] = -v[d] / dt;
     const Vec<dim> mid_velocity = v + 0.5 * dt * a;
@@ -99,7 +100,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     if (reported) grid.support_force[i] = sums_i.support;
     if (dashpot != none) {
       for (int d = 0; d < dim && holding; ++d)
-        if (dashpots.directions[dashpot] >> d & 1) state.held_forces[body][i][d] = sums_i.support[d];
+        if (model.dashpots[body].directions[dashpot] >> d & 1) state.held_forces[body][i][d] = sums_i.support[d];
       for (int d = 0; d < dim && !holding; ++d)
         if (!(fixed[i] >> d & 1)) sums_i.support_power += sums_i.support[d] * mid_velocity[d];
     }

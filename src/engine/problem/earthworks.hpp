@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bodies/rigid/polygon.hpp"
+#include "bodies/body_settings.hpp"
 #include "core/describe.hpp"
 
 #include <array>
 #include <optional>
-
-namespace berm::bodies {
-struct BodySettings;
-}
 
 namespace berm::problem {
 

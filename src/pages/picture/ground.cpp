@@ -93,6 +93,7 @@ HeldSides held_of(const problem::Case& c, const boundary::SupportSettings& suppo
 {
   HeldSides held{fmt::format("{} fixed", fmt::join(support.fixed, ", ")), support.boundary, fixed_directions(support), {}};
   if (!support.stages.empty()) held.words += fmt::format(" in {}", fmt::join(support.stages, ", "));
+  if (support.absorbs) held.words += " at rest, then absorbs waves";
   if (problem::has_flowing_water(c)) held.words += support.drained ? ", drained" : ", no flow";
   return held;
 }

@@ -216,7 +216,11 @@ void mesh(Column& column, Canvas& canvas, const Model& model)
   if (along) column.entry("held along the boundary", sign(1));
   for (const auto& [name, traction] : model.settings.traction)
     column.entry(fmt::format("traction {} on boundary {}{}", name, traction.boundary,
-                             traction.pressure ? ", " + text::stress_words(*traction.pressure) : ""),
+                             traction.pressure ? ", " + text::stress_words(*traction.pressure) : "") +
+                     (traction.pressure_gradient > 0
+                          ? fmt::format(" and {} a metre below y = {}", text::stress_words(traction.pressure_gradient),
+                                        text::length_words(traction.level.value_or(0)))
+                          : ""),
                  [&](const Vec<2>& c) {
                    canvas.arrow(c - Vec<2>(12, 0), c + Vec<2>(12, 0), {load_color, 1.5});
                  });

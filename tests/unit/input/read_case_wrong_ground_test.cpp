@@ -50,12 +50,12 @@ TEST(Ground, wrong_fills_say_what_is_allowed)
   EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", duration=1, " + square)}), "give it lifts");
   EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", lifts=2, duration=21, " + square)}), "is longer than stage \"drag\", 20 s");
   EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", z_range=[0, 1], " + square)}), "is for space");
-  EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", " + square), "body.bed.fill[0].material=rubber"}), "need one law");
+  EXPECT_GROUND_SAYS(refusal_with({"body.bed.fill=[{name=\"berm\", material=\"rubber\", stage=\"drag\", " + square + "}]"}),
+                     "need one law");
   EXPECT_GROUND_SAYS(refusal_with({"body.bed.fill=[{name=\"tip\", material=\"sand\", stage=\"drag\", " + square + "}]"}),
                      "columns of the history begin with");
   EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", " + square), "mpm.active_distance=1"}), "mpm.active_distance");
-  EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", " + square), "gravity=[\"-1 gravity\", 0]", "body.bed.fill[0].k0=0.5"}),
-                     "for gravity along -y");
+  EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", k0=0.5, " + square), "gravity=[\"-1 gravity\", 0]"}), "for gravity along -y");
 }
 
 TEST(Ground, two_works_of_one_name_are_refused)
@@ -72,13 +72,23 @@ TEST(Ground, boundary_that_absorbs_needs_rest_first)
             std::string::npos);
 }
 
+/// The message that refuses the good case with this load on its left side.
+std::string refusal_of_load(const std::string& keys)
+{
+  try {
+    read_case_text("case.toml", std::string(test::good_case) + "\n[traction.water]\nboundary = \"left\"\n" + keys, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(Ground, pressure_that_grows_needs_a_level_and_a_pressure)
 {
-  const std::string gradient = "traction.water.pressure_gradient=9.81 kPa/m", boundary = "traction.water.boundary=left";
-  EXPECT_EQ(refusal_with({boundary, "traction.water.pressure=0", gradient, "traction.water.level=1"}), "");
-  EXPECT_GROUND_SAYS(refusal_with({boundary, "traction.water.pressure=0", gradient}), "give both level and pressure_gradient");
-  EXPECT_GROUND_SAYS(refusal_with({boundary, "traction.water.stress=[0, -1]", gradient, "traction.water.level=1"}),
-                     "belongs to a pressure");
+  EXPECT_EQ(refusal_of_load("pressure = 0\npressure_gradient = \"9.81 kPa/m\"\nlevel = 1\n"), "");
+  EXPECT_GROUND_SAYS(refusal_of_load("pressure = 0\npressure_gradient = \"9.81 kPa/m\"\n"), "give both level and pressure_gradient");
+  EXPECT_GROUND_SAYS(refusal_of_load("pressure = 0\npressure_gradient = \"-9.81 kPa/m\"\nlevel = 1\n"), "pressure_gradient");
+  EXPECT_GROUND_SAYS(refusal_of_load("stress = [0, -1]\npressure_gradient = 9810\nlevel = 1\n"), "belongs to a pressure");
 }
 
 /// The good case in soil whose water flows, which rests for 30 days of its own instead of the drag.

@@ -147,7 +147,7 @@ void add_soils(Rows& rows)
     if (const problem::BodySoil soil = soil_of(rows.settings(), body); soil.materials.size() > 1)
       rows.add(fmt::format("body {}: materials", name), base::layers_in_words(soil));
   for (const base::EarthworkWords& work : base::earthworks_in_words(rows.settings()))
-    rows.add(fmt::format("body {}", work.body), work.words);
+    rows.add(fmt::format("body {}: {}", work.body, work.settings.name), work.words);
   if (const base::BodyScale& scale = rows.scale(); scale.strength_depth > 0)
     rows.add(fmt::format("undrained strength at a depth of {}, that of the lowest point after the push",
                          text::length_words(scale.strength_depth)),
