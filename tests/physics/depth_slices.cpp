@@ -61,6 +61,31 @@ TEST(DepthSlices, have_the_pressure_at_rest_that_grows_with_depth)
   EXPECT_NEAR(all, K0 * gamma / 2, 0.02 * K0 * gamma / 2);
 }
 
+// The soil's height is 1 m and the wall as high: each slice is a quarter of it, and its shaft carries the adhesion over that.
+TEST(DepthSlices, have_the_adhesion_of_a_wall_that_is_pushed_down)
+{
+  constexpr Real adhesion = 100;
+  problem::Case c = wall_at_rest();
+  c.contact[0].second.adhesion = adhesion;
+  c.stage[0].kind = problem::StageKind::drive;
+  c.stage[0].rigid = "wall";
+  c.stage[0].drive.y.velocity = -0.05;
+  Simulation<2> run(c);
+  run.run_until(0.1);
+  const std::vector<Real> before = run.state().slice_shaft_impulses[0];
+  const Real all_before = run.state().contact_sums[0].shaft_impulse, begin = run.state().time;
+  run.run_until(0.2);
+  const Real time = run.state().time - begin, all = (run.state().contact_sums[0].shaft_impulse - all_before) / time;
+  Real sum = 0;
+  for (int k = 0; k < slices; ++k) {
+    const Real force = (run.state().slice_shaft_impulses[0][k] - before[k]) / time;
+    sum += force;
+    // A contact hands a force to nodes up to a cell away: a cell of depth at each end of a slice, at most.
+    EXPECT_NEAR(force, -adhesion / slices, 2 * adhesion * cell) << k;
+  }
+  EXPECT_NEAR(sum, all, 1e-9 * std::abs(all));
+}
+
 TEST(DepthSlices, are_refused_of_a_body_above_the_soil)
 {
   problem::Case c = wall_at_rest();

@@ -51,18 +51,6 @@ std::vector<Soil> yielding(const Scene& s)
   return soils;
 }
 
-/// Whether a body, or a layer or a region of it, names the material.
-bool is_named(const problem::Case& c, const std::string& material)
-{
-  return std::any_of(c.body.begin(), c.body.end(), [&](const auto& named) {
-    const bodies::BodySettings& body = named.second;
-    return body.material == material ||
-           std::any_of(body.soil_layer.begin(), body.soil_layer.end(), [&](const auto& layer) { return layer.material == material; }) ||
-           std::any_of(body.region_material.begin(), body.region_material.end(), [&](const auto& of) { return of.second == material; }) ||
-           std::any_of(body.fill.begin(), body.fill.end(), [&](const auto& fill) { return fill.material == material; });
-  });
-}
-
 /// Ka and Kp of soil without cohesion, in words.
 std::string bounds_of_k0(const material::Material& material)
 {
@@ -264,7 +252,7 @@ void what_inertia_do_layers_get(const Scene& s, Findings& found)
 void is_all_soil_used(const Scene& s, Findings& found)
 {
   for (const auto& [name, material] : s.c.material)
-    if (!is_named(s.c, name))
+    if (!problem::is_used(s.c, name))
       found.warn("material." + name, "is not used: no body, layer or region names it; name it, or leave the table out");
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const bodies::BodySettings& body = s.c.body[b].second;

@@ -74,13 +74,14 @@ std::vector<Index> bodies_of_regions(const mesh::Mesh<dim>& mesh, const Case& c)
 template <int dim>
 void add_dashpots(const Case& c, Model<dim>& model)
 {
+  if (std::none_of(c.support.begin(), c.support.end(), [](const auto& support) { return support.second.absorbs; })) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
+  const std::vector<Index> body_of = bodies_of_regions(mesh, c);
   model.dashpots.resize(model.bodies.size());
   for (const auto& [name, support] : c.support) {
     if (!support.absorbs) continue;
-    fixed_boundary(mesh, name, support);
+    const Index boundary = fixed_boundary(mesh, name, support);
     const std::uint8_t directions = fixed_directions(support);
-    const std::vector<Index> body_of = bodies_of_regions(mesh, c);
     for (const boundary::LoadedPoint<dim>& point : points_at(model, name, support, body_of)) {
       const Index region = mesh.region[point.cell], body = body_of[region];
       boundary::Dashpots<dim>& dashpots = model.dashpots[body];
@@ -102,7 +103,7 @@ void add_dashpots(const Case& c, Model<dim>& model)
         dashpots.directions[place] |= directions;
       }
     }
-    hold_without_soil(c, name, directions, mesh.boundary_nodes[fixed_boundary(mesh, name, support)], model);
+    hold_without_soil(c, name, directions, mesh.boundary_nodes[boundary], model);
   }
 }
 

@@ -38,11 +38,8 @@ bool differs_from(Real ratio, const material::Material& material)
 /// Whether all materials that a body names are there.
 bool knows_materials(const Case& c, const bodies::BodySettings& body)
 {
-  const auto known = [&](const std::string& name) { return index_of(c.material, name) != none; };
-  return known(body.material) &&
-         std::all_of(body.soil_layer.begin(), body.soil_layer.end(), [&](const auto& l) { return known(l.material); }) &&
-         std::all_of(body.region_material.begin(), body.region_material.end(), [&](const auto& r) { return known(r.second); }) &&
-         std::all_of(body.fill.begin(), body.fill.end(), [&](const auto& fill) { return known(fill.material); });
+  const std::vector<std::string> names = materials_of(body);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) { return index_of(c.material, name) != none; });
 }
 
 /// Refuses a strength by the vertical stress where that is not known.
@@ -69,6 +66,23 @@ void check_vertical_stress(Describe& d, const Case& c, const std::string& path, 
 }
 
 }  // namespace
+
+std::vector<std::string> materials_of(const bodies::BodySettings& body)
+{
+  std::vector<std::string> names = {body.material};
+  for (const bodies::SoilLayerSettings& layer : body.soil_layer) names.push_back(layer.material);
+  for (const auto& entry : body.region_material) names.push_back(entry.second);
+  for (const bodies::FillSettings& fill : body.fill) names.push_back(fill.material);
+  return names;
+}
+
+bool is_used(const Case& c, const std::string& material)
+{
+  return std::any_of(c.body.begin(), c.body.end(), [&](const auto& entry) {
+    const std::vector<std::string> names = materials_of(entry.second);
+    return std::find(names.begin(), names.end(), material) != names.end();
+  });
+}
 
 Index BodySoil::material_index_at(const std::string& region, Real depth) const
 {

@@ -59,6 +59,11 @@ int material_index_offset(const BodySoil& soil);
 /// All extra fields of a body's particles: those of its law, then what each keeps of its own.
 std::vector<FieldInfo> particle_extra(const BodySoil& soil);
 
+/// The names of the materials that a body, its layers, regions and fills have.
+std::vector<std::string> materials_of(const bodies::BodySettings& body);
+/// Whether a body names the material.
+bool is_used(const Case& c, const std::string& material);
+
 /// Refuses layers, regions and fills that do not fit together.
 void check_soil(Describe& d, const Case& c, const std::string& path, const bodies::BodySettings& body);
 

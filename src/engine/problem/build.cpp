@@ -319,7 +319,8 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
       if (contact.memory.bond != none && model.bodies[contact.body].name == name)
         bond_at_start(model.mesh.metric, state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);
     if (varies(body.soil)) body.waves = waves_in(model, body, state.particles.back());
-    state.held_forces.push_back(NodeField<Vec<dim>>::zeros(model.dashpots[number].any() ? model.mesh.node_count() : 0));
+    state.held_forces.push_back(
+        NodeField<Vec<dim>>::zeros(!model.dashpots.empty() && model.dashpots[number].any() ? model.mesh.node_count() : 0));
     state.numbered.push_back(state.particles.back().size());
     if (state.particles.back().size() == 0)
       throw KeyError(

@@ -110,6 +110,15 @@ struct InCell {
   }
 };
 
+/// Of all ranks, in the order of their cells.
+template <int dim>
+std::vector<InCell<dim>> gathered(const std::vector<InCell<dim>>& own)
+{
+  std::vector<InCell<dim>> of_all;
+  Ranks::of_run().gather(own, of_all);
+  return of_all;
+}
+
 template <int dim>
 std::vector<InCell<dim>> take_out(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, bodies::Particles<dim>& particles)
 {
@@ -122,7 +131,7 @@ std::vector<InCell<dim>> take_out(const Model<dim>& model, const Earthwork<dim>&
       if (is_within(work, slab, particles.read_at(cell, index).x)) here.add(particles.take(cell, index));
     if (here.particles > 0) done.push_back(here);
   }
-  return done;
+  return gathered(done);
 }
 
 /// A particle that is there already.
@@ -222,7 +231,7 @@ std::vector<InCell<dim>> place(const Model<dim>& model, const Earthwork<dim>& wo
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) holes.push_back(placed(model.rigid_bodies[r], state.rigid_bodies[r]));
   const auto points = points_of_regions(work);
   const SoilAround<dim> around(model, state, work, slab);
-  std::vector<InCell<dim>> done, of_all;
+  std::vector<InCell<dim>> done;
   std::vector<std::pair<Index, bodies::Particle<dim>>> made;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     if (!Ranks::of_run().owns_cell(cell) || !comes_near(model, work, slab, cell)) continue;
@@ -241,7 +250,7 @@ std::vector<InCell<dim>> place(const Model<dim>& model, const Earthwork<dim>& wo
     if (here.particles > 0) done.push_back(here);
   }
   // Numbers go on in the order of the cells, whichever rank has them.
-  Ranks::of_run().gather(done, of_all);
+  const std::vector<InCell<dim>> of_all = gathered(done);
   std::int32_t next = state.numbered[work.body];
   for (const InCell<dim>& cell : of_all) {
     if (!done.empty() && cell.cell == done.front().cell) break;
@@ -252,21 +261,32 @@ std::vector<InCell<dim>> place(const Model<dim>& model, const Earthwork<dim>& wo
     particles.insert(cell, particle);
   }
   for (const InCell<dim>& cell : of_all) state.numbered[work.body] += cell.particles;
-  return done;
+  return of_all;
 }
 
 template <int dim>
 void count(const std::vector<InCell<dim>>& done, Real weight_over_mass, EarthworkState<dim>& sum)
 {
-  std::vector<InCell<dim>> of_all;
-  Ranks::of_run().gather(done, of_all);
-  for (const InCell<dim>& cell : of_all) {
+  for (const InCell<dim>& cell : done) {
     sum.particles += cell.particles;
     sum.volume += cell.volume;
     sum.mass += weight_over_mass * cell.mass;
     sum.momentum += cell.momentum;
     sum.kinetic += cell.kinetic;
   }
+}
+
+/// How many particles a fill can need.
+template <int dim>
+Index room_for(const Model<dim>& model, const Earthwork<dim>& fill)
+{
+  Index room = 0;
+  const auto points = points_of_regions(fill);
+  const Slab slab = slab_of(fill, 0, fill.lifts);
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+    if (comes_near(model, fill, slab, cell))
+      room += static_cast<Index>(points_in(model, fill, slab, cell, points[model.mesh.region[cell]]).size());
+  return room;
 }
 
 void check_earthwork(Describe& d, const Case& c, const std::string& path, const bodies::EarthworkSettings& work)
@@ -325,7 +345,7 @@ void add_earthworks(const bodies::BodySettings& settings, Index body, Model<dim>
       throw KeyError(
           fmt::format("body.{}.fill[{}].y: reaches y = {:.4g} m, and the mesh ends at {:.4g} m: draw it lower, or make the mesh higher",
                       model.bodies[body].name, k, work.top, model.mesh.upper[1]));
-    if (room_for_fills(model, body) == 0)
+    if (room_for(model, work) == 0)
       throw KeyError(fmt::format("body.{}.fill[{}].x: no cell of the mesh is there", model.bodies[body].name, k));
   }
 }
@@ -364,14 +384,8 @@ template <int dim>
 Index room_for_fills(const Model<dim>& model, Index body)
 {
   Index room = 0;
-  for (const Earthwork<dim>& work : model.earthworks) {
-    if (!work.fills || work.body != body) continue;
-    const auto points = points_of_regions(work);
-    const Slab slab = slab_of(work, 0, work.lifts);
-    for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
-      if (comes_near(model, work, slab, cell))
-        room += static_cast<Index>(points_in(model, work, slab, cell, points[model.mesh.region[cell]]).size());
-  }
+  for (const Earthwork<dim>& work : model.earthworks)
+    if (work.fills && work.body == body) room += room_for(model, work);
   return room;
 }
 

@@ -105,7 +105,7 @@ struct Model {
   std::vector<LoadPoint<dim>> load_points;
   std::vector<NodeField<std::uint8_t>> fixed;     ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                    ///< by stage: which set
-  std::vector<boundary::Dashpots<dim>> dashpots;  ///< by body, of the boundaries that absorb
+  std::vector<boundary::Dashpots<dim>> dashpots;  ///< by body, of the boundaries that absorb; empty where none does
   std::vector<Support> supports;                  ///< by place in Case::support, where their reactions are reported; else none
   std::vector<NodeField<boundary::Holders<dim>>>
       holders;  ///< as `fixed`: which of these supports holds the node; empty where there are none

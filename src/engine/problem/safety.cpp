@@ -63,18 +63,6 @@ Real height_that_slides(const Model<dim>& model, Real depth)
   return std::min(depth, width);
 }
 
-/// Whether a body has it anywhere.
-bool is_used(const Case& c, const std::string& material)
-{
-  return std::any_of(c.body.begin(), c.body.end(), [&](const auto& entry) {
-    const bodies::BodySettings& body = entry.second;
-    return body.material == material ||
-           std::any_of(body.soil_layer.begin(), body.soil_layer.end(), [&](const auto& layer) { return layer.material == material; }) ||
-           std::any_of(body.region_material.begin(), body.region_material.end(),
-                       [&](const auto& region) { return region.second == material; });
-  });
-}
-
 bool has_load(const Case& c)
 {
   const auto pushes = [](const StageSettings& stage) {

@@ -2,6 +2,7 @@
 #include "picture/ground.hpp"
 
 #include "bodies/fill.hpp"
+#include "problem/absorbing.hpp"
 #include "problem/drainage.hpp"
 #include "problem/model.hpp"
 
@@ -26,15 +27,6 @@ std::vector<BodyKinds> kinds_of(const problem::Case& c, std::vector<SoilKind>& k
     for (const std::string& material : bodies.back().soil.names) kinds.push_back({name, material, &c});
   }
   return bodies;
-}
-
-/// The body of each region, the first where several fill it, or none.
-std::vector<Index> bodies_of_regions(const problem::Case& c, const mesh::Mesh<2>& mesh)
-{
-  std::vector<Index> body_of(mesh.region_names.size(), none);
-  for (Index b = static_cast<Index>(c.body.size()); b-- > 0;)
-    for (const std::string& region : c.body[b].second.regions) body_of[bodies::filled_region(mesh, c.body[b].first, region)] = b;
-  return body_of;
 }
 
 Index filled_by(const problem::Case& c, const std::string& region)
@@ -232,7 +224,7 @@ Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh, const proble
   ground.upper = mesh.upper;
   ground.cells = mesh.cell_count();
   const std::vector<BodyKinds> bodies = kinds_of(c, ground.kinds);
-  const std::vector<Index> body_of = bodies_of_regions(c, mesh);
+  const std::vector<Index> body_of = problem::bodies_of_regions(mesh, c);
   const Surface surface(c, bed);
   for (const auto& [name, support] : c.support) ground.held.push_back(held_sides(c, mesh, name, support));
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {

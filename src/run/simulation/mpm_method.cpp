@@ -188,10 +188,11 @@ bool MpmMethod<d>::change_soil()
     if (now.lifts == before[k].lifts) continue;
     const std::string of_lifts = work.lifts > 1 ? fmt::format(", lift {} of {}", now.lifts, work.lifts) : "";
     const BigIndex particles = now.particles - before[k].particles;
-    const char* unit = model().mesh.metric == mesh::Metric::cartesian && d == 2 ? "kg/m" : "kg";
+    const bool whole = d == 3 || model().mesh.metric == mesh::Metric::axisymmetric;
+    const Real mass = model().parts * (now.mass - before[k].mass), volume = model().parts * (now.volume - before[k].volume);
     spdlog::info("{} \"{}\"{}: {} particles, {:.4g} {} in {:.4g} {} {} at t = {:.4g} s", work.fills ? "fill" : "excavation", work.name,
-                 of_lifts, particles, model().parts * (now.mass - before[k].mass), unit, model().parts * (now.volume - before[k].volume),
-                 unit == std::string("kg") ? "m3" : "m2", work.fills ? "placed" : "taken out", state().time);
+                 of_lifts, particles, mass, whole ? "kg" : "kg/m", volume, whole ? "m3" : "m2", work.fills ? "placed" : "taken out",
+                 state().time);
     if (particles == 0)
       spdlog::warn("{} \"{}\"{}: {}", work.fills ? "fill" : "excavation", work.name, of_lifts,
                    work.fills ? "there is no room in its area: soil or rigid bodies take all of it"

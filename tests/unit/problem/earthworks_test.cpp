@@ -238,6 +238,15 @@ TEST(Earthworks, fill_outside_the_mesh_is_refused)
   Case c = half_full();
   c.body[0].second.fill = {fill_of(5, 6, 1, 2)};
   EXPECT_THROW(build<2>(c, ".", "."), KeyError);
+  c.body[0].second.fill.insert(c.body[0].second.fill.begin(), fill_of(0, 1, 1, 2));
+  EXPECT_THROW(build<2>(c, ".", "."), KeyError) << "also behind one that is inside";
+}
+
+TEST(Earthworks, fill_above_the_mesh_is_refused)
+{
+  Case c = half_full();
+  c.body[0].second.fill = {fill_of(0, 1, 1, 2.5)};
+  EXPECT_THROW(build<2>(c, ".", "."), KeyError);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <functional>
 #include <map>
+#include <set>
 
 namespace berm::report {
 namespace {
@@ -107,14 +108,12 @@ FilmReader::FilmReader(const std::vector<run_folder::FrameFiles>& files, int dim
 /// A frame that cannot be read is reported where the film reads it.
 void FilmReader::add_points_of(const std::vector<run_folder::FrameFiles>& files)
 {
-  std::map<std::pair<std::int32_t, std::int32_t>, bool> known;
-  for (std::size_t k = 0; k < first_.id.size(); ++k) known[{first_.body[k], first_.id[k]}] = true;
+  std::set<std::pair<std::int32_t, std::int32_t>> known;
+  for (std::size_t k = 0; k < first_.id.size(); ++k) known.emplace(first_.body[k], first_.id[k]);
   for (std::size_t f = 1; f < files.size(); ++f) try {
       const run_folder::SavedSoil soil = run_folder::read_soil(files[f].soil);
       for (std::size_t k = 0; k < soil.id.size(); ++k) {
-        bool& there = known[{soil.body[k], soil.id[k]}];
-        if (there) continue;
-        there = true;
+        if (!known.emplace(soil.body[k], soil.id[k]).second) continue;
         first_.body.push_back(soil.body[k]);
         first_.id.push_back(soil.id[k]);
         first_.z.push_back(soil.z[k]);
