@@ -354,6 +354,8 @@ void check_earthworks(Describe& d, const Case& c)
 {
   std::vector<std::string> names;
   const auto check_name_of = [&](const std::string& path, const std::string& name) {
+    d.check(!name.empty() && name.find_first_of(",\".") == std::string::npos, path + ".name",
+            "must be a word without comma, dot or quotes");
     d.check(!among(name, names), path + ".name", fmt::format("another fill or excavation has the name \"{}\"", name));
     names.push_back(name);
     const bool taken = index_of(c.body, name) != none || index_of(c.rigid, name) != none || index_of(c.contact, name) != none ||

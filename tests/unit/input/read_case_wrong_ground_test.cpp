@@ -54,6 +54,8 @@ TEST(Ground, wrong_fills_say_what_is_allowed)
                      "need one law");
   EXPECT_GROUND_SAYS(refusal_with({"body.bed.fill=[{name=\"tip\", material=\"sand\", stage=\"drag\", " + square + "}]"}),
                      "columns of the history begin with");
+  EXPECT_GROUND_SAYS(refusal_with({"body.bed.fill=[{name=\"rock, 2 m\", material=\"sand\", stage=\"drag\", " + square + "}]"}),
+                     "without comma, dot or quotes");
   EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", " + square), "mpm.active_distance=1"}), "mpm.active_distance");
   EXPECT_GROUND_SAYS(refusal_with({fill_with("stage=\"drag\", k0=0.5, " + square), "gravity=[\"-1 gravity\", 0]"}), "for gravity along -y");
 }
