@@ -337,6 +337,10 @@ void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
   for (Index node = 0; node < open.size(); ++node)
     if (const Index unknown = model_.flow.unknown[node]; unknown != none)
       prescribed_[unknown] = static_cast<char>(loads.drained || open[node] != 0);
+  if (model_.flow.at_head.empty()) return;
+  outside_.assign(static_cast<std::size_t>(model_.flow.count), 0);
+  for (std::size_t h = 0; h < loads.heads.size() && !loads.drained; ++h)
+    for (const Index unknown : model_.flow.at_head[h]) outside_[unknown - model_.pressure_unknown()] += loads.heads[h];
 }
 
 /// Adds the balance of the water to the residual.

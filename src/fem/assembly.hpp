@@ -11,6 +11,7 @@ namespace berm::fem {
 struct FemLoads {
   Vec<2> gravity = Vec<2>::Zero();    ///< m/s2
   std::vector<Real> tractions;        ///< load factor of each; none where empty
+  std::vector<Real> heads;            ///< Pa, excess pore pressure of each; none where empty
   Real initial_imbalance_factor = 0;  ///< fraction of the initial unbalanced forces that fictitious forces still balance
   Real dt = 0;                        ///< s, duration of the increment; 0: none, so that no strain rate is defined, and no water flows
   bool drained = false;               ///< there is no excess pore pressure
@@ -55,6 +56,8 @@ public:
   /// unknowns are those of the identity.
   const std::vector<Real>& matrix() const { return matrix_; }
   bool prescribed(Index unknown) const { return prescribed_[unknown]; }
+  /// The excess pore pressure at the end of the increment of an unknown that is prescribed, Pa: that of the water outside.
+  Real outside_pressure(Index unknown) const { return outside_.empty() ? 0 : outside_[unknown - model_.pressure_unknown()]; }
   /// Sum over the nodes of the unbalanced forces' magnitudes, and over the contact points of the forces', N/m.
   Real unbalanced() const { return unbalanced_; }
   /// The unbalanced part of the water's volume.
@@ -121,6 +124,7 @@ private:
   std::vector<FemContactState> contact_;
   std::vector<Real> soil_residual_, residual_, matrix_, initial_imbalance_;
   std::vector<char> prescribed_;
+  std::vector<Real> outside_;  ///< Pa, by pressure; empty where there is no head
   Real unbalanced_ = 0, contact_force_ = 0, unbalanced_flow_ = 0;
   Real dt_ = 0;  ///< s, of what was evaluated last
 };

@@ -159,7 +159,7 @@ void refuse_without_k0(const problem::Case& c)
   const char* why = c.initial_state == problem::InitialState::gravity_loading ? "with initial_state = \"gravity_loading\""
                                                                               : "below ground that is not level";
   for (const auto& [name, body] : c.body)
-    if (!body.k0) throw KeyError(fmt::format("body.{}.k0: is missing: {} finite elements need k0 of all bodies", name, why));
+    if (!body.has_k0()) throw KeyError(fmt::format("body.{}.k0: is missing: {} finite elements need k0 of all bodies", name, why));
 }
 
 /// Throws KeyError where a stage moves another body than the one that meets the soil.
@@ -302,6 +302,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   state.contact.resize(model.contact.size());
   state.support_forces.assign(model.model.supports.size(), Vec<2>::Zero());
   state.state.tractions.resize(model.model.tractions.size());
+  state.state.heads.resize(model.model.heads.size());
   state.state.rigid_bodies.resize(model.model.rigid_bodies.size());
   end_at_once(model.model.stages);
   begin_stage(model.model, state.state);

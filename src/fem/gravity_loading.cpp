@@ -23,7 +23,8 @@ SymTensor<2> strain_of_unknown(const ShapeAtPoint& shape, int k)
 void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& state)
 {
   const auto ground_at = [&](Index cell, int q) {
-    return problem::ground_elasticity(model.soil_at(cell, q), *c.body[model.mesh.body[cell]].second.k0_at(model.depth[cell][q]));
+    const Real depth = model.depth[cell][q], above = model.soil_of(cell).vertical_stress(model.region_of(cell), depth);
+    return problem::ground_elasticity(model.soil_at(cell, q), *c.body[model.mesh.body[cell]].second.k0_at(depth, above));
   };
   std::vector<char> prescribed(model.unknowns(), 0);
   const NodeField<std::uint8_t>& fixed = model.mesh.fixed[model.model.fixed_in[0]];

@@ -171,13 +171,15 @@ Real LoadSteps::up_to_a_load(Real dt, Real since) const
   return dt;
 }
 
-/// Gravity and tractions at a time.
+/// Gravity, tractions and heads at a time.
 FemLoads LoadSteps::dead_loads(Real time) const
 {
   FemLoads loads;
   loads.gravity = gravity_now(model_.model, time);
   for (std::size_t t = 0; t < model_.loads.size(); ++t)
     loads.tractions.push_back(part_of_traction(model_.model.tractions[t], state_.state.tractions[t], time));
+  for (std::size_t h = 0; h < model_.model.heads.size(); ++h)
+    loads.heads.push_back(part_of_traction(model_.model.heads[h], state_.state.heads[h], time) * model_.model.heads[h].pressure);
   return loads;
 }
 

@@ -107,6 +107,11 @@ void make_flow(FemModel& model)
     }
   }
   flow.at_contact = pressures_at_contact(model);
+  for (const std::vector<Index>& nodes : model.mesh.head_nodes) {
+    std::vector<Index>& unknowns = flow.at_head.emplace_back();
+    for (const Index node : nodes)
+      if (const Index unknown = flow.unknown[node]; unknown != none) unknowns.push_back(unknown);
+  }
   for (const NodeField<std::uint8_t>& closed : model.mesh.impermeable) flow.open.push_back(open_nodes(model, closed));
 }
 

@@ -37,7 +37,7 @@ bool Newton::set_step(const FemState& begin, const FemLoads& loads, const std::v
     }
     Real prescribed = 0;
     if (k >= model_.pressure_unknown())
-      prescribed = -begin.displacement[k];
+      prescribed = assembly_.outside_pressure(k) - begin.displacement[k];
     else if (k >= model_.rigid_unknown())
       prescribed = loads.rigid[k - model_.rigid_unknown()].value;
     step_[k] = prescribed - change[k];

@@ -123,6 +123,16 @@ bool on_surface(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape, c
                      [&](Index node) { return std::abs(surface_at<2>(shape, mesh.position[node]).distance) < tolerance; });
 }
 
+// The ends of sides, each once.
+std::vector<Index> corners_of(const std::vector<BoundarySide>& sides)
+{
+  std::vector<Index> nodes;
+  for (const BoundarySide& side : sides) nodes.insert(nodes.end(), {side.from, side.to});
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 void bend_onto(QuadraticMesh& mesh, const bodies::RigidShape<2>& shape)
 {
   for (const BoundarySide& side : mesh.boundary_sides) {
@@ -173,6 +183,9 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, 
     maker.made.impermeable.push_back(std::move(closed));
     if (c.output.support_reactions) maker.made.holders.push_back(std::move(holders));
   }
+  for (const auto& [name, support] : c.support)
+    if (support.head && *support.head != 0)
+      maker.made.head_nodes.push_back(corners_of(maker.sides_at(fixed_boundary(mesh, name, support))));
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
   for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
   check_unfolded(maker.made);

@@ -24,6 +24,8 @@ struct QuadraticMesh {
   std::vector<BoundarySide> boundary_sides;
   std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
 
+  std::vector<std::vector<Index>> head_nodes;  ///< by problem::Model::heads: the corners at its boundary
+
   Index node_count() const { return position.size(); }
   Index cell_count() const { return nodes.size(); }
   AtSixNodes<Vec<2>> positions_of(Index cell) const;

@@ -2,266 +2,68 @@
 #include "input/load_history.hpp"
 
 #include "core/error.hpp"
-#include "input/message_text.hpp"
+#include "input/table_file.hpp"
 #include "input/units.hpp"
 #include "problem/load_checks.hpp"
+#include "problem/motions.hpp"
 #include "problem/time_scale.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <fmt/format.h>
 #include <fstream>
 
 namespace berm::input {
 namespace {
 
-std::string trimmed(std::string_view field)
+/// Reads the file of a load history into the stage.
+void read_load_file(const problem::Case& c, const std::filesystem::path& file, problem::StageSettings& stage)
 {
-  const auto begin = field.find_first_not_of(" \t\""), end = field.find_last_not_of(" \t\r\"");
-  return begin == std::string_view::npos ? "" : std::string(field.substr(begin, end + 1 - begin));
+  const std::vector<std::size_t> allowed = columns_for(c, stage);
+  TableForm form{"the load history of this stage", {}, true, "time_s,H_N_m,V_N_m"};
+  for (const std::size_t k : allowed) {
+    const problem::LoadColumn& column = problem::load_columns[k];
+    form.columns.push_back({column.name, c.force_dimension() == 3 ? unit_of_whole(column.unit) : column.unit});
+  }
+  read_table(file, form, [&](Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values) {
+    stage.load_times.push_back(time);
+    if (columns.empty()) stage.load_factors.push_back(values.front());
+    for (std::size_t n = 0; n < columns.size(); ++n) stage.loads.columns[allowed[columns[n]]].push_back(values[n]);
+    const std::optional<problem::RowFault> fault = fault_of_row(stage, stage.load_times.size() - 1);
+    return fault ? fault->message : "";
+  });
 }
 
-/// The fields of a line; none where a quotation mark is not closed.
-std::vector<std::string> fields_of(const std::string& line, char separator)
+/// Throws KeyError with the key of a table of which "KEY: MESSAGE" is wrong, "" where nothing is.
+void refuse_fault(const std::string& table, const std::string& fault)
 {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (c == separator && !quoted)
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  for (std::string& field : fields) field = trimmed(field);
-  return quoted ? std::vector<std::string>() : fields;
+  if (!fault.empty()) throw KeyError(table + (fault.starts_with(": ") ? "" : ".") + fault);
 }
 
-/// Semicolons where one stands outside quotation marks.
-char separator_in(const std::string& line)
+void refuse_unreadable(const std::string& key, const std::filesystem::path& file)
 {
-  return fields_of(line, ';').size() > 1 ? ';' : ',';
+  if (!std::ifstream(file)) throw KeyError(fmt::format("{}: {} cannot be read", key, file.string()));
 }
-
-bool is_digit(char c)
-{
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The number that a field is; empty where it is none.
-std::optional<Real> number_of(const std::string& field)
-{
-  const bool plus = field.size() > 1 && field[0] == '+' && (is_digit(field[1]) || field[1] == '.');
-  const char *first = field.data() + (plus ? 1 : 0), *last = field.data() + field.size();
-  Real number = 0;
-  const auto [rest, error] = std::from_chars(first, last, number);
-  if (error != std::errc() || rest != last || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
-/// A number with a decimal comma as it is written with a point; "" where a field is none.
-std::string with_point(std::string field)
-{
-  const std::size_t comma = field.find(',');
-  if (comma == std::string::npos) return "";
-  field[comma] = '.';
-  return number_of(field) ? field : "";
-}
-
-std::string without_capitals(std::string text)
-{
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-/// Whether the first field of a line is that of a row of numbers, right or wrong, and not of a header.
-bool begins_row(const std::string& field)
-{
-  const std::string word = without_capitals(field);
-  return !field.empty() && (is_digit(field[0]) || std::string_view("+-.").find(field[0]) != std::string_view::npos || word == "nan" ||
-                            word == "inf" || word == "infinity");
-}
-
-/// "N_m" of a header is the unit N/m, "Nm_m" N m/m.
-std::string unit_in(const std::string& written)
-{
-  std::string unit = written;
-  if (const std::size_t line = unit.find('_'); line != std::string::npos) unit[line] = '/';
-  if (const std::size_t moment = unit.find("Nm"); moment != std::string::npos) unit.insert(moment + 1, " ");
-  return unit;
-}
-
-/// How a unit is written in a header.
-std::string unit_in_header(const char* unit)
-{
-  std::string written;
-  for (const char* c = unit; *c != '\0'; ++c)
-    if (*c != ' ') written += *c == '/' ? '_' : *c;
-  return written;
-}
-
-/// Reads one file.
-class LoadFile {
-public:
-  LoadFile(const problem::Case& c, problem::StageSettings& stage, const std::filesystem::path& file)
-      : stage_(stage),
-        file_(file.string()),
-        in_space_(c.force_dimension() == 3),
-        allowed_(problem::columns_for(c, stage))
-  {
-  }
-
-  void read()
-  {
-    std::ifstream lines(file_);
-    std::string line;
-    for (number_ = 1; std::getline(lines, line); ++number_) {
-      constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-      if (number_ == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
-      if (number_ == 1 && (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")))
-        refuse("is text in UTF-16: save it as CSV in UTF-8");
-      if (line.find_first_not_of(" \t\r,;\"") == std::string::npos || line[0] == '#') continue;
-      if (!begun_) separator_ = separator_in(line);
-      const std::vector<std::string> fields = fields_of(line, separator_);
-      if (fields.empty()) refuse("a quotation mark is not closed");
-      if (!begun_ && !begins_row(fields.front()))
-        read_header(fields);
-      else
-        read_row(fields);
-      begun_ = true;
-    }
-    if (stage_.load_times.size() < 2)
-      throw InputError(fmt::format("{}: has {} of numbers: it needs two at least, the last with a time of more than 0", file_,
-                                   stage_.load_times.empty() ? "no line" : "one line"));
-  }
-
-private:
-  [[noreturn]] void refuse(const std::string& why) const { throw InputError(fmt::format("{}:{}: {}", file_, number_, why)); }
-
-  std::string unit_of(std::size_t k) const
-  {
-    const char* unit = problem::load_columns[k].unit;
-    return in_space_ ? unit_of_whole(unit) : unit;
-  }
-
-  /// How a column is written in SI.
-  std::string header_of(std::size_t k) const { return problem::load_columns[k].name + ("_" + unit_in_header(unit_of(k).c_str())); }
-
-  /// Factor from the unit in a header to that of the engine.
-  Real scale_of(const std::string& header, const std::string& written, const std::string& si_unit) const
-  {
-    const std::string unit = unit_in(written);
-    // A moment per metre run, N m/m, is N.
-    if (unit.empty() || !same_dimension(unit, si_unit.empty() ? "1" : si_unit))
-      refuse(fmt::format("{} has no unit of {}: write {}", in_quotes(header), wanted(si_unit),
-                         in_quotes(header.substr(0, header.size() - written.size()) + (unit.empty() && !header.ends_with('_') ? "_" : "") +
-                                   unit_in_header(si_unit.c_str()))));
-    return to_si("1 " + unit, si_unit);
-  }
-
-  void read_header(const std::vector<std::string>& names)
-  {
-    const std::string& time = names.front();
-    if (!time.starts_with("time")) refuse(fmt::format("the first column is the time, \"time_s\", and not {}", in_quotes(time)));
-    const bool factors = names.size() == 2 && names.back() == "factor";
-    if (time != "time" || !factors) scales_.push_back(scale_of(time, time.size() > 5 ? time.substr(5) : "", "s"));
-    headers_ = names;
-    if (factors) return scales_.resize(1, 1);
-    if (names.size() < 2) refuse("names no column behind the time, such as time_s,H_N_m,V_N_m");
-    for (std::size_t n = 1; n < names.size(); ++n) read_name(names[n]);
-  }
-
-  /// The known header that was probably meant: of the column whose name it begins with but for capitals, the longest; else the nearest.
-  std::string meant_by(const std::string& header, const std::vector<std::string>& known) const
-  {
-    std::optional<std::size_t> found;
-    const auto size = [](std::size_t k) { return std::string_view(problem::load_columns[k].name).size(); };
-    const auto fits = [&](std::size_t k) { return same_dimension(unit_in(header.substr(size(k) + 1)), unit_of(k)); };
-    for (const std::size_t k : allowed_)
-      if (without_capitals(header).starts_with(without_capitals(problem::load_columns[k].name) + "_") &&
-          (!found || size(k) > size(*found) || (size(k) == size(*found) && !fits(*found) && fits(k))))
-        found = k;
-    return found ? header_of(*found) : nearest(header, known);
-  }
-
-  [[noreturn]] void refuse_name(const std::string& header) const
-  {
-    if (header == "factor")
-      refuse("\"factor\" stands alone behind the time, and multiplies what the stage drives: leave it out, or the other columns");
-    std::vector<std::string> known = {"factor"};
-    for (const std::size_t k : allowed_) known.push_back(header_of(k));
-    const std::string meant = meant_by(header, known);
-    refuse(fmt::format("{} is no column of the load history of this stage{} (allowed: {}); other units are written likewise, as in kN_m",
-                       in_quotes(header), meant.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(meant)), listed(known)));
-  }
-
-  /// Finds what a column is; the longest name that the header begins with, since "rotation" begins "rotation_z".
-  void read_name(const std::string& header)
-  {
-    std::vector<std::size_t> named;
-    for (const std::size_t k : allowed_) {
-      const std::string name = problem::load_columns[k].name;
-      if (!header.starts_with(name + "_")) continue;
-      if (!named.empty() && name.size() > std::string_view(problem::load_columns[named.front()].name).size()) named.clear();
-      if (named.empty() || name == problem::load_columns[named.front()].name) named.push_back(k);
-    }
-    if (named.empty()) refuse_name(header);
-    const std::string written = header.substr(std::string_view(problem::load_columns[named.front()].name).size() + 1);
-    const auto fits = [&](std::size_t k) { return same_dimension(unit_in(written), unit_of(k)); };
-    const auto found = std::find_if(named.begin(), named.end(), fits);
-    const std::size_t k = found == named.end() ? named.front() : *found;
-    if (std::find(columns_.begin(), columns_.end(), k) != columns_.end())
-      refuse(fmt::format("{} is a second column of the same", in_quotes(header)));
-    scales_.push_back(scale_of(header, written, unit_of(k)));
-    columns_.push_back(k);
-  }
-
-  std::vector<Real> numbers_of(const std::vector<std::string>& fields) const
-  {
-    const std::size_t count = columns_.empty() ? 2 : 1 + columns_.size();
-    if (fields.size() != count)
-      refuse((columns_.empty()
-                  ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "
-                    "names: time_s,H_N_m,V_N_m"
-                  : fmt::format("needs {} numbers, one for each column, and has {}", count, fields.size())) +
-             (separator_ == ',' && fields.size() > count ? "; a comma stands between numbers: write decimals with a point" : ""));
-    std::vector<Real> numbers;
-    for (std::size_t n = 0; n < count; ++n) {
-      const std::optional<Real> number = number_of(fields[n]);
-      const std::string column = headers_.empty() ? fmt::format("{}", n + 1) : in_quotes(headers_[n]);
-      if (const std::string point = with_point(fields[n]); !point.empty())
-        refuse(
-            fmt::format("{} in column {} has a decimal comma: write {}, and a point in all numbers", in_quotes(fields[n]), column, point));
-      if (!number) refuse(fmt::format("{} in column {} is no finite number", in_quotes(fields[n]), column));
-      numbers.push_back(*number);
-    }
-    return numbers;
-  }
-
-  void read_row(const std::vector<std::string>& fields)
-  {
-    const std::vector<Real> numbers = numbers_of(fields);
-    const Real time = numbers.front() * (scales_.empty() ? 1 : scales_.front());
-    stage_.load_times.push_back(time);
-    if (columns_.empty()) stage_.load_factors.push_back(numbers.back());
-    for (std::size_t n = 0; n < columns_.size(); ++n) stage_.loads.columns[columns_[n]].push_back(scales_[n + 1] * numbers[n + 1]);
-    if (const std::optional<problem::RowFault> fault = problem::fault_of_row(stage_, stage_.load_times.size() - 1)) refuse(fault->message);
-  }
-
-  problem::StageSettings& stage_;
-  std::string file_;
-  bool in_space_;
-  std::vector<std::size_t> allowed_;
-  std::vector<std::string> headers_;  ///< as they are written; empty where the file has none
-  std::vector<std::size_t> columns_;  ///< in the order of the file, without the time
-  std::vector<Real> scales_;          ///< to SI: of the time, then of each column
-  char separator_ = ',';
-  int number_ = 0;
-  bool begun_ = false;
-};
 
 }  // namespace
+
+void read_motion(problem::Case& c, std::size_t support_number, const std::filesystem::path& folder)
+{
+  auto& [name, support] = c.support[support_number];
+  if (!support.motion || support.motion->table.empty()) return;
+  boundary::MotionSettings& motion = *support.motion;
+  const std::string table = fmt::format("support.{}.motion", name);
+  const std::filesystem::path file = folder / motion.table;
+  refuse_unreadable(table + ".table", file);
+  TableForm form{"this motion", {}, false, c.dimension() == 2 ? "time_s,x_m_s,y_m_s" : "time_s,x_m_s,y_m_s,z_m_s"};
+  for (int d = 0; d < c.dimension(); ++d) form.columns.push_back({boundary::motion_axes[d], boundary::unit_of_motion});
+  read_table(file, form, [&](Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values) {
+    motion.times.push_back(time);
+    for (std::size_t n = 0; n < columns.size(); ++n) motion.velocity[columns[n]].push_back(values[n]);
+    return boundary::fault_of_row(motion.times, motion.times.size() - 1);
+  });
+  motion.table.clear();
+  refuse_fault(table, fault_of_motion(c, support));
+}
 
 void read_load_history(problem::Case& c, std::size_t stage_number, const std::filesystem::path& folder)
 {
@@ -270,11 +72,10 @@ void read_load_history(problem::Case& c, std::size_t stage_number, const std::fi
   const auto key = [&](const std::string& rest) { return fmt::format("stage[{}]{}", stage_number, rest); };
   if (!stage.load_history.empty()) {
     const std::filesystem::path file = folder / stage.load_history;
-    if (!std::ifstream(file)) throw KeyError(fmt::format("{}: {} cannot be read", key(".load_history"), file.string()));
-    LoadFile(c, stage, file).read();
+    refuse_unreadable(key(".load_history"), file);
+    read_load_file(c, file, stage);
     stage.load_history.clear();
-    const std::string fault = problem::fault_of_loads(c, stage);
-    if (!fault.empty()) throw KeyError(key((fault.starts_with(": ") ? "" : ".") + fault));
+    refuse_fault(key(""), problem::fault_of_loads(c, stage));
   }
   if (stage.load_repeat > 1) repeat_load_history(stage);
   if (stage.time_scale == problem::automatic_time_scale) {

@@ -18,4 +18,8 @@ namespace berm::input {
 /// and InputError with file and line where it is wrong.
 void read_load_history(problem::Case& c, std::size_t stage_number, const std::filesystem::path& folder);
 
+/// Reads the file of the motion of the support of this number, a path from `folder`, into its times and velocities: time_s,x_m_s,y_m_s. Throws KeyError where there
+/// is no such file or the support does not go with it, and InputError with file and line where it is wrong.
+void read_motion(problem::Case& c, std::size_t support_number, const std::filesystem::path& folder);
+
 }  // namespace berm::input

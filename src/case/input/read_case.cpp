@@ -40,6 +40,7 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
   try {
     read_surfaces(found.settings.rigid, folder);
     for (std::size_t k = 0; k < found.settings.stage.size(); ++k) read_load_history(found.settings, k, folder);
+    for (std::size_t k = 0; k < found.settings.support.size(); ++k) read_motion(found.settings, k, folder);
     found.places = Places(std::move(document), problem::expand_sweeps(found.settings));
   } catch (const KeyError& error) {
     throw InputError(written.located(error.what()));

@@ -127,7 +127,7 @@ void does_the_ground_stand(const Scene& s, Findings& found)
   if (s.ground.line.level() || s.gravity == 0) return;
   constexpr Real endless = 3;  // depths of soil
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
-    if (!yields(s.material_of(b)) || !s.c.body[b].second.k0 || s.c.body[b].second.regions.empty()) continue;
+    if (!yields(s.material_of(b)) || !s.c.body[b].second.has_k0() || s.c.body[b].second.regions.empty()) continue;
     const Real unit_weight = unit_weight_of(s, b);
     bool slope_slides = false, face_falls = false;  // the first of each that fails is enough
     for (const Face& face : faces_of(s.ground.line)) {

@@ -354,7 +354,7 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
 {
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const Span& height = s.bodies[b].space[s.up];
-    const bool level = s.c.body[b].second.k0 && !loads_by_gravity(s.c, s.ground) && s.up_sign > 0;
+    const bool level = s.c.body[b].second.has_k0() && !loads_by_gravity(s.c, s.ground) && s.up_sign > 0;
     if (!level || height.to - s.c.surface < 0.3 * height.length()) continue;
     found.refuse("surface", fmt::format("is {}, and [body.{}] reaches up to {:.3g} m: embedment counts from `surface`, and soil above it "
                                         "has no stress at the start; set it to the level of the "

@@ -60,6 +60,10 @@ void do_forces_press_down(const Scene& s, Findings& found);
 
 void do_names_stay_names(const Scene& s, Findings& found);
 
+// Supports that move.
+void is_the_motion_resolved(const Scene& s, Findings& found);
+void does_the_soil_stay_at_what_moves(const Scene& s, Findings& found);
+
 // The roles of stages.
 void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found);
 void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found);
@@ -67,6 +71,8 @@ void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found);
 // The water.
 void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found);
 void does_water_have_time_to_flow(const Scene& s, Findings& found);
+void does_the_soil_keep_its_weight(const Scene& s, Findings& found);
+void is_the_head_there_when_soil_rests(const Scene& s, Findings& found);
 
 // The run.
 void does_it_take_days(const Scene& s, Findings& found);

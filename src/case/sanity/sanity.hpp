@@ -32,6 +32,9 @@ private:
 /// Asks all questions (questions.hpp): does what is asked make sense? Refusals come first.
 std::vector<Finding> ask(const Scene& scene);
 
+/// What `berm check` says of supports that move, line by line: speed, travel and frequency of each, and the frequency that the cells resolve.
+std::vector<std::string> motion_words(const Scene& scene);
+
 /// About what frames and history take of the disk, bytes; stages of unknown duration are counted with their begin and end.
 Real disk_of(const Scene& scene);
 

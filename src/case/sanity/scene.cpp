@@ -83,6 +83,43 @@ std::vector<RegionScene> regions_of(const mesh::Mesh<dim>& mesh, const std::vect
   return regions;
 }
 
+/// The boundaries of the supports.
+template <int dim>
+std::vector<SupportScene> supports_of(const problem::Case& c, const mesh::Mesh<dim>& mesh, const std::vector<std::vector<Index>>& cells)
+{
+  std::vector<SupportScene> supports;
+  for (const auto& [name, settings] : c.support) {
+    SupportScene& support = supports.emplace_back();
+    auto at_boundary = NodeField<char>::zeros(mesh.node_count());
+    for (const Index node : mesh.boundary_nodes[fixed_boundary(mesh, name, settings)]) {
+      at_boundary[node] = 1;
+      for (int d = 0; d < dim; ++d) support.space[d].add(mesh.position[node][d]);
+    }
+    for (const std::vector<Index>& of_body : cells)
+      for (const Index cell : of_body)
+        if (std::any_of(mesh.nodes[cell].begin(), mesh.nodes[cell].end(), [&](Index node) { return at_boundary[node] != 0; }))
+          support.cell = std::min(support.cell, mesh.size(cell));
+  }
+  return supports;
+}
+
+template <int dim>
+ResolvedWaves resolved_waves(const problem::Case& c, const problem::Model<dim>& model, const std::vector<std::vector<Index>>& cells)
+{
+  ResolvedWaves resolved;
+  if (std::none_of(c.support.begin(), c.support.end(), [](const auto& support) { return support.second.motion.has_value(); }))
+    return resolved;
+  for (std::size_t b = 0; b < cells.size(); ++b)
+    for (const Index cell : cells[b]) {
+      const material::Material soil =
+          model.bodies[b].soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_depth(model.mesh.centroid(cell)));
+      const Real wave = ResolvedWaves::cells * model.mesh.size(cell), density = inertia_density(soil);
+      resolved.shear = std::min(resolved.shear, std::sqrt(elasticity(soil).shear / density) / wave);
+      resolved.pressure = std::min(resolved.pressure, std::sqrt(p_wave_modulus(soil) / density) / wave);
+    }
+  return resolved;
+}
+
 }  // namespace
 
 Index Scene::touched_by(Index rigid) const
@@ -141,6 +178,8 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
     body.regions = regions_of(model.mesh, cells[b]);
   }
   for (std::size_t b = 0; b < c.body.size(); ++b) scene.bodies[b].depth = depth_below_surface(c, model, scene.bodies[b].space, cells[b]);
+  scene.supports = supports_of(c, model.mesh, cells);
+  scene.resolved = resolved_waves(c, model, cells);
   scene.ground = model.ground;
   scene.neighbors = neighbors_in(model.mesh, cells);
   scene.ways = ways_of(model);

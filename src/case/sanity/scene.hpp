@@ -66,6 +66,18 @@ struct BodyScene {
   std::vector<RegionScene> regions = {};
 };
 
+/// The boundary that a support holds.
+struct SupportScene {
+  Spans space;
+  Real cell = infinity;  ///< m, size of the smallest cell with soil at it
+};
+
+/// The highest frequencies that the cells resolve everywhere in the soil, Hz: waves of so many cells.
+struct ResolvedWaves {
+  static constexpr Real cells = 8;
+  Real shear = infinity, pressure = infinity;
+};
+
 /// What a run will cost, as far as it is known before it begins.
 struct Cost {
   Real time_step = 0;             ///< s; 0: there is none, or it is not known
@@ -87,6 +99,8 @@ struct Scene {
   problem::Ground ground = {};
   std::vector<RigidScene> rigids = {};
   std::vector<BodyScene> bodies = {};
+  std::vector<SupportScene> supports = {};              ///< by Case::support
+  ResolvedWaves resolved = {};                          ///< where a support moves
   std::vector<std::pair<Index, Index>> neighbors = {};  ///< pairs of bodies that lie at each other at the start
   std::vector<Way> ways = {};                           ///< by stage
   std::vector<problem::StageSettings> stages = {};      ///< those of the case, with the limits of those that end at equilibrium

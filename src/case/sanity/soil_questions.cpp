@@ -81,10 +81,10 @@ Real largest_cell(const problem::Case& c)
 
 void does_gravity_point_down(const Scene& s, Findings& found)
 {
-  const bool any_k0 = std::any_of(s.c.body.begin(), s.c.body.end(), [](const auto& body) { return body.second.k0.has_value(); });
+  const bool any_k0 = std::any_of(s.c.body.begin(), s.c.body.end(), [](const auto& body) { return body.second.has_k0(); });
   if (s.gravity == 0) {
     for (const auto& [name, body] : s.c.body)
-      if (body.k0)
+      if (body.has_k0())
         found.refuse(
             fmt::format("body.{}.k0", name),
             "without gravity there is no stress at rest, and k0 does nothing; add gravity = [0, \"-9.81 m/s^2\"], or leave k0 out");
@@ -295,8 +295,9 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
                 "is beyond the strength of the soil: it shears it by {:.3g} Pa, and it bears {:.3g} Pa; stress is negative in compression",
                 over->first, over->second));
     }
-    for (int k = 1; k <= parts && body.k0 && s.gravity > 0; ++k) {
-      const Real depth = s.depth_of(b) * k / parts, vertical = -s.weight_above(b, depth), k0 = *body.k0_at(depth), across = k0 * vertical;
+    for (int k = 1; k <= parts && body.has_k0() && s.gravity > 0; ++k) {
+      const Real depth = s.depth_of(b) * k / parts, vertical = -s.weight_above(b, depth), k0 = *body.k0_at(depth, -vertical),
+                 across = k0 * vertical;
       const auto over = beyond(depth, std::max(vertical, across), std::min(vertical, across));
       if (!over) continue;
       found.warn(path + ".k0", fmt::format("is {:.3g}, beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "

@@ -273,7 +273,7 @@ void is_there_time_for_equilibrium(const Scene& s, Findings& found)
     bool stressed = true;
     for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
       longest = std::max(longest, s.depth_of(b) / s.bodies[b].wave_speed);
-      stressed = stressed && (s.c.body[b].second.k0 || !s.c.body[b].second.initial_stress.empty());
+      stressed = stressed && (s.c.body[b].second.has_k0() || !s.c.body[b].second.initial_stress.empty());
     }
     const Real time = stage.until.time.value_or(0), least = stressed ? 0.9 * longest : 4 * longest,
                proposed = stressed ? 4 * longest : 40 * longest;

@@ -4,6 +4,7 @@
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::sanity {
@@ -42,6 +43,84 @@ void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
           fmt::format("is {:.4g} kg/m3: {}; if it lies in water write submerged_unit_weight = \"{:.2g} kN/m^3\", that of this density less "
                       "water",
                       own, why, (own - sea_water) * standard_gravity / 1e3));
+    }
+  }
+}
+
+namespace {
+
+/// Whether a support lies below the soil of a body, over all of its base: level at its lowest edge.
+bool is_base_of(const Scene& s, std::size_t support, const BodyScene& body)
+{
+  constexpr Real flat = 1e-6;
+  const Span &level = s.supports[support].space[s.up], &soil = body.space[s.up];
+  const Real base = s.up_sign > 0 ? soil.from : soil.to;
+  return std::abs(level.from - base) < flat * soil.length() && std::abs(level.to - base) < flat * soil.length();
+}
+
+/// A bed through which water flows up steadily: where it is nearest to having no weight.
+struct Uplift {
+  Real part = 0;      ///< excess pore pressure over the effective stress that there is without it, at most
+  Real depth = 0;     ///< m, there
+  Real gradient = 0;  ///< mean hydraulic gradient above
+  Real critical = 0;  ///< gamma' / gamma_w above
+};
+
+Uplift uplift_of(const Scene& s, Index body, Real pressure)
+{
+  constexpr int slices = 200;
+  const problem::BodySoil soil = soil_of(s.c, s.c.body[body].second);
+  const Real height = s.depth_of(body), thick = height / slices;
+  std::vector<Real> resistance = {0};  // of the soil above, m/(m/s)
+  for (int k = 0; k < slices; ++k) {
+    const std::optional<material::Hydraulics> water = hydraulics(soil.at("", (k + 0.5) * thick));
+    resistance.push_back(resistance.back() + (water ? thick / water->permeability : 0));
+  }
+  Uplift worst;
+  for (int k = 1; k <= slices; ++k) {
+    const Real depth = k * thick, excess = pressure * resistance[k] / resistance.back(), weight = s.weight_above(body, depth);
+    if (const Real part = excess / weight; part > worst.part * (1 + 1e-9))
+      worst = {part, depth, excess / material::unit_weight_of_water / depth, weight / material::unit_weight_of_water / depth};
+  }
+  return worst;
+}
+
+}  // namespace
+
+void does_the_soil_keep_its_weight(const Scene& s, Findings& found)
+{
+  constexpr Real near = 0.9;
+  if (s.gravity == 0 || !s.ground.line.level()) return;
+  for (std::size_t k = 0; k < s.c.support.size(); ++k) {
+    const auto& [name, support] = s.c.support[k];
+    if (!support.head || !(*support.head > 0)) continue;
+    for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+      if (!is_base_of(s, k, s.bodies[b]) || !(s.depth_of(b) > 0) || !problem::has_flowing_water(s.c, s.c.body[b].first)) continue;
+      const Uplift uplift = uplift_of(s, b, material::unit_weight_of_water * *support.head);
+      if (uplift.part < near) continue;
+      found.warn("support." + name + ".head",
+                 fmt::format("drives water up through [body.{}] at a gradient of {:.3g} above {}, where the soil {} its weight: i_c = "
+                             "gamma'/gamma_w = {:.3g} there; a head of {} leaves a tenth of it",
+                             s.c.body[b].first, uplift.gradient, words_of(uplift.depth, "m"), uplift.part > 1 ? "loses" : "nearly loses",
+                             uplift.critical, words_of(near * *support.head / uplift.part, "m")));
+    }
+  }
+}
+
+void is_the_head_there_when_soil_rests(const Scene& s, Findings& found)
+{
+  for (const auto& [name, support] : s.c.support) {
+    if (!support.head || *support.head == 0) continue;
+    for (const problem::StageSettings& stage : s.c.stage) {
+      const bool acts =
+          support.stages.empty() || std::find(support.stages.begin(), support.stages.end(), stage.name) != support.stages.end();
+      if (!acts || stage.kind != problem::StageKind::geostatic) continue;
+      found.warn(
+          "support." + name + ".head",
+          fmt::format("acts in the geostatic stage \"{}\", which ends when forces are in balance, and not when the water flows steadily: "
+                      "name the stages after it in `stages`, and hold the boundary in \"{}\" by a support without a head",
+                      stage.name, stage.name));
+      break;
     }
   }
 }

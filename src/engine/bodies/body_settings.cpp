@@ -30,6 +30,9 @@ void describe(Describe& d, SoilLayerSettings& layer)
   d.value("material", layer.material, {.meaning = "name of its [material.NAME]", .required = true});
   d.value("k0", layer.k0,
           {.meaning = "ratio of horizontal to vertical stress at the start in it; left out, that of the body", .range = {0, 5}});
+  d.value("k0_ocr", layer.k0_ocr, {.meaning = "instead of k0: overconsolidation ratio from which it follows", .range = {1, 100}});
+  d.value("k0_pop", layer.k0_pop,
+          {.meaning = "instead of k0: pre-overburden pressure from which it follows", .unit = "Pa", .range = not_negative});
 }
 
 void describe(Describe& d, InitialVelocity& velocity)
@@ -60,6 +63,14 @@ void describe(Describe& d, BodySettings& body)
           {.meaning = "ratio of horizontal to vertical stress at the start, which is that of a level bed below `surface`, or as "
                       "`initial_state` says; absent = no stress",
            .range = {0, 5}});
+  d.value("k0_ocr", body.k0_ocr,
+          {.meaning = "instead of k0: overconsolidation ratio, of soil with a friction angle: k0 = (1 - sin phi) OCR^sin phi, at most "
+                      "(1 + sin phi)/(1 - sin phi)",
+           .range = {1, 100}});
+  d.value("k0_pop", body.k0_pop,
+          {.meaning = "instead of k0: pre-overburden pressure, by which the soil bore more than now: OCR = (sigma'_v + POP)/sigma'_v",
+           .unit = "Pa",
+           .range = not_negative});
   d.value("initial_stress", body.initial_stress,
           {.meaning = "stresses xx, yy and zz at the start, the same everywhere, tension positive; instead of k0", .unit = "Pa"});
   d.value("initial_angular_velocity", body.initial_angular_velocity,

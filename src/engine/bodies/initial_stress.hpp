@@ -15,7 +15,7 @@ SymTensor<dim> stress_at_rest(const BodySettings& body, Real vertical_stress, Re
 {
   SymTensor<dim> stress;
   for (std::size_t k = 0; k < body.initial_stress.size(); ++k) stress[static_cast<int>(k)] = body.initial_stress[k];
-  if (const std::optional<Real> k0 = body.k0_at(depth)) {
+  if (const std::optional<Real> k0 = body.k0_at(depth, vertical_stress)) {
     stress[1] = -vertical_stress;
     stress[0] = stress[2] = *k0 * stress[1];
   }

@@ -14,14 +14,25 @@ namespace berm::boundary {
 ///   F = F_rest - C v,   C = sum A rho (c_p n n^T + c_s (I - n n^T)),
 ///
 /// A the node's part of the boundary, n its normal, rho, c_p and c_s density and wave speeds of the soil there: a plane wave that comes along n leaves without
-/// reflection (Lysmer and Kuhlemeyer 1969). F_rest is what held the node when the boundary last did.
+/// reflection (Lysmer and Kuhlemeyer 1969). F_rest is what held the node when the boundary last did. A wave of velocity v_in that comes in from outside along n
+/// adds 2 C v_in (Joyner and Chen 1975).
 template <int dim>
 struct Dashpots {
   NodeField<Index> of_node;              ///< into `resistance`, or none; empty where no boundary absorbs
   std::vector<Matrix<dim>> resistance;   ///< C, N s/m, of the directions that the supports name
   std::vector<std::uint8_t> directions;  ///< bit d: direction d is one of these
+  /// By motion of the model: the part of C that the supports have through which its wave comes in; none where that does not absorb here.
+  std::vector<std::vector<Matrix<dim>>> incoming;
 
   bool any() const { return of_node.size() > 0; }
+  /// 2 C v_in at a place, N, of these velocities of the motions, m/s.
+  Vec<dim> incoming_force(Index place, const std::vector<Vec<dim>>& velocity) const
+  {
+    Vec<dim> force = Vec<dim>::Zero();
+    for (std::size_t m = 0; m < incoming.size(); ++m)
+      if (!incoming[m].empty()) force += 2 * incoming[m][static_cast<std::size_t>(place)] * velocity[m];
+    return force;
+  }
 };
 
 /// The acceleration, m/s2, of a node with this inertia by direction (kg) under a force (N) and F_rest, with F at the middle of the step.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/describe.hpp"
+#include "boundary/motion.hpp"
 #include "mesh/mesh.hpp"
 
 namespace berm::boundary {
@@ -13,6 +13,10 @@ struct SupportSettings {
   std::vector<std::string> stages = {};  ///< in which it acts; empty: all
   bool drained = false;                  ///< water crosses it
   bool absorbs = false;                  ///< it holds in geostatic stages, and takes up waves in others
+  std::optional<MotionSettings> motion = {};
+  std::optional<Real> head =
+      {};         ///< m of water above the still sea, of the water outside of a drained one; empty: none, at no excess pressure
+  Real ramp = 0;  ///< s, over which the head comes and goes
 };
 
 void describe(Describe& d, SupportSettings& support);

@@ -49,8 +49,17 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const bool flows = grid.water.flows();
   const bool reported = grid.support_force.size() > 0;
   const bool absorbing = !model.dashpots.empty() && model.dashpots[body].any();
+  const bool moving = !model.moved.empty();
   const bool holding = model.stages[state.stage.index].kind == problem::StageKind::geostatic;
   const bool loaded = !model.load_points.empty();
+  // F_rest and the wave that comes in, this at the middle of the step.
+  const auto from_outside = [&](Index node, Index dashpot) {
+    const boundary::Dashpots<dim>& dashpots = model.dashpots[body];
+    Vec<dim> force = state.held_forces[body][node];
+    if (!dashpots.incoming.empty())
+      force += (dashpots.incoming_force(dashpot, workspace.motion_before) + dashpots.incoming_force(dashpot, workspace.motion_after)) / 2;
+    return force;
+  };
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
@@ -88,15 +97,22 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(unbalanced[d]);
     }
     const Vec<dim> total = force + damping;
-    a = !gives_way ? Vec<dim>(total.cwiseQuotient(inertia))
-                   : boundary::acceleration_with<dim>(model.dashpots[body].resistance[dashpot], inertia, total + state.held_forces[body][i],
-                                                      v, dt);
+    a = !gives_way
+            ? Vec<dim>(total.cwiseQuotient(inertia))
+            : boundary::acceleration_with<dim>(model.dashpots[body].resistance[dashpot], inertia, total + from_outside(i, dashpot), v, dt);
     for (int d = 0; d < dim; ++d)
       if (fixed[i] >> d & 1) a[d] = -v[d] / dt;
+    if (moving)
+      for (int d = 0; d < dim; ++d)
+        if (const Index motion = model.moved[grid.fixed][i][d]; motion != none) a[d] += workspace.motion_after[motion][d] / dt;
     const Vec<dim> mid_velocity = v + 0.5 * dt * a;
     sums_i.gravity = weight;
     sums_i.damping = damping;
     sums_i.support = inertia.cwiseProduct(a) - total;
+    if (moving)
+      for (int d = 0; d < dim; ++d)
+        if (const Index motion = model.moved[grid.fixed][i][d]; motion != none)
+          sums_i.support_power += sums_i.support[d] * (workspace.motion_before[motion][d] + workspace.motion_after[motion][d]) / 2;
     if (reported) grid.support_force[i] = sums_i.support;
     if (dashpot != none) {
       for (int d = 0; d < dim && holding; ++d)

@@ -4,6 +4,7 @@
 
 #include "mpm/hoop.hpp"
 #include "mpm/internal_forces.hpp"
+#include "problem/stages.hpp"
 
 namespace berm::mpm {
 
@@ -127,6 +128,29 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
       grid.water.soil_inertia[i][d] =
           grid.mass[i] - (impermeable[i] >> d & 1 || !(water.inertia > 0) ? 0 : water.mass * water.mass / water.inertia);
   });
+}
+
+template <int dim>
+void press_from_outside(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid)
+{
+  if (!grid.water.flows()) return;
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  for (std::size_t h = 0; h < model.heads.size(); ++h) {
+    const problem::Head<dim>& head = model.heads[h];
+    const Real pressure = pressure_of_head(model, state, h);
+    if (pressure == 0) continue;
+    for_each("head of water outside", head.chunks, [&](Index k) {
+      const Index i = head.nodes[k];
+      const Vec<dim>& normal = head.normals[k];
+      if (!(grid.mass[i] > 0)) return;
+      Real area = 0;
+      for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
+        if (const Index cell = mesh.entries[e] / (dim + 1); grid.moments[cell].volume > 0)
+          area -= normal.dot(
+              with_metric(mesh, [&](auto metric) { return forces_of_pressure<metric()>(mesh, grid, cell)[mesh.entries[e] % (dim + 1)]; }));
+      grid.water.nodes[i].force += pressure * area * normal;
+    });
+  }
 }
 
 namespace {
@@ -323,6 +347,7 @@ void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& s
   template void average_water(const problem::Model<dim>&, const bodies::Particles<dim>&, Index, BodyGrid<dim>&);                           \
   template void spread_water_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
   template void gather_water(const problem::Model<dim>&, Real, BodyGrid<dim>&);                                                            \
+  template void press_from_outside(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&);                                \
   template void mark_impermeable_surfaces(const problem::Model<dim>&, Workspace<dim>&);                                                    \
   template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);                                    \
   template void note_pressures(const problem::Model<dim>&, problem::State<dim>&, const Workspace<dim>&);                                   \

@@ -35,6 +35,15 @@ void spread_water_forces(const problem::Model<dim>& model, const bodies::Particl
 template <int dim>
 void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid);
 
+/// Adds the pressure of the water outside of drained supports that have a head: per area p_out along the normal n into the soil, on the area that the cells at the
+/// node have there,
+///
+///   F = p_out A n,   A = -n . sum V grad N,
+///
+/// so that an excess pressure that is the same inside and outside moves no water.
+template <int dim>
+void press_from_outside(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid);
+
 /// Marks the nodes of points that touch a rigid body which is not drained by its normal, for advance_flux. Drained ones are as open as a free surface. At the nodes
 /// of contact points the soil takes the whole force, so that contact, which changes its velocity twice in a step, keeps its momentum: soil and water do not feel
 /// each other's inertia there.

@@ -102,7 +102,9 @@ bool shares_pressure(const problem::Model<dim>& model, const problem::Body<dim>&
 template <int dim>
 Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State<dim>& state)
     : contact_points(model.contacts.size()),
-      cell_changes(omp_get_max_threads())
+      cell_changes(omp_get_max_threads()),
+      motion_before(model.motions.size(), Vec<dim>::Zero()),
+      motion_after(model.motions.size(), Vec<dim>::Zero())
 {
   std::size_t max = 0;
   const Halo halo = make_halo(model.mesh, model.patches);

@@ -226,6 +226,7 @@ struct Workspace {
   std::vector<std::array<Real, dim + 1>> load_shares;  ///< of each load point: what the corners of its cell get
   std::vector<int> load_owner;                         ///< of each load point: the rank that has its cell
   std::vector<std::shared_ptr<const BodyLaws>> laws;   ///< by body
+  std::vector<Vec<dim>> motion_before, motion_after;   ///< m/s, by Model::motions: when the step begins and when it ends
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 

@@ -41,6 +41,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     spread_water_forces(model, particles, grid);     // water
     exchange_water_forces(grid);                     // water, ranks
     gather_water(model, state.dt, grid);             // water
+    press_from_outside(model, state, grid);          // water
   }
   spread_tractions(model, state, workspace);  // 1: forces on boundaries of the soil
 
@@ -56,7 +57,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     BodyGrid<dim>& grid = workspace.grids[b];
     spread_new_momentum(model.mesh, state.particles[b], state.dt, grid);  // 5-6: (14)-(16) from the moments
     exchange_corner_sums(grid);                                           // ranks
-    gather_new_velocities(model, grid);                                   // 7-8: (18), supports
+    gather_new_velocities(model, workspace.motion_after, grid);           // 7-8: (18), supports
     advance_flux(model, state, workspace, b);                             // water
   }
   exchange_at_contacts(workspace, &BodyGrid<dim>::mapped_velocity);  // ranks
@@ -82,7 +83,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
     gather_mass_and_momentum(model.mesh, grid);
     integrate_full_cells(model, state.particles[b], grid);
     find_viscous_stress(model, state.particles[b], grid);
-    predict_velocities(model, 0, grid);  // those before the step, with the supports
+    predict_velocities(model, 0, workspace.motion_before, grid);  // those before the step, with the supports
   }
   spread_tractions(model, state, workspace);
   find_contacts(model, state, workspace);
@@ -102,7 +103,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
   exchange_at_contacts(workspace, &BodyGrid<dim>::acceleration);  // ranks
   correct_accelerations(model, state, workspace);
 
-  for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, workspace.grids[b]);
+  for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, workspace.motion_after, workspace.grids[b]);
   move_load_points(model, state, workspace);
   for (Index b = 0; b < bodies; ++b) {
     move_particles(model, state, workspace, b);
@@ -123,6 +124,7 @@ void step(const problem::Model<dim>& model, problem::State<dim>& state, Workspac
   for (BodyGrid<dim>& grid : workspace.grids) grid.fixed = model.fixed_in[state.stage.index];
   hold_inactive_cells(model, state, workspace);
   drive_rigids(model, state, state.dt);
+  move_supports(model, state, workspace);
   if (model.update_stress_first)
     update_stress_first(model, state, workspace);
   else

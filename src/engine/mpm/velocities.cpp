@@ -4,6 +4,7 @@
 #include "mpm/exchange.hpp"
 #include "mpm/linear_field.hpp"
 #include "mpm/moments.hpp"
+#include "problem/stages.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -21,6 +22,19 @@ Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& gri
     momentum += momentum_of(cell);
   }
   return mass > 0 ? Vec<dim>(momentum / mass) : Vec<dim>(Vec<dim>::Zero());
+}
+
+/// The velocity of a node as its supports leave it: none in the directions that they fix, or that of their motion.
+template <int dim>
+Vec<dim> held_velocity(const problem::Model<dim>& model, const NodeField<std::uint8_t>& fixed, const std::vector<Vec<dim>>& motions,
+                       Index set, Index node, const Vec<dim>& v)
+{
+  Vec<dim> held = boundary::without_fixed<dim>(fixed, node, v);
+  if (model.moved.empty()) return held;
+  const boundary::Holders<dim>& moved = model.moved[set][node];
+  for (int d = 0; d < dim; ++d)
+    if (moved[d] != none) held[d] = motions[moved[d]][d];
+  return held;
 }
 
 }  // namespace
@@ -108,7 +122,17 @@ void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<di
 }
 
 template <int dim>
-void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid)
+void move_supports(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace)
+{
+  const Real since = state.time - state.stage.begin_time;
+  for (std::size_t m = 0; m < model.motions.size(); ++m) {
+    workspace.motion_before[m] = velocity_of(model.motions[m], state.stage, since);
+    workspace.motion_after[m] = velocity_of(model.motions[m], state.stage, since + state.dt);
+  }
+}
+
+template <int dim>
+void gather_new_velocities(const problem::Model<dim>& model, const std::vector<Vec<dim>>& motions, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
@@ -122,29 +146,31 @@ void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid
       for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
-    grid.mapped_velocity[i] = boundary::without_fixed<dim>(
-        fixed, i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
+    grid.mapped_velocity[i] =
+        held_velocity(model, fixed, motions, grid.fixed, i,
+                      grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
 
 template <int dim>
-void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<dim>& grid)
+void predict_velocities(const problem::Model<dim>& model, Real ahead, const std::vector<Vec<dim>>& motions, BodyGrid<dim>& grid)
 {
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
   for_each("predict velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.mapped_velocity[i] = boundary::without_fixed<dim>(fixed, i,
-                                                           grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
-                                                                            : velocity_of_cells(model.mesh, grid, i, momentum_of));
+    grid.mapped_velocity[i] = held_velocity(model, fixed, motions, grid.fixed, i,
+                                            grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                             : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void smooth_velocities(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                        \
   template void spread_new_momentum(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                          \
-  template void gather_new_velocities(const problem::Model<dim>&, BodyGrid<dim>&);                                                         \
-  template void predict_velocities(const problem::Model<dim>&, Real, BodyGrid<dim>&);
+  template void move_supports(const problem::Model<dim>&, const problem::State<dim>&, Workspace<dim>&);                                    \
+  template void gather_new_velocities(const problem::Model<dim>&, const std::vector<Vec<dim>>&, BodyGrid<dim>&);                           \
+  template void predict_velocities(const problem::Model<dim>&, Real, const std::vector<Vec<dim>>&, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

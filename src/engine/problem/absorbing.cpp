@@ -45,6 +45,25 @@ Matrix<dim> in_directions(Matrix<dim> resistance, std::uint8_t directions)
   return resistance;
 }
 
+/// The motion of a support, or none.
+template <int dim>
+Index motion_of(const Model<dim>& model, const std::string& support)
+{
+  for (std::size_t m = 0; m < model.motions.size(); ++m)
+    if (model.motions[m].name == support) return static_cast<Index>(m);
+  return none;
+}
+
+/// Adds a part of C through which the wave of a motion comes in.
+template <int dim>
+void add_incoming(const Model<dim>& model, Index motion, Index place, const Matrix<dim>& part, boundary::Dashpots<dim>& dashpots)
+{
+  dashpots.incoming.resize(model.motions.size());
+  std::vector<Matrix<dim>>& of_motion = dashpots.incoming[motion];
+  if (of_motion.empty()) of_motion.assign(dashpots.resistance.size(), Matrix<dim>::Zero());
+  of_motion[place] += part;
+}
+
 /// Where no soil is at the start the boundary holds what comes there.
 template <int dim>
 void hold_without_soil(const Case& c, const std::string& name, std::uint8_t directions, const std::vector<Index>& nodes, Model<dim>& model)
@@ -82,6 +101,7 @@ void add_dashpots(const Case& c, Model<dim>& model)
     if (!support.absorbs) continue;
     const Index boundary = fixed_boundary(mesh, name, support);
     const std::uint8_t directions = fixed_directions(support);
+    const Index motion = motion_of(model, name);
     for (const boundary::LoadedPoint<dim>& point : points_at(model, name, support, body_of)) {
       const Index region = mesh.region[point.cell], body = body_of[region];
       boundary::Dashpots<dim>& dashpots = model.dashpots[body];
@@ -98,8 +118,11 @@ void add_dashpots(const Case& c, Model<dim>& model)
           place = static_cast<Index>(dashpots.resistance.size());
           dashpots.resistance.push_back(Matrix<dim>::Zero());
           dashpots.directions.push_back(0);
+          for (auto& matrices : dashpots.incoming)
+            if (!matrices.empty()) matrices.push_back(Matrix<dim>::Zero());
         }
         dashpots.resistance[place] += in_directions<dim>(part * of_point, directions);
+        if (motion != none) add_incoming<dim>(model, motion, place, in_directions<dim>(part * of_point, directions), dashpots);
         dashpots.directions[place] |= directions;
       }
     }

@@ -221,6 +221,7 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t c = 0; c < state.rigid_impulses.size(); ++c) k(fmt::format("rigid_impulse_{}", c), state.rigid_impulses[c]);
   for (std::size_t s = 0; s < state.support_impulses.size(); ++s) k(fmt::format("support_impulse_{}", s), state.support_impulses[s]);
   for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
+  for (std::size_t h = 0; h < state.heads.size(); ++h) k.table(fmt::format("head_{}", h), [&] { archive(k, state.heads[h]); });
   if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
   for (std::size_t b = 0; b < state.flux.size(); ++b) archive(k, fmt::format("flux_{}", b), state.flux[b]);
   for (std::size_t b = 0; b < state.held_forces.size(); ++b) archive(k, fmt::format("held_forces_{}", b), state.held_forces[b]);

@@ -229,7 +229,12 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
   for (std::size_t k = 0; k < body.soil_layer.size(); ++k) {
     const std::string item = fmt::format("{}.soil_layer[{}]", path, k);
     check_material(item + ".material", body.soil_layer[k].material);
-    d.check(!body.soil_layer[k].k0 || body.k0, item + ".k0", fmt::format("needs {}.k0, that of the soil above", path));
+    const bodies::K0Settings at_rest = body.soil_layer[k].at_rest();
+    d.check(!at_rest.given() || body.has_k0(),
+            item + (at_rest.k0    ? ".k0"
+                    : at_rest.ocr ? ".k0_ocr"
+                                  : ".k0_pop"),
+            fmt::format("needs {}.k0, that of the soil above", path));
     d.check(k == 0 || body.soil_layer[k].top > body.soil_layer[k - 1].top, item + ".top", "must be deeper than that of the layer above");
   }
   for (const auto& [region, name] : body.region_material) {
@@ -240,6 +245,46 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
   }
   for (std::size_t k = 0; k < body.fill.size(); ++k) check_material(fmt::format("{}.fill[{}].material", path, k), body.fill[k].material);
   check_vertical_stress(d, c, path, body);
+}
+
+namespace {
+
+/// The sine of the friction angle of a material; NaN where its law has none.
+Real sin_friction_of(const Case& c, const std::string& name)
+{
+  const Index number = index_of(c.material, name);
+  const std::optional<material::Strength> strength = number == none ? std::nullopt : strength_at_rest(c.material[number].second);
+  return strength && strength->friction_angle > 0 ? std::sin(strength->friction_angle) : nan;
+}
+
+void check_k0(Describe& d, const Case& c, const std::string& path, const bodies::K0Settings& own, const bodies::K0Settings& acts,
+              const std::string& material, Real sine)
+{
+  d.check(own.k0.has_value() + own.ocr.has_value() + own.pop.has_value() <= 1, path + ".k0", "is given by one of k0, k0_ocr and k0_pop");
+  const Index number = index_of(c.material, material);
+  if (number == none) return;
+  d.check(!acts.by_history() || !std::isnan(sine),
+          path + (own.ocr   ? ".k0_ocr"
+                  : own.pop ? ".k0_pop"
+                            : ""),
+          fmt::format("K0 follows from it by the friction angle, and [material.{}] with the law \"{}\" has none: give k0", material,
+                      law_word(c.material[number].second)));
+}
+
+}  // namespace
+
+void find_k0(Describe& d, const Case& c, const std::string& path, bodies::BodySettings& body)
+{
+  body.sin_friction = sin_friction_of(c, body.material);
+  check_k0(d, c, path, body.at_rest(), body.at_rest(), body.material, body.sin_friction);
+  for (std::size_t k = 0; k < body.soil_layer.size(); ++k) {
+    bodies::SoilLayerSettings& layer = body.soil_layer[k];
+    layer.sin_friction = sin_friction_of(c, layer.material);
+    check_k0(d, c, fmt::format("{}.soil_layer[{}]", path, k), layer.at_rest(), layer.at_rest().given() ? layer.at_rest() : body.at_rest(),
+             layer.material, layer.sin_friction);
+  }
+  d.check(!body.at_rest().by_history() || body.region_material.empty(), path + ".region_material",
+          "does not go with k0_ocr and k0_pop, which follow layers: give the soils by soil_layer, or k0");
 }
 
 void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body)

@@ -67,6 +67,9 @@ bool is_used(const Case& c, const std::string& material);
 /// Refuses layers, regions and fills that do not fit together.
 void check_soil(Describe& d, const Case& c, const std::string& path, const bodies::BodySettings& body);
 
+/// Gives a body and its layers the friction angles from which their K0 follows, and refuses K0 by the stress history of soil that has none.
+void find_k0(Describe& d, const Case& c, const std::string& path, bodies::BodySettings& body);
+
 /// Throws InputError where strength or stiffness at a depth (m) that a body reaches are none.
 void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body);
 

@@ -3,7 +3,9 @@
 #include "core/error.hpp"
 #include "problem/absorbing.hpp"
 #include "problem/equilibrium.hpp"
+#include "problem/heads.hpp"
 #include "problem/initial_state.hpp"
+#include "problem/motions.hpp"
 #include "problem/stages.hpp"
 #include "problem/symmetry.hpp"
 
@@ -215,6 +217,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   model.parts = parts_of(c);
   hold_symmetry_planes(c, model);
   model.fixed_in = sets.of_stage;
+  add_motions(c, sets, model);
 
   for (const auto& [name, settings] : c.rigid) {
     const bodies::RigidShape<dim> shape = make_shape<dim>(settings.shape);
@@ -244,6 +247,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<dim>& body) { return body.flows(); }))
     for (std::size_t k = 0; k < sets.roles.size(); ++k)
       model.impermeable.push_back(closed_directions(model.mesh, c, sets.roles[k], model.fixed[k]));
+  add_heads(c, model);
   add_dashpots(c, model);
   for (const auto& [name, s] : c.contact) {
     const Index body = index_of(c.body, s.body);
@@ -340,6 +344,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   state.rigid_impulses.assign(c.rigid_contact.size(), Vec<dim>::Zero());
   state.earthworks.resize(model.earthworks.size());
   state.tractions.resize(model.tractions.size());
+  state.heads.resize(model.heads.size());
   place_loads(c, problem);
   for (const auto& [name, watch] : c.watch) {
     const Index body = index_of(c.body, watch.body);

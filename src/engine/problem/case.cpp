@@ -5,7 +5,9 @@
 #include "problem/body_soil.hpp"
 #include "problem/drainage.hpp"
 #include "problem/earthworks.hpp"
+#include "problem/heads.hpp"
 #include "problem/interface.hpp"
+#include "problem/motions.hpp"
 #include "problem/names.hpp"
 #include "problem/safety.hpp"
 #include "problem/stage_checks.hpp"
@@ -39,11 +41,11 @@ void check_bodies(Describe& d, const Case& c)
     const std::string path = "body." + name;
     check_name(d, path + ".material", body.material, "material", names_of(c.material));
     check_soil(d, c, path, body);
-    d.check(!body.k0 || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
-    d.check(!body.k0 || c.gravity.size() < 2 || upwards(c), path + ".k0", "the bed's stress at rest is for gravity along -y");
+    d.check(!body.has_k0() || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
+    d.check(!body.has_k0() || c.gravity.size() < 2 || upwards(c), path + ".k0", "the bed's stress at rest is for gravity along -y");
     d.check(!body.regions.empty() + body.block.has_value() + body.disk.has_value() == 1, path,
             fmt::format("needs one of regions = [...], [body.{0}.block] and [body.{0}.disk]", name));
-    d.check(body.initial_stress.empty() || !body.k0, path + ".initial_stress", "does not go with k0");
+    d.check(body.initial_stress.empty() || !body.has_k0(), path + ".initial_stress", "does not go with k0");
     d.check(body.initial_stress.empty() || body.initial_stress.size() == 3, path + ".initial_stress",
             fmt::format("needs 3 numbers, xx, yy and zz, and has {}", body.initial_stress.size()));
     const char* counts = c.dimension() == 2 ? "must be 1, 4, 9, 16, ... in triangles" : "must be 1, 8, 27, ... in tetrahedra";
@@ -79,7 +81,7 @@ void check_bodies(Describe& d, const Case& c)
 void check_initial_state(Describe& d, const Case& c)
 {
   if (c.initial_state != InitialState::gravity_loading) return;
-  const auto has_k0 = [](const auto& body) { return body.second.k0.has_value(); };
+  const auto has_k0 = [](const auto& body) { return body.second.has_k0(); };
   d.check(std::any_of(c.body.begin(), c.body.end(), has_k0), "initial_state",
           "\"gravity_loading\" is for bodies with k0, and there is none");
   d.check(c.method == Method::mpm || std::all_of(c.body.begin(), c.body.end(), has_k0), "initial_state",
@@ -458,6 +460,7 @@ void describe(Describe& d, Case& c)
     bodies::check_entries(d, "mesh.shift", file->shift, c.dimension(), true);
   }
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
+  for (auto& [name, body] : c.body) find_k0(d, c, "body." + name, body);
   check_bodies(d, c);
   check_earthworks(d, c);
   check_initial_state(d, c);
@@ -471,6 +474,8 @@ void describe(Describe& d, Case& c)
   check_consolidation(d, c);
   check_active_distance(d, c);
   check_supports(d, c);
+  check_heads(d, c);
+  check_motions(d, c);
   check_support_reactions(d, c);
   check_tractions(d, c);
   check_axisymmetry(d, c);

@@ -116,13 +116,14 @@ private:
   {
     const BodySoil& soil = model_.bodies[body].soil;
     const bodies::BodySettings& settings = c.body[body].second;
-    const GroundElasticity ground = ground_elasticity(soil.materials.front(), *settings.k0);
+    const bool differs = varies(soil) || !settings.soil_layer.empty() || settings.at_rest().by_history();
+    const GroundElasticity everywhere = ground_elasticity(soil.materials.front(), *settings.k0_at(0, 0));
     CellField<Index> element_in(model_.mesh.cell_count(), none);
     const Index first = static_cast<Index>(elements_.size());
     for (const Index cell : particles_[body].occupied()) {
       Element<dim> element{cell, body};
       element.ground =
-          varies(soil) || !settings.soil_layer.empty() ? ground_elasticity(soil_in(soil, cell), *settings.k0_at(depth_of(cell))) : ground;
+          differs ? ground_elasticity(soil_in(soil, cell), *settings.k0_at(depth_of(cell), stress_above(soil, cell))) : everywhere;
       element.shape = model_.mesh.shape(cell);
       for_each_particle(element, [&](const bodies::Block<dim>& block, int lane) { element.volume += block.volume[lane]; });
       for (int k = 0; k <= dim; ++k) {
@@ -152,6 +153,10 @@ private:
   material::Material soil_in(const BodySoil& soil, Index cell) const
   {
     return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], depth_of(cell));
+  }
+  Real stress_above(const BodySoil& soil, Index cell) const
+  {
+    return soil.vertical_stress(model_.mesh.region_names[model_.mesh.region[cell]], depth_of(cell));
   }
   Real depth_of(Index cell) const { return model_.soil_depth(model_.mesh.centroid(cell)); }
 
@@ -278,7 +283,7 @@ std::vector<std::vector<Index>> joined_bodies(const Case& c)
     const Index from = std::max(leader[a], leader[b]), to = std::min(leader[a], leader[b]);
     std::replace(leader.begin(), leader.end(), from, to);
   };
-  const auto has_k0 = [&](Index b) { return b != none && c.body[b].second.k0.has_value(); };
+  const auto has_k0 = [&](Index b) { return b != none && c.body[b].second.has_k0(); };
   for (const auto& [name, contact] : c.contact) {
     const Index a = index_of(c.body, contact.body), b = index_of(c.body, contact.other_body);
     if (has_k0(a) && has_k0(b)) join(a, b);

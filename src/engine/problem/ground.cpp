@@ -97,7 +97,7 @@ Ground ground_of(const Case& c)
 bool loads_by_gravity(const Case& c, const Ground& ground)
 {
   if (c.initial_state != InitialState::automatic) return c.initial_state == InitialState::gravity_loading;
-  const auto has_k0 = [](const auto& body) { return body.second.k0.has_value(); };
+  const auto has_k0 = [](const auto& body) { return body.second.has_k0(); };
   const bool any_gravity = std::any_of(c.gravity.begin(), c.gravity.end(), [](Real g) { return g != 0; });
   return any_gravity && !ground.line.level() && std::any_of(c.body.begin(), c.body.end(), has_k0);
 }

@@ -97,7 +97,7 @@ bool meets_rigid(const Model<dim>& model, const Vec<dim>& x)
 template <int dim>
 void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
 {
-  const auto by_level = [&](Index body) { return body != none && c.body[body].second.k0.has_value(); };
+  const auto by_level = [&](Index body) { return body != none && c.body[body].second.has_k0(); };
   const Real gravity = -model.gravity[1];
   std::vector<Index> body_of(model.mesh.region_names.size(), none);
   bool any = false;

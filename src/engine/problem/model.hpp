@@ -82,6 +82,25 @@ struct Watch {
   std::int32_t id;
 };
 
+/// A support that moves its boundary, or sends waves in through one that absorbs.
+struct Motion {
+  std::string name;
+  boundary::MotionSettings settings;
+  std::vector<char> acts;  ///< by stage
+};
+
+/// Water outside of a drained support.
+template <int dim>
+struct Head {
+  std::string name;
+  Real pressure;                  ///< Pa, excess pore pressure of all of it
+  Real ramp;                      ///< s
+  std::vector<char> acts;         ///< by stage
+  std::vector<Index> nodes;       ///< of its boundary, ascending
+  std::vector<Vec<dim>> normals;  ///< unit, into the soil; by `nodes`
+  Chunks chunks;                  ///< of `nodes`
+};
+
 /// A support whose reaction is reported.
 struct Support {
   std::string name;
@@ -106,7 +125,11 @@ struct Model {
   std::vector<NodeField<std::uint8_t>> fixed;     ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                    ///< by stage: which set
   std::vector<boundary::Dashpots<dim>> dashpots;  ///< by body, of the boundaries that absorb; empty where none does
-  std::vector<Support> supports;                  ///< by place in Case::support, where their reactions are reported; else none
+  std::vector<Motion> motions;
+  /// As `fixed`: which of the motions a node that is held follows, by direction; empty where there are none.
+  std::vector<NodeField<boundary::Holders<dim>>> moved;
+  std::vector<Head<dim>> heads;
+  std::vector<Support> supports;  ///< by place in Case::support, where their reactions are reported; else none
   std::vector<NodeField<boundary::Holders<dim>>>
       holders;  ///< as `fixed`: which of these supports holds the node; empty where there are none
   /// As `fixed`, of the flux of water; empty where none flows.
@@ -156,7 +179,7 @@ struct Totals {
   Vec<dim> flow_impulse = Vec<dim>::Zero();  ///< of water whose flux changes
 };
 
-/// How a traction grows or falls: the part of it that acts goes from one value to another since `begin_time`.
+/// How a traction or a head grows or falls: the part of it that acts goes from one value to another since `begin_time`.
 struct TractionState {
   Real begin_time = 0;  ///< s
   Real from = 0, to = 0;
@@ -238,6 +261,7 @@ struct State {
   std::vector<NodeField<Vec<dim>>>
       held_forces;  ///< by body, at the nodes of boundaries that absorb: what held them when they last did, N; empty where none does
   std::vector<TractionState> tractions;
+  std::vector<TractionState> heads;  ///< by Model::heads
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;
   ActiveSoil<dim> active_soil;

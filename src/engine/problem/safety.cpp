@@ -146,7 +146,7 @@ Real movement_at_failure(const Case& c, const Model<dim>& model, Real depth)
   Real compression = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const bodies::BodySettings& body = c.body[b].second;
-    const bool has_stress = body.k0 || !body.initial_stress.empty();
+    const bool has_stress = body.has_k0() || !body.initial_stress.empty();
     compression = std::max(compression, compression_of(model.bodies[b].soil, model.gravity.norm(), pressure, has_stress ? height : depth));
   }
   return of_height * height + of_compression * compression;

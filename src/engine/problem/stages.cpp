@@ -115,11 +115,12 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   begin_pressure_means(model, state);
   for (bodies::Drive& drive : now.drive) drive = {};
   if (now.index == first_moving_stage(model.stages)) throw_bodies(model, state);
-  for (std::size_t k = 0; k < state.tractions.size(); ++k) {
-    TractionState& traction = state.tractions[k];
-    const Real to = model.tractions[k].acts[now.index] ? 1 : 0;
-    if (to != traction.to) traction = {state.time, part_of_traction(model.tractions[k], traction, state.time), to};
-  }
+  const auto turn = [&](const auto& load, TractionState& part) {
+    const Real to = load.acts[now.index] ? 1 : 0;
+    if (to != part.to) part = {state.time, part_of_traction(load, part, state.time), to};
+  };
+  for (std::size_t k = 0; k < state.tractions.size(); ++k) turn(model.tractions[k], state.tractions[k]);
+  for (std::size_t k = 0; k < state.heads.size(); ++k) turn(model.heads[k], state.heads[k]);
   if (driven == none) return;
 
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];

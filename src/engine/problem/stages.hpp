@@ -98,11 +98,29 @@ Real expected_time(const StageSettings& stage);
 /// The sum over stages.
 Real expected_time(const std::vector<StageSettings>& stages);
 
-/// The part of a traction that acts at a time.
-inline Real part_of_traction(const Traction& traction, const TractionState& now, Real time)
+/// The part of a traction or a head that acts at a time.
+template <class Load>
+Real part_of_traction(const Load& load, const TractionState& now, Real time)
 {
-  const Real since = time - now.begin_time, part = traction.ramp > since ? since / traction.ramp : 1;
+  const Real since = time - now.begin_time, part = load.ramp > since ? since / load.ramp : 1;
   return now.from + part * (now.to - now.from);
+}
+
+/// The excess pore pressure of a head at the present time, Pa.
+template <int dim>
+Real pressure_of_head(const Model<dim>& model, const State<dim>& state, std::size_t head)
+{
+  return part_of_traction(model.heads[head], state.heads[head], state.time) * model.heads[head].pressure;
+}
+
+/// The velocity of a motion at a time since the present stage began, m/s; none in stages in which it does not count.
+template <int dim>
+Vec<dim> velocity_of(const Motion& motion, const StageState<dim>& stage, Real since)
+{
+  Vec<dim> velocity = Vec<dim>::Zero();
+  if (motion.acts[static_cast<std::size_t>(stage.index)])
+    for (int d = 0; d < dim; ++d) velocity[d] = boundary::velocity_at(motion.settings, d, since);
+  return velocity;
 }
 
 /// Gravity at the present time, m/s2.

@@ -2,6 +2,7 @@
 #include "picture/ground.hpp"
 
 #include "bodies/fill.hpp"
+#include "picture/stage_words.hpp"
 #include "problem/absorbing.hpp"
 #include "problem/drainage.hpp"
 #include "problem/model.hpp"
@@ -83,11 +84,7 @@ Side side_of(const mesh::Mesh<2>& mesh, Index cell, int corner)
 /// A support without its sides.
 HeldSides held_of(const problem::Case& c, const boundary::SupportSettings& support)
 {
-  HeldSides held{fmt::format("{} fixed", fmt::join(support.fixed, ", ")), support.boundary, fixed_directions(support), {}};
-  if (!support.stages.empty()) held.words += fmt::format(" in {}", fmt::join(support.stages, ", "));
-  if (support.absorbs) held.words += " at rest, then absorbs waves";
-  if (problem::has_flowing_water(c)) held.words += support.drained ? ", drained" : ", no flow";
-  return held;
+  return {held_words(c, support), support.boundary, fixed_directions(support), {}};
 }
 
 HeldSides held_sides(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::string& name, const boundary::SupportSettings& support)

@@ -4,6 +4,7 @@
 
 #include "picture/stage_words.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/base/soil_words.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ std::string soil_words(const problem::Case& c, const SoilKind& kind)
   const auto [E, nu] = young_poisson(material);
   words += fmt::format(", E = {}, ν = {}, ρ = {:.0f} kg/m³", text::stress_words(E), text::number_words(nu), density(material));
   const bodies::BodySettings& body = c.body[problem::index_of(c.body, kind.body)].second;
-  if (body.k0) words += fmt::format(", K₀ = {}", text::number_words(*body.k0));
+  if (body.has_k0()) words += ", K₀ = " + base::k0_in_words(body.at_rest(), body.sin_friction);
   return together(words);
 }
 

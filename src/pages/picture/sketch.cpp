@@ -2,6 +2,7 @@
 // Tests: tests/unit/picture/model_picture_page_test.cpp
 #include "picture/sketch.hpp"
 
+#include "picture/stage_words.hpp"
 #include "problem/drainage.hpp"
 #include "structures/base/soil_words.hpp"
 
@@ -47,7 +48,8 @@ void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::GmshFile& mesh
 {
   sketch.notes.push_back(fmt::format("The mesh comes from {}: its outline is not drawn.", mesh.file));
   for (const auto& [name, support] : c.support)
-    sketch.notes.push_back(fmt::format("Held at its boundary \"{}\": {}.", support.boundary, fmt::join(support.fixed, ", ")));
+    sketch.notes.push_back(
+        fmt::format("Held at its boundary \"{}\": {}{}.", support.boundary, fmt::join(support.fixed, ", "), motion_words(support)));
 }
 
 void add_bodies(Sketch& sketch, const problem::Case& c)
@@ -56,7 +58,7 @@ void add_bodies(Sketch& sketch, const problem::Case& c)
     if (body.block)
       sketch.bodies.push_back({name, outline_of(bodies::BoxSettings{body.block->center, body.block->size, body.block->angle})});
     if (body.disk) sketch.bodies.push_back({name, DiskOutline{in_plane(body.disk->center), body.disk->diameter / 2}});
-    if (body.k0 && sketch.ground.line.level()) sketch.surface = c.surface;
+    if (body.has_k0() && sketch.ground.line.level()) sketch.surface = c.surface;
     if (body.regions.empty()) {
       Vec<2> velocity = Vec<2>::Zero();
       for (const bodies::InitialVelocity& part : body.initial_velocity)
@@ -102,8 +104,8 @@ void add_notes(Sketch& sketch, const problem::Case& c)
 {
   for (const auto& [name, support] : c.support)
     if (!sketch.outline.empty() && (support.boundary == "back" || support.boundary == "front"))
-      sketch.notes.push_back(
-          fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}.", support.boundary, fmt::join(support.fixed, ", ")));
+      sketch.notes.push_back(fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}{}.", support.boundary,
+                                         fmt::join(support.fixed, ", "), motion_words(support)));
   if (problem::has_flowing_water(c) && !sketch.outline.empty()) {
     std::string open = "Water leaves the soil at its free surface";
     for (const auto& [name, contact] : c.contact)

@@ -205,7 +205,8 @@ void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& me
   }
   if (!c.support.empty()) write("Held", true);
   for (const auto& [name, support] : c.support)
-    write(fmt::format("{}: {}", mesh.boundary_names[fixed_boundary(mesh, name, support)], fmt::join(support.fixed, ", ")));
+    write(fmt::format("{}: {}", mesh.boundary_names[fixed_boundary(mesh, name, support)], fmt::join(support.fixed, ", ")) +
+          motion_words(support));
   if (!c.stage.empty()) write("Stages", true);
   int number = 0;
   for (const problem::StageSettings& stage : c.stage) write(fmt::format("{}  {}", ++number, stage_words(stage, c.force_dimension())));

@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "picture/stage_words.hpp"
 
+#include "problem/drainage.hpp"
 #include "text/quantity_words.hpp"
 
 #include <array>
@@ -83,6 +84,27 @@ std::string turn_words(const problem::StageSettings& stage, int dimension)
 }
 
 }  // namespace
+
+std::string motion_words(const boundary::SupportSettings& support)
+{
+  if (!support.motion) return "";
+  std::vector<std::string> axes;
+  for (std::size_t d = 0; d < support.motion->velocity.size(); ++d)
+    if (!support.motion->velocity[d].empty()) axes.emplace_back(boundary::motion_axes[d]);
+  return fmt::format(", {} along {} in {}", support.absorbs ? "waves come in" : "moves", fmt::join(axes, " and "),
+                     fmt::join(support.motion->stages, ", "));
+}
+
+std::string held_words(const problem::Case& c, const boundary::SupportSettings& support)
+{
+  std::string words = fmt::format("{} fixed", fmt::join(support.fixed, ", "));
+  if (!support.stages.empty()) words += fmt::format(" in {}", fmt::join(support.stages, ", "));
+  if (support.absorbs) words += " at rest, then absorbs waves";
+  words += motion_words(support);
+  if (problem::has_flowing_water(c)) words += support.drained ? ", drained" : ", no flow";
+  if (support.head) words += fmt::format(", head {} outside", text::length_words(*support.head));
+  return words;
+}
 
 std::string until_words(const problem::StageSettings& stage, int dimension, Real scale)
 {

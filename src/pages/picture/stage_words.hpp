@@ -9,6 +9,12 @@ namespace berm::picture {
 /// stand there with "or" between them.
 std::string stage_words(const problem::StageSettings& stage, int dimension);
 
+/// What a support does: "x, y fixed in rest, drained, head 2 m outside".
+std::string held_words(const problem::Case& c, const boundary::SupportSettings& support);
+
+/// Of a support that moves: ", moves along x in quake", or ", waves come in along x in quake"; "" of others.
+std::string motion_words(const boundary::SupportSettings& support);
+
 /// What drives it and how fast: "0.1 m/s down", "4 kN/m along x, V held".
 std::string drive_words(const problem::StageSettings& stage, int dimension);
 

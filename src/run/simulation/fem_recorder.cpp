@@ -2,6 +2,8 @@
 // Tests: tests/unit/commands/run_fem_test.cpp
 #include "simulation/fem_recorder.hpp"
 
+#include "problem/stages.hpp"
+
 namespace berm::simulation {
 namespace {
 
@@ -105,6 +107,10 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
   for (std::size_t s = 0; s < state.support_forces.size(); ++s) {
     row_.of(model.model.supports[s].name);
     observe_reaction<2>(row_, state.support_forces[s]);
+  }
+  for (std::size_t h = 0; h < model.model.heads.size(); ++h) {
+    row_.of(model.model.heads[h].name);
+    row_("p", pressure_of_head(model.model, now, h), run_folder::pascals, "excess pore pressure of the water outside");
   }
   observe_movement();
   file.add(row_);

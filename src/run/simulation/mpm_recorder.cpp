@@ -227,6 +227,28 @@ void MpmRecorder<dim>::observe_supports(const problem::Model<dim>& model, const 
 }
 
 template <int dim>
+void MpmRecorder<dim>::observe_motions(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  for (const problem::Motion& motion : model.motions) {
+    const Vec<dim> velocity = velocity_of(motion, state.stage, state.time - state.stage.begin_time);
+    row_.of(motion.name);
+    for (int d = 0; d < dim; ++d)
+      if (!motion.settings.velocity[static_cast<std::size_t>(d)].empty())
+        row_.component("v", d, velocity[d], run_folder::metres_per_second,
+                       "prescribed velocity of the boundary, or of the wave that comes in");
+  }
+}
+
+template <int dim>
+void MpmRecorder<dim>::observe_heads(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  for (std::size_t h = 0; h < model.heads.size(); ++h) {
+    row_.of(model.heads[h].name);
+    row_("p", pressure_of_head(model, state, h), run_folder::pascals, "excess pore pressure of the water outside");
+  }
+}
+
+template <int dim>
 void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   const Real time = state.time - last_time_;
@@ -287,6 +309,8 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   observe_effective_normals(model, state);
   observe_depth_slices(model, state);
   observe_supports(model, state);
+  observe_motions(model, state);
+  observe_heads(model, state);
   Recorder<dim>::observe_movement();
   file.add(row_);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)

@@ -42,6 +42,8 @@ private:
   void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace);
   void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_supports(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_motions(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_heads(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_depth_slices(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_effective_normals(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_earthworks(const problem::Model<dim>& model, const problem::State<dim>& state);

@@ -34,7 +34,9 @@ void check_case(const RunRequest& to_check, Context& context)
     for (const std::string& warning : warnings) fmt::print(stderr, "berm: warning: {}\n", warning);
     fmt::print("{}\n", request.case_file.string());
     for (const std::string& line : base::soil_words(request.settings)) fmt::print("  {}\n", line);
+    for (const std::string& line : base::k0_words(request.settings)) fmt::print("  {}\n", line);
     for (const std::string& line : base::drainage_words(request.settings)) fmt::print("  {}\n", line);
+    for (const std::string& line : motion_words(scene)) fmt::print("  {}\n", line);
     method.print_check(context);
     fmt::print("  disk         about {} in {}\n", sanity::words_of_bytes(disk_of(scene)), request.folder.string());
   });

@@ -51,6 +51,39 @@ std::vector<EarthworkWords> earthworks_in_words(const problem::Case& c)
   return all;
 }
 
+std::string k0_in_words(const bodies::K0Settings& at_rest, Real sin_friction)
+{
+  if (at_rest.k0) return text::number_words(*at_rest.k0);
+  if (at_rest.ocr) return fmt::format("{} by OCR = {}", text::number_words(at_rest.at(sin_friction, 0)), text::number_words(*at_rest.ocr));
+  return "by POP = " + text::stress_words(*at_rest.pop);
+}
+
+std::vector<std::string> k0_words(const problem::Case& c)
+{
+  std::vector<std::string> lines;
+  for (const auto& [name, body] : c.body) {
+    const auto add = [&, &name = name](Real top, const std::string& material, const bodies::K0Settings& own, Real sine) {
+      if (!own.by_history()) return;
+      const Real passive = (1 + sine) / (1 - sine);
+      lines.push_back(fmt::format("K0           body \"{}\"{}, \"{}\": {}; 1 - sin phi = {}, at most Kp = {}", name,
+                                  top > 0 ? ", from " + text::length_words(top) + " down" : "", material, k0_in_words(own, sine),
+                                  text::number_words(1 - sine), text::number_words(passive)));
+      if (!own.pop) return;
+      const problem::BodySoil soil = soil_of(c, body);
+      std::string at_depths;
+      for (const Real depth : {0.5, 1., 2., 5., 10.})
+        if (const Real above = soil.vertical_stress("", top + depth); above > 0)
+          at_depths += fmt::format("{}{} at {}", at_depths.empty() ? "" : ", ", text::number_words(own.at(sine, above)),
+                                   text::length_words(top + depth));
+      if (!at_depths.empty()) lines.push_back("             " + at_depths + " below the surface");
+    };
+    add(0, body.material, body.at_rest(), body.sin_friction);
+    for (const bodies::SoilLayerSettings& layer : body.soil_layer)
+      add(layer.top, layer.material, layer.at_rest().given() ? layer.at_rest() : body.at_rest(), layer.sin_friction);
+  }
+  return lines;
+}
+
 std::vector<std::string> soil_words(const problem::Case& c)
 {
   std::vector<std::string> lines;

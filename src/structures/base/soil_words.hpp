@@ -19,6 +19,12 @@ struct EarthworkWords {
 };
 std::vector<EarthworkWords> earthworks_in_words(const problem::Case& c);
 
+/// K0 in words: "0.5", or "0.62 by OCR = 2" of one; where it varies with depth what it follows from: "by POP = 30 kPa".
+std::string k0_in_words(const bodies::K0Settings& at_rest, Real sin_friction);
+
+/// What `berm check` says of K0 that follows from the stress history, line by line.
+std::vector<std::string> k0_words(const problem::Case& c);
+
 /// What `berm check` says of bodies whose soil varies, line by line: their layers or regions, and strength and stiffness at the surface and at the lowest
 /// point that the main rigid body reaches in a push.
 std::vector<std::string> soil_words(const problem::Case& c);

@@ -34,7 +34,7 @@ SoilAt SoilProfile::at(Real depth) const
     horizontal = -body_.initial_stress[0];
   } else {
     soil.overburden = gravity_ * soil_->mass_above("", std::max(Real(0), deep));
-    horizontal = body_.k0 ? *body_.k0_at(deep) * soil.overburden : soil.overburden > 0 ? nan : 0;
+    horizontal = body_.has_k0() ? *body_.k0_at(deep, soil.overburden) * soil.overburden : soil.overburden > 0 ? nan : 0;
   }
   if (!law || law->friction_angle > 0 || !(law->cohesion > 0)) return soil;
   soil.strength = law->cohesion;

@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/expectations/claims_section_test.cpp
 #include "report/expectations/expectations_section.hpp"
 #include "report/expectations/expected_runs.hpp"
+#include "structures/base/soil_words.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ std::string setting_of(const record::RunRecord& run)
   if (const auto soil = base::touched_material(c))
     if (const auto sand = strength_at_rest(*soil)) words += fmt::format(", ψ = {:.3g}°", sand->dilation_angle * 180 / pi);
   for (const auto& [name, body] : c.body)
-    if (body.k0) words += fmt::format(", K0 = {:.3g}", *body.k0);
+    if (body.has_k0()) words += ", K0 = " + base::k0_in_words(body.at_rest(), body.sin_friction);
   if (const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     const Real size = c.method == problem::Method::fem && c.fem.contact_size ? *c.fem.contact_size : seabed->near_size;
     words += fmt::format(", {} of D/{:.3g}", c.method == problem::Method::fem ? "elements" : "cells", scale.width / size);

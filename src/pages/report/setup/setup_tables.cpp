@@ -133,9 +133,14 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
       material);
   rows.add(prefix + (by_pressure ? "Young's modulus at the maximum pressure" : "Young's modulus"), text::stress_words(E));
   rows.add(prefix + "Poisson's ratio", text::number_words(nu));
-  for (const auto& [name, body] : c.body)
-    if (body.k0 && &c.material[problem::index_of(c.material, body.material)].second == &material)
-      rows.add(prefix + "K0", text::number_words(*body.k0));
+  const auto is_own = [&](const std::string& name) { return &c.material[problem::index_of(c.material, name)].second == &material; };
+  for (const auto& [name, body] : c.body) {
+    if (body.has_k0() && is_own(body.material)) rows.add(prefix + "K0", base::k0_in_words(body.at_rest(), body.sin_friction));
+    for (const bodies::SoilLayerSettings& layer : body.soil_layer)
+      if (layer.at_rest().by_history() && is_own(layer.material))
+        rows.add(prefix + fmt::format("K0 from {} down", text::length_words(layer.top)),
+                 base::k0_in_words(layer.at_rest(), layer.sin_friction));
+  }
   visit([&](const auto& law) { add_law(rows, prefix, law); }, material);
   add_water(rows, prefix, material);
 }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boundary/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace berm::boundary {
+
+void describe(Describe& d, MotionSettings& motion)
+{
+  d.value(
+      "stages", motion.stages,
+      {.meaning = "names of the stages in which it counts, from the begin of each; in others the boundary stands still", .required = true});
+  d.value("table", motion.table,
+          {.meaning =
+               "CSV file, beside the case file, of the time since such a stage began and the velocities: its first line is time_s,x_m_s "
+               "with the columns x, y, z that there are. Linear between its rows, constant after"});
+  d.value("times", motion.times,
+          {.meaning = "instead of a table: times since such a stage began, the first one 0", .unit = "s", .range = not_negative});
+  for (std::size_t k = 0; k < motion.velocity.size(); ++k)
+    d.value(motion_axes[k], motion.velocity[k],
+            {.meaning = k == 0   ? "velocities along x at these times"
+                        : k == 1 ? "velocities along y at these times"
+                                 : "velocities along z at these times, in space",
+             .unit = unit_of_motion});
+}
+
+Real velocity_at(const MotionSettings& motion, int axis, Real since)
+{
+  const std::vector<Real>&t = motion.times, &v = motion.velocity[static_cast<std::size_t>(axis)];
+  if (v.empty()) return 0;
+  const auto after = std::upper_bound(t.begin(), t.end(), since);
+  if (after == t.begin()) return v.front();
+  if (after == t.end()) return v.back();
+  const std::size_t k = static_cast<std::size_t>(after - t.begin());
+  return std::lerp(v[k - 1], v[k], (since - t[k - 1]) / (t[k] - t[k - 1]));
+}
+
+namespace {
+
+/// The rows up to a time, the last one at that time: it goes on at its last velocity.
+std::vector<std::pair<Real, Real>> rows_until(const MotionSettings& motion, int axis, Real time)
+{
+  std::vector<std::pair<Real, Real>> rows;
+  for (std::size_t k = 0; k < motion.times.size() && motion.times[k] < time; ++k)
+    rows.emplace_back(motion.times[k], motion.velocity[static_cast<std::size_t>(axis)][k]);
+  rows.emplace_back(time, velocity_at(motion, axis, time));
+  return rows;
+}
+
+}  // namespace
+
+MotionMeasures measures_of(const MotionSettings& motion, int axis, Real time)
+{
+  constexpr Real counts = 0.1;  // of the largest speed
+  MotionMeasures found;
+  if (motion.velocity[static_cast<std::size_t>(axis)].empty()) return found;
+  if (!std::isfinite(time)) time = motion.times.back();
+  const std::vector<std::pair<Real, Real>> rows = rows_until(motion, axis, time);
+  for (const auto& row : rows) found.speed = std::max(found.speed, std::abs(row.second));
+  found.last = rows.back().second;
+  if (std::abs(rows.front().second) > counts * found.speed) found.half_wave = 0;
+  std::size_t begin = 0;  // of the rise or fall in hand
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const auto [t0, v0] = rows[k - 1];
+    const auto [t1, v1] = rows[k];
+    // Within a row that crosses 0 the displacement turns.
+    if (v0 * v1 < 0) {
+      const Real there = found.residual + 0.5 * v0 * (t1 - t0) * v0 / (v0 - v1);
+      found.excursion = std::max(found.excursion, std::abs(there));
+    }
+    found.residual += 0.5 * (v0 + v1) * (t1 - t0);
+    found.excursion = std::max(found.excursion, std::abs(found.residual));
+    const auto sign = [](Real x) { return (x > 0) - (x < 0); };
+    const bool goes_on = k + 1 < rows.size() && sign(rows[k + 1].second - v1) == sign(v1 - v0);
+    if (goes_on) continue;
+    if (std::abs(v1 - rows[begin].second) > counts * found.speed) found.half_wave = std::min(found.half_wave, t1 - rows[begin].first);
+    begin = k;
+  }
+  return found;
+}
+
+std::string fault_of_row(const std::vector<Real>& times, std::size_t row)
+{
+  if (row == 0 && times[0] != 0)
+    return fmt::format("begins at {:.6g} s: times count from the begin of each stage, and the first must be 0; say how the boundary moves "
+                       "from there on",
+                       times[0]);
+  if (row > 0 && !(times[row] > times[row - 1]))
+    return "times must ascend, and none may stand twice: a boundary cannot jump to another velocity";
+  return "";
+}
+
+std::string fault_of_table(const MotionSettings& motion)
+{
+  if (motion.times.size() < 2) return "times: needs two times at least, the first 0";
+  for (std::size_t row = 0; row < motion.times.size(); ++row)
+    if (const std::string fault = fault_of_row(motion.times, row); !fault.empty()) return "times: " + fault;
+  bool any = false;
+  for (std::size_t k = 0; k < motion.velocity.size(); ++k) {
+    if (motion.velocity[k].empty()) continue;
+    any = true;
+    if (motion.velocity[k].size() != motion.times.size())
+      return fmt::format("{}: needs as many velocities as times has times, {}, and has {}", motion_axes[k], motion.times.size(),
+                         motion.velocity[k].size());
+  }
+  return any ? "" : "times: needs velocities at these times: x, y or z";
+}
+
+}  // namespace berm::boundary

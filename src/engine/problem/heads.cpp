@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/seepage.cpp
+#include "problem/heads.hpp"
+
+#include "core/error.hpp"
+#include "problem/absorbing.hpp"
+#include "problem/drainage.hpp"
+#include "problem/names.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+/// Whether there is a stage in which both supports act.
+bool act_together(const Case& c, const boundary::SupportSettings& a, const boundary::SupportSettings& b)
+{
+  const auto acts = [](const boundary::SupportSettings& support, const std::string& stage) {
+    return support.stages.empty() || among(stage, support.stages);
+  };
+  return std::any_of(c.stage.begin(), c.stage.end(), [&](const StageSettings& s) { return acts(a, s.name) && acts(b, s.name); });
+}
+
+}  // namespace
+
+void check_heads(Describe& d, const Case& c)
+{
+  for (const auto& [name, support] : c.support) {
+    const std::string path = "support." + name;
+    d.check(support.head || support.ramp == 0, path + ".ramp", "is that of a head, and there is none");
+    if (!support.head) continue;
+    const std::string key = path + ".head";
+    d.check(has_flowing_water(c), key, "no soil has water that flows: give it water.drainage = \"consolidation\", or leave this out");
+    d.check(support.drained, key, "is of water that crosses the boundary: it needs drained = true");
+    for (const auto& [other_name, other] : c.support)
+      d.check(
+          other.drained || other.boundary != support.boundary || !act_together(c, support, other), key,
+          fmt::format("[support.{}] holds the same boundary in the same stage and lets no water through: give it drained = true, or other "
+                      "stages",
+                      other_name));
+    for (std::size_t k = 0; k < c.stage.size(); ++k) {
+      const bool acts = support.stages.empty() || among(c.stage[k].name, support.stages);
+      d.check(
+          !acts || !c.stage[k].until.consolidation || *support.head == 0, fmt::format("stage[{}].until.consolidation", k),
+          fmt::format("the head of [support.{}] leaves an excess pressure for good, so that no degree of consolidation is reached: end the "
+                      "stage at a time",
+                      name));
+    }
+  }
+}
+
+namespace {
+
+/// The mean normals into the soil of the nodes of a boundary, weighted by area; zero where no soil is.
+template <int dim>
+NodeField<Vec<dim>> normals_into_soil(const Case& c, const mesh::Mesh<dim>& mesh, const std::string& name,
+                                      const boundary::SupportSettings& support)
+{
+  boundary::TractionSettings unit;
+  unit.boundary = support.boundary;
+  unit.pressure = 1;
+  auto normals = NodeField<Vec<dim>>::zeros(mesh.node_count());
+  try {
+    for (const boundary::LoadedPoint<dim>& point : loaded_points(mesh, name, unit, bodies_of_regions(mesh, c))) {
+      const mesh::Shape<dim> shape = mesh.shape(point.cell);
+      for (int k = 0; k <= dim; ++k) {
+        constexpr Real round_off = 1e-9;
+        if (const Real part = shape.value(k, point.x); part > round_off) normals[mesh.nodes[point.cell][k]] += part * point.force;
+      }
+    }
+  } catch (const KeyError&) {
+    throw KeyError(fmt::format("support.{}.head: no body that fills regions has soil at the boundary \"{}\"", name, support.boundary));
+  }
+  return normals;
+}
+
+}  // namespace
+
+template <int dim>
+void add_heads(const Case& c, Model<dim>& model)
+{
+  constexpr Real along = 0.1;  // of a unit normal, in directions that are not held
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  for (const auto& [name, support] : c.support) {
+    if (!support.head || *support.head == 0) continue;
+    const std::uint8_t directions = fixed_directions(support);
+    const NodeField<Vec<dim>> normals = normals_into_soil(c, mesh, name, support);
+    Head<dim>& head = model.heads.emplace_back();
+    head.name = name;
+    head.pressure = material::unit_weight_of_water * *support.head;
+    head.ramp = support.ramp;
+    for (const StageSettings& stage : c.stage) head.acts.push_back(support.stages.empty() || among(stage.name, support.stages));
+    select(
+        "list nodes of a head", mesh.node_chunks, [&](Index node) { return normals[node].norm() > 0; }, head.nodes, head.chunks);
+    for (const Index node : head.nodes) {
+      const Vec<dim> normal = normals[node].normalized();
+      Real free = 0;
+      for (int d = 0; d < dim; ++d)
+        if ((directions >> d & 1) == 0) free += normal[d] * normal[d];
+      if (std::sqrt(free) > along)
+        throw KeyError(
+            fmt::format("support.{}.head: the water outside presses along the normal of the boundary \"{}\", along which the support "
+                        "does not hold the soil: add that direction to `fixed`",
+                        name, support.boundary));
+      head.normals.push_back(normal);
+    }
+  }
+}
+
+template void add_heads(const Case&, Model<2>&);
+template void add_heads(const Case&, Model<3>&);
+
+}  // namespace berm::problem

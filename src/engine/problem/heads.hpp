@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/model.hpp"
+
+namespace berm::problem {
+
+/// Refuses heads of supports that make no sense by themselves.
+void check_heads(Describe& d, const Case& c);
+
+/// The heads of the water outside of supports, and the nodes that feel them, of a model that has its mesh. Throws KeyError where no soil is at the boundary, and
+/// where the support does not hold it along its normal.
+template <int dim>
+void add_heads(const Case& c, Model<dim>& model);
+
+}  // namespace berm::problem

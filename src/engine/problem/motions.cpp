@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/input/read_case_wrong_ground_test.cpp
+#include "problem/motions.hpp"
+
+#include "core/error.hpp"
+#include "problem/names.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+bool acts_in(const boundary::SupportSettings& support, const std::string& stage)
+{
+  return support.stages.empty() || among(stage, support.stages);
+}
+
+/// Whether two supports move the same boundary along an axis in some stage.
+bool collide(const boundary::SupportSettings& a, const boundary::SupportSettings& b)
+{
+  if (a.boundary != b.boundary || !a.motion || !b.motion) return false;
+  bool axis = false;
+  for (std::size_t k = 0; k < a.motion->velocity.size(); ++k)
+    axis = axis || (!a.motion->velocity[k].empty() && !b.motion->velocity[k].empty());
+  return axis && std::any_of(a.motion->stages.begin(), a.motion->stages.end(), [&](const auto& s) { return among(s, b.motion->stages); });
+}
+
+void check_stages_of(Describe& d, const Case& c, const std::string& key, const boundary::SupportSettings& support)
+{
+  std::vector<std::string> names;
+  for (const StageSettings& stage : c.stage) names.push_back(stage.name);
+  d.check(!support.motion->stages.empty(), key, "needs the names of the stages in which the boundary moves", names);
+  for (const std::string& name : support.motion->stages) {
+    d.check(among(name, names), key, fmt::format("there is no stage \"{}\"", name), names);
+    const auto stage = std::find_if(c.stage.begin(), c.stage.end(), [&](const StageSettings& s) { return s.name == name; });
+    if (stage == c.stage.end()) continue;
+    d.check(stage->kind != StageKind::geostatic, key,
+            fmt::format("\"{}\" is a geostatic stage, in which the soil comes to rest: name the stages after it", name));
+    d.check(acts_in(support, name), key, fmt::format("the support does not act in \"{}\": add it to its stages", name));
+  }
+}
+
+}  // namespace
+
+std::string fault_of_motion(const Case& c, const boundary::SupportSettings& support)
+{
+  const boundary::MotionSettings& motion = *support.motion;
+  if (const std::string fault = fault_of_table(motion); !fault.empty()) return fault;
+  for (std::size_t k = 0; k < motion.velocity.size(); ++k) {
+    const std::string axis = boundary::motion_axes[k];
+    if (motion.velocity[k].empty()) continue;
+    if (static_cast<int>(k) >= c.dimension()) return axis + ": is no direction in the plane: x and y are";
+    if (!among(axis, support.fixed))
+      return fmt::format(
+          "{0}: the support leaves the soil free along {0}, where it cannot move it: add \"{0}\" to `fixed`, or leave this out", axis);
+  }
+  return "";
+}
+
+void check_motions(Describe& d, const Case& c)
+{
+  for (const auto& [name, support] : c.support) {
+    if (!support.motion) continue;
+    const boundary::MotionSettings& motion = *support.motion;
+    const std::string path = "support." + name + ".motion";
+    d.check(c.method == Method::mpm, path,
+            "is for method = \"mpm\": finite elements have no inertia, and go from one equilibrium to the next; drive a rigid body, or "
+            "load the "
+            "soil by a traction");
+    d.check(!c.mpm.active_distance, path, "does not go with mpm.active_distance: soil that rests feels no motion of its supports");
+    d.check(!c.safety, path, "does not go with a trial of the factor of safety, in which the soil is to rest");
+    const auto free_of = [&, &name = name](bool taken, const char* table) {
+      d.check(!taken, "support." + name,
+              fmt::format("a [{}.{}] has this name, which columns of the history begin with: give the support another", table, name));
+    };
+    free_of(index_of(c.body, name) != none, "body");
+    free_of(index_of(c.watch, name) != none, "watch");
+    free_of(index_of(c.rigid, name) != none, "rigid");
+    check_stages_of(d, c, path + ".stages", support);
+    const bool inline_rows = !motion.times.empty() || std::any_of(motion.velocity.begin(), motion.velocity.end(),
+                                                                  [](const std::vector<Real>& column) { return !column.empty(); });
+    d.check(motion.table.empty() || !inline_rows, path + ".times", "does not go with table, which is a file of all of it");
+    d.check(!motion.table.empty() || inline_rows, path, "needs a table, or times and velocities");
+    if (!motion.table.empty() || !inline_rows) continue;
+    const std::string fault = fault_of_motion(c, support);
+    const std::size_t colon = fault.find(": ");
+    d.check(fault.empty(), path + "." + fault.substr(0, colon), fault.empty() ? "" : fault.substr(colon + 2));
+  }
+}
+
+template <int dim>
+void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
+{
+  boundary::Holders<dim> nobody;
+  nobody.fill(none);
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  for (std::size_t s = 0; s < c.support.size(); ++s) {
+    const auto& [name, support] = c.support[s];
+    if (!support.motion) continue;
+    for (std::size_t other = 0; other < s; ++other)
+      if (collide(c.support[other].second, support))
+        throw KeyError(
+            fmt::format("support.{}.motion: [support.{}] moves the same boundary the same way in the same stage: leave one of them out",
+                        name, c.support[other].first));
+    const auto number = static_cast<Index>(model.motions.size());
+    Motion& motion = model.motions.emplace_back();
+    motion.name = name;
+    motion.settings = *support.motion;
+    for (const StageSettings& stage : c.stage) motion.acts.push_back(among(stage.name, support.motion->stages));
+    if (model.moved.empty()) model.moved.assign(sets.roles.size(), NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody));
+    std::uint8_t directions = 0;
+    for (int d = 0; d < dim; ++d)
+      if (!support.motion->velocity[static_cast<std::size_t>(d)].empty()) directions |= static_cast<std::uint8_t>(1 << d);
+    for (const Index node : mesh.boundary_nodes[fixed_boundary(mesh, name, support)]) {
+      const bool on_axis = mesh.metric == mesh::Metric::axisymmetric && mesh.position[node][0] == 0;
+      for (int d = 0; d < dim; ++d) {
+        const bool on_plane = model.mirrored[d] && mesh.position[node][d] <= mesh.lower[d];
+        if ((directions >> d & 1) == 0 || !(on_plane || (on_axis && d == 0))) continue;
+        throw KeyError(fmt::format(
+            "support.{}.motion.{}: {}", name, boundary::motion_axes[d],
+            on_plane ? fmt::format("moves across the plane of symmetry: leave it out, or \"{}\" out of symmetry", boundary::motion_axes[d])
+                     : "is along the radius, and the boundary meets the axis: a base that shakes sideways is not the same "
+                       "all around; move it along y, or take geometry = \"plane_strain\" or \"space\""));
+      }
+      for (std::size_t set = 0; set < sets.roles.size(); ++set)
+        if (sets.roles[set][s] == SupportRole::holds) boundary::add_holder<dim>(model.moved[set][node], number, directions);
+    }
+  }
+}
+
+template void add_motions(const Case&, const SupportSets&, Model<2>&);
+template void add_motions(const Case&, const SupportSets&, Model<3>&);
+
+}  // namespace berm::problem

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "samples/senseless_inputs.hpp"
+
+namespace berm::test {
+
+/// Supports that move, and water outside of them, that make no sense.
+inline const std::vector<SenselessInput>& senseless_supports()
+{
+  using enum SenselessInput::Answer;
+  const std::string base = "[support.base]\nboundary = \"bottom\"\nfixed = [\"x\", \"y\"]\n";
+  const auto moves = [&](const std::string& rows) { return base + "[support.base.motion]\nstages = [\"drag\"]\n" + rows; };
+  static const std::vector<SenselessInput> all = {
+      {"motion_too_fast_for_the_cells",
+       "box",
+       warned,
+       {"support.base.motion", "goes along x from one turning point to the next in 0.001 ms", "8 cells to a shear wave",
+        "filter the record"},
+       {},
+       base,
+       moves("times = [0, 1e-6, 2e-6]\nx = [0, 0.01, 0]\n")},
+      {"motion_that_begins_with_a_jump",
+       "box",
+       warned,
+       {"support.base.motion", "begins with a jump along x"},
+       {},
+       base,
+       moves("times = [0, 1e-2]\nx = [1e-3, 0]\n")},
+      {"motion_that_does_not_end",
+       "box",
+       warned,
+       {"support.base.motion", "ends at 1 mm/s along x", "let the last velocity be 0"},
+       {},
+       base,
+       moves("times = [0, 1e-3]\nx = [0, 1e-3]\n")},
+      {"motion_that_takes_the_soil_off_its_nodes",
+       "box",
+       refused,
+       {"support.base.motion", "moves the soil along y by 0.01 m to either side, 2.5 of a cell", "the soil leaves the nodes that move it"},
+       {},
+       base,
+       moves("times = [0, 1e-2, 2e-2]\ny = [0, 1, 0]\n")},
+      {"motion_that_takes_the_soil_out_of_the_mesh",
+       "box",
+       warned,
+       {"support.base.motion", "moves the soil along x by 1 mm to either side, 0.25 of a cell", "ends along x where the soil does"},
+       {},
+       base,
+       moves("times = [0, 1e-2, 2e-2]\nx = [0, 0.1, 0]\n")},
+      {"head_that_takes_the_weight",
+       "box",
+       warned,
+       {"support.base.head", "drives water up through [body.sand] at a gradient of 1", "loses its weight: i_c = gamma'/gamma_w = 0.894"},
+       {"gravity=[0, \"-1 gravity\"]", "material.sand.inertia_density=1877", "material.sand.water.drainage=consolidation",
+        "material.sand.water.permeability=1e-3", "material.sand.water.porosity=0.4", "support.base.drained=true",
+        "support.base.head=40 mm"},
+       "",
+       ""},
+      {"head_while_the_soil_comes_to_rest",
+       "box",
+       warned,
+       {"support.base.head", "acts in the geostatic stage \"rest\"", "name the stages after it"},
+       {"material.sand.inertia_density=1877", "material.sand.water.drainage=consolidation", "material.sand.water.permeability=1e-3",
+        "material.sand.water.porosity=0.4", "support.base.drained=true", "support.base.head=10 mm"},
+       "",
+       ""},
+  };
+  return all;
+}
+
+}  // namespace berm::test
