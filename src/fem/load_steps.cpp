@@ -38,6 +38,15 @@ void refuse_cavitation(const FemModel& model, const FemState& state)
   }
 }
 
+/// The largest vertical stress of the soil by size, Pa.
+Real largest_stress(const FemState& state)
+{
+  Real largest = 0;
+  for (const auto& of_cell : state.points)
+    for (const SoilPoint& point : of_cell) largest = std::max(largest, std::abs(point.stress[1]));
+  return largest;
+}
+
 /// The largest magnitude of the excess pore pressure, Pa.
 Real largest_pressure(const FemModel& model, const std::vector<Real>& unknowns)
 {
@@ -290,6 +299,10 @@ Real LoadSteps::next_dt_of_flow(const std::vector<Real>& change, Real dt)
     error += bend * bend;
   }
   largest_pressure_ = std::max(largest_pressure_, pressure);
+  // Round-off of pressures that the soil does not feel has no length.
+  constexpr Real not_felt = 1e-10;
+  const Real felt = not_felt * largest_stress(state_);
+  if (error <= felt * felt * static_cast<Real>(model_.flow.count)) return infinity;
   return error > 0 ? dt * std::sqrt(max_pressure_error * std::sqrt(largest_pressure_ / error)) : infinity;
 }
 

@@ -111,6 +111,7 @@ void make_flow(FemModel& model)
     std::vector<Index>& unknowns = flow.at_head.emplace_back();
     for (const Index node : nodes)
       if (const Index unknown = flow.unknown[node]; unknown != none) unknowns.push_back(unknown);
+    std::sort(unknowns.begin(), unknowns.end());
   }
   for (const NodeField<std::uint8_t>& closed : model.mesh.impermeable) flow.open.push_back(open_nodes(model, closed));
 }

@@ -72,7 +72,7 @@ constexpr Real tolerance = 0.03;
 
 class ShakenBase : public testing::TestWithParam<Wave> {};
 INSTANTIATE_TEST_SUITE_P(Waves, ShakenBase, testing::Values(shear, pressure),
-                         [](const auto& info) { return info.param.direction == 0 ? "shear" : "pressure"; });
+                         [](const auto& of) { return of.param.direction == 0 ? "shear" : "pressure"; });
 
 // v_s(t) = 2 sum_k (-1)^k v(t - (2 k + 1) H / c): doubled at the surface, turned over at the base.
 TEST_P(ShakenBase, that_is_rigid_moves_the_surface_as_dAlembert_says)
@@ -147,7 +147,7 @@ TEST(ShakenBaseInStages, moves_in_those_that_it_names)
   EXPECT_EQ(velocity_at(run, 0, 0), 0);
 }
 
-// A column that is moved as a whole, at a speed that stays, has no strain: what the base does is the kinetic energy of all of it, in space as in the plane.
+// Along z, in space: until the wave comes back from the base the surface has twice its velocity.
 TEST(ShakenBaseInSpace, moves_the_surface_twice_as_fast)
 {
   problem::Case c = elastic_box(3, {width, height, width}, {1, 32, 1}, young_modulus, poisson_ratio, density);

@@ -58,7 +58,7 @@ bool is_base_of(const Scene& s, std::size_t support, const BodyScene& body)
   return std::abs(level.from - base) < flat * soil.length() && std::abs(level.to - base) < flat * soil.length();
 }
 
-/// A bed through which water flows up steadily: where it is nearest to having no weight.
+/// A bed through which water flows up steadily: where it is nearest to having no weight, the deepest of such places.
 struct Uplift {
   Real part = 0;      ///< excess pore pressure over the effective stress that there is without it, at most
   Real depth = 0;     ///< m, there
@@ -79,7 +79,7 @@ Uplift uplift_of(const Scene& s, Index body, Real pressure)
   Uplift worst;
   for (int k = 1; k <= slices; ++k) {
     const Real depth = k * thick, excess = pressure * resistance[k] / resistance.back(), weight = s.weight_above(body, depth);
-    if (const Real part = excess / weight; part > worst.part * (1 + 1e-9))
+    if (const Real part = excess / weight; part >= worst.part * (1 - 1e-9))
       worst = {part, depth, excess / material::unit_weight_of_water / depth, weight / material::unit_weight_of_water / depth};
   }
   return worst;

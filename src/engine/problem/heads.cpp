@@ -52,27 +52,27 @@ void check_heads(Describe& d, const Case& c)
 
 namespace {
 
-/// The mean normals into the soil of the nodes of a boundary, weighted by area; zero where no soil is.
+/// The parts of a boundary that its nodes have, along the normals into the soil; zero where no soil is.
 template <int dim>
-NodeField<Vec<dim>> normals_into_soil(const Case& c, const mesh::Mesh<dim>& mesh, const std::string& name,
-                                      const boundary::SupportSettings& support)
+NodeField<Vec<dim>> areas_into_soil(const Case& c, const mesh::Mesh<dim>& mesh, const std::string& name,
+                                    const boundary::SupportSettings& support)
 {
   boundary::TractionSettings unit;
   unit.boundary = support.boundary;
   unit.pressure = 1;
-  auto normals = NodeField<Vec<dim>>::zeros(mesh.node_count());
+  auto areas = NodeField<Vec<dim>>::zeros(mesh.node_count());
   try {
     for (const boundary::LoadedPoint<dim>& point : loaded_points(mesh, name, unit, bodies_of_regions(mesh, c))) {
       const mesh::Shape<dim> shape = mesh.shape(point.cell);
       for (int k = 0; k <= dim; ++k) {
         constexpr Real round_off = 1e-9;
-        if (const Real part = shape.value(k, point.x); part > round_off) normals[mesh.nodes[point.cell][k]] += part * point.force;
+        if (const Real part = shape.value(k, point.x); part > round_off) areas[mesh.nodes[point.cell][k]] += part * point.force;
       }
     }
   } catch (const KeyError&) {
     throw KeyError(fmt::format("support.{}.head: no body that fills regions has soil at the boundary \"{}\"", name, support.boundary));
   }
-  return normals;
+  return areas;
 }
 
 }  // namespace
@@ -85,16 +85,16 @@ void add_heads(const Case& c, Model<dim>& model)
   for (const auto& [name, support] : c.support) {
     if (!support.head || *support.head == 0) continue;
     const std::uint8_t directions = fixed_directions(support);
-    const NodeField<Vec<dim>> normals = normals_into_soil(c, mesh, name, support);
+    const NodeField<Vec<dim>> areas = areas_into_soil(c, mesh, name, support);
     Head<dim>& head = model.heads.emplace_back();
     head.name = name;
     head.pressure = material::unit_weight_of_water * *support.head;
     head.ramp = support.ramp;
     for (const StageSettings& stage : c.stage) head.acts.push_back(support.stages.empty() || among(stage.name, support.stages));
     select(
-        "list nodes of a head", mesh.node_chunks, [&](Index node) { return normals[node].norm() > 0; }, head.nodes, head.chunks);
+        "list nodes of a head", mesh.node_chunks, [&](Index node) { return areas[node].norm() > 0; }, head.nodes, head.chunks);
     for (const Index node : head.nodes) {
-      const Vec<dim> normal = normals[node].normalized();
+      const Vec<dim> normal = areas[node].normalized();
       Real free = 0;
       for (int d = 0; d < dim; ++d)
         if ((directions >> d & 1) == 0) free += normal[d] * normal[d];
@@ -108,7 +108,21 @@ void add_heads(const Case& c, Model<dim>& model)
   }
 }
 
-template void add_heads(const Case&, Model<2>&);
-template void add_heads(const Case&, Model<3>&);
+template <int dim>
+std::vector<Vec<dim>> areas_of_head(const Case& c, const Model<dim>& model, std::size_t head)
+{
+  const std::string& name = model.heads[head].name;
+  const NodeField<Vec<dim>> all = areas_into_soil(c, model.mesh, name, c.support[index_of(c.support, name)].second);
+  std::vector<Vec<dim>> areas;
+  for (const Index node : model.heads[head].nodes) areas.push_back(all[node]);
+  return areas;
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void add_heads(const Case&, Model<dim>&);                                                                                       \
+  template std::vector<Vec<dim>> areas_of_head(const Case&, const Model<dim>&, std::size_t);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
 
 }  // namespace berm::problem

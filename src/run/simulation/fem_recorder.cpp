@@ -4,6 +4,8 @@
 
 #include "problem/stages.hpp"
 
+#include <algorithm>
+
 namespace berm::simulation {
 namespace {
 
@@ -19,6 +21,31 @@ Real effective_normal_force(const fem::FemModel& model, const fem::FemState& sta
   for (std::size_t k = 0; k < model.contact.size(); ++k) {
     const Real pressure = state.contact[k].traction.dot(model.contact[k].normal);
     sum += model.contact[k].area * std::max(Real(0), pressure - fem::interface_at(model, k, state).pore_pressure);
+  }
+  return sum;
+}
+
+/// The water that flows from the nodes of a head into the soil, m2/s (around an axis per radian: m3/s): q_i = -integral of grad L_i . w.
+Real inflow_of_head(const fem::FemModel& model, const fem::FemState& state, std::size_t head)
+{
+  Real sum = 0;
+  const std::vector<Index>& unknowns = model.flow.at_head[head];
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    if (!model.flow.in(cell)) continue;
+    const auto& nodes = model.mesh.nodes[cell];
+    const auto is_at_head = [&](int k) { return std::binary_search(unknowns.begin(), unknowns.end(), model.flow.unknown[nodes[k]]); };
+    if (!is_at_head(0) && !is_at_head(1) && !is_at_head(2)) continue;
+    fem::VolumeStrain displacement;
+    std::array<Real, 3> pressure;
+    for (int k = 0; k < 12; ++k) displacement[k] = state.displacement[2 * nodes[k / 2] + k % 2];
+    for (int k = 0; k < 3; ++k) pressure[k] = state.displacement[model.flow.unknown[nodes[k]]];
+    for (int q = 0; q < fem::triangle_points; ++q) {
+      const fem::ShapeAtPoint& shape = model.shape[cell][q];
+      const fem::CornerShape corners = corner_shape(shape);
+      const Vec<2> flux = water_flux(shape, model.flow.water[cell][q], displacement, pressure);
+      for (int k = 0; k < 3; ++k)
+        if (is_at_head(k)) sum -= shape.area * corners.gradient[k].dot(flux);
+    }
   }
   return sum;
 }
@@ -110,7 +137,7 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
   }
   for (std::size_t h = 0; h < model.model.heads.size(); ++h) {
     row_.of(model.model.heads[h].name);
-    row_("p", pressure_of_head(model.model, now, h), run_folder::pascals, "excess pore pressure of the water outside");
+    observe_head<2>(row_, pressure_of_head(model.model, now, h), inflow_of_head(model, state, h));
   }
   observe_movement();
   file.add(row_);

@@ -6,11 +6,27 @@
 #include "mpm/condition.hpp"
 #include "mpm/interface.hpp"
 #include "problem/archive_state.hpp"
+#include "problem/heads.hpp"
 #include "problem/stages.hpp"
 
 #include <fmt/format.h>
 
 namespace berm::simulation {
+
+namespace {
+
+/// m2/s per metre run, or m3/s.
+struct Inflow {
+  Real sum = 0;
+
+  Inflow& operator+=(const Inflow& other)
+  {
+    sum += other.sum;
+    return *this;
+  }
+};
+
+}  // namespace
 
 template <int dim>
 MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
@@ -29,6 +45,7 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
     first_kinetic_ += sums.kinetic;
   }
   first_loaded_ = start.load_points;
+  for (std::size_t h = 0; h < model.heads.size(); ++h) head_areas_.push_back(areas_of_head(c, model, h));
   for (std::size_t k = 0; k < model.watches.size(); ++k)
     watch_points_.emplace_back(model, start.particles[model.watches[k].body], model.watches[k], c.watch[k].second.point);
 }
@@ -243,8 +260,14 @@ template <int dim>
 void MpmRecorder<dim>::observe_heads(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   for (std::size_t h = 0; h < model.heads.size(); ++h) {
-    row_.of(model.heads[h].name);
-    row_("p", pressure_of_head(model, state, h), run_folder::pascals, "excess pore pressure of the water outside");
+    const problem::Head<dim>& head = model.heads[h];
+    Inflow inflow;
+    for (const NodeField<Vec<dim>>& flux : state.flux)
+      if (flux.size() > 0)
+        inflow +=
+            sum_of<Inflow>("inflow at a head", head.chunks, [&](Index k) { return Inflow{head_areas_[h][k].dot(flux[head.nodes[k]])}; });
+    row_.of(head.name);
+    observe_head<dim>(row_, pressure_of_head(model, state, h), inflow.sum);
   }
 }
 

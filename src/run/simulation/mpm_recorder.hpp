@@ -55,6 +55,7 @@ private:
   std::vector<Vec<dim>> last_pair_impulses_, last_rigid_impulses_, last_support_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<WatchPoint<dim>> watch_points_;
+  std::vector<std::vector<Vec<dim>>> head_areas_;  ///< m (per metre run) or m2, by head and its nodes, along the normal into the soil
   std::vector<problem::LoadPointState<dim>> first_loaded_;
   Real first_kinetic_ = 0;
   Real out_of_balance_ = 0;

@@ -49,6 +49,16 @@ void observe_reaction(run_folder::Row& row, const Vec<dim>& force)
   row("F", Vec<dim>(force + Vec<dim>::Zero()), run_folder::newtons<dim>, "force of the support on the soil");
 }
 
+/// Water outside of a support: its excess pressure (Pa), and what of it flows into the soil (m2/s in plane strain, else m3/s). A zero has no sign.
+template <int dim>
+void observe_head(run_folder::Row& row, Real pressure, Real inflow)
+{
+  static constexpr run_folder::ColumnUnit whole{"m3/s", "m3_s"};
+  static constexpr run_folder::ColumnUnit unit = dim == 2 ? run_folder::ColumnUnit{"m2/s", "m2_s", &whole} : run_folder::of_part(whole);
+  row("p", pressure, run_folder::pascals, "excess pore pressure of the water outside");
+  row("Q", inflow + 0., unit, "water that flows into the soil");
+}
+
 /// Its rotation, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad). In space both are
 /// vectors: Mx_Nm, anglex_rad ...
 template <int dim>

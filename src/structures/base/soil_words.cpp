@@ -58,6 +58,22 @@ std::string k0_in_words(const bodies::K0Settings& at_rest, Real sin_friction)
   return "by POP = " + text::stress_words(*at_rest.pop);
 }
 
+namespace {
+
+/// The depth at which the vertical stress at the start is this, Pa; 0 where it is not there.
+Real depth_under(const problem::BodySoil& soil, Real vertical_stress)
+{
+  Real low = 0, high = 1e4;  // m
+  if (!(soil.vertical_stress("", high) > vertical_stress) || !(vertical_stress > 0)) return 0;
+  for (int k = 0; k < 60; ++k) {
+    const Real middle = (low + high) / 2;
+    (soil.vertical_stress("", middle) < vertical_stress ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
 std::vector<std::string> k0_words(const problem::Case& c)
 {
   std::vector<std::string> lines;
@@ -71,10 +87,10 @@ std::vector<std::string> k0_words(const problem::Case& c)
       if (!own.pop) return;
       const problem::BodySoil soil = soil_of(c, body);
       std::string at_depths;
-      for (const Real depth : {0.5, 1., 2., 5., 10.})
-        if (const Real above = soil.vertical_stress("", top + depth); above > 0)
-          at_depths += fmt::format("{}{} at {}", at_depths.empty() ? "" : ", ", text::number_words(own.at(sine, above)),
-                                   text::length_words(top + depth));
+      for (const Real ratio : {9., 3., 1.5, 1.1})
+        if (const Real depth = depth_under(soil, *own.pop / (ratio - 1)); depth > top)
+          at_depths += fmt::format("{}{} at {}", at_depths.empty() ? "" : ", ", text::number_words(own.at(sine, *own.pop / (ratio - 1))),
+                                   text::length_words(depth));
       if (!at_depths.empty()) lines.push_back("             " + at_depths + " below the surface");
     };
     add(0, body.material, body.at_rest(), body.sin_friction);

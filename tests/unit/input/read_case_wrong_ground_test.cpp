@@ -78,7 +78,10 @@ TEST(Ground, boundary_that_absorbs_needs_rest_first)
 std::string refusal_of_load(const std::string& keys)
 {
   try {
-    read_case_text("case.toml", std::string(test::good_case) + "\n[traction.water]\nboundary = \"left\"\n" + keys, {});
+    std::string text(test::good_case);
+    text += "\n[traction.water]\nboundary = \"left\"\n";
+    text += keys;
+    read_case_text("case.toml", text, {});
   } catch (const InputError& error) {
     return error.what();
   }

@@ -66,11 +66,12 @@ TEST(Motion, that_is_wrong_says_what_is_allowed)
 
 class MotionFile : public testing::Test {
 protected:
-  problem::Case read(const std::string& text, const std::string& keys = "")
+  problem::Case read(const std::string& text)
   {
     folder_.write("quake.csv", text);
-    folder_.write("case.toml",
-                  std::string(test::good_case) + "\n[support.base.motion]\ntable = \"quake.csv\"\nstages = [\"drag\"]\n" + keys);
+    std::string text_of_case(test::good_case);
+    text_of_case += "\n[support.base.motion]\ntable = \"quake.csv\"\nstages = [\"drag\"]\n";
+    folder_.write("case.toml", text_of_case);
     return read_case(folder_.path() / "case.toml", {});
   }
   std::string refusal(const std::string& text)
