@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import tomllib
@@ -98,6 +99,36 @@ class Run:
             return tomllib.loads((self.folder / "resolved.toml").read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
             raise RunError(f"{self.folder / 'resolved.toml'}: {error}") from None
+
+    def _columns(self, name: str) -> dict[str, Any]:
+        """The columns of a CSV file of the folder: numbers as arrays, names as lists. Throws RunError where it is missing."""
+        import numpy as np
+
+        try:
+            rows = list(csv.reader((self.folder / name).read_text(encoding="utf-8").splitlines()))
+        except OSError as error:
+            raise RunError(f"{self.folder / name}: {error}") from None
+        columns = {head: [row[k] for row in rows[1:]] for k, head in enumerate(rows[0])}
+        return {
+            head: cells if head in ("body", "stage") else np.array([float(cell) if cell else float("nan") for cell in cells])
+            for head, cells in columns.items()
+        }
+
+    @cached_property
+    def depth_profile(self) -> dict[str, Any]:
+        """Forces of the soil along the depth of bodies with depth_slices, by column of depth_profile.csv: body and stage as lists of names, z_top_m,
+        V_N_m, axial_top_N ... as arrays, a row a slice at the end of a stage. Throws RunError where the run has none."""
+        return self._columns("depth_profile.csv")
+
+    @cached_property
+    def tz(self) -> dict[str, Any]:
+        """t-z curves of bodies with depth_slices that go up or down, by column of tz.csv. Throws RunError where the run has none."""
+        return self._columns("tz.csv")
+
+    @cached_property
+    def py(self) -> dict[str, Any]:
+        """p-y curves of a pile or skirt that is loaded sideways, by column of py.csv. Throws RunError where the run has none."""
+        return self._columns("py.csv")
 
     @cached_property
     def origin(self) -> dict[str, Any]:

@@ -30,4 +30,36 @@ void is_the_mesh_in_metres(const Scene& s, Findings& found)
                            words_of(extent, "m"), extent / width, words_of(width, "m"), file->scale / per_mm));
 }
 
+void are_depth_slices_thicker_than_cells(const Scene& s, Findings& found)
+{
+  for (Index r = 0; r < static_cast<Index>(s.rigids.size()); ++r) {
+    const auto& [name, rigid] = s.c.rigid[r];
+    if (rigid.depth_slices == 0 || s.up_sign < 0 || !s.ground.line.level()) continue;
+    const Real height = s.c.surface - s.rigids[r].space[s.up].from, thickness = height / rigid.depth_slices, cell = s.cell_size(r, {});
+    if (!(thickness < 0.95 * cell)) continue;
+    found.warn(fmt::format("rigid.{}.depth_slices", name),
+               fmt::format("slices are {} thick and cells {}: a slice has the forces of those beside it; take {:.0f} or fewer",
+                           words_of(thickness, "m"), words_of(cell, "m"), std::max(Real(1), std::floor(height / cell))));
+  }
+}
+
+void do_slices_slide_without_jolts(const Scene& s, Findings& found)
+{
+  if (!s.is_mpm() || s.c.mpm.quadrature == problem::Quadrature::cut_cells) return;
+  for (Index r = 0; r < static_cast<Index>(s.rigids.size()); ++r) {
+    const auto& [name, rigid] = s.c.rigid[r];
+    const bool driven = std::any_of(s.ways.begin(), s.ways.end(), [&](const Way& way) { return way.rigid == r; });
+    const bool rubs = std::any_of(s.c.contact.begin(), s.c.contact.end(), [&, &of = name](const auto& contact) {
+      const contact::ContactSettings& at = contact.second;
+      return at.rigid == of && (at.friction_angle > 0 || at.adhesion > 0 || at.adhesion_factor > 0);
+    });
+    if (rigid.depth_slices > 0 && !driven && rubs)
+      found.warn(
+          fmt::format("rigid.{}.depth_slices", name),
+          fmt::format("no stage drives \"{}\", so that it is soil that moves along it: mpm.quadrature = \"cut_cells\" keeps slow soil at "
+                      "a shaft from trembling, which loses up to a tenth of its friction",
+                      name));
+  }
+}
+
 }  // namespace berm::sanity

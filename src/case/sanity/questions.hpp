@@ -29,6 +29,10 @@ void is_there_soil_at_a_watch(const Scene& s, Findings& found);
 void is_the_mesh_what_its_file_says(const Scene& s, Findings& found);
 void is_the_mesh_in_metres(const Scene& s, Findings& found);
 
+// Forces along the depth of a body.
+void are_depth_slices_thicker_than_cells(const Scene& s, Findings& found);
+void do_slices_slide_without_jolts(const Scene& s, Findings& found);
+
 // Ground that is not level.
 void does_the_ground_stand(const Scene& s, Findings& found);
 void does_the_body_fit_the_ground(const Scene& s, Findings& found);

@@ -26,6 +26,8 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_the_path_stay_on_fine_cells,
                                                           are_cells_small_enough,
                                                           is_the_body_two_cells_thick,
+                                                          are_depth_slices_thicker_than_cells,
+                                                          do_slices_slide_without_jolts,
                                                           do_fine_cells_reach_the_ends,
                                                           do_walls_cut_a_body,
                                                           are_walls_far_enough,

@@ -21,7 +21,9 @@ struct ContactPoint {
   Real gap = 0;                          ///< m between the two; at most 0 where they touch
   Real distance = 0;                     ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
   bool touching = false;                 ///< the gap is less than half a particle's width
+  Real half_width = 0;                   ///< m, of the particle that the point is
   Real area = 0;                         ///< m2 (per metre run: m), share of the body's surface; 0 where it is not needed
+  int face = 0;                          ///< of the rigid body, where each has its own points (ContactPoints::faces)
   Index block = none;                    ///< of the particle that the point is, among those of its body on this rank, and
   int lane = 0;                          ///< its lane
   bool bonded = false;                   ///< carries tension
@@ -46,6 +48,7 @@ struct Footprint {
   std::array<Real, dim + 1> weights{};  ///< their shape functions there
   int node_count = 1;                   ///< 1 or dim + 1
   Real area = 0;                        ///< m2 (per metre run: m; in axisymmetry m2 per radian)
+  int face = 0;                         ///< of the rigid body, as of the points
 
   // Of a particle at a rigid surface in the plane:
   int side = 0;              ///< of the rigid body
@@ -86,6 +89,7 @@ struct ContactPoints {
   // Where there is adhesion:
   std::vector<Footprint<dim>> footprints;  ///< the surface in contact
   NodeField<Real> node_area, node_weight;  ///< m2 (per metre run: m), and sum of N, over the closed points
+  int faces = 1;                           ///< each of so many shares its surface out among its own points (face_of)
   bool shared_out = false;                 ///< in this step already, over the points that
   std::vector<char> closed;                ///< were closed then
 

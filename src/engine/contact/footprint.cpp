@@ -31,7 +31,14 @@ void meet_axis(const Footprint<2>& f, bool first, bool last, Real& from, Real& t
 
 }  // namespace
 
-void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& particles, const bodies::RigidShape<2>& shape,
+int face_of(const Vec<2>& normal, Real angle)
+{
+  const Real c = std::cos(angle), s = std::sin(angle), along = c * normal[0] + s * normal[1], across = c * normal[1] - s * normal[0];
+  if (std::abs(along) > std::abs(across)) return along > 0 ? 0 : 1;
+  return across > 0 ? 2 : 3;
+}
+
+void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& particles, const bodies::RigidShape<2>& shape, Real angle,
                      ContactPoints<2>& found)
 {
   std::vector<Footprint<2>>& list = found.footprints;
@@ -52,6 +59,7 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
           for (int n = 0; n < 3; ++n) footprint.weights[n] = functions.value(n, x);
           footprint.node_count = 3;
           footprint.side = side;
+          if (found.faces > 1) footprint.face = face_of(at.normal, angle);
           footprint.along = at.along;
           footprint.begin = at.begin;
           footprint.end = at.end;
@@ -113,18 +121,22 @@ void share_surface(ContactPoints<dim>& points)
   const auto presses = [&](const ContactPoint<dim>& point) { return !any || closed(point); };
 
   NodeField<Real>&area = points.node_area, &weight = points.node_weight;
-  for (const ContactPoint<dim>& point : points.list) for_nodes(point, [&](Index i, Real) { area[i] = weight[i] = 0; });
-  for (const Footprint<dim>& f : points.footprints) for_nodes(f, [&](Index i, Real) { area[i] = weight[i] = 0; });
-  for (const ContactPoint<dim>& point : points.list)
-    if (presses(point)) for_nodes(point, [&](Index i, Real N) { weight[i] += N; });
-  for (const Footprint<dim>& f : points.footprints) {
-    Real reached = 0;
-    for_nodes(f, [&](Index i, Real N) { reached += weight[i] > 0 ? N : 0; });
-    if (reached > 0) for_nodes(f, [&](Index i, Real N) { area[i] += weight[i] > 0 ? f.area * N / reached : 0; });
-  }
-  for (ContactPoint<dim>& point : points.list) {
-    point.area = 0;
-    if (presses(point)) for_nodes(point, [&](Index i, Real N) { point.area += weight[i] > 0 ? area[i] * N / weight[i] : 0; });
+  for (int face = 0; face < points.faces; ++face) {
+    for (const ContactPoint<dim>& point : points.list) for_nodes(point, [&](Index i, Real) { area[i] = weight[i] = 0; });
+    for (const Footprint<dim>& f : points.footprints) for_nodes(f, [&](Index i, Real) { area[i] = weight[i] = 0; });
+    for (const ContactPoint<dim>& point : points.list)
+      if (point.face == face && presses(point)) for_nodes(point, [&](Index i, Real N) { weight[i] += N; });
+    for (const Footprint<dim>& f : points.footprints) {
+      if (f.face != face) continue;
+      Real reached = 0;
+      for_nodes(f, [&](Index i, Real N) { reached += weight[i] > 0 ? N : 0; });
+      if (reached > 0) for_nodes(f, [&](Index i, Real N) { area[i] += weight[i] > 0 ? f.area * N / reached : 0; });
+    }
+    for (ContactPoint<dim>& point : points.list) {
+      if (point.face != face) continue;
+      point.area = 0;
+      if (presses(point)) for_nodes(point, [&](Index i, Real N) { point.area += weight[i] > 0 ? area[i] * N / weight[i] : 0; });
+    }
   }
 }
 

@@ -12,15 +12,21 @@ namespace berm::contact {
 /// A particle within its width w of a side covers w along it, clipped at the side's ends. Where two neighbours overlap, or
 /// leave less than a width open, the border between them divides their distance in the ratio of their widths, so that
 /// nothing is covered twice and no gap is left between neighbours.
-void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& particles, const bodies::RigidShape<2>& shape,
+/// `angle`: of the rigid body.
+void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& particles, const bodies::RigidShape<2>& shape, Real angle,
                      ContactPoints<2>& found);
+
+/// The face of a rigid body that was turned by this angle: which of four directions of its own, right, left, up or down, the normal of its surface is nearest to. The soil below a
+/// toe takes no adhesion from the shaft then.
+int face_of(const Vec<2>& normal, Real angle);
 
 /// Distributes the covered surface over the closed contact points, so that their areas add up to it:
 ///
 ///   A_q = sum_k A_k N_k(x_q) / sum_q' N_k(x_q'),   A_k = sum_p L_p N_k(x_p) / sum_k' N_k'(x_p),
 ///
 /// with L_p the footprints, q' the closed points and k' those of p's nodes that one of them moves. Points that press or
-/// are bonded are closed; while there is none, all count as closed. A footprint without such a node is out of contact. m2 (per metre run: m)
+/// are bonded are closed; while there is none, all count as closed. A footprint without such a node is out of contact. Where each face has its own points
+/// (ContactPoints::faces), p, q and q' are those of one face. m2 (per metre run: m)
 template <int dim>
 void share_surface(ContactPoints<dim>& points);
 

@@ -38,8 +38,12 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
   if (points.node_area.size() == 0) points.node_area = points.node_weight = NodeField<Real>::zeros(model.mesh.node_count());
   if constexpr (dim == 2)
     if (contact.rigid != none) {
-      find_footprints(model.mesh, state.particles[contact.body],
-                      placed<dim>(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid]), points);
+      const bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
+      const Real angle = rigid.orientation.angle;
+      points.faces = workspace.grids[contact.body].cut.used() ? 4 : 1;
+      if (points.faces > 1)
+        for (contact::ContactPoint<dim>& point : points.list) point.face = contact::face_of(point.normal, angle);
+      find_footprints(model.mesh, state.particles[contact.body], placed<dim>(model.rigid_bodies[contact.rigid], rigid), angle, points);
       return;
     }
   points.footprints.clear();

@@ -118,7 +118,11 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       grids[b].shift_across = 2 * young_poisson(body.soil.materials.front()).poisson_ratio;
     if (!model.supports.empty()) grids[b].support_force = NodeField<Vec<dim>>::zeros(model.mesh.node_count());
     if (body.flows()) grids[b].water.make_room(model.mesh, body.soil);
-    grids[b].full_cells = model.mpm.quadrature == problem::Quadrature::full_cells;
+    grids[b].full_cells = model.mpm.quadrature != problem::Quadrature::particles;
+    const auto rubs = [&](const problem::Contact& contact) { return contact.body == static_cast<Index>(b) && contact.rigid != none; };
+    if (model.mpm.quadrature == problem::Quadrature::cut_cells && std::any_of(model.contacts.begin(), model.contacts.end(), rubs))
+      grids[b].cut = {std::vector(model.contacts.size(), bodies::Pose<dim>::nowhere()), NodeField<Real>::zeros(model.mesh.node_count()),
+                      CellField<mesh::CellPart<dim>>::zeros(model.mesh.cell_count()), NodeField<Real>::zeros(model.mesh.node_count())};
     if (yields(body.soil.materials.front())) {
       const Real wave_speed = body.waves.mean_speed;
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * body.waves.mean_density * wave_speed;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/detect.hpp"
+#include "mesh/cell_part.hpp"
 #include "mpm/halo.hpp"
 #include "problem/model.hpp"
 
@@ -110,6 +111,17 @@ struct WaterGrid {
   void make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil);
 };
 
+/// What the rigid bodies that touch a body leave of the cells which their surfaces cut (mpm/cut_cells.hpp); without memory where cells count as whole.
+template <int dim>
+struct CutCells {
+  std::vector<bodies::Pose<dim>> poses;  ///< that this is of, by contact
+  NodeField<Real> distance;              ///< m, from the nearest of the rigid bodies; negative inside
+  CellField<mesh::CellPart<dim>> parts;  ///< outside of them
+  NodeField<Real> volume_around;         ///< m2 (per metre run) or m3: what is left of all cells around a node; infinite where none is cut
+
+  bool used() const { return parts.size() > 0; }
+};
+
 /// Nodal fields of one body and the cell sums behind them, valid within a step; moments and corners also between steps. Cell sums are zero where a cell has
 /// no particles. Memory is committed only where the body has been.
 template <int dim>
@@ -135,6 +147,8 @@ struct BodyGrid {
   CellField<Real> volume;                     ///< m2 (per metre run) or m3, of the cell
   CellField<Real> weight;                     ///< integration volume of the cell over sum V, of cells with particles
   bool full_cells = false;                    ///< cells within the body are integrated over their own volume
+
+  CutCells<dim> cut;
 
   NodeField<Real> mass;
   NodeField<Real> volume_around;           ///< m2 (per metre run) or m3: of all cells around a node that has or had particles in one

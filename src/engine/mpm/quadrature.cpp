@@ -10,6 +10,9 @@ namespace {
 /// surface of full cells has 0.5, one that cuts them at half their height 0.75.
 constexpr Real surface_fill = 0.75, full_fill = 0.9;
 
+/// Of the volume of its particles: a cell of which a rigid body leaves less is integrated over them.
+constexpr Real least_part = 0.25;
+
 /// Degree to which a cell counts as full, 0 to 1.
 template <int dim>
 Real fullness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
@@ -23,11 +26,12 @@ Real fullness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell
 /// The same for the direction around the axis: what a full cell is integrated over has the shares a_k of the cell itself, so that a uniform stress leaves no
 /// force within the body.
 template <int dim>
-void fill_hoop(const mesh::Mesh<dim>& mesh, Index cell, Real zeta, Real weight, HoopMoments& hoop)
+void fill_hoop(const mesh::Mesh<dim>& mesh, Index cell, const mesh::CellPart<dim>& part, Real zeta, Real weight, HoopMoments& hoop)
 {
-  const Real section = mesh.section(cell);
+  const Real section = part.cut ? part.section : mesh.section(cell);
+  const Vec<dim> center = part.cut ? part.center : mesh.centroid(cell);
   hoop.area = (1 - zeta) * hoop.area + zeta * section;
-  hoop.area_y = (1 - zeta) * hoop.area_y + zeta * section * (mesh.centroid(cell)[1] - mesh.position[mesh.nodes[cell][0]][1]);
+  hoop.area_y = (1 - zeta) * hoop.area_y + zeta * section * (center[1] - mesh.position[mesh.nodes[cell][0]][1]);
   hoop.stress *= weight;
 }
 
@@ -41,11 +45,13 @@ void integrate_full_cells(const problem::Model<dim>& model, const bodies::Partic
   for_each("quadrature of full cells", particles.active_chunks(), [&](Index c) {
     const Index cell = active[c];
     Moments<dim>& t = grid.moments[cell];
-    const Real zeta = fullness(model.mesh, grid, cell), weight = 1 - zeta + zeta * grid.volume[cell] / t.volume;
+    const mesh::CellPart<dim> part = grid.cut.used() ? grid.cut.parts[cell] : mesh::CellPart<dim>{};
+    const Real zeta = part.cut && part.volume < least_part * t.volume ? 0 : fullness(model.mesh, grid, cell);
+    const Real weight = 1 - zeta + zeta * (part.cut ? part.volume : grid.volume[cell]) / t.volume;
     grid.weight[cell] = weight;
     t.volume *= weight;
     for (Real& stress : t.stress) stress *= weight;
-    if (grid.hoop.size() > 0) fill_hoop(model.mesh, cell, zeta, weight, grid.hoop[cell]);
+    if (grid.hoop.size() > 0) fill_hoop(model.mesh, cell, part, zeta, weight, grid.hoop[cell]);
   });
   exchange_moments(model.mesh, particles, grid);
 }

@@ -2,6 +2,7 @@
 // Tests: tests/physics/momentum.cpp
 #include "mpm/reaction.hpp"
 
+#include "contact/detect.hpp"
 #include "contact/strips.hpp"
 #include "mpm/support_reactions.hpp"
 #include "problem/stages.hpp"
@@ -86,8 +87,19 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   return reaction;
 }
 
+/// Half of the extent of a contact point along the surface, m: of its particle, or of the square (cube) that a node has of its cells.
+template <int dim>
+Real half_extent(const mesh::Mesh<dim>& mesh, const contact::ContactPoint<dim>& point)
+{
+  if (point.node_count > 1) return point.half_width;
+  Real around = 0;
+  for (Index e = mesh.first_entry[point.nodes[0]]; e < mesh.first_entry[point.nodes[0] + 1]; ++e)
+    around += mesh.section(mesh.entries[e] / (dim + 1));
+  return contact::half_width<dim>(around / (dim + 1));
+}
+
 /// Adds the impulses of all points to the depth slices of the rigid body: those along the bed, which a plane of symmetry across it and an axis balance, and those
-/// of upright sides along them.
+/// of upright sides along them. A point lies in the slices that its extent reaches, in each with its part of that, so that thin slices have no holes.
 template <int dim>
 void add_to_slices(const problem::Model<dim>& model, problem::State<dim>& state, Index rigid, const contact::ContactPoints<dim>& points)
 {
@@ -96,10 +108,14 @@ void add_to_slices(const problem::Model<dim>& model, problem::State<dim>& state,
   const bool balanced = model.mirrored[model.axes.along] || model.mesh.metric == mesh::Metric::axisymmetric;
   const Real center = model.axes.height(center_now(model.rigid_bodies[rigid], state.rigid_bodies[rigid]));
   for (const contact::ContactPoint<dim>& point : points.list) {
-    const Index slice = slices.at(model.axes.height(point.position) - center);
-    if (!balanced) state.slice_impulses[rigid][slice] += point.impulse[model.axes.along];
-    if (std::abs(point.normal[model.axes.up]) < parallel_to_axis)
-      state.slice_shaft_impulses[rigid][slice] += model.axes.height(point.impulse);
+    if (point.impulse.isZero()) continue;
+    const Real upright = std::sqrt(std::max(Real(0), 1 - point.normal[model.axes.up] * point.normal[model.axes.up]));
+    const Real height = model.axes.height(point.position) - center, half = upright * half_extent(model.mesh, point);
+    const bool of_shaft = std::abs(point.normal[model.axes.up]) < parallel_to_axis;
+    slices.share(height - half, height + half, [&](Index slice, Real part) {
+      if (!balanced) state.slice_impulses[rigid][slice] += part * point.impulse[model.axes.along];
+      if (of_shaft) state.slice_shaft_impulses[rigid][slice] += part * model.axes.height(point.impulse);
+    });
   }
 }
 

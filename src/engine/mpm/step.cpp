@@ -5,6 +5,7 @@
 #include "mpm/balance.hpp"
 #include "mpm/change_cells.hpp"
 #include "mpm/contact.hpp"
+#include "mpm/cut_cells.hpp"
 #include "mpm/exchange.hpp"
 #include "mpm/flow.hpp"
 #include "mpm/inactive.hpp"
@@ -33,6 +34,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     average_water(model, particles, b, grid);       // water
     exchange_moments(model.mesh, particles, grid);  // ranks
     gather_mass_and_momentum(model.mesh, grid);     // 1: (1), and velocities before the step
+    find_cut_cells(model, state, b, grid);          // cells at rigid bodies
     integrate_full_cells(model, particles, grid);
     smooth_velocities(model, particles, state.dt, grid);
     find_viscous_stress(model, particles, grid);
@@ -81,6 +83,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
     BodyGrid<dim>& grid = workspace.grids[b];
     exchange_moments(model.mesh, state.particles[b], grid);  // ranks
     gather_mass_and_momentum(model.mesh, grid);
+    find_cut_cells(model, state, b, grid);  // cells at rigid bodies
     integrate_full_cells(model, state.particles[b], grid);
     find_viscous_stress(model, state.particles[b], grid);
     predict_velocities(model, 0, workspace.motion_before, grid);  // those before the step, with the supports

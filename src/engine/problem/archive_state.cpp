@@ -42,6 +42,8 @@ void archive(Archive& k, const std::string& name, CellField<Real>& sums)
   std::copy(numbers.begin(), numbers.end(), sums.begin());
 }
 
+}  // namespace
+
 template <int dim>
 void archive(Archive& k, bodies::Pose<dim>& pose)
 {
@@ -49,12 +51,14 @@ void archive(Archive& k, bodies::Pose<dim>& pose)
   archive(k, "orientation", pose.orientation);
 }
 
+namespace {
+
 // The sizes reveal a member that is not archived yet.
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
   static_assert(sizeof(rigid) == (dim == 2 ? 4 * 2 + 3 : 6 * 3 + 4) * sizeof(Real));
-  archive(k, static_cast<bodies::Pose<dim>&>(rigid));
+  problem::archive(k, static_cast<bodies::Pose<dim>&>(rigid));
   k("velocity", rigid.velocity);
   k("angular_velocity", rigid.angular_velocity);
   k("reaction", rigid.reaction);
@@ -150,7 +154,7 @@ void archive(Archive& k, ActiveSoil<dim>& active, std::size_t rigid_bodies)
   k("stopped", active.stopped);
   if (active.everywhere) return;
   active.poses.resize(rigid_bodies);
-  for (std::size_t r = 0; r < rigid_bodies; ++r) k.table(fmt::format("pose_{}", r), [&] { archive(k, active.poses[r]); });
+  for (std::size_t r = 0; r < rigid_bodies; ++r) k.table(fmt::format("pose_{}", r), [&] { problem::archive(k, active.poses[r]); });
 }
 
 template <int dim>
@@ -233,6 +237,8 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   }
 }
 
+template void archive(Archive&, bodies::Pose<2>&);
+template void archive(Archive&, bodies::Pose<3>&);
 template void archive(Archive&, contact::ContactSums<2>&);
 template void archive(Archive&, contact::ContactSums<3>&);
 template void archive(Archive&, const Model<2>&, State<2>&);

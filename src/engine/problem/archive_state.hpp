@@ -11,6 +11,10 @@ namespace berm::problem {
 template <int dim>
 void archive(Archive& k, const Model<dim>& model, State<dim>& state);
 
+/// Where a rigid body is.
+template <int dim>
+void archive(Archive& k, bodies::Pose<dim>& pose);
+
 /// What the contacts of one rigid body have added up to.
 template <int dim>
 void archive(Archive& k, contact::ContactSums<dim>& sums);

@@ -301,10 +301,13 @@ void describe(Describe& d, MpmSettings& mpm)
           {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {1e-6, 1}});
   d.value("volumetric_projection", mpm.volumetric_projection,
           {.meaning = "average volume changes over patches of two triangles (six tetrahedra), the cure against locking"});
-  d.choice("quadrature", mpm.quadrature, {"full_cells", "particles"},
-           {.meaning =
-                "what stress is integrated over: a cell within the body over its own volume, one at a free surface over its particles'; or "
-                "each particle over its own everywhere, as published"});
+  d.choice(
+      "quadrature", mpm.quadrature, {"full_cells", "particles", "cut_cells"},
+      {.meaning =
+           "what stress is integrated over: a cell within the body over its own volume, one at a free surface or at a rigid body over "
+           "its particles'; each particle over its own everywhere, as published; or as the first, but of a cell that a rigid body cuts "
+           "over the volume that this leaves, and the adhesion on each face of a rigid body is that of the particles beside it: for "
+           "shaft friction and for soil that settles along a structure (docs/how_to/penetrate.md)"});
   d.value("min_volume_ratio", mpm.min_volume_ratio,
           {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}, .formerly = "least_volume_ratio"});
   d.value("max_volume_ratio", mpm.max_volume_ratio,

@@ -16,7 +16,8 @@ namespace berm::problem {
 /// What the particles of a cell stand for where stress is integrated.
 enum class Quadrature {
   full_cells,  ///< within a body a cell for its own volume, at a free surface the particles for theirs
-  particles    ///< each particle for its own volume, everywhere
+  particles,   ///< each particle for its own volume, everywhere
+  cut_cells    ///< as full_cells; of a cell that a rigid body cuts, the part outside of it counts
 };
 
 /// What the plane of a case stands for, or that it has none.

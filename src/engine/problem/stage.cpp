@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace berm::problem {
 
@@ -144,11 +145,25 @@ void describe(Describe& d, StageSettings& stage)
   d.value("damping", stage.damping,
           {.meaning = "local damping of all bodies in this stage, instead of their own; 0.7 is recommended for a geostatic stage",
            .range = {0, 1}});
+  d.value("zero_displacements", stage.zero_displacements,
+          {.meaning = "displacements count from where this stage begins: of watched points, soil bodies, loaded boundaries and the fields "
+                      "of frames, with "
+                      "the strains of displacement; rigid bodies get columns of their own for it, since_u_m and since_w_m"});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
   d.value("equilibrium", stage.equilibrium,
           {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium, and to end there the soil "
                       "must be as near to rest",
            .range = positive});
+}
+
+std::string displacements_since(const std::vector<StageSettings>& stages)
+{
+  std::string names;
+  int count = 0;
+  for (const StageSettings& stage : stages)
+    if (stage.zero_displacements) names += fmt::format("{}\"{}\"", count++ > 0 ? ", " : "", stage.name);
+  if (count == 0) return "";
+  return count == 1 ? fmt::format("since stage {} began", names) : fmt::format("since the last of the stages {} began", names);
 }
 
 namespace {

@@ -92,11 +92,12 @@ struct StageSettings {
   /// a jump: before it the first value, from it on the second.
   std::vector<Real> load_times;
   std::vector<Real> load_factors;
-  LoadSettings loads;           ///< instead of factors: forces, velocities or displacements at these times
-  int load_repeat = 1;          ///< how often the record runs, one run behind the other; 1 once a case is read
-  Real time_scale = 1;          ///< s of the run for each s of the record; automatic_time_scale until a case is read
-  Real strength_recovery = 0;   ///< share of the strength lost by remoulding that the soil has regained when the stage begins
-  std::optional<Real> damping;  ///< local damping of all bodies in this stage, instead of their own
+  LoadSettings loads;               ///< instead of factors: forces, velocities or displacements at these times
+  int load_repeat = 1;              ///< how often the record runs, one run behind the other; 1 once a case is read
+  Real time_scale = 1;              ///< s of the run for each s of the record; automatic_time_scale until a case is read
+  Real strength_recovery = 0;       ///< share of the strength lost by remoulding that the soil has regained when the stage begins
+  std::optional<Real> damping;      ///< local damping of all bodies in this stage, instead of their own
+  bool zero_displacements = false;  ///< displacements that are written count from where the stage begins
   Until until;
   Real equilibrium = 0.01;  ///< geostatic: largest out-of-balance force over the weight that is accepted
 };
@@ -115,6 +116,9 @@ inline bool ends_at_equilibrium(const StageSettings& stage)
 {
   return stage.kind == StageKind::geostatic && (stage.until.equilibrium || !stage.until.time);
 }
+
+/// Since when displacements count, for people: the stages that say so; "" where none does, and all count from the start.
+std::string displacements_since(const std::vector<StageSettings>& stages);
 
 /// Whether a load history drives the stage, of factors or of columns.
 inline bool has_load_history(const StageSettings& stage)

@@ -127,6 +127,13 @@ void check_force_limit(Describe& d, const StageSettings& s, const std::string& p
              : "must be more than 0; less than 0 it is for a push upwards, where the soil holds the body down");
 }
 
+/// All displacements count from the first stage's beginning anyway.
+void check_zero_displacements(Describe& d, const StageSettings& s, int k, const std::string& path)
+{
+  d.check(!s.zero_displacements || k > 0, path + ".zero_displacements",
+          "displacements count from the first stage without it: it is for a later stage, from which they are to count");
+}
+
 void check_equilibrium(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
   d.check(s.kind == StageKind::geostatic || !s.until.equilibrium, path + ".until.equilibrium",
@@ -176,6 +183,7 @@ void check_stages(Describe& d, const Case& c)
             fmt::format("must be a word without comma, dot or quotes, {} bytes at most", max_stage_name));
     d.check(!among(s.name, seen), path + ".name", "another stage has this name");
     seen.push_back(s.name);
+    check_zero_displacements(d, s, k, path);
     if (!s.rigid.empty()) check_name(d, path + ".rigid", s.rigid, "rigid", names_of(c.rigid));
     d.check(driven || s.rigid.empty(), path + ".rigid", "only a push, a drag or a drive moves a rigid body");
     d.check(!driven || !c.rigid.empty(), path + ".kind", "there is no [rigid.NAME] to drive");

@@ -24,6 +24,7 @@ std::vector<StageSettings> drags_of(const StageSettings& sweep)
     drag.until = {};
     drag.until.displacement = sweep.amplitude;
     drags.push_back(drag);
+    drag.zero_displacements = false;  // but for the first
     if (sweep.pause == 0 || k == sweep.sweeps) continue;
     drag.name += "_pause";
     drag.velocity = 0;

@@ -135,9 +135,9 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
 
 /// A frame with room for what nodes carry.
 Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnField>& drawn, const std::vector<OwnField>& own,
-                     bool with_ratio, bool with_flux)
+                     bool with_ratio, bool with_flux, const std::string& since)
 {
-  std::vector<FieldInfo> infos = common_fields<2>();
+  std::vector<FieldInfo> infos = common_fields<2>(since);
   for (const DrawnField& field : drawn)
     if (!is_common_field(field.info.name)) infos.push_back(field.info);
   for (const OwnField& field : own) infos.push_back(field.info);
@@ -151,7 +151,7 @@ Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnFiel
 
 /// Draws the fields of the points of integration out to the nodes and averages them over the elements by their area. Gives the sums by node.
 NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& state, const std::vector<Real>& last_displacement,
-                              const std::vector<DrawnField>& drawn, Frame<2>& frame)
+                              const std::vector<Real>& zero, const std::vector<DrawnField>& drawn, Frame<2>& frame)
 {
   const fem::QuadraticMesh& mesh = model.mesh;
   std::vector<FieldValues<Real>*> shown;
@@ -162,8 +162,9 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
     for (const fem::ShapeAtPoint& shape : model.shape[cell]) area += shape.per_radius > 0 ? shape.area * shape.per_radius : shape.area;
     std::array<Matrix<2>, fem::triangle_points> gradient, since_last;
     for (int q = 0; q < fem::triangle_points; ++q) {
-      gradient[q] = gradient_at(model.shape[cell][q], mesh.nodes[cell], state.displacement);
-      since_last[q] = gradient[q] - gradient_at(model.shape[cell][q], mesh.nodes[cell], last_displacement);
+      const Matrix<2> now = gradient_at(model.shape[cell][q], mesh.nodes[cell], state.displacement);
+      gradient[q] = now - gradient_at(model.shape[cell][q], mesh.nodes[cell], zero);
+      since_last[q] = now - gradient_at(model.shape[cell][q], mesh.nodes[cell], last_displacement);
     }
     for (int k = 0; k < 6; ++k) {
       const Index node = mesh.nodes[cell][k];
@@ -260,7 +261,7 @@ void set_water_flux(const fem::FemModel& model, const fem::FemState& state, Fram
 
 /// What the nodes' own motion and the gradients of their elements say.
 void set_motion(const fem::FemModel& model, const fem::FemState& state, const std::vector<Real>& last_displacement,
-                const NodeField<NodalSums>& sums, Frame<2>& frame)
+                const std::vector<Real>& zero, const NodeField<NodalSums>& sums, Frame<2>& frame)
 {
   const fem::QuadraticMesh& mesh = model.mesh;
   const auto stretch_around = [&](Index node, Real moved, const Matrix<2>& gradient) {
@@ -278,10 +279,10 @@ void set_motion(const fem::FemModel& model, const fem::FemState& state, const st
     frame.id[node] = node;
     frame.points[node] = mesh.position[node] + moved_by;
     frame.volume[node] = sum.area / 6;
-    for (int d = 0; d < 2; ++d) displacement.at(node, d) = moved_by[d];
+    for (int d = 0; d < 2; ++d) displacement.at(node, d) = moved_by[d] - zero[2 * node + d];
     mean_stress.at(node) = (stress.at(node, 0) + stress.at(node, 1) + stress.at(node, 2)) / 3;
     const Matrix<2> gradient = sum.gradient / sum.area, since_last = sum.gradient_since_last / sum.area;
-    const Real around = stretch_around(node, moved_by[0], gradient),
+    const Real around = stretch_around(node, displacement.at(node, 0), gradient),
                around_since_last = stretch_around(node, moved_by[0] - last_displacement[2 * node], since_last);
     const GradientStrain strain = gradient_strain<2>(Matrix<2>::Identity() + gradient, around);
     deviatoric.at(node) = strain.deviatoric;
@@ -292,7 +293,18 @@ void set_motion(const fem::FemModel& model, const fem::FemState& state, const st
 
 }  // namespace
 
-FemFrameMaker::FemFrameMaker(const fem::FemModel& model) : model_(model), last_displacement_(model.unknowns(), 0.) {}
+FemFrameMaker::FemFrameMaker(const fem::FemModel& model)
+    : model_(model),
+      last_displacement_(model.unknowns(), 0.),
+      zero_(model.unknowns(), 0.)
+{
+}
+
+void FemFrameMaker::archive(Archive& k)
+{
+  k.fixed("last_displacement", last_displacement_);
+  if (!displacements_since(model_.model.stages).empty()) k.fixed("zero_of_nodes", zero_);
+}
 
 Frame<2> FemFrameMaker::make(const fem::FemState& state)
 {
@@ -302,9 +314,9 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
   const bool with_ratio = model_.model.gravity.norm() > 0 && std::any_of(bodies.begin(), bodies.end(), [](const auto& body) {
                             return has_pore_pressure(body.soil.materials.front());
                           });
-  Frame<2> frame = empty_frame(model_.mesh, drawn, own, with_ratio, model_.flow.count > 0);
+  Frame<2> frame = empty_frame(model_.mesh, drawn, own, with_ratio, model_.flow.count > 0, displacements_since(model_.model.stages));
   frame.time = state.state.time;
-  set_motion(model_, state, last_displacement_, draw_out(model_, state, last_displacement_, drawn, frame), frame);
+  set_motion(model_, state, last_displacement_, zero_, draw_out(model_, state, last_displacement_, zero_, drawn, frame), frame);
   last_displacement_ = state.displacement;
   set_own(model_, own, frame);
   set_pore_pressure_ratio(model_, frame);

@@ -16,12 +16,16 @@ public:
   /// The strain is that of the gradient of the displacement, the increment that of the displacement since the frame before.
   Frame<2> make(const fem::FemState& state);
 
-  /// What the increments of the next frame count from.
-  void archive(Archive& k) { k.fixed("last_displacement", last_displacement_); }
+  /// From now on displacements, and their strains, count from these, by unknown.
+  void zero_displacements(const std::vector<Real>& displacement) { zero_ = displacement; }
+
+  /// What the increments of the next frame count from; what displacements count from where a stage says so.
+  void archive(Archive& k);
 
 private:
   const fem::FemModel& model_;
   std::vector<Real> last_displacement_;  ///< by unknown, at the frame before
+  std::vector<Real> zero_;               ///< by unknown, what displacements count from
 };
 
 }  // namespace berm::run_folder

@@ -34,17 +34,18 @@ FieldValues<Real>& Frame<dim>::field(const std::string& name)
 }
 
 template <int dim>
-std::vector<FieldInfo> common_fields()
+std::vector<FieldInfo> common_fields(const std::string& since)
 {
+  const std::string begin = since.empty() ? "since the start" : since;
   std::vector<FieldInfo> fields;
   bodies::for_each_field<dim>([&](const auto& field) {
     if ((field.travel & to_frame) != 0) fields.push_back(field.info());
   });
   fields.insert(fields.end(),
-                {{"displacement", "displacement since the start", "m", dim, to_frame},
+                {{"displacement", "displacement " + begin, "m", dim, to_frame},
                  {"mean_stress", "mean stress (tension positive)", "Pa", 1, to_frame},
-                 {"deviatoric_strain", "deviatoric strain of displacement since the start", "", 1, to_frame},
-                 {"volumetric_strain", "volumetric strain of displacement since the start (expansion positive)", "", 1, to_frame},
+                 {"deviatoric_strain", "deviatoric strain of displacement " + begin, "", 1, to_frame},
+                 {"volumetric_strain", "volumetric strain of displacement " + begin + " (expansion positive)", "", 1, to_frame},
                  {"incremental_deviatoric_strain", "deviatoric strain of displacement since the frame before", "", 1, to_frame}});
   return fields;
 }
@@ -112,7 +113,7 @@ std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, cons
   template std::vector<FieldInfo> effective_stress_fields<dim>();                                                                          \
   template FieldInfo water_flux_field<dim>();                                                                                              \
   template Real overburden(const problem::Model<dim>&, Index, const std::string&, Real);                                                   \
-  template std::vector<FieldInfo> common_fields<dim>();                                                                                    \
+  template std::vector<FieldInfo> common_fields<dim>(const std::string&);                                                                  \
   template std::size_t bytes_of_point<dim>(int);                                                                                           \
   template std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>&, const std::vector<bodies::RigidState<dim>>&);
 BERM_INSTANTIATE(2)

@@ -23,7 +23,7 @@ void visit_all(const bodies::Particles<dim>& particles, Index cells, const Visit
 template <int dim>
 std::vector<FieldInfo> fields_of(const problem::Model<dim>& model, const std::vector<bodies::Particles<dim>>& bodies)
 {
-  std::vector<FieldInfo> fields = common_fields<dim>();
+  std::vector<FieldInfo> fields = common_fields<dim>(displacements_since(model.stages));
   for (const bodies::Particles<dim>& particles : bodies)
     for (const bodies::ExtraField& extra : particles.extra_fields()) {
       const bool known = std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& info) { return info.name == extra.info.name; });
@@ -84,7 +84,8 @@ private:
 template <int dim>
 FrameMaker<dim>::FrameMaker(const problem::Model<dim>& model, const problem::State<dim>& start)
     : model_(model),
-      known_(start.particles.size())
+      known_(start.particles.size()),
+      zeros_(start.particles.size())
 {
   for (std::size_t body = 0; body < start.particles.size(); ++body) {
     std::vector<Known>& known = known_[body];
@@ -102,14 +103,38 @@ FrameMaker<dim>::FrameMaker(const problem::Model<dim>& model, const problem::Sta
 
 /// Remembers particles that came since the frame before.
 template <int dim>
-void FrameMaker<dim>::meet_new(const bodies::Particles<dim>& particles, std::vector<Known>& known) const
+void FrameMaker<dim>::meet_new(const bodies::Particles<dim>& particles, std::size_t body)
 {
+  std::vector<Known>& known = known_[body];
   visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index cell, Index b, int l) {
     const auto id = static_cast<std::size_t>(particles.block(b).id[l]);
     if (known.size() <= id) known.resize(id + 1);
     const Vec<dim> x = position_of<dim>(particles.block(b), l);
     if (known[id].first_cell == none) known[id] = {x, x, cell};
   });
+  for (std::size_t id = zeros_[body].empty() ? known.size() : zeros_[body].size(); id < known.size(); ++id)
+    zeros_[body].push_back({known[id].first, known[id].first_cell});
+}
+
+template <int dim>
+typename FrameMaker<dim>::Zero FrameMaker<dim>::zero_of(std::size_t body, std::size_t id) const
+{
+  return zeros_[body].empty() ? Zero{known_[body][id].first, known_[body][id].first_cell} : zeros_[body][id];
+}
+
+template <int dim>
+void FrameMaker<dim>::zero_displacements(const problem::State<dim>& state)
+{
+  for (std::size_t body = 0; body < known_.size(); ++body) {
+    meet_new(state.particles[body], body);
+    std::vector<Zero> zeros;
+    for (std::size_t id = 0; id < known_[body].size(); ++id) zeros.push_back(zero_of(body, id));
+    visit_all<dim>(state.particles[body], model_.mesh.cell_count(), [&](Index cell, Index b, int l) {
+      const bodies::Block<dim>& block = state.particles[body].block(b);
+      zeros[static_cast<std::size_t>(block.id[l])] = {position_of<dim>(block, l), cell};
+    });
+    zeros_[body] = std::move(zeros);
+  }
 }
 
 template <int dim>
@@ -128,7 +153,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
   Index next = 0;
   for (std::size_t body = 0; body < state.particles.size(); ++body) {
     const bodies::Particles<dim>& particles = state.particles[body];
-    meet_new(particles, known_[body]);
+    meet_new(particles, body);
     std::vector<Index> point(known_[body].size(), none);  // by id
     visit_all<dim>(particles, model_.mesh.cell_count(),
                    [&](Index, Index b, int l) { point.at(static_cast<std::size_t>(particles.block(b).id[l])) = 0; });
@@ -139,7 +164,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
     visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index cell, Index b, int l) {
       const bodies::Particle<dim> p = particles.read(b, l);
       const Index k = point[p.id];
-      const Vec<dim> moved_by = p.x - known_[body][p.id].first;
+      const Vec<dim> moved_by = p.x - zero_of(body, static_cast<std::size_t>(p.id)).place;
       frame.points[k] = p.x;
       frame.volume[k] = section_of(model_.mesh.metric, p.volume, p.x);
       frame.body[k] = static_cast<Index>(body);
@@ -163,18 +188,19 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
       const Real at_rest = overburden(model_, static_cast<Index>(body), region, model_.soil_depth(known.first));
       if (at_rest > 0) ratio->at(k) = p.extra[pressure] / at_rest;
     });
-    add_strains(particles, known_[body], point, frame);
+    add_strains(particles, body, point, frame);
   }
   frame.rigid_bodies = frame_rigids(model_, state.rigid_bodies);
   return frame;
 }
 
-// The strain since the start is computed from those that were neighbours at the start, whose lattice fits a gradient wherever they have gone; that since the
+// The strain since the start (or since displacements count) is computed from those that were neighbours then, whose lattice fits a gradient wherever they have gone; that since the
 // frame before from those that are neighbours now. The latter's gradient is that of the way back, which has the same deviatoric strain.
 template <int dim>
-void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, const std::vector<Index>& point,
-                                  Frame<dim>& frame) const
+void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::size_t body, const std::vector<Index>& point,
+                                  Frame<dim>& frame)
 {
+  std::vector<Known>& known = known_[body];
   const FieldValues<Real>& displacement = frame.field("displacement");
   FieldValues<Real>&deviatoric = frame.field("deviatoric_strain"), &volumetric = frame.field("volumetric_strain"),
   &increment = frame.field("incremental_deviatoric_strain");
@@ -185,13 +211,15 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
     if (point[id] == none) continue;
     Vec<dim> moved_by;
     for (int d = 0; d < dim; ++d) moved_by[d] = displacement.at(point[id], d);
-    since_start.add(known[id].first_cell, known[id].first, moved_by);
+    const Zero zero = zero_of(body, id);
+    since_start.add(zero.cell, zero.place, moved_by);
   }
   since_start.fit();
   for (std::size_t id = 0; id < known.size(); ++id) {
     if (point[id] == none) continue;
-    const GradientStrain strain = gradient_strain<dim>(Matrix<dim>::Identity() + since_start.at(known[id].first_cell, known[id].first),
-                                                       stretch_around(known[id].first, known[id].first[0] + displacement.at(point[id], 0)));
+    const Zero zero = zero_of(body, id);
+    const GradientStrain strain = gradient_strain<dim>(Matrix<dim>::Identity() + since_start.at(zero.cell, zero.place),
+                                                       stretch_around(zero.place, zero.place[0] + displacement.at(point[id], 0)));
     deviatoric.at(point[id]) = strain.deviatoric;
     volumetric.at(point[id]) = strain.volumetric;
   }
@@ -230,6 +258,27 @@ void FrameMaker<dim>::archive_new(Archive& k, const std::string& ending, std::si
   }
 }
 
+/// Where displacements count from: empty before a stage that says so.
+template <int dim>
+void FrameMaker<dim>::archive_zeros(Archive& k, const std::string& ending, std::size_t body)
+{
+  std::vector<Index> cells;
+  for (const Zero& zero : zeros_[body]) cells.push_back(zero.cell);
+  k("zero_cell" + ending, cells);
+  if (!cells.empty() && cells.size() != known_[body].size()) k.refuse("there are not as many displacements as particles");
+  zeros_[body].resize(cells.size());
+  for (int d = 0; d < dim; ++d) {
+    std::vector<Real> places;
+    for (const Zero& zero : zeros_[body]) places.push_back(zero.place[d]);
+    k.fixed("zero_" + std::to_string(d) + ending, places);
+    for (std::size_t id = 0; id < places.size(); ++id) zeros_[body][id].place[d] = places[id];
+  }
+  for (std::size_t id = 0; id < cells.size(); ++id) {
+    if (cells[id] < none || cells[id] >= model_.mesh.cell_count()) k.refuse("the mesh has no cell " + std::to_string(cells[id]));
+    zeros_[body][id].cell = cells[id];
+  }
+}
+
 template <int dim>
 void FrameMaker<dim>::archive(Archive& k)
 {
@@ -243,6 +292,7 @@ void FrameMaker<dim>::archive(Archive& k)
       k.fixed("position_" + std::to_string(d) + ending, places);
       for (std::size_t id = 0; id < places.size(); ++id) known[id].last[d] = places[id];
     }
+    if (!displacements_since(model_.stages).empty()) archive_zeros(k, ending, body);
   }
 }
 

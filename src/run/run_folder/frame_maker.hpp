@@ -17,7 +17,10 @@ public:
   /// The next frame: its increments count from the frame made before.
   Frame<dim> make(const problem::State<dim>& state);
 
-  /// What the increments of the next frame count from, and where particles were first that came later. Where the particles were at the start is not kept: a
+  /// From now on displacements, and their strains, count from here; of particles that come later from the first frame that they are in.
+  void zero_displacements(const problem::State<dim>& state);
+
+  /// What the increments of the next frame count from, and where particles were first that came later; where displacements count from, once that is not the start. Where the particles were at the start is not kept: a
   /// resumed run makes its FrameMaker at the same start.
   void archive(Archive& k);
 
@@ -28,13 +31,21 @@ private:
     Index first_cell = none;                                     ///< none: in no frame yet
   };
 
-  void meet_new(const bodies::Particles<dim>& particles, std::vector<Known>& known) const;
+  /// Where a particle was that displacements count from.
+  struct Zero {
+    Vec<dim> place = Vec<dim>::Zero();  ///< m
+    Index cell = none;
+  };
+
+  void meet_new(const bodies::Particles<dim>& particles, std::size_t body);
+  Zero zero_of(std::size_t body, std::size_t id) const;
+  void archive_zeros(Archive& k, const std::string& ending, std::size_t body);
   void archive_new(Archive& k, const std::string& ending, std::size_t at_start, std::vector<Known>& known) const;
-  void add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, const std::vector<Index>& point,
-                   Frame<dim>& frame) const;
+  void add_strains(const bodies::Particles<dim>& particles, std::size_t body, const std::vector<Index>& point, Frame<dim>& frame);
 
   const problem::Model<dim>& model_;
   std::vector<std::vector<Known>> known_;  ///< by body, then id
+  std::vector<std::vector<Zero>> zeros_;   ///< the same; empty while displacements count from where particles were first
   std::vector<std::size_t> at_start_;      ///< how many of them there were, by body
 
 public:

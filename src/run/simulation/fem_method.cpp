@@ -41,6 +41,7 @@ fem::FemProblem build_for(const RunRequest& request, const io::ScratchFolder& sc
 FemMethod::FemMethod(const RunRequest& request, const io::ScratchFolder& scratch)
     : problem_(build_for(request, scratch)),
       steps_(problem_.model, problem_.state),
+      recorder_(problem_.model),
       frame_maker_(problem_.model)
 {
   refuse_without_memory(steps_.memory_to_come(), memory_in_use(), size_words(), larger_elements);
@@ -140,7 +141,13 @@ bool FemMethod::next_stage()
     if (trial_->failed()) return false;
   }
   bool begins = true;
+  const std::vector<Real> at_end = problem_.state.displacement;
+  const problem::State<2> bodies_at_end = state();
   try_to([&] { begins = steps_.next_stage(); });
+  if (begins && model().stages[state().stage.index].zero_displacements) {
+    recorder_.zero_displacements(at_end, bodies_at_end);
+    frame_maker_.zero_displacements(at_end);
+  }
   if (begins) recorder_.observe_steps(steps_);
   return begins;
 }

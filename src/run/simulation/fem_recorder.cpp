@@ -9,11 +9,6 @@
 namespace berm::simulation {
 namespace {
 
-Vec<2> displacement_of(const fem::FemState& state, Index node)
-{
-  return {state.displacement[2 * node], state.displacement[2 * node + 1]};
-}
-
 /// The sum of the effective normal forces of the contact points, N/m (around an axis per radian).
 Real effective_normal_force(const fem::FemModel& model, const fem::FemState& state)
 {
@@ -52,6 +47,17 @@ Real inflow_of_head(const fem::FemModel& model, const fem::FemState& state, std:
 
 }  // namespace
 
+Vec<2> FemRecorder::displacement_of(const fem::FemState& state, Index node) const
+{
+  return {state.displacement[2 * node] - zero_[2 * node], state.displacement[2 * node + 1] - zero_[2 * node + 1]};
+}
+
+void FemRecorder::zero_displacements(const std::vector<Real>& displacement, const problem::State<2>& state)
+{
+  zero_rigid_bodies(state);
+  zero_ = displacement;
+}
+
 void FemRecorder::observe_solution(const fem::FemState& state, const fem::IncrementEnd& end)
 {
   row_("iterations", static_cast<Real>(end.iterations), run_folder::bare, "iterations of the increment");
@@ -66,7 +72,7 @@ void FemRecorder::observe_tractions(const fem::FemModel& model, const fem::FemSt
     LoadedArea<2> area;
     for (const fem::NodalLoad& load : model.loads[k]) area.add(load.force, displacement_of(state, load.node), load.area);
     row_.of(model.model.tractions[k].name);
-    area.observe(row_, state.tractions[k]);
+    area.observe(row_, state.tractions[k], counted("mean displacement"));
   }
 }
 
@@ -85,7 +91,7 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
       for (int c = 0; c < tensor_size<2>; ++c) stress.c[c] += watch.of_points[q] * point.stress.c[c];
       if (pressure_place != none) pressure += watch.of_points[q] * point.law_state[pressure_place];
     }
-    row_("u", displacement, run_folder::metres, "displacement");
+    row_("u", displacement, run_folder::metres, counted("displacement"));
     row_("s", stress, run_folder::pascals, "stress");
     observe_water(row_, soil, stress, pressure);
   }
@@ -151,6 +157,7 @@ void FemRecorder::archive(Archive& k)
   static_assert(sizeof(lag_) == 2 * sizeof(Real));
   k("lag_missing", lag_.missing);
   k("lag_dissipated", lag_.dissipated);
+  if (counts_from_stages()) k.fixed("zero_of_nodes", zero_);
 }
 
 }  // namespace berm::simulation

@@ -292,6 +292,14 @@ void MpmMethod<d>::log_equilibrium(const problem::StageSettings& stage) const
 }
 
 template <int d>
+void MpmMethod<d>::zero_displacements()
+{
+  recorder_.zero_displacements(model(), state());
+  const mpm::WholeState<d> whole = whole_state();
+  if (Ranks::of_run().is_first()) frame_maker_.zero_displacements(state());
+}
+
+template <int d>
 bool MpmMethod<d>::next_stage()
 {
   const problem::StageSettings& stage = model().stages[state().stage.index];
@@ -303,6 +311,7 @@ bool MpmMethod<d>::next_stage()
   if (trial_) end_stage_of_trial();
   if (is_last_stage() || (trial_ && trial_->failed())) return false;
   ++problem_.state.stage.index;
+  if (model().stages[state().stage.index].zero_displacements) zero_displacements();
   begin_stage(model(), problem_.state);
   return true;
 }

@@ -77,6 +77,7 @@ private:
   void refuse_other_problem() const;
   void divide_anew();
   bool change_soil();
+  void zero_displacements();
   bool is_at_rest() const;
   void begin_trial();
   void end_stage_of_trial();

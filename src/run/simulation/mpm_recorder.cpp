@@ -30,7 +30,8 @@ struct Inflow {
 
 template <int dim>
 MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
-    : last_time_(start.time),
+    : Recorder<dim>(model),
+      last_time_(start.time),
       last_sums_(start.contact_sums),
       last_slice_impulses_(start.slice_impulses),
       last_slice_shaft_impulses_(start.slice_shaft_impulses),
@@ -48,6 +49,17 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
   for (std::size_t h = 0; h < model.heads.size(); ++h) head_areas_.push_back(areas_of_head(c, model, h));
   for (std::size_t k = 0; k < model.watches.size(); ++k)
     watch_points_.emplace_back(model, start.particles[model.watches[k].body], model.watches[k], c.watch[k].second.point);
+  watch_zeros_.assign(watch_points_.size(), Vec<dim>::Zero());
+}
+
+template <int dim>
+void MpmRecorder<dim>::zero_displacements(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  Recorder<dim>::zero_rigid_bodies(state);
+  for (std::size_t b = 0; b < first_centers_.size(); ++b) first_centers_[b] = mpm::sums_over(state.particles[b]).center();
+  first_loaded_ = state.load_points;
+  for (std::size_t k = 0; k < watch_zeros_.size(); ++k)
+    watch_zeros_[k] = watch_points_[k].read(model, state.particles[model.watches[k].body]).displacement;
 }
 
 template <int dim>
@@ -68,6 +80,13 @@ void MpmRecorder<dim>::archive(Archive& k)
   k("out_of_balance", out_of_balance_);
   k("shaking", shaking_);
   k("shaken_rows", shaken_rows_);
+  if (!Recorder<dim>::counts_from_stages()) return;
+  Recorder<dim>::archive_zero(k, "zero_of_centers", first_centers_);
+  Recorder<dim>::archive_zero(k, "zero_of_watches", watch_zeros_);
+  std::vector<Vec<dim>> loaded;
+  for (const problem::LoadPointState<dim>& point : first_loaded_) loaded.push_back(point.x);
+  Recorder<dim>::archive_zero(k, "zero_of_load_points", loaded);
+  for (std::size_t l = 0; l < loaded.size(); ++l) first_loaded_[l].x = loaded[l];
 }
 
 template <int dim>
@@ -138,7 +157,7 @@ template <int dim>
 void MpmRecorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center)
 {
   constexpr const char *lower[3] = {"xmin", "ymin", "zmin"}, *upper[3] = {"xmax", "ymax", "zmax"};
-  row_("u", Vec<dim>(sums.center() - first_center), run_folder::metres, "displacement of its centre of mass");
+  row_("u", Vec<dim>(sums.center() - first_center), run_folder::metres, Recorder<dim>::counted("displacement of its centre of mass"));
   row_("v", Vec<dim>(sums.momentum / sums.mass), run_folder::metres_per_second, "velocity of its centre of mass");
   for (int d = 0; d < dim; ++d) {
     row_(lower[d], sums.lower[d], run_folder::metres, "where its particles begin");
@@ -190,7 +209,7 @@ void MpmRecorder<dim>::observe_tractions(const problem::Model<dim>& model, const
       if (point.traction == t) area.add(point.force, state.load_points[l].x - first_loaded_[l].x, point.area);
     }
     row_.of(model.tractions[t].name);
-    area.observe(row_, part_of_traction(model.tractions[t], state.tractions[t], state.time));
+    area.observe(row_, part_of_traction(model.tractions[t], state.tractions[t], state.time), Recorder<dim>::counted("mean displacement"));
   }
 }
 
@@ -210,7 +229,7 @@ void MpmRecorder<dim>::observe_watches(const problem::Model<dim>& model, const p
   for (std::size_t k = 0; k < model.watches.size(); ++k) {
     const Watched<dim> watched = watch_points_[k].read(model, state.particles[model.watches[k].body]);
     row_.of(model.watches[k].name);
-    row_("u", watched.displacement, run_folder::metres, "displacement");
+    row_("u", Vec<dim>(watched.displacement - watch_zeros_[k]), run_folder::metres, Recorder<dim>::counted("displacement"));
     row_("v", watched.velocity, run_folder::metres_per_second, "velocity");
     row_("s", watched.stress, run_folder::pascals, "stress");
     observe_water(row_, model.bodies[model.watches[k].body].soil, watched.stress, watched.pore_pressure);
@@ -282,6 +301,7 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
       row_.of_main(model.rigid_bodies[r].name);
     else
       row_.of(model.rigid_bodies[r].name);
+    Real of_shaft = 0;
     for (Index k = 0; k < slices.count; ++k) {
       const auto of_slice = [&](const char* symbol, Real impulse, const char* what) {
         row_(fmt::format("{}{}", symbol, k + 1), time > 0 ? impulse / time + 0. : 0, run_folder::newtons<dim>,
@@ -290,7 +310,11 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
       if (model.mesh.metric != mesh::Metric::axisymmetric)
         of_slice("H", state.slice_impulses[r][k] - last_slice_impulses_[r][k], "horizontal force on the soil");
       of_slice("V_shaft", last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k], "upward force on upright sides");
+      of_shaft += last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k];
     }
+    const Real in_all = model.axes.height(last_sums_[r].impulse) - model.axes.height(state.contact_sums[r].impulse);
+    row_("V_base", time > 0 ? (in_all - of_shaft) / time + 0. : 0, run_folder::newtons<dim>,
+         "upward force on all other sides: a base or a tip");
   }
 }
 

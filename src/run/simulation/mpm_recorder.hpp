@@ -23,7 +23,10 @@ public:
   void add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace,
                run_folder::HistoryFile& file);
 
-  /// What the next row takes from those before it. What is remembered of the start is not kept.
+  /// From now on displacements count from here.
+  void zero_displacements(const problem::Model<dim>& model, const problem::State<dim>& state);
+
+  /// What the next row takes from those before it. What is remembered of the start is not kept, unless a stage has displacements count anew.
   void archive(Archive& k);
 
   /// Of the last row: sum of unbalanced nodal forces over weight and tractions.
@@ -56,6 +59,7 @@ private:
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<WatchPoint<dim>> watch_points_;
   std::vector<std::vector<Vec<dim>>> head_areas_;  ///< m (per metre run) or m2, by head and its nodes, along the normal into the soil
+  std::vector<Vec<dim>> watch_zeros_;  ///< displacements of the watched points that count as none
   std::vector<problem::LoadPointState<dim>> first_loaded_;
   Real first_kinetic_ = 0;
   Real out_of_balance_ = 0;

@@ -122,10 +122,10 @@ public:
     moved_by_ += area * displacement;
     area_ += area;
   }
-  void observe(run_folder::Row& row, Real part_of_force) const
+  void observe(run_folder::Row& row, Real part_of_force, const std::string& meaning) const
   {
     row("F", Vec<dim>(force_ * part_of_force), run_folder::newtons<dim>, "force");
-    row("u", Vec<dim>(moved_by_ / area_), run_folder::metres, "mean displacement");
+    row("u", Vec<dim>(moved_by_ / area_), run_folder::metres, meaning);
   }
 
 private:
@@ -137,6 +137,8 @@ private:
 template <int dim>
 class Recorder {
 public:
+  explicit Recorder(const problem::Model<dim>& model);
+
   /// The last one.
   const run_folder::Row& row() const { return row_; }
   /// V and H of the main rigid body in the last row, N/m or N.
@@ -158,7 +160,15 @@ protected:
   void note_overlap(Real depth) { max_overlap_ = std::max(max_overlap_, depth); }
   void observe_overlap();
   void observe_movement();
-  /// u, w, H and V of a rigid body with this force of the soil on it.
+  /// Whether a stage of the run has displacements count from its beginning.
+  bool counts_from_stages() const { return !since_.empty(); }
+  /// "displacement", of columns that then do so with the words since when.
+  std::string counted(const std::string& what) const { return since_.empty() ? what : what + " " + since_; }
+  /// From now on displacements of rigid bodies that count from a stage count from here.
+  void zero_rigid_bodies(const problem::State<dim>& state);
+  /// Places or displacements that are counted from, of which there are as many when they are read.
+  static void archive_zero(Archive& k, const std::string& name, std::vector<Vec<dim>>& zero);
+  /// u, w, H and V of a rigid body with this force of the soil on it; where displacements count from a stage, those too.
   void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction);
   /// The energy error of the run is compared with the largest work, of which `at_least` (J/m or J) is one.
   void observe_energies(const Energies& energies, Real at_least = 0);
@@ -166,6 +176,8 @@ protected:
   run_folder::Row row_;
 
 private:
+  std::string since_;                           ///< "since stage "load" began"; "" where all counts from the start
+  std::vector<bodies::Pose<dim>> rigid_zeros_;  ///< that displacements of rigid bodies count from
   Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0;
   Real max_overlap_ = 0;          ///< m, since the last row
   std::optional<Real> movement_;  ///< m

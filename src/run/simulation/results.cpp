@@ -11,6 +11,7 @@
 #include "structures/base/soil_words.hpp"
 #include "structures/base/spoiled.hpp"
 #include "structures/base/support_reactions.hpp"
+#include "structures/depth/profile_page.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -147,6 +148,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   for (const std::filesystem::path& names : {folder.path(), folder.file("frames")}) io::sync_file(names);  // before the checkpoints go
 
   structure.draw_curves(folder, run, {});
+  depth::write_files(folder, run);
   draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
   return key_results(structure.table_of(run), summary.spoiled);

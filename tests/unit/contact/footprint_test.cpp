@@ -40,7 +40,7 @@ struct Bed {
     bodies::Pose<2> listed = found.listed = bodies::Pose<2>::nowhere();
     NodeField<Real> mass(mesh.node_count(), 1);
     detect<2>(mesh, particles, rigid, {}, listed, detection, mass, found);
-    find_footprints(mesh, particles, shape, found);
+    find_footprints(mesh, particles, shape, 0, found);
     return std::accumulate(found.footprints.begin(), found.footprints.end(), Real(0), [](Real sum, const auto& f) { return sum + f.area; });
   }
 };

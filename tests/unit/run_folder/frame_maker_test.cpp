@@ -9,6 +9,7 @@
 #include "samples/frame_particles.hpp"
 
 #include <gtest/gtest.h>
+#include <map>
 
 namespace berm::run_folder::this_file {
 namespace {
@@ -86,6 +87,57 @@ TEST(FrameMaker, a_sheared_block_has_the_strain_of_the_whole_shear_and_of_that_s
   expect_strain(maker.make(problem.state), exact(0.75), exact(0.25), rounding);
   shear(-0.75);  // back: the whole shear is none, though all has sheared by 1.5
   expect_strain(maker.make(problem.state), 0, exact(0.75), rounding);
+}
+
+/// Numbers that are written, then read.
+struct Kept : Archive {
+  bool reading = false;
+  std::map<std::string, std::vector<Real>> numbers;
+
+  bool reads() const override { return reading; }
+  void refuse(const std::string& why) const override { throw RunError(why); }
+  template <class List>
+  void take(const std::string& path, List& values)
+  {
+    if (reading)
+      values.assign(numbers.at(path).begin(), numbers.at(path).end());
+    else
+      numbers[path].assign(values.begin(), values.end());
+  }
+  void list(const std::string& path, std::vector<Real>& values) override { take(path, values); }
+  void list(const std::string& path, std::vector<Index>& values) override { take(path, values); }
+  void list(const std::string& path, std::vector<BigIndex>& values) override { take(path, values); }
+  void list(const std::string&, std::string&) override {}
+};
+
+TEST(FrameMaker, counts_displacements_and_strains_from_where_it_is_told_to_and_still_does_once_it_is_resumed)
+{
+  problem::Problem<2> problem = block_in_box();
+  problem.model.stages.resize(2);
+  problem.model.stages[1].name = "load", problem.model.stages[1].zero_displacements = true;
+  FrameMaker<2> maker(problem.model, problem.state), resumed(problem.model, problem.state);
+  const auto shear = [&](Real gamma) {
+    take_to(problem, 0, [&](const bodies::Particle<2>& p) { return Vec<2>(p.x[0] + gamma * p.x[1], p.x[1]); });
+  };
+  const auto exact = [](Real gamma) { return 2 / std::sqrt(3.) * std::asinh(gamma / 2); };
+  shear(0.5);
+  const Frame<2> before = maker.make(problem.state);
+  expect_strain(before, exact(0.5), exact(0.5), rounding);
+  maker.zero_displacements(problem.state);
+  shear(0.25);
+  Kept kept;
+  maker.archive(kept);
+  kept.reading = true;
+  resumed.archive(kept);
+  for (FrameMaker<2>* each : {&maker, &resumed}) {
+    const Frame<2> after = each->make(problem.state);
+    expect_strain(after, exact(0.25), exact(0.25), rounding);
+    for (const FrameParticle<2>& f : particles_of(after)) {
+      EXPECT_NEAR(f.displacement[0], 0.25 * f.particle.x[1], rounding);
+      EXPECT_EQ(f.displacement[1], 0);
+    }
+    EXPECT_EQ(after.field("displacement").info.label, "displacement since stage \"load\" began");
+  }
 }
 
 TEST(FrameMaker, bodies_that_slide_past_each_other_have_no_strain)

@@ -90,8 +90,8 @@ void visit_sides(const Box<2>& box, const Vec<2>& x, const Visit& visit)
   for (int side = 0; side < 4; ++side) {
     const int across = side / 2, along = 1 - across;
     const Real sign = side % 2 == 0 ? 1 : -1, away = sign * local[across] - box.half[across];
-    visit(side,
-          OnSide{local[along], away, -box.half[along], box.half[along], x[0] - away * sign * box.axes(0, across), box.axes(0, along)});
+    visit(side, OnSide{local[along], away, -box.half[along], box.half[along], x[0] - away * sign * box.axes(0, across), box.axes(0, along),
+                       sign * box.axes.col(across)});
   }
 }
 

@@ -75,7 +75,7 @@ void visit_sides(const Circle<2>& circle, const Vec<2>& x, const Visit& visit)
   const Vec<2> from = x - circle.center;
   const Real angle = std::atan2(from[1], from[0]);
   visit(0, OnSide{circle.radius * angle, from.norm() - circle.radius, -infinity, infinity,
-                  circle.center[0] + circle.radius * std::cos(angle), -std::sin(angle)});
+                  circle.center[0] + circle.radius * std::cos(angle), -std::sin(angle), Vec<2>(std::cos(angle), std::sin(angle))});
 }
 /// Length after which the first side repeats; infinite where it does not.
 inline Real closes_after(const Circle<2>& circle)

@@ -145,7 +145,7 @@ void visit_sides(const HalfPlane<2>& plane, const Vec<2>& x, const Visit& visit)
   const Vec<2> from = x - plane.point;
   const Real away = plane.normal.dot(from);
   visit(0, OnSide{plane.normal[1] * from[0] - plane.normal[0] * from[1], away, -infinity, infinity, x[0] - away * plane.normal[0],
-                  plane.normal[1]});
+                  plane.normal[1], plane.normal});
 }
 
 }  // namespace berm::bodies

@@ -64,8 +64,9 @@ void visit_sides(const Polygon<2>& polygon, const Vec<2>& x, const Visit& visit)
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec<2> side = corners[(k + 1) % corners.size()] - corners[k], along = side.normalized(), from = local - corners[k];
     const Real away = along[1] * from[0] - along[0] * from[1];
-    const Vec<2> foot = polygon.center + polygon.axes * (local - away * Vec<2>(along[1], -along[0]));
-    visit(static_cast<int>(k), OnSide{along.dot(from), away, 0, side.norm(), foot[0], polygon.axes.row(0).dot(along)});
+    const Vec<2> outwards(along[1], -along[0]), foot = polygon.center + polygon.axes * (local - away * outwards);
+    visit(static_cast<int>(k),
+          OnSide{along.dot(from), away, 0, side.norm(), foot[0], polygon.axes.row(0).dot(along), polygon.axes * outwards});
   }
 }
 

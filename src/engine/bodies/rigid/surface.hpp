@@ -23,6 +23,7 @@ struct OnSide {
   Real away;        ///< m from the side, negative inside the body
   Real begin, end;  ///< m, ends of the side
   Real x, x_slope;  ///< m, x of the point of the side nearest to it, and how that grows along the side
+  Vec<2> normal;    ///< unit vector out of the body, of the side there
 };
 
 /// A surface as points and flat cells, for pictures.

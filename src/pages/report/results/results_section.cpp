@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
 
+#include "structures/depth/profile_page.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
 
@@ -73,8 +74,10 @@ std::string results_section(const Runs& runs, const std::vector<Judgement>& judg
   }
   if (!key.empty()) html += "<h3>Key results</h3>\n" + key;
   html += consolidation_table(runs) + support_table(runs) + published;
-  for (std::size_t k = 0; k < runs.size(); ++k)
-    html += structures::structure_of(runs[k].settings).other_results(runs[k], fmt::format("results-{}", k));
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::string id = fmt::format("results-{}", k);
+    html += structures::structure_of(runs[k].settings).other_results(runs[k], id) + depth::profile_section(runs[k], id);
+  }
   // Tables of several runs name the run, with its mark, in each row; of one run the style of the class puts the mark behind each number.
   if (runs.size() == 1 && is_spoiled(runs.front())) html = "<div class=\"spoiled\">\n" + html + "</div>\n";
   return text::html_section("answer", "Answer", html);
