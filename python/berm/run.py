@@ -116,8 +116,8 @@ class Run:
 
     @cached_property
     def depth_profile(self) -> dict[str, Any]:
-        """Forces of the soil along the depth of bodies with depth_slices, by column of depth_profile.csv: body and stage as lists of names, z_top_m,
-        V_N_m, axial_top_N ... as arrays, a row a slice at the end of a stage. Throws RunError where the run has none."""
+        """Forces of the soil along the depth of bodies with depth_slices, by column of depth_profile.csv: body and stage as lists of
+        names, z_top_m, V_N_m, axial_top_N ... as arrays, a row a slice at the end of a stage. Throws RunError where the run has none."""
         return self._columns("depth_profile.csv")
 
     @cached_property

@@ -21,6 +21,7 @@ std::string base_of(const std::string& name)
 {
   const fs::path examples = fs::path(BERM_SOURCE_DIR) / "examples", probe_test = examples / "probe_test";
   if (name == "cone") return text_of_file(examples / "cone_in_clay/case.toml");
+  if (name == "settling") return text_of_file(examples / "downdrag/case.toml");
   if (name == "space") return test::small_space_case;
   return name == "box" ? test::small_case : text_of_file(probe_test / (name == "bed" ? "case.toml" : "wip_10.toml"));
 }
