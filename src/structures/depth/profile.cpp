@@ -10,6 +10,7 @@ namespace {
 
 constexpr Real last_part = 0.1;                    // of the time of a stage
 constexpr int steps = 20;                          // of a t-z curve
+constexpr Real no_more = 1e-3;                     // of the drag load
 constexpr Real at_rest = 1e-6;                     // of a slice's thickness: a way that is none
 constexpr const char* endings[] = {"_N_m", "_N"};  // in plane strain, and of a whole
 
@@ -94,7 +95,8 @@ Real Profile::drag_load() const
 
 Real Profile::neutral_plane() const
 {
-  return level(static_cast<std::size_t>(std::max_element(axial.begin(), axial.end()) - axial.begin()));
+  const Real reached = axial.front() + (1 - no_more) * drag_load();
+  return level(static_cast<std::size_t>(std::find_if(axial.begin(), axial.end(), [&](Real N) { return N >= reached; }) - axial.begin()));
 }
 
 std::vector<Profile> profiles(const record::RunRecord& run)

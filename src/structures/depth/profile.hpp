@@ -19,7 +19,7 @@ struct Profile {
   Real level(std::size_t k) const { return thickness * static_cast<Real>(k); }
   /// Drag load: the most that the axial force grows by from the bed down.
   Real drag_load() const;
-  /// Depth at which the axial force is largest, m: above it soil drags the body down, below it soil carries it.
+  /// Depth from which on soil drags the body down no more, m: where the axial force is largest, within a thousandth of the drag load.
   Real neutral_plane() const;
 };
 

@@ -110,13 +110,22 @@ std::string svg_of(const Profile& p)
 
 std::string words_of(const Profile& p)
 {
+  constexpr Real round_off = 1e-9;
+  const auto [low, high] = std::minmax_element(p.axial.begin(), p.axial.end());
+  const Real nothing = round_off * std::max(std::abs(*low), std::abs(*high)), base = p.axial.back();
   const auto force = [&](Real newtons) { return text::force_words(newtons, p.whole ? 3 : 2); };
-  std::string words = fmt::format("At the end of stage \"{}\" the soil carries {} of {} on its upright sides and {} below them.", p.stage,
-                                  force(p.axial.front() - p.axial.back()), p.body, force(p.axial.back()));
-  if (p.drag_load() > 0)
-    words += fmt::format(" It drags the body down with {} above a neutral plane {} below the bed.", force(p.drag_load()),
-                         text::length_words(p.neutral_plane()));
-  return text::html_paragraph(words);
+  const std::string at_base = std::abs(base) > nothing ? fmt::format(" and {} below them", force(base)) : "";
+  std::string words = fmt::format("At the end of stage \"{}\" the soil ", p.stage);
+  if (!(p.drag_load() > nothing))
+    return text::html_paragraph(words +
+                                fmt::format("carries {} of {} on its upright sides{}.", force(p.axial.front() - base), p.body, at_base));
+  words += fmt::format("drags {} down with {} above a neutral plane {} below the bed", p.body, force(p.drag_load()),
+                       text::length_words(p.neutral_plane()));
+  if (*high - base > nothing)
+    words += fmt::format("; below it, it carries {} on upright sides{}", force(*high - base), at_base);
+  else if (!at_base.empty())
+    words += fmt::format("; {} carries its base", force(base));
+  return text::html_paragraph(words + ".");
 }
 
 std::string table_of(const Profile& p, const std::string& id)
@@ -185,19 +194,27 @@ std::string profile_section(const record::RunRecord& run, const std::string& id)
 std::vector<std::string> draw_profiles(const std::vector<record::RunRecord>& runs, const std::filesystem::path& folder)
 {
   std::vector<std::string> drawn;
+  const auto draw = [&](const std::string& name, plot::Figure figure, const std::vector<Panel>& panels,
+                        const std::vector<const char*>& names) {
+    for (std::size_t k = 0; k < panels.size(); ++k)
+      figure.curves.push_back({names[k], plot::curve_style(k, k), panels[k].value, panels[k].depth});
+    if (draw_png_and_svg(folder, name, figure)) drawn.push_back(name);
+  };
   for (std::size_t n = 0; n < runs.size(); ++n)
     for (const Profile& p : last_profiles(runs[n])) {
+      std::vector<Panel> panels = panels_of(p);
       plot::Figure figure{fmt::format("{}: forces of the soil on {} by depth", runs[n].name, p.body),
-                          fmt::format("{} (H, V), {} (axial force)", per_depth(p), of_force(p)),
+                          per_depth(p),
                           "depth below the bed (m)",
                           {},
                           "set yrange [*:*] reverse\nset key below\n"};
-      const char* names[] = {"H on the soil", "V on the shaft", "axial force from below"};
-      const std::vector<Panel> panels = panels_of(p);
-      for (std::size_t k = 0; k < panels.size(); ++k)
-        figure.curves.push_back({names[k + 3 - panels.size()], plot::curve_style(k, k), panels[k].value, panels[k].depth});
-      const std::string name = fmt::format("depth_profile_{}_{}", record::file_name_of(p.body), n);
-      if (draw_png_and_svg(folder, name, figure)) drawn.push_back(name);
+      const std::string body = record::file_name_of(p.body);
+      if (!p.h.empty()) {
+        draw(fmt::format("depth_profile_H_{}_{}", body, n), figure, {panels.front()}, {"H on the soil"});
+        panels.erase(panels.begin());
+      }
+      figure.x_label = fmt::format("{} (V), {} (axial force)", per_depth(p), of_force(p));
+      draw(fmt::format("depth_profile_{}_{}", body, n), figure, panels, {"V on the shaft", "axial force from below"});
     }
   return drawn;
 }

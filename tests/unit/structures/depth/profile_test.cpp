@@ -75,7 +75,8 @@ TEST(DepthProfile, stands_in_files_and_on_the_page)
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + slices);
   EXPECT_EQ(tz_csv(run).find("body,stage,z_m,w_m,t_N_m\n"), 0u);
   const std::string html = profile_section(run, "results-0");
-  for (const char* part : {"drags the body down with 12 kN", "neutral plane 4 m below", "<svg", "<table"})
+  for (const char* part : {"drags probe down with 12 kN above a neutral plane 4 m below the bed",
+                           "it carries 20 kN on upright sides and 7 kN below them", "<svg", "<table"})
     EXPECT_NE(html.find(part), std::string::npos) << part << " is not in\n" << html;
 }
 
