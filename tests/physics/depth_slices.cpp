@@ -102,7 +102,9 @@ TEST(DepthSlices, have_no_holes_where_they_are_thinner_than_particles)
   for (int k = 0; k < thin; ++k) {
     const Real impulse = run.state().slice_shaft_impulses[0][k];
     sum += impulse;
-    if (k >= 10) EXPECT_LT(impulse, 0) << k;
+    if (k >= 10) {
+      EXPECT_LT(impulse, 0) << k;
+    }
   }
   EXPECT_NEAR(sum, run.state().contact_sums[0].shaft_impulse, 1e-9 * std::abs(sum));
 }

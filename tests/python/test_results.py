@@ -53,6 +53,18 @@ def test_key_results_are_those_of_the_summary(finished: berm.Run) -> None:
     assert finished.case["rigid"]["pipe"]["diameter"] == finished.diameter == 0.02
 
 
+def test_forces_along_the_depth_are_the_columns_of_their_file(finished: berm.Run, tmp_path: Path) -> None:
+    shutil.copy(finished.folder / "resolved.toml", tmp_path)
+    rows = "pile,settle,0,0.5,,-100,-90,-40\npile,settle,0.5,1,,-80,-40,0\n"
+    (tmp_path / "depth_profile.csv").write_text(f"body,stage,z_top_m,z_bottom_m,H_N_m,V_N_m,axial_top_N,axial_bottom_N\n{rows}")
+    profile = berm.open(tmp_path).depth_profile
+    assert profile["body"] == ["pile", "pile"] and profile["stage"] == ["settle", "settle"]
+    assert profile["V_N_m"].tolist() == [-100, -80] and profile["axial_top_N"].sum() == -130
+    assert profile["H_N_m"].shape == (2,) and all(profile["H_N_m"] != profile["H_N_m"])
+    with pytest.raises(berm.RunError, match="tz.csv"):
+        _ = berm.open(tmp_path).tz
+
+
 def test_a_spoiled_answer_says_why(finished: berm.Run, tmp_path: Path) -> None:
     assert finished.spoiled == []
     shutil.copy(finished.folder / "resolved.toml", tmp_path)
