@@ -125,6 +125,43 @@ void does_the_soil_stay_at_what_moves(const Scene& s, Findings& found)
   });
 }
 
+void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found)
+{
+  constexpr Real pressure = 1e3;  // Pa
+  const auto named = [](const std::vector<std::string>& stages, const std::string& name) {
+    return stages.empty() || std::find(stages.begin(), stages.end(), name) != stages.end();
+  };
+  const auto comes_later = [&](const boundary::TractionSettings& traction) {
+    bool at_rest = false, later = false;
+    for (const problem::StageSettings& stage : s.c.stage)
+      (stage.kind == problem::StageKind::geostatic ? at_rest : later) |= named(traction.stages, stage.name);
+    return later && !at_rest;
+  };
+  std::vector<std::string> loads;
+  for (const auto& [name, traction] : s.c.traction)
+    if (comes_later(traction)) loads.push_back("traction." + name);
+  for (const auto& [name, body] : s.c.body)
+    for (const bodies::FillSettings& fill : body.fill) loads.push_back(fmt::format("fill \"{}\"", fill.name));
+  if (loads.empty() || s.bodies.empty()) return;
+  Real wave_speed = infinity, density = infinity;
+  for (std::size_t b = 0; b < s.bodies.size(); ++b) {
+    wave_speed = std::min(wave_speed, s.bodies[b].wave_speed);
+    density = std::min(density, inertia_density(s.material_of(static_cast<Index>(b))));
+  }
+  for (std::size_t k = 0; k < s.c.support.size(); ++k) {
+    const auto& [name, support] = s.c.support[k];
+    const char* up = boundary::motion_axes[s.up];
+    const bool along_up = std::find(support.fixed.begin(), support.fixed.end(), up) != support.fixed.end();
+    constexpr Real flat = 1e-6;  // of the size of the mesh
+    if (!support.absorbs || !along_up || !(s.supports[k].space[s.up].length() < flat * s.mesh[s.up].length())) continue;
+    found.warn("support." + name + ".absorbs",
+               fmt::format("absorbs along {}, and {} {} after the soil has come to rest: dashpots give way to a load that stays, and the "
+                           "soil sinks at {} for each kPa of it; leave \"{}\" to a support that holds, or end the run before that counts",
+                           up, fmt::join(loads, ", "), loads.size() > 1 ? "come" : "comes",
+                           words_of(pressure / (density * wave_speed), "m/s"), up));
+  }
+}
+
 std::vector<std::string> motion_words(const Scene& s)
 {
   std::vector<std::string> lines;

@@ -64,9 +64,10 @@ void do_forces_press_down(const Scene& s, Findings& found);
 
 void do_names_stay_names(const Scene& s, Findings& found);
 
-// Supports that move.
+// Supports that move or give way.
 void is_the_motion_resolved(const Scene& s, Findings& found);
 void does_the_soil_stay_at_what_moves(const Scene& s, Findings& found);
+void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found);
 
 // The roles of stages.
 void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found);

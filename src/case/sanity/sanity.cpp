@@ -58,6 +58,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           do_forces_press_down,
                                                           is_the_motion_resolved,
                                                           does_the_soil_stay_at_what_moves,
+                                                          do_boundaries_that_absorb_bear_what_comes,
                                                           do_names_stay_names,
                                                           are_roles_in_the_order_of_a_life,
                                                           is_it_said_what_the_answers_are_of,
