@@ -30,7 +30,6 @@ void check_stages_of(Describe& d, const Case& c, const std::string& key, const b
 {
   std::vector<std::string> names;
   for (const StageSettings& stage : c.stage) names.push_back(stage.name);
-  d.check(!support.motion->stages.empty(), key, "needs the names of the stages in which the boundary moves", names);
   for (const std::string& name : support.motion->stages) {
     d.check(among(name, names), key, fmt::format("there is no stage \"{}\"", name), names);
     const auto stage = std::find_if(c.stage.begin(), c.stage.end(), [&](const StageSettings& s) { return s.name == name; });

@@ -44,9 +44,9 @@ TEST(Motion, that_is_wrong_says_what_is_allowed)
 {
   const std::string rows = "times=[0, 1], x=[0, 0.1]", drag = "stages=[\"drag\"], ";
   EXPECT_SAYS(refusal_of_motion(rows), "support.base.motion.stages");
-  EXPECT_SAYS(refusal_of_motion("stages=[], " + rows), "needs the names of the stages");
+  EXPECT_SAYS(refusal_of_motion("stages=[], " + rows), "support.base.motion.stages: must not be empty");
   EXPECT_SAYS(refusal_of_motion("stages=[\"drg\"], " + rows), "did you mean \"drag\"?");
-  EXPECT_SAYS(refusal_of_motion("stages=[\"push\"], " + rows, {"stage.push.kind=geostatic", "stage.push.until={time=1}"}),
+  EXPECT_SAYS(refusal_of_motion("stages=[\"push\"], " + rows, {"stage.push={name=\"push\", kind=\"geostatic\", until={time=1}}"}),
               "is a geostatic stage, in which the soil comes to rest");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"support.base.stages=[\"push\"]"}), "the support does not act in \"drag\"");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"support.base.fixed=[\"y\"]"}),
@@ -97,7 +97,8 @@ TEST_F(MotionFile, has_columns_with_their_units)
 
 TEST_F(MotionFile, that_is_wrong_is_refused_with_its_line)
 {
-  EXPECT_SAYS(refusal("time_s,x_m\n0,0\n1,0\n"), "quake.csv:1: \"x_m\" has no unit of a velocity: write \"x_m_s\"");
+  EXPECT_SAYS(refusal("time_s,x_m\n0,0\n1,0\n"),
+              "quake.csv:1: \"x_m\" has no unit of a velocity, such as \"0.1 m/s\" or \"20 mm/s\": write \"x_m_s\"");
   EXPECT_SAYS(refusal("time_s,z_m_s\n0,0\n1,0\n"), "\"z_m_s\" is no column of this motion");
   EXPECT_SAYS(refusal("0,0\n1,0\n"), "the first line is to name the columns: time_s,x_m_s,y_m_s");
   EXPECT_SAYS(refusal("time_s,x_m_s\n0.1,0\n1,0\n"), "quake.csv:2: begins at 0.1 s");
