@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/input/read_case_wrong_ground_test.cpp
+// Tests: tests/unit/input/read_case_wrong_supports_test.cpp
 #include "problem/motions.hpp"
 
 #include "core/error.hpp"

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
 #include <set>
 
@@ -215,6 +216,14 @@ void mesh(Column& column, Canvas& canvas, const Model& model)
   if (hatched) column.entry("held in x and y", sign(3));
   if (wheels) column.entry("held across the boundary", sign(2));
   if (along) column.entry("held along the boundary", sign(1));
+  const auto arrow = [&](const Vec<2>& c) { canvas.arrow(c - Vec<2>(12, 0), c + Vec<2>(12, 0), {load_color, 1.5}); };
+  for (const auto& [name, support] : model.settings.support) {
+    if (support.motion) column.entry("support " + name + motion_words(support), arrow);
+    if (support.head)
+      column.entry(fmt::format("support {}, water outside with a head of {}{}", name, text::length_words(*support.head),
+                               support.stages.empty() ? "" : fmt::format(" in {}", fmt::join(support.stages, ", "))),
+                   arrow);
+  }
   for (const auto& [name, traction] : model.settings.traction)
     column.entry(fmt::format("traction {} on boundary {}{}", name, traction.boundary,
                              traction.pressure ? ", " + text::stress_words(*traction.pressure) : "") +
@@ -222,9 +231,7 @@ void mesh(Column& column, Canvas& canvas, const Model& model)
                           ? fmt::format(" and {} a metre below y = {}", text::stress_words(traction.pressure_gradient),
                                         text::length_words(traction.level.value_or(0)))
                           : ""),
-                 [&](const Vec<2>& c) {
-                   canvas.arrow(c - Vec<2>(12, 0), c + Vec<2>(12, 0), {load_color, 1.5});
-                 });
+                 arrow);
 }
 
 }  // namespace

@@ -130,6 +130,7 @@ void support_words(Canvas& canvas, const HeldSides& held, const Scale& scale)
 
 void supports(Canvas& canvas, const Model& model, const Scale& scale)
 {
+  std::vector<std::string> named;  // boundaries; there is no place for the words of a second support
   for (const HeldSides& held : model.ground.held) {
     if ((held.directions & 3) == 0 || held.sides.empty()) continue;
     std::vector<Side> in_turn = held.sides;  // so that signs are evenly apart
@@ -145,7 +146,9 @@ void supports(Canvas& canvas, const Model& model, const Scale& scale)
         if (const Vec<2> at = from + (to - from) * k / parts; takes_place(places, at, support_distance))
           support_sign(canvas, at, in_pixels(side.outward), held.directions & 3);
     }
-    support_words(canvas, held, scale);
+    if (const bool has_words = std::find(named.begin(), named.end(), held.boundary) != named.end(); !has_words)
+      support_words(canvas, held, scale);
+    named.push_back(held.boundary);
   }
 }
 

@@ -100,9 +100,7 @@ std::string held_words(const problem::Case& c, const boundary::SupportSettings& 
   std::string words = fmt::format("{} fixed", fmt::join(support.fixed, ", "));
   if (!support.stages.empty()) words += fmt::format(" in {}", fmt::join(support.stages, ", "));
   if (support.absorbs) words += " at rest, then absorbs waves";
-  words += motion_words(support);
   if (problem::has_flowing_water(c)) words += support.drained ? ", drained" : ", no flow";
-  if (support.head) words += fmt::format(", head {} outside", text::length_words(*support.head));
   return words;
 }
 

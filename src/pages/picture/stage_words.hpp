@@ -9,7 +9,7 @@ namespace berm::picture {
 /// stand there with "or" between them.
 std::string stage_words(const problem::StageSettings& stage, int dimension);
 
-/// What a support does: "x, y fixed in rest, drained, head 2 m outside".
+/// What a support holds: "x, y fixed in rest, drained".
 std::string held_words(const problem::Case& c, const boundary::SupportSettings& support);
 
 /// Of a support that moves: ", moves along x in quake", or ", waves come in along x in quake"; "" of others.

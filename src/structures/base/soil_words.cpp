@@ -60,10 +60,19 @@ std::string k0_in_words(const bodies::K0Settings& at_rest, Real sin_friction)
 
 namespace {
 
-/// The depth at which the vertical stress at the start is this, Pa; 0 where it is not there.
-Real depth_under(const problem::BodySoil& soil, Real vertical_stress)
+/// Depth of the mesh below the surface of a level bed, m; of a mesh from a file it is not known.
+Real depth_of_mesh(const problem::Case& c)
 {
-  Real low = 0, high = 1e4;  // m
+  constexpr Real deep = 1e4;
+  if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) return bed->depth;
+  if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh)) return c.surface - (box->lower.empty() ? 0 : box->lower[1]);
+  return deep;
+}
+
+/// The depth at which the vertical stress at the start is this, Pa; 0 where it is not there down to the deepest, m.
+Real depth_under(const problem::BodySoil& soil, Real vertical_stress, Real deepest)
+{
+  Real low = 0, high = deepest;
   if (!(soil.vertical_stress("", high) > vertical_stress) || !(vertical_stress > 0)) return 0;
   for (int k = 0; k < 60; ++k) {
     const Real middle = (low + high) / 2;
@@ -88,7 +97,7 @@ std::vector<std::string> k0_words(const problem::Case& c)
       const problem::BodySoil soil = soil_of(c, body);
       std::string at_depths;
       for (const Real ratio : {9., 3., 1.5, 1.1})
-        if (const Real depth = depth_under(soil, *own.pop / (ratio - 1)); depth > top)
+        if (const Real depth = depth_under(soil, *own.pop / (ratio - 1), depth_of_mesh(c)); depth > top)
           at_depths += fmt::format("{}{} at {}", at_depths.empty() ? "" : ", ", text::number_words(own.at(sine, *own.pop / (ratio - 1))),
                                    text::length_words(depth));
       if (!at_depths.empty()) lines.push_back("             " + at_depths + " below the surface");

@@ -141,6 +141,8 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   fill(state.totals, next);
   for (Vec<dim>& impulse : state.pair_impulses) fill(impulse, next);
   for (Vec<dim>& impulse : state.support_impulses) fill(impulse, next);
+  state.heads.resize(1), found.heads.resize(1);  // as many as a model has
+  fill(state.heads[0], next);
   fill(state.stage.begin_time, next);
   fill(state.stage.begin_displacement, next);
   for (bodies::Drive& drive : state.stage.drive) {
@@ -162,6 +164,7 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   EXPECT_EQ(found.pair_impulses, state.pair_impulses);
   EXPECT_EQ(state.support_impulses.size(), c.support.size());
   EXPECT_EQ(found.support_impulses, state.support_impulses);
+  EXPECT_TRUE(same(found.heads[0], state.heads[0]));
   EXPECT_EQ(found.stage.begin_time, state.stage.begin_time);
   EXPECT_EQ(found.stage.begin_displacement, state.stage.begin_displacement);
   for (int d = 0; d < dim; ++d) {
