@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Supports that move what their mesh does not let them move, and heads at boundaries that give way.
+#include "problem/motions.hpp"
+
+#include "core/error.hpp"
+#include "mesh/box.hpp"
+#include "problem/heads.hpp"
+#include "sample_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::problem::this_file {
+namespace {
+
+/// An elastic box on a base that moves along an axis.
+Case box_on_moving_base(std::size_t axis)
+{
+  Case c = pipe_over_box({stage_of(StageKind::free, "quake")});
+  c.rigid.clear();
+  boundary::SupportSettings base{"bottom", {"x", "y"}};
+  base.motion.emplace();
+  base.motion->stages = {"quake"};
+  base.motion->times = {0, 1};
+  base.motion->velocity[axis] = {0, 1};
+  c.support = {{"base", base}};
+  return c;
+}
+
+Model<2> model_of(const Case& c)
+{
+  return make_model<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
+}
+
+std::string refusal_of(const Case& c)
+{
+  try {
+    model_of(c);
+  } catch (const KeyError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Motions, move_the_nodes_of_their_boundary_along_their_axis_alone)
+{
+  const Model<2> model = model_of(box_on_moving_base(0));
+  ASSERT_EQ(model.moved.size(), 1u);
+  for (Index node = 0; node < model.mesh.node_count(); ++node) {
+    const bool at_base = model.mesh.position[node][1] == 0;
+    EXPECT_EQ(model.moved[0][node][0], at_base ? 0 : none);
+    EXPECT_EQ(model.moved[0][node][1], none);
+  }
+}
+
+TEST(Motions, cost_nothing_where_there_are_none)
+{
+  Case c = box_on_moving_base(0);
+  c.support[0].second.motion.reset();
+  EXPECT_TRUE(model_of(c).moved.empty());
+}
+
+TEST(Motions, around_an_axis_are_not_along_the_radius_at_the_axis)
+{
+  Case c = box_on_moving_base(0);
+  c.geometry = Geometry::axisymmetric;
+  EXPECT_NE(refusal_of(c).find("support.base.motion.x: is along the radius, and the boundary meets the axis"), std::string::npos);
+  c = box_on_moving_base(1);
+  c.geometry = Geometry::axisymmetric;
+  EXPECT_EQ(refusal_of(c), "");
+}
+
+TEST(Motions, of_two_supports_at_one_boundary_in_one_stage_are_refused)
+{
+  Case c = box_on_moving_base(0);
+  c.support.emplace_back("again", c.support[0].second);
+  EXPECT_NE(refusal_of(c).find("support.again.motion: [support.base] moves the same boundary"), std::string::npos);
+}
+
+TEST(Heads, need_a_support_that_holds_the_soil_along_the_normal)
+{
+  Case c = box_on_moving_base(0);
+  c.support[0].second.motion.reset();
+  c.support[0].second.drained = true;
+  c.support[0].second.head = 1;
+  EXPECT_EQ(refusal_of(c), "");
+  c.support[0].second.fixed = {"x"};
+  EXPECT_NE(refusal_of(c).find("support.base.head: the water outside presses along the normal"), std::string::npos);
+  c.support[0].second.fixed = {"y"};
+  const Model<2> model = model_of(c);
+  Vec<2> sum = Vec<2>::Zero();
+  for (const Vec<2>& area : areas_of_head(c, model, 0)) sum += area;
+  EXPECT_NEAR(sum[1], 2, 1e-12) << "all of the base, into the soil";
+  EXPECT_NEAR(sum[0], 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace berm::problem::this_file
