@@ -183,9 +183,17 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, 
     maker.made.impermeable.push_back(std::move(closed));
     if (c.output.support_reactions) maker.made.holders.push_back(std::move(holders));
   }
-  for (const auto& [name, support] : c.support)
-    if (support.head && *support.head != 0)
-      maker.made.head_nodes.push_back(corners_of(maker.sides_at(fixed_boundary(mesh, name, support))));
+  // Where two boundaries meet at a corner it has the head of the first.
+  std::vector<std::pair<std::string, std::vector<Index>>> with_head;
+  for (const auto& [name, support] : c.support) {
+    if (!support.head || *support.head == 0) continue;
+    std::vector<Index> nodes = corners_of(maker.sides_at(fixed_boundary(mesh, name, support)));
+    with_head.emplace_back(support.boundary, nodes);
+    for (const auto& [boundary, taken] : with_head)
+      if (boundary != support.boundary)
+        std::erase_if(nodes, [&, &taken = taken](Index node) { return std::binary_search(taken.begin(), taken.end(), node); });
+    maker.made.head_nodes.push_back(nodes);
+  }
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
   for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
   check_unfolded(maker.made);

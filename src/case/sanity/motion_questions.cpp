@@ -28,6 +28,7 @@ void for_each_motion(const Scene& s, const Visit& visit)
   for (std::size_t k = 0; k < s.c.support.size(); ++k) {
     const boundary::SupportSettings& support = s.c.support[k].second;
     if (!support.motion) continue;
+    std::array<Real, 3> before{};  // m, where earlier stages left it
     for (std::size_t stage = 0; stage < s.c.stage.size(); ++stage) {
       const std::vector<std::string>& named = support.motion->stages;
       if (std::find(named.begin(), named.end(), s.c.stage[stage].name) == named.end()) continue;
@@ -36,7 +37,9 @@ void for_each_motion(const Scene& s, const Visit& visit)
         if (support.motion->velocity[static_cast<std::size_t>(d)].empty()) continue;
         const boundary::MotionMeasures measures = measures_of(*support.motion, d, time > 0 ? time : infinity);
         const bool across = s.supports[k].space[d].length() < flat * s.mesh[d].length();
-        visit(MotionInStage{k, stage, d, measures, across, (support.absorbs ? with_echo : 1) * measures.excursion});
+        const Real travel = std::abs(before[static_cast<std::size_t>(d)]) + measures.excursion;
+        before[static_cast<std::size_t>(d)] += measures.residual;
+        visit(MotionInStage{k, stage, d, measures, across, (support.absorbs ? with_echo : 1) * travel});
       }
     }
   }
@@ -82,6 +85,15 @@ void is_the_motion_resolved(const Scene& s, Findings& found)
                       axis, words_of(m.half_wave, "s"), frequency_of(m), resolved, ResolvedWaves::cells,
                       motion.across ? "pressure" : "shear", resolved / frequency_of(m), rounded_down(resolved)));
     const Real end = s.c.support[motion.support].second.motion->times.back();
+    const std::vector<std::string>& named = s.c.support[motion.support].second.motion->stages;
+    const bool goes_on =
+        motion.stage + 1 < s.c.stage.size() && std::find(named.begin(), named.end(), s.c.stage[motion.stage + 1].name) != named.end();
+    if (std::abs(m.last) > still * m.speed && !(expected_time(s.stages[motion.stage]) > end) && motion.stage + 1 < s.c.stage.size() &&
+        !goes_on)
+      found.warn(key_of(s, motion),
+                 fmt::format("has {} along {} where stage \"{}\" ends, and the boundary stops at once: let the stage last "
+                             "until the motion has ended",
+                             words_of(m.last, "m/s"), axis, s.c.stage[motion.stage].name));
     if (std::abs(m.last) > still * m.speed && expected_time(s.stages[motion.stage]) > end)
       found.warn(key_of(s, motion),
                  fmt::format("ends at {} along {}, and the boundary goes on at that to the end of stage \"{}\": let the last "

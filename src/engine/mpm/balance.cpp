@@ -49,7 +49,8 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const bool flows = grid.water.flows();
   const bool reported = grid.support_force.size() > 0;
   const bool absorbing = !model.dashpots.empty() && model.dashpots[body].any();
-  const bool moving = !model.moved.empty();
+  const Index stage = state.stage.index;
+  const bool moving = !model.moved.empty() && model.moved[stage].size() > 0;
   const bool holding = model.stages[state.stage.index].kind == problem::StageKind::geostatic;
   const bool loaded = !model.load_points.empty();
   // F_rest and the wave that comes in, this at the middle of the step.
@@ -104,14 +105,14 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       if (fixed[i] >> d & 1) a[d] = -v[d] / dt;
     if (moving)
       for (int d = 0; d < dim; ++d)
-        if (const Index motion = model.moved[grid.fixed][i][d]; motion != none) a[d] += workspace.motion_after[motion][d] / dt;
+        if (const Index motion = model.moved[stage][i][d]; motion != none) a[d] += workspace.motion_after[motion][d] / dt;
     const Vec<dim> mid_velocity = v + 0.5 * dt * a;
     sums_i.gravity = weight;
     sums_i.damping = damping;
     sums_i.support = inertia.cwiseProduct(a) - total;
     if (moving)
       for (int d = 0; d < dim; ++d)
-        if (const Index motion = model.moved[grid.fixed][i][d]; motion != none)
+        if (const Index motion = model.moved[stage][i][d]; motion != none)
           sums_i.support_power += sums_i.support[d] * (workspace.motion_before[motion][d] + workspace.motion_after[motion][d]) / 2;
     if (reported) grid.support_force[i] = sums_i.support;
     if (dashpot != none) {

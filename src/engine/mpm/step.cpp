@@ -57,10 +57,10 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
 
   for (Index b = 0; b < bodies; ++b) {
     BodyGrid<dim>& grid = workspace.grids[b];
-    spread_new_momentum(model.mesh, state.particles[b], state.dt, grid);  // 5-6: (14)-(16) from the moments
-    exchange_corner_sums(grid);                                           // ranks
-    gather_new_velocities(model, workspace.motion_after, grid);           // 7-8: (18), supports
-    advance_flux(model, state, workspace, b);                             // water
+    spread_new_momentum(model.mesh, state.particles[b], state.dt, grid);            // 5-6: (14)-(16) from the moments
+    exchange_corner_sums(grid);                                                     // ranks
+    gather_new_velocities(model, workspace.motion_after, state.stage.index, grid);  // 7-8: (18), supports
+    advance_flux(model, state, workspace, b);                                       // water
   }
   exchange_at_contacts(workspace, &BodyGrid<dim>::mapped_velocity);  // ranks
   correct_velocities(model, state, workspace);                       // 8: (8)-(13) again
@@ -86,7 +86,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
     find_cut_cells(model, state, b, grid);  // cells at rigid bodies
     integrate_full_cells(model, state.particles[b], grid);
     find_viscous_stress(model, state.particles[b], grid);
-    predict_velocities(model, 0, workspace.motion_before, grid);  // those before the step, with the supports
+    predict_velocities(model, 0, workspace.motion_before, state.stage.index, grid);  // those before the step, with the supports
   }
   spread_tractions(model, state, workspace);
   find_contacts(model, state, workspace);
@@ -106,7 +106,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
   exchange_at_contacts(workspace, &BodyGrid<dim>::acceleration);  // ranks
   correct_accelerations(model, state, workspace);
 
-  for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, workspace.motion_after, workspace.grids[b]);
+  for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, workspace.motion_after, state.stage.index, workspace.grids[b]);
   move_load_points(model, state, workspace);
   for (Index b = 0; b < bodies; ++b) {
     move_particles(model, state, workspace, b);

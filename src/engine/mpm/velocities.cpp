@@ -27,11 +27,11 @@ Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& gri
 /// The velocity of a node as its supports leave it: none in the directions that they fix, or that of their motion.
 template <int dim>
 Vec<dim> held_velocity(const problem::Model<dim>& model, const NodeField<std::uint8_t>& fixed, const std::vector<Vec<dim>>& motions,
-                       Index set, Index node, const Vec<dim>& v)
+                       Index stage, Index node, const Vec<dim>& v)
 {
   Vec<dim> held = boundary::without_fixed<dim>(fixed, node, v);
-  if (model.moved.empty()) return held;
-  const boundary::Holders<dim>& moved = model.moved[set][node];
+  if (model.moved.empty() || model.moved[stage].size() == 0) return held;
+  const boundary::Holders<dim>& moved = model.moved[stage][node];
   for (int d = 0; d < dim; ++d)
     if (moved[d] != none) held[d] = motions[moved[d]][d];
   return held;
@@ -132,7 +132,7 @@ void move_supports(const problem::Model<dim>& model, const problem::State<dim>& 
 }
 
 template <int dim>
-void gather_new_velocities(const problem::Model<dim>& model, const std::vector<Vec<dim>>& motions, BodyGrid<dim>& grid)
+void gather_new_velocities(const problem::Model<dim>& model, const std::vector<Vec<dim>>& motions, Index stage, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
@@ -147,19 +147,20 @@ void gather_new_velocities(const problem::Model<dim>& model, const std::vector<V
       return sum;
     };
     grid.mapped_velocity[i] =
-        held_velocity(model, fixed, motions, grid.fixed, i,
+        held_velocity(model, fixed, motions, stage, i,
                       grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
 
 template <int dim>
-void predict_velocities(const problem::Model<dim>& model, Real ahead, const std::vector<Vec<dim>>& motions, BodyGrid<dim>& grid)
+void predict_velocities(const problem::Model<dim>& model, Real ahead, const std::vector<Vec<dim>>& motions, Index stage,
+                        BodyGrid<dim>& grid)
 {
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
   for_each("predict velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.mapped_velocity[i] = held_velocity(model, fixed, motions, grid.fixed, i,
+    grid.mapped_velocity[i] = held_velocity(model, fixed, motions, stage, i,
                                             grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
                                                              : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
@@ -169,8 +170,8 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, const std:
   template void smooth_velocities(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                        \
   template void spread_new_momentum(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                          \
   template void move_supports(const problem::Model<dim>&, const problem::State<dim>&, Workspace<dim>&);                                    \
-  template void gather_new_velocities(const problem::Model<dim>&, const std::vector<Vec<dim>>&, BodyGrid<dim>&);                           \
-  template void predict_velocities(const problem::Model<dim>&, Real, const std::vector<Vec<dim>>&, BodyGrid<dim>&);
+  template void gather_new_velocities(const problem::Model<dim>&, const std::vector<Vec<dim>>&, Index, BodyGrid<dim>&);                    \
+  template void predict_velocities(const problem::Model<dim>&, Real, const std::vector<Vec<dim>>&, Index, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

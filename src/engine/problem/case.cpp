@@ -200,6 +200,13 @@ void check_supports(Describe& d, const Case& c)
     const bool at_rest = !c.stage.empty() && c.stage.front().kind == StageKind::geostatic;
     const bool weighs = std::any_of(c.gravity.begin(), c.gravity.end(), [](Real g) { return g != 0; });
     d.check(at_rest || !weighs, key, "needs a geostatic stage first, in which the boundary finds the force that it then keeps");
+    for (const auto& [other_name, other] : c.support) {
+      if (&other == &support) break;
+      const bool alike = other.absorbs && other.boundary == support.boundary &&
+                         std::any_of(support.fixed.begin(), support.fixed.end(),
+                                     [&, &other = other](const std::string& direction) { return among(direction, other.fixed); });
+      d.check(!alike, key, fmt::format("[support.{}] absorbs the same waves at this boundary: leave one of them out", other_name));
+    }
   }
 }
 

@@ -32,6 +32,8 @@ void check_heads(Describe& d, const Case& c)
     if (!support.head) continue;
     const std::string key = path + ".head";
     d.check(has_flowing_water(c), key, "no soil has water that flows: give it water.drainage = \"consolidation\", or leave this out");
+    d.check(index_of(c.watch, name) == none, path,
+            fmt::format("a [watch.{}] has this name, which columns of the history begin with: give the support another", name));
     d.check(support.drained, key, "is of water that crosses the boundary: it needs drained = true");
     for (const auto& [other_name, other] : c.support)
       d.check(
@@ -91,6 +93,17 @@ void add_heads(const Case& c, Model<dim>& model)
     head.pressure = material::unit_weight_of_water * *support.head;
     head.ramp = support.ramp;
     for (const StageSettings& stage : c.stage) head.acts.push_back(support.stages.empty() || among(stage.name, support.stages));
+    for (const auto& [other_name, other] : c.support) {
+      if (&other == &support) break;
+      if (!other.head || *other.head == 0 || other.boundary == support.boundary || !act_together(c, support, other)) continue;
+      const NodeField<Vec<dim>> beside = areas_into_soil(c, mesh, other_name, other);
+      for (Index node = 0; node < mesh.node_count(); ++node)
+        if (std::abs(areas[node].dot(beside[node])) > along * areas[node].norm() * beside[node].norm())
+          throw KeyError(
+              fmt::format("support.{}.head: its boundary and that of [support.{}], which has a head in the same stage, go on in one "
+                          "line, and the nodes where they meet would have both: make one boundary of them",
+                          name, other_name));
+    }
     select(
         "list nodes of a head", mesh.node_chunks, [&](Index node) { return areas[node].norm() > 0; }, head.nodes, head.chunks);
     for (const Index node : head.nodes) {

@@ -126,7 +126,7 @@ struct Model {
   std::vector<Index> fixed_in;                    ///< by stage: which set
   std::vector<boundary::Dashpots<dim>> dashpots;  ///< by body, of the boundaries that absorb; empty where none does
   std::vector<Motion> motions;
-  /// As `fixed`: which of the motions a node that is held follows, by direction; empty where there are none.
+  /// By stage: which of the motions a node that is held follows, by direction; empty where there are none, and in stages without.
   std::vector<NodeField<boundary::Holders<dim>>> moved;
   std::vector<Head<dim>> heads;
   std::vector<Support> supports;  ///< by place in Case::support, where their reactions are reported; else none

@@ -36,6 +36,10 @@ void check_stages_of(Describe& d, const Case& c, const std::string& key, const b
     if (stage == c.stage.end()) continue;
     d.check(stage->kind != StageKind::geostatic, key,
             fmt::format("\"{}\" is a geostatic stage, in which the soil comes to rest: name the stages after it", name));
+    d.check(
+        stage->kind != StageKind::sweep, key,
+        fmt::format("\"{}\" is a sweep, several drags, and the motion would begin anew with each: write the drags as stages of their own",
+                    name));
     d.check(acts_in(support, name), key, fmt::format("the support does not act in \"{}\": add it to its stages", name));
   }
 }
@@ -107,7 +111,7 @@ void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
     motion.name = name;
     motion.settings = *support.motion;
     for (const StageSettings& stage : c.stage) motion.acts.push_back(among(stage.name, support.motion->stages));
-    if (model.moved.empty()) model.moved.assign(sets.roles.size(), NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody));
+    if (model.moved.empty()) model.moved.resize(c.stage.size());
     std::uint8_t directions = 0;
     for (int d = 0; d < dim; ++d)
       if (!support.motion->velocity[static_cast<std::size_t>(d)].empty()) directions |= static_cast<std::uint8_t>(1 << d);
@@ -122,8 +126,12 @@ void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
                      : "is along the radius, and the boundary meets the axis: a base that shakes sideways is not the same "
                        "all around; move it along y, or take geometry = \"plane_strain\" or \"space\""));
       }
-      for (std::size_t set = 0; set < sets.roles.size(); ++set)
-        if (sets.roles[set][s] == SupportRole::holds) boundary::add_holder<dim>(model.moved[set][node], number, directions);
+    }
+    for (std::size_t stage = 0; stage < c.stage.size(); ++stage) {
+      if (!motion.acts[stage] || sets.roles[sets.of_stage[stage]][s] != SupportRole::holds) continue;
+      if (model.moved[stage].size() == 0) model.moved[stage] = NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody);
+      for (const Index node : mesh.boundary_nodes[fixed_boundary(mesh, name, support)])
+        boundary::add_holder<dim>(model.moved[stage][node], number, directions);
     }
   }
 }

@@ -48,6 +48,9 @@ TEST(Motion, that_is_wrong_says_what_is_allowed)
   EXPECT_SAYS(refusal_of_motion("stages=[\"drg\"], " + rows), "did you mean \"drag\"?");
   EXPECT_SAYS(refusal_of_motion("stages=[\"push\"], " + rows, {"stage.push={name=\"push\", kind=\"geostatic\", until={time=1}}"}),
               "is a geostatic stage, in which the soil comes to rest");
+  EXPECT_SAYS(
+      refusal_of_motion(drag + rows, {"stage.drag.kind=sweep", "stage.drag.amplitude=0.1", "stage.drag.sweeps=2", "stage.drag.until={}"}),
+      "is a sweep, several drags");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"support.base.stages=[\"push\"]"}), "the support does not act in \"drag\"");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"support.base.fixed=[\"y\"]"}),
               "support.base.motion.x: the support leaves the soil free along x");

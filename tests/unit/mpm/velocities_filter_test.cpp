@@ -41,7 +41,7 @@ struct Drifting {
     gather_mass_and_momentum(mesh, grid());
     smooth_velocities(problem.model, particles(), problem.state.dt, grid());
     spread_new_momentum(mesh, particles(), problem.state.dt, grid());
-    gather_new_velocities(problem.model, {}, grid());
+    gather_new_velocities(problem.model, {}, 0, grid());
     move_and_strain(problem.model, problem.state, workspace, 0);
     change_cells(problem.model, problem.state, workspace, 0);
   }

@@ -76,6 +76,34 @@ TEST(Motions, of_two_supports_at_one_boundary_in_one_stage_are_refused)
   EXPECT_NE(refusal_of(c).find("support.again.motion: [support.base] moves the same boundary"), std::string::npos);
 }
 
+TEST(Motions, of_two_supports_at_one_boundary_take_turns)
+{
+  Case c = box_on_moving_base(0);
+  c.stage.push_back(stage_of(StageKind::free, "aftershock"));
+  c.support.emplace_back("again", c.support[0].second);
+  c.support[1].second.motion->stages = {"aftershock"};
+  const Model<2> model = model_of(c);
+  ASSERT_EQ(model.moved.size(), 2u);
+  const Index node = model.mesh.boundary_nodes[model.mesh.find_boundary("bottom")].front();
+  EXPECT_EQ(model.moved[0][node][0], 0);
+  EXPECT_EQ(model.moved[1][node][0], 1);
+}
+
+TEST(Heads, of_boundaries_that_go_on_in_one_line_are_refused)
+{
+  Case c = box_on_moving_base(0);
+  c.support[0].second.motion.reset();
+  c.support[0].second.drained = true;
+  c.support[0].second.head = 1;
+  c.support.emplace_back("side", c.support[0].second);
+  c.support[1].second.boundary = "left";
+  EXPECT_EQ(refusal_of(c), "") << "they meet at a corner";
+  mesh::Mesh<2> mesh = mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh));
+  std::vector<Index>& left = mesh.boundary_nodes[mesh.find_boundary("left")];
+  left = mesh.boundary_nodes[mesh.find_boundary("bottom")];
+  EXPECT_THROW(make_model<2>(c, std::move(mesh)), KeyError) << "they share all nodes";
+}
+
 TEST(Heads, need_a_support_that_holds_the_soil_along_the_normal)
 {
   Case c = box_on_moving_base(0);
