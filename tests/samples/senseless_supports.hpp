@@ -43,7 +43,7 @@ inline const std::vector<SenselessInput>& senseless_supports()
        moves("times = [0, 1e-3, 2e-3]\ny = [0, 10, 0]\n")},
       {"motion_that_takes_the_soil_out_of_the_mesh",
        "box",
-       warned,
+       refused,
        {"support.base.motion", "moves the soil along x by 1 mm to either side, 0.25 of a cell", "ends along x where the soil does"},
        {},
        base,

@@ -105,9 +105,10 @@ void is_the_motion_resolved(const Scene& s, Findings& found)
 void does_the_soil_stay_at_what_moves(const Scene& s, Findings& found)
 {
   constexpr Real little = 0.1, much = 0.5, touches = 1e-6;  // of a cell, and of the size of the mesh
+  constexpr Real to_particles = 0.125;                      // of a cell: those of the outermost row are hardly farther from its face
   std::vector<std::pair<std::size_t, int>> asked;
   for_each_motion(s, [&](const MotionInStage& motion) {
-    if (std::find(asked.begin(), asked.end(), std::pair(motion.support, motion.axis)) != asked.end()) return;
+    const bool again = std::find(asked.begin(), asked.end(), std::pair(motion.support, motion.axis)) != asked.end();
     const Span& mesh = s.mesh[motion.axis];
     Real room = infinity;
     for (const BodyScene& body : s.bodies)
@@ -130,8 +131,8 @@ void does_the_soil_stay_at_what_moves(const Scene& s, Findings& found)
     else if (motion.travel > room)
       words = fmt::format("moves the soil along {} by {} to either side, and the mesh ends {} beside it: make it longer", axis,
                           words_of(motion.travel, "m"), words_of(room, "m"));
-    const bool refused = motion.across || at_end ? part > much : motion.travel > room;
-    if (words.empty() || (!refused && !(part > little))) return;
+    const bool refused = motion.across ? part > much : at_end ? part > to_particles : motion.travel > room;
+    if (words.empty() || (!refused && (again || !(part > little)))) return;
     asked.emplace_back(motion.support, motion.axis);
     refused ? found.refuse(key_of(s, motion), words) : found.warn(key_of(s, motion), words);
   });

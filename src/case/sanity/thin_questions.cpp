@@ -18,7 +18,8 @@ struct Leg {
   Place from = {}, to = {};
   std::array<bool, 3> may = {};  ///< move along an axis by as much as nothing in the input says
   bool turns = false, known = true;
-  Place above = {};  ///< where it was before it sank by what is not known; where that is known: from
+  Place above = {};   ///< where it was before it sank by what is not known; where that is known: from
+  bool held = false;  ///< it does not move, and soil may press on it from either side
 };
 
 Place point(const Place& from, const Place& along, Real length)
@@ -76,6 +77,7 @@ std::vector<Leg> legs_of(const Scene& s, Index rigid)
 
 bool moves_along_normal(const Leg& leg, const ThinPlace& place, Real width)
 {
+  if (leg.held) return true;
   const Place way = difference(leg.to, leg.from);
   if (std::abs(dot(way, place.normal)) > edgeways * length_of(way)) return true;
   for (std::size_t d = 0; d < 3; ++d)
@@ -153,8 +155,10 @@ void is_the_body_two_cells_thick(const Scene& s, Findings& found)
     std::vector<Index> soils;
     for (const auto& [contact_name, contact] : s.c.contact)
       if (contact.rigid == name) soils.push_back(problem::index_of(s.c.body, contact.body));
-    const std::vector<Leg> legs = soils.empty() || !s.rigids[rigid].bounded ? std::vector<Leg>{} : legs_of(s, rigid);
-    if (legs.empty()) continue;
+    if (soils.empty() || !s.rigids[rigid].bounded) continue;
+    std::vector<Leg> legs = legs_of(s, rigid);
+    const bool held = legs.empty();
+    if (held) legs.push_back({.held = true});
     const std::vector<ThinPlace> places = s.thin_places(rigid);
     Thin thin;
     bool known = false;
@@ -170,7 +174,7 @@ void is_the_body_two_cells_thick(const Scene& s, Findings& found)
         words_of(thin.place.thickness, "m"), words_of_point(s, thin.place.at), thin.cells(), words_of(thin.cell, "m"),
         known ? "with" : "and may sink in until it has", s.c.body[thin.soil].first,
         words_of(rounded_down(thin.place.thickness / cells_wanted), "m"), words_of(rounded_up(cells_wanted * thin.cell), "m"));
-    known ? found.refuse("rigid." + name, message) : found.warn("rigid." + name, message);
+    known && !held ? found.refuse("rigid." + name, message) : found.warn("rigid." + name, message);
   }
 }
 

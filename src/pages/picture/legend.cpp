@@ -275,7 +275,7 @@ std::string method_words(const Model& model)
 {
   const problem::Case& c = model.settings;
   std::string words =
-      fmt::format("Plane strain, {}. {} cells.",
+      fmt::format("{}, {}. {} cells.", c.geometry == problem::Geometry::axisymmetric ? "Axisymmetric" : "Plane strain",
                   c.method == problem::Method::mpm ? "material point method" : "small-strain finite elements around the body in place",
                   text::count_words(model.ground.cells));
   const Vec<2>& gravity = model.sketch.gravity;

@@ -192,5 +192,15 @@ TEST(ThinBodies, that_a_force_pushes_in_are_warned_of)
   EXPECT_NE(said.line.find("may sink in"), std::string::npos) << said.line;
 }
 
+TEST(ThinBodies, that_are_held_in_soil_are_warned_of)
+{
+  const std::string wait = "[[stage]]\nname = \"wait\"\nkind = \"free\"\nuntil.time = \"0.1 s\"\n";
+  const auto wall = [&](const char* width) { return std::string(plane) + soil + box + wall_of("[\"1.013 m\", \"0.5 m\"]", width) + wait; };
+  const Said said = said_of(wall("[\"50 mm\", \"0.6 m\"]"));
+  EXPECT_FALSE(said.refused);
+  EXPECT_NE(said.line.find("1 cells of 50 mm"), std::string::npos) << said.line;
+  EXPECT_EQ(said_of(wall("[\"0.1 m\", \"0.6 m\"]")).line, "");
+}
+
 }  // namespace
 }  // namespace berm::sanity::this_file

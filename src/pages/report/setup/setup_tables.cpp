@@ -145,6 +145,18 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
   add_water(rows, prefix, material);
 }
 
+/// Supports that move, and water outside of them.
+void add_supports(Rows& rows)
+{
+  for (const auto& [name, support] : rows.settings().support) {
+    const std::string heading = "support " + name;
+    if (support.motion) rows.add(heading, picture::held_words(rows.settings(), support) + picture::motion_words(support));
+    if (!support.head) continue;
+    rows.add(heading + ": head of the water outside", text::length_words(*support.head) + " above the still sea" +
+                                                          (support.ramp > 0 ? ", ramp " + text::time_words(support.ramp) : ""));
+  }
+}
+
 /// Layers and regions of other materials, and the strength that forces are divided by where it varies.
 void add_soils(Rows& rows)
 {
@@ -275,6 +287,7 @@ text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
       add_rigid(rows, c.rigid.size() > 1 ? prefix_of("rigid body", name, c.rigid.size()) : base::body_word(c) + ": ", rigid);
     for (const auto& [name, material] : c.material) add_material(rows, prefix_of("material", name, c.material.size()), material);
     add_soils(rows);
+    add_supports(rows);
     for (const auto& [name, contact] : c.contact) add_contact(rows, prefix_of("interface", name, c.contact.size()), name, contact);
     for (const auto& [name, contact] : c.rigid_contact)
       add_rigid_contact(rows, fmt::format("{} against {}: ", contact.rigid, contact.other_rigid), contact);
