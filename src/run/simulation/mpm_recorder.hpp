@@ -59,7 +59,7 @@ private:
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<WatchPoint<dim>> watch_points_;
   std::vector<std::vector<Vec<dim>>> head_areas_;  ///< m (per metre run) or m2, by head and its nodes, along the normal into the soil
-  std::vector<Vec<dim>> watch_zeros_;  ///< displacements of the watched points that count as none
+  std::vector<Vec<dim>> watch_zeros_;              ///< displacements of the watched points that count as none
   std::vector<problem::LoadPointState<dim>> first_loaded_;
   Real first_kinetic_ = 0;
   Real out_of_balance_ = 0;
