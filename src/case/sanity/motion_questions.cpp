@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "problem/names.hpp"
 #include "problem/stages.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
@@ -141,13 +142,10 @@ void does_the_soil_stay_at_what_moves(const Scene& s, Findings& found)
 void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found)
 {
   constexpr Real pressure = 1e3;  // Pa
-  const auto named = [](const std::vector<std::string>& stages, const std::string& name) {
-    return stages.empty() || std::find(stages.begin(), stages.end(), name) != stages.end();
-  };
   const auto comes_later = [&](const boundary::TractionSettings& traction) {
     bool at_rest = false, later = false;
     for (const problem::StageSettings& stage : s.c.stage)
-      (stage.kind == problem::StageKind::geostatic ? at_rest : later) |= named(traction.stages, stage.name);
+      (stage.kind == problem::StageKind::geostatic ? at_rest : later) |= problem::acts_in(traction.stages, stage.name);
     return later && !at_rest;
   };
   std::vector<std::string> loads;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "problem/drainage.hpp"
+#include "problem/names.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
 
@@ -112,8 +113,7 @@ void is_the_head_there_when_soil_rests(const Scene& s, Findings& found)
   for (const auto& [name, support] : s.c.support) {
     if (!support.head || *support.head == 0) continue;
     for (const problem::StageSettings& stage : s.c.stage) {
-      const bool acts =
-          support.stages.empty() || std::find(support.stages.begin(), support.stages.end(), stage.name) != support.stages.end();
+      const bool acts = problem::acts_in(support.stages, stage.name);
       if (!acts || stage.kind != problem::StageKind::geostatic) continue;
       found.warn(
           "support." + name + ".head",

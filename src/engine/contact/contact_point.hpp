@@ -21,7 +21,6 @@ struct ContactPoint {
   Real gap = 0;                          ///< m between the two; at most 0 where they touch
   Real distance = 0;                     ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
   bool touching = false;                 ///< the gap is less than half a particle's width
-  Real half_width = 0;                   ///< m, of the particle that the point is
   Real area = 0;                         ///< m2 (per metre run: m), share of the body's surface; 0 where it is not needed
   int face = 0;                          ///< of the rigid body, where each has its own points (ContactPoints::faces)
   Index block = none;                    ///< of the particle that the point is, among those of its body on this rank, and

@@ -145,7 +145,6 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         point.normal = surface.normal;
         point.position = x - surface.distance * surface.normal;
         point.distance = surface.distance;
-        point.half_width = half;
         point.touching = point.gap < half;
         point.block = b;
         point.lane = l;

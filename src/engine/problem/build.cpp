@@ -6,6 +6,7 @@
 #include "problem/heads.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/motions.hpp"
+#include "problem/names.hpp"
 #include "problem/stages.hpp"
 #include "problem/symmetry.hpp"
 
@@ -262,8 +263,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   }
   for (const auto& [name, s] : c.traction) {
     model.tractions.push_back({name, s.ramp, {}});
-    for (const StageSettings& stage : c.stage)
-      model.tractions.back().acts.push_back(s.stages.empty() || std::find(s.stages.begin(), s.stages.end(), stage.name) != s.stages.end());
+    for (const StageSettings& stage : c.stage) model.tractions.back().acts.push_back(acts_in(s.stages, stage.name));
   }
   model.update_stress_first = !c.contact.empty() && rules_of(c.contact.front().second.scheme).stress_first;
   model.stages = c.stage;

@@ -501,7 +501,7 @@ SupportSets support_sets(const Case& c)
   for (const StageSettings& stage : c.stage) {
     std::vector<SupportRole> roles;
     for (const auto& [name, support] : c.support) {
-      const bool acts = support.stages.empty() || among(stage.name, support.stages);
+      const bool acts = acts_in(support.stages, stage.name);
       const bool absorbs = support.absorbs && stage.kind != StageKind::geostatic;
       roles.push_back(!acts ? SupportRole::none : absorbs ? SupportRole::absorbs : SupportRole::holds);
     }

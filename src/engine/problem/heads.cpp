@@ -16,10 +16,8 @@ namespace {
 /// Whether there is a stage in which both supports act.
 bool act_together(const Case& c, const boundary::SupportSettings& a, const boundary::SupportSettings& b)
 {
-  const auto acts = [](const boundary::SupportSettings& support, const std::string& stage) {
-    return support.stages.empty() || among(stage, support.stages);
-  };
-  return std::any_of(c.stage.begin(), c.stage.end(), [&](const StageSettings& s) { return acts(a, s.name) && acts(b, s.name); });
+  return std::any_of(c.stage.begin(), c.stage.end(),
+                     [&](const StageSettings& s) { return acts_in(a.stages, s.name) && acts_in(b.stages, s.name); });
 }
 
 }  // namespace
@@ -42,7 +40,7 @@ void check_heads(Describe& d, const Case& c)
                       "stages",
                       other_name));
     for (std::size_t k = 0; k < c.stage.size(); ++k) {
-      const bool acts = support.stages.empty() || among(c.stage[k].name, support.stages);
+      const bool acts = acts_in(support.stages, c.stage[k].name);
       d.check(
           !acts || !c.stage[k].until.consolidation || *support.head == 0, fmt::format("stage[{}].until.consolidation", k),
           fmt::format("the head of [support.{}] leaves an excess pressure for good, so that no degree of consolidation is reached: end the "
@@ -92,7 +90,7 @@ void add_heads(const Case& c, Model<dim>& model)
     head.name = name;
     head.pressure = material::unit_weight_of_water * *support.head;
     head.ramp = support.ramp;
-    for (const StageSettings& stage : c.stage) head.acts.push_back(support.stages.empty() || among(stage.name, support.stages));
+    for (const StageSettings& stage : c.stage) head.acts.push_back(acts_in(support.stages, stage.name));
     for (const auto& [other_name, other] : c.support) {
       if (&other == &support) break;
       if (!other.head || *other.head == 0 || other.boundary == support.boundary || !act_together(c, support, other)) continue;

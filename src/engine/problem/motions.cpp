@@ -11,11 +11,6 @@
 namespace berm::problem {
 namespace {
 
-bool acts_in(const boundary::SupportSettings& support, const std::string& stage)
-{
-  return support.stages.empty() || among(stage, support.stages);
-}
-
 /// Whether two supports move the same boundary along an axis in some stage.
 bool collide(const boundary::SupportSettings& a, const boundary::SupportSettings& b)
 {
@@ -40,7 +35,7 @@ void check_stages_of(Describe& d, const Case& c, const std::string& key, const b
         stage->kind != StageKind::sweep, key,
         fmt::format("\"{}\" is a sweep, several drags, and the motion would begin anew with each: write the drags as stages of their own",
                     name));
-    d.check(acts_in(support, name), key, fmt::format("the support does not act in \"{}\": add it to its stages", name));
+    d.check(acts_in(support.stages, name), key, fmt::format("the support does not act in \"{}\": add it to its stages", name));
   }
 }
 

@@ -24,6 +24,12 @@ inline bool among(const std::string& word, const std::vector<std::string>& words
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// Whether what names these stages acts in a stage: none named are all.
+inline bool acts_in(const std::vector<std::string>& stages, const std::string& stage)
+{
+  return stages.empty() || among(stage, stages);
+}
+
 /// Refuses the name of a table that there is not.
 inline void check_name(Describe& d, const std::string& path, const std::string& word, const char* table,
                        const std::vector<std::string>& known)

@@ -155,6 +155,21 @@ TEST(QuadraticMesh, holds_corners_and_middles_of_supported_sides)
   EXPECT_EQ(held(1, 0.5), 0);
 }
 
+TEST(QuadraticMesh, gives_a_corner_between_two_boundaries_the_head_of_the_first)
+{
+  HalfFilledBox box;
+  box.c.support = {{"a", {"left", {"x"}}}, {"b", {"bottom", {"x", "y"}}}};
+  for (auto& entry : box.c.support) entry.second.head = 1;
+  const QuadraticMesh mesh = box.make();
+  ASSERT_EQ(mesh.head_nodes.size(), 2u);
+  const auto has = [&](std::size_t head, Real x, Real y) {
+    return std::count(mesh.head_nodes[head].begin(), mesh.head_nodes[head].end(), node_at(mesh, x, y));
+  };
+  EXPECT_EQ(has(0, 0, 0), 1);
+  EXPECT_EQ(has(1, 0, 0), 0);
+  EXPECT_EQ(has(1, 1, 0), 1);
+}
+
 TEST(QuadraticMesh, does_not_hold_the_middle_between_two_supports)
 {
   HalfFilledBox box;

@@ -2,28 +2,14 @@
 // Fills, excavations, boundaries that absorb, pressures that grow and real times that make no sense.
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "samples/wrong_inputs.hpp"
+#include "samples/refusal.hpp"
 
 #include <gtest/gtest.h>
 
 namespace berm::input::this_file {
 namespace {
 
-problem::Case case_with(const std::vector<std::string>& keys)
-{
-  return read_case_text("case.toml", std::string(test::good_case), keys);
-}
-
-/// The message that refuses the good case with these keys.
-std::string refusal_with(const std::vector<std::string>& keys)
-{
-  try {
-    case_with(keys);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::refusal_with;
 
 #define EXPECT_GROUND_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 

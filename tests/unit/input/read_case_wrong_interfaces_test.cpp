@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "samples/wrong_inputs.hpp"
+#include "samples/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +13,7 @@ std::string refusal(std::vector<std::string> keys)
 {
   for (std::string& key : keys) key = "contact.pipe_on_bed." + key;
   keys.insert(keys.begin(), "contact.pipe_on_bed.scheme=musl_coupled");
-  try {
-    read_case_text("case.toml", std::string(test::good_case), keys);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_with(keys);
 }
 
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)

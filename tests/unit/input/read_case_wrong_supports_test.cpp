@@ -2,24 +2,15 @@
 // Motions and heads of supports, and K0 by the stress history, that make no sense; and files of motions.
 #include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "samples/refusal.hpp"
 #include "samples/temporary_folder.hpp"
-#include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>
 
 namespace berm::input::this_file {
 namespace {
 
-/// The message that refuses the good case with these keys.
-std::string refusal_with(const std::vector<std::string>& keys)
-{
-  try {
-    read_case_text("case.toml", std::string(test::good_case), keys);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::refusal_with;
 
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 

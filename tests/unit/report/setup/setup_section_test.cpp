@@ -25,6 +25,20 @@ TEST(model_table, water_that_flows_is_told_with_its_permeability_and_where_it_is
   EXPECT_FALSE(contains(compact_table({sample_record(sample_case(), "a")}).html(), "water"));
 }
 
+TEST(model_table, supports_that_move_and_water_outside_are_told)
+{
+  problem::Case c = sample_case_in_water();
+  boundary::SupportSettings& base = c.support.front().second;
+  base.motion.emplace();
+  base.motion->stages = {c.stage.back().name};
+  base.motion->velocity[0] = {0, 1};
+  base.head = 0.5;
+  const std::string html = compact_table({sample_record(c, "a")}).html();
+  for (const std::string& words :
+       {"moves along x in " + c.stage.back().name, std::string("head of the water outside"), std::string("above the still sea")})
+    EXPECT_TRUE(contains(html, words.c_str())) << words;
+}
+
 TEST(parameters, every_key_of_the_resolved_case_is_there_once)
 {
   const problem::Case c = sample_case();
