@@ -20,7 +20,8 @@ struct ContactPoint {
   Vec<dim> position = Vec<dim>::Zero();  ///< on the rigid surface, nearest to the body
   Real gap = 0;                          ///< m between the two; at most 0 where they touch
   Real distance = 0;                     ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
-  bool touching = false;                 ///< the gap is less than half a particle's width
+  Real half_width = 0;                   ///< m, half the width of the particle that the point is
+  bool touching = false;                 ///< the gap of a whole rim is less than half a particle's width
   Real area = 0;                         ///< m2 (per metre run: m), share of the body's surface; 0 where it is not needed
   int face = 0;                          ///< of the rigid body, where each has its own points (ContactPoints::faces)
   Index block = none;                    ///< of the particle that the point is, among those of its body on this rank, and
@@ -77,11 +78,11 @@ struct ContactPoints {
   bodies::Pose<dim> listed = bodies::Pose<dim>::nowhere();  ///< of the rigid body, that near_cells is of
   Real reach = 0;                                           ///< m, the smallest height of all cells; 0 before the first step
   struct CellContact {
-    Real gap = infinity, distance = infinity, half_width = 0;
-    Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the smallest gap
-    bool cut = false;                    ///< the rigid body intersects the cell
-    Index points = 0;                    ///< particles whose gap is less than their width
-    Index first_point = 0;               ///< in list, where points are particles
+    Real gap = infinity, distance = infinity, half_width = 0;  ///< the gap of whole rims
+    Vec<dim> normal = Vec<dim>::Zero();                        ///< at the particle with the smallest gap
+    bool cut = false;                                          ///< the rigid body intersects the cell
+    Index points = 0;                                          ///< particles whose gap is less than their width
+    Index first_point = 0;                                     ///< in list, where points are particles
   };
   std::vector<CellContact> cells;  ///< of near_cells
 

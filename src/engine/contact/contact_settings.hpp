@@ -51,6 +51,12 @@ enum class Detection {
   particle    ///< particles at the surface of a rigid body instead of nodes, with the rule for the gap
 };
 
+/// Where the rim of a particle is, at which it touches a rigid body.
+enum class ParticleRim {
+  whole,  ///< half its width from its centre
+  worn    ///< there while its soil lies as it was placed, and nearer to the centre as that is sheared
+};
+
 /// What a contact is beside one of the soils of a body.
 struct SoilInterfaceSettings {
   std::string material;
@@ -74,6 +80,7 @@ struct ContactSettings {
   Real gap_closing_steps = 20;              ///< T/dt: a gap closes over this many steps
   bool drained = false;                     ///< the water of consolidating soil crosses the surface of the rigid body
   std::vector<SoilInterfaceSettings> soil;  ///< beside materials of the body that differ from the rest
+  ParticleRim particle_rim = ParticleRim::whole;
 };
 
 void describe(Describe& d, SoilInterfaceSettings& soil);

@@ -110,10 +110,10 @@ bool is_near(Real distance, Real section)
   return part <= 0 || (dim == 2 ? part * part : part * part * part) < section;
 }
 
-/// The particles whose gap is less than their width.
+/// The particles whose rims are nearer than their width.
 template <int dim>
 void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
-                    ContactPoints<dim>& found)
+                    ParticleRim rim, ContactPoints<dim>& found)
 {
   found.strip_begin.clear();
   Index count = 0, begin = 0;
@@ -138,14 +138,15 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         const Real half = half_width<dim>(section);
         ContactPoint<dim>& point = found.list[at++];
         point = {};
-        point.gap = surface.distance - half;
+        point.gap = surface.distance - (rim == ParticleRim::whole ? half : half * part_of_rim(p.deviatoric_strain[l]));
+        point.half_width = half;
         point.nodes = mesh.nodes[cell];
         for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
         point.node_count = dim + 1;
         point.normal = surface.normal;
         point.position = x - surface.distance * surface.normal;
         point.distance = surface.distance;
-        point.touching = point.gap < half;
+        point.touching = surface.distance - half < half;
         point.block = b;
         point.lane = l;
       }
@@ -173,7 +174,8 @@ void share_particles(ContactPoints<dim>& found)
 
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
-            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, NodeField<Real>& mass, ContactPoints<dim>& found)
+            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, ParticleRim rim, NodeField<Real>& mass,
+            ContactPoints<dim>& found)
 {
   const bodies::RigidShape<dim> shape = placed(rigid, pose);
   find_near_cells(mesh, rigid, pose, listed, detection, found);
@@ -204,7 +206,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
   found.nearest_particle = infinity;
   for (const auto& cell : found.cells) found.nearest_particle = std::min(found.nearest_particle, cell.distance);
   if (detection == Detection::particle) {
-    list_particles(mesh, particles, shape, found);
+    list_particles(mesh, particles, shape, rim, found);
     share_particles(found);
     return;
   }
@@ -216,7 +218,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::RigidBody<dim>&, const bodies::Pose<dim>&,     \
-                       bodies::Pose<dim>&, Detection, NodeField<Real>&, ContactPoints<dim>&);
+                       bodies::Pose<dim>&, Detection, ParticleRim, NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -15,15 +15,23 @@ Real half_width(Real section)
   return 0.5 * (dim == 2 ? std::sqrt(section) : std::cbrt(section));
 }
 
+/// Distance of the rim of a particle from its centre over half its width, where rims wear. The strain is the deviatoric one summed over all steps, 0 as it was placed. What is left in the end keeps
+/// particles out of the body, and in a mesh that ends at its surface.
+inline Real part_of_rim(Real strain)
+{
+  constexpr Real wearing_strain = 0.1, left = 0.05;
+  return left + (1 - left) * std::exp(-strain / wearing_strain);
+}
+
 /// Detects contact of a body with a rigid one.
 ///
 /// Detection::gap: the nodes of cells with particles near the surface, each with the smallest gap of the particles in its
 /// cells. Detection::distance: those of them whose gap is closed. Detection::overlap: each node of a cell that the rigid
-/// body intersects, with gap 0. Detection::particle: the particles whose gap is less than their width. Nodes without mass
+/// body intersects, with gap 0. Detection::particle: the particles whose rims, as whole ones, are nearer than their width, each with the gap of its rim. Nodes without mass
 /// are left out. Where cells are divided among ranks, each of them finds all points; it gets the masses of nodes near the surface for that. `listed` is the pose of the rigid body when the cells near it were last listed.
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
-            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, NodeField<Real>& mass,
+            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, ParticleRim rim, NodeField<Real>& mass,
             ContactPoints<dim>& found);
 
 /// One of two deformable bodies: its particles and its nodal masses.

@@ -242,7 +242,7 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
     contact::ContactPoints<dim>& points = workspace.contact_points[k];
     if (contact.rigid != none) {
       detect<dim>(model.mesh, state.particles[contact.body], model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid],
-                  state.listed_poses[contact.rigid], contact.detection, grid.mass, points);
+                  state.listed_poses[contact.rigid], contact.detection, contact.particle_rim, grid.mass, points);
     } else {
       const BodyGrid<dim>& other = workspace.grids[contact.other_body];
       const BorrowedParticles<dim> borrowed(model.mesh, state.particles, workspace.grids, contact.body, contact.other_body);

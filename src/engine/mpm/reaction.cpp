@@ -91,7 +91,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
 template <int dim>
 Real half_extent(const mesh::Mesh<dim>& mesh, const contact::ContactPoint<dim>& point)
 {
-  if (point.node_count > 1) return point.distance - point.gap;
+  if (point.node_count > 1) return point.half_width;
   Real around = 0;
   for (Index e = mesh.first_entry[point.nodes[0]]; e < mesh.first_entry[point.nodes[0] + 1]; ++e)
     around += mesh.section(mesh.entries[e] / (dim + 1));

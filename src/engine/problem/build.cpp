@@ -258,8 +258,8 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     model.contacts.push_back({name, body, index_of(c.rigid, s.rigid), index_of(c.body, s.other_body), std::tan(friction), s.adhesion,
                               s.scheme, s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps, s.tension,
                               adhesion_law(s, model.bodies[body].soil), memory_of(c, static_cast<Index>(model.contacts.size())),
-                              friction > 0 && !s.drained ? pore_pressure_place(model.bodies[body].soil.materials.front()) : none,
-                              s.drained});
+                              friction > 0 && !s.drained ? pore_pressure_place(model.bodies[body].soil.materials.front()) : none, s.drained,
+                              s.particle_rim});
   }
   for (const auto& [name, s] : c.traction) {
     model.tractions.push_back({name, s.ramp, {}});

@@ -2,6 +2,7 @@
 #include "problem/interface.hpp"
 
 #include "contact/detect.hpp"
+#include "material/linear_elastic.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 #include "problem/names.hpp"
@@ -111,6 +112,7 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   needs_particles(contact.adhesion_factor > 0, ".adhesion_factor");
   needs_particles(softens(contact), ".adhesion_sensitivity");
   needs_particles(!contact.soil.empty(), ".soil");
+  needs_particles(contact.particle_rim == contact::ParticleRim::worn, ".particle_rim");
   d.check(contact.adhesion_factor == 0 || contact.adhesion == 0, path + ".adhesion_factor",
           "does not go with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
   d.check(!softens(contact) || contact.adhesion > 0 || contact.adhesion_factor > 0, path + ".adhesion_sensitivity",
@@ -120,6 +122,9 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   const Index body = index_of(c.body, contact.body);
   if (body == none || index_of(c.material, c.body[body].second.material) == none) return;
   const BodySoil soil = soil_of(c, c.body[body].second);
+  d.check(contact.particle_rim == contact::ParticleRim::whole || soil.materials.front().get_if<material::LinearElastic>() == nullptr,
+          path + ".particle_rim", fmt::format("[body.{}] is elastic and does not flow: its particles keep their rims", contact.body),
+          {"whole"});
   for (std::size_t k = 0; k < soil.materials.size(); ++k) {
     const auto beside =
         std::find_if(contact.soil.begin(), contact.soil.end(), [&](const auto& own) { return own.material == soil.names[k]; });

@@ -48,6 +48,7 @@ struct Contact {
   InterfaceMemory memory = {};  ///< of the particles
   int pore_pressure = none;  ///< place of the excess pore pressure, which friction does not feel, among the numbers of a particle; or none
   bool drained = false;      ///< water crosses the rigid body's surface: there is no excess pore pressure at it
+  contact::ParticleRim particle_rim = contact::ParticleRim::whole;
 
   /// Whether points need their share of the surface.
   bool needs_areas() const { return adhesion > 0 || adhesion_law.differs() || tension > 0 || pore_pressure != none; }

@@ -38,7 +38,7 @@ struct Bed {
   {
     bodies::Pose<dim> listed = bodies::Pose<dim>::nowhere();
     NodeField<Real> masses = mass;
-    detect<dim>(mesh, particles, rigid, {displacement, {}}, listed, detection, masses, result);
+    detect<dim>(mesh, particles, rigid, {displacement, {}}, listed, detection, ParticleRim::whole, masses, result);
   }
 
   Real min_height() const
@@ -281,6 +281,31 @@ TYPED_TEST(Detect, particle_lists_each_particle_whose_gap_is_less_than_its_width
   }
 }
 
+TYPED_TEST(Detect, rims_wear_as_the_soil_of_their_particles_is_sheared)
+{
+  constexpr int dim = TypeParam::value;
+  Bed<dim> bed;
+  const auto rigid = rigid_bodies<dim>().front();
+  bodies::Pose<dim> listed = bodies::Pose<dim>::nowhere();
+  NodeField<Real> masses = bed.mass;
+  ContactPoints<dim> whole, worn;
+  // Strains of 0, 0.05, 0.1 ... by number.
+  bed.particles.visit(
+      [&](Index, Index b, int l) { bed.particles.block(b).deviatoric_strain[l] = 0.05 * (bed.particles.block(b).id[l] % 9); });
+  detect(bed.mesh, bed.particles, rigid, {at<dim>(0.01, -0.05), {}}, listed, Detection::particle, ParticleRim::whole, masses, whole);
+  detect(bed.mesh, bed.particles, rigid, {at<dim>(0.01, -0.05), {}}, listed, Detection::particle, ParticleRim::worn, masses, worn);
+  ASSERT_EQ(worn.list.size(), whole.list.size());
+  ASSERT_GT(worn.list.size(), 9u);
+  for (std::size_t k = 0; k < worn.list.size(); ++k) {
+    const bodies::Particle<dim> p = bed.particles.read(worn.list[k].block, worn.list[k].lane);
+    const Real half = std::pow(p.volume, 1. / dim) / 2;
+    EXPECT_NEAR(worn.list[k].half_width, half, 1e-13);
+    EXPECT_NEAR(whole.list[k].gap, whole.list[k].distance - half, 1e-13);
+    EXPECT_NEAR(worn.list[k].gap, whole.list[k].distance - half * (0.05 + 0.95 * std::exp(-10 * p.deviatoric_strain)), 1e-13);
+    EXPECT_EQ(worn.list[k].touching, whole.list[k].touching);
+  }
+}
+
 TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_touches)
 {
   // The box stands 0.3 m deep in the bed. A node inside it, nearer to its wall than to its base, still gets the base's normal where its nearest
@@ -327,7 +352,7 @@ TEST(DetectInSpace, all_particles_near_a_solid_are_points_while_it_turns_and_mov
       pose.displacement += Vec<3>(0.002, -0.004, 0.001);
       pose.orientation.turn_by(Vec<3>(0.03, 0.05, -0.04));
       NodeField<Real> masses = bed.mass;
-      detect(bed.mesh, bed.particles, rigid, pose, last_listed, Detection::particle, masses, found);
+      detect(bed.mesh, bed.particles, rigid, pose, last_listed, Detection::particle, ParticleRim::whole, masses, found);
       const auto shape = placed(rigid, pose);
       Index near = 0;
       bed.particles.visit([&](Index, Index b, int l) {

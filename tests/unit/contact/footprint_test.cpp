@@ -39,7 +39,7 @@ struct Bed {
     rigid.shape = shape;
     bodies::Pose<2> listed = found.listed = bodies::Pose<2>::nowhere();
     NodeField<Real> mass(mesh.node_count(), 1);
-    detect<2>(mesh, particles, rigid, {}, listed, detection, mass, found);
+    detect<2>(mesh, particles, rigid, {}, listed, detection, ParticleRim::whole, mass, found);
     find_footprints(mesh, particles, shape, 0, found);
     return std::accumulate(found.footprints.begin(), found.footprints.end(), Real(0), [](Real sum, const auto& f) { return sum + f.area; });
   }

@@ -26,6 +26,16 @@ TEST(Interface, with_tension_needs_particles_and_the_coupled_scheme)
   EXPECT_SAYS(refusal({"tension=unlimited", "detection=gap"}), "contact.pipe_on_bed.detection: tension goes with \"particle\" only");
 }
 
+TEST(Interface, with_worn_rims_needs_particles_and_soil_that_flows)
+{
+  EXPECT_EQ(refusal({"particle_rim=worn"}), "");
+  EXPECT_SAYS(refusal({"particle_rim=worn", "detection=gap"}), "contact.pipe_on_bed.detection: particle_rim goes with \"particle\" only");
+  EXPECT_SAYS(refusal({"particle_rim=wron"}), "did you mean \"worn\"?");
+  EXPECT_SAYS(
+      test::refusal_with({"contact.pipe_on_bed.scheme=musl_coupled", "contact.pipe_on_bed.particle_rim=worn", "body.bed.material=rubber"}),
+      "contact.pipe_on_bed.particle_rim: [body.bed] is elastic and does not flow: its particles keep their rims");
+}
+
 TEST(Interface, between_deformable_bodies_has_no_tension)
 {
   std::string text(test::good_case);
