@@ -5,20 +5,28 @@ include(GNUInstallDirs)
 set(BERM_PRIVATE_LIBRARIES ${CMAKE_INSTALL_LIBDIR}/berm)
 file(RELATIVE_PATH from_program /${CMAKE_INSTALL_BINDIR} /${BERM_PRIVATE_LIBRARIES})
 
-# In the build folder: the libraries beside the program, wherever the folder was moved; of a copy of the program alone those that it was built with.
-set_target_properties(berm PROPERTIES BUILD_RPATH_USE_ORIGIN OFF BUILD_RPATH "$ORIGIN/lib;${CMAKE_BINARY_DIR}/lib" INSTALL_RPATH "$ORIGIN/${from_program}")
-set_target_properties(berm_library PROPERTIES OUTPUT_NAME berm VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN/berm")
+# Where the loader searches for the libraries of a target: `built` in the build folder, `installed` (not longer than that) in the file that is installed. CMake
+# makes room for a change on installing with an empty entry in the one that is built, which the loader takes for the current folder; so the change is made here.
+function(berm_search_path target component file built installed)
+  set_target_properties(${target} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "${built}" INSTALL_RPATH_USE_LINK_PATH ON)
+  install(CODE "file(RPATH_SET FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${file}\" NEW_RPATH [[${installed}]])" COMPONENT ${component})
+endfunction()
 
 install(TARGETS berm RUNTIME COMPONENT berm)
+# In the build folder: the libraries beside the program, wherever the folder was moved; of a copy of the program alone those that it was built with.
+berm_search_path(berm berm ${CMAKE_INSTALL_BINDIR}/berm "$ORIGIN/lib;${CMAKE_BINARY_DIR}/lib" "$ORIGIN/${from_program}")
 foreach(unit IN LISTS BERM_UNITS)
   berm_folder_of(${unit} ${BERM_PRIVATE_LIBRARIES} folder)
   install(TARGETS berm_engine_${unit} LIBRARY DESTINATION ${folder} COMPONENT berm)
+  berm_search_path(berm_engine_${unit} berm ${folder}/libberm_engine.so "" "")
 endforeach()
 if(TARGET berm_mpi)
-  set_target_properties(berm_mpi PROPERTIES INSTALL_RPATH "$ORIGIN")
   install(TARGETS berm_mpi LIBRARY DESTINATION ${BERM_PRIVATE_LIBRARIES} COMPONENT berm_mpi)
+  berm_search_path(berm_mpi berm_mpi ${BERM_PRIVATE_LIBRARIES}/libberm_mpi.so "$ORIGIN" "$ORIGIN")
 endif()
+set_target_properties(berm_library PROPERTIES OUTPUT_NAME berm VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 install(TARGETS berm_library LIBRARY COMPONENT libberm)
+berm_search_path(berm_library libberm ${CMAKE_INSTALL_LIBDIR}/libberm.so.${PROJECT_VERSION} "$ORIGIN/../lib" "$ORIGIN/berm")
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/berm TYPE INCLUDE COMPONENT libberm)
 
 # Manual pages and completion, by the program itself.
