@@ -3,13 +3,14 @@
 // open for writing, write, pwrite, writev, sendfile, fsync, fdatasync, ftruncate, close of what was open for writing, rename, mkdir. Environment:
 //   FAULT_IN      the name of the program that is meant; others, such as its children, run as ever
 //   FAULT_AT      N, from 1; 0: none fails, all are told
-//   FAULT_HOW     ENOSPC, EIO (this call), SHORT (a write takes half, all other calls pass), FULL (the same, and all that
-//                 follow fail with ENOSPC; so does this one where it is no write)
+//   FAULT_HOW     ENOSPC, EIO, EFBIG with its signal (this call), SHORT (a write takes half, all other calls pass), FULL (the same, and all that
+//                 follow fail with ENOSPC; so does this one where it is no write), KILL (the program is killed before it; unlink and rmdir count, too)
 //   FAULT_TOLD    a file that gets a line for each call that failed: its name and the path
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,7 +22,7 @@
 #include <unistd.h>
 
 static long at = -1, count = 0;
-static int reason = 0, full = 0, halves = 0;  // full: a disk that is full from then on
+static int reason = 0, full = 0, halves = 0, kills = 0;  // full: a disk that is full from then on
 
 __attribute__((constructor)) static void begin(void)
 {
@@ -30,7 +31,8 @@ __attribute__((constructor)) static void begin(void)
   at = atol(n);
   halves = strcmp(how, "SHORT") == 0;
   full = strcmp(how, "FULL") == 0;
-  reason = strcmp(how, "EIO") == 0 ? EIO : ENOSPC;
+  kills = strcmp(how, "KILL") == 0;
+  reason = strcmp(how, "EIO") == 0 ? EIO : strcmp(how, "EFBIG") == 0 ? EFBIG : ENOSPC;
 }
 
 static void tell(const char* call, const char* path)
@@ -52,6 +54,8 @@ static int fails(const char* call, const char* path)
   if (at == 0) tell(call, path);
   if (at == 0 || n < at || (n > at && !full) || (halves && !full)) return 0;
   tell(call, path);
+  if (kills) raise(SIGKILL);
+  if (reason == EFBIG) raise(SIGXFSZ);
   errno = reason;
   return 1;
 }
@@ -142,6 +146,24 @@ int rename(const char* from, const char* to)
 int mkdir(const char* path, mode_t mode)
 {
   return fails("mkdir", path) ? -1 : REAL(mkdir)(path, mode);
+}
+
+int unlink(const char* path)
+{
+  if (kills) fails("unlink", path);
+  return REAL(unlink)(path);
+}
+
+int unlinkat(int folder, const char* path, int flags)
+{
+  if (kills) fails("unlink", path);
+  return REAL(unlinkat)(folder, path, flags);
+}
+
+int rmdir(const char* path)
+{
+  if (kills) fails("rmdir", path);
+  return REAL(rmdir)(path);
 }
 
 // The descriptor is gone even where close() reports an error.

@@ -102,7 +102,8 @@ def check_order(calls):
             on_disk.discard(path)
         elif name == "rename":
             folder, file = os.path.split(path)
-            expect(path + ".part" in on_disk, f"{path}: gets its name before it is on the disk")
+            given = {start.replace("/start.part/", "/"): start for start in named if "/start.part/" in start}
+            expect(path + ".part" in on_disk or path in given, f"{path}: gets its name before it is on the disk")
             if file == "summary.json":
                 expect(os.path.join(folder, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
             if file.endswith(".h5"):
@@ -112,9 +113,10 @@ def check_order(calls):
                 expect(os.path.join(run, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
             if file.endswith(".h5") or file == "summary.json":
                 expect(list(following) == ["fsync", folder], f"{path}: its name is not forced to the disk")
-            if file == "case_file.txt":  # from here on the run can be resumed
-                for given in ("resolved.toml", "case.toml", "origin.json"):
-                    expect(os.path.join(os.path.dirname(folder), given) in named, f"{path}: gets its name before {given}")
+            if file == "resolved.toml" and path in given:  # from here on the run can be resumed
+                for other in ("case.toml", "origin.json", "checkpoint/case_file.txt"):
+                    expect(os.path.join(folder, other) in given, f"{path}: gets its name before {other}")
+                expect(not any("start.part" in names for names in new_names), f"{path}: gets its name before those of what the run is given are on the disk")
             new_names.add(folder)
             named.add(path)
 
@@ -144,16 +146,12 @@ def results(folder):
 
 def has_begun(folder):
     """Whether a run can be resumed; before, it is begun anew."""
-    return has_note(folder) or is_complete(folder)
-
-
-def has_note(folder):
-    return os.path.exists(os.path.join(folder, "checkpoint", "case_file.txt"))
+    return os.path.exists(os.path.join(folder, "resolved.toml"))
 
 
 def is_complete(folder):
     """Whether a run has left all its results; killed then, it leaves its lock, and checkpoints that it was about to remove."""
-    return os.path.exists(os.path.join(folder, "summary.json")) and not has_note(folder)
+    return os.path.exists(os.path.join(folder, "summary.json")) and not os.path.exists(os.path.join(folder, "checkpoint", "case_file.txt"))
 
 
 def has_half_a_checkpoint(folder):
@@ -179,4 +177,4 @@ def differences(folder, reference):
 
 def has_reason(text):
     """Whether a message names a file and why it failed."""
-    return re.search(r"/\S+.*(No space left on device|Input/output error)", text) is not None
+    return re.search(r"/\S+.*(No space left on device|Input/output error|File too large)", text) is not None

@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <fmt/format.h>
 #include <set>
 #include <unistd.h>
@@ -15,13 +16,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All that a run writes but its pictures of the soil. resolved.toml goes last: until then the folder is known as one of a run, so that an interrupted removal can be repeated.
+constexpr const char* resolved = "resolved.toml";
+
+/// The folder that is there while a run begins. Like resolved.toml it says whose folder this is, so that a removal that was cut short is repeated.
+fs::path start_in(const fs::path& run_folder)
+{
+  return io::part_of(run_folder / "start");
+}
+
+// All that a run writes but resolved.toml and its pictures of the soil.
 constexpr const char* own_files[] = {
     "history.csv",     "history.schema.json", "summary.json",       "origin.json",        "run.log",
     "case.toml",       "expected.toml",       "mesh.geo",           "mesh.msh",           "mesh.log",
     "ground.csv",      "report.html",         "report.pdf",         "curves.png",         "plots/curves.dat",
     "plots/curves.gp", "plots/band_V_w.dat",  "plots/band_H_u.dat", "plots/band_w_u.dat", "frames",
-    "uncertainty",     "checkpoint",          "claims.toml",        "resolved.toml"};  // claims.toml: of earlier versions
+    "uncertainty",     "checkpoint",          "claims.toml"};  // claims.toml: of earlier versions
 
 /// Removes the pictures of the soil with their scripts and data: soil, soil_increment, and one for each field that the method or the law has for itself.
 void remove_soil_pictures(const fs::path& folder)
@@ -39,12 +48,50 @@ void remove_soil_pictures(const fs::path& folder)
   for (const fs::path& file : own) fs::remove(file);
 }
 
-/// Whether anything is in the folder but what a run leaves that is ended by force as it begins: its lock, a part of its first file.
+/// Whether anything is in the folder but the lock of a run that was ended by force.
 bool holds_files(const fs::path& folder)
 {
-  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
-    return entry.path().filename() != io::FolderLock::file_name && entry.path().filename() != io::part_of("resolved.toml");
-  });
+  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [](const fs::directory_entry& entry) { return entry.path().filename() != io::FolderLock::file_name; });
+}
+
+/// resolved.toml goes first: what is left then is no run.
+void remove_run(const fs::path& folder)
+{
+  io::make_folder(start_in(folder));
+  fs::remove(folder / resolved);
+  remove_soil_pictures(folder);
+  for (const char* name : own_files) fs::remove_all(folder / name);
+  for (const fs::directory_entry& entry : fs::directory_iterator(start_in(folder))) fs::remove_all(entry.path());
+}
+
+void move(const fs::path& from, const fs::path& to)
+{
+  if (::rename(from.c_str(), to.c_str()) != 0) io::throw_errno(fmt::format("cannot write {}", to.string()));
+}
+
+/// Forces the names in a folder and in its inner ones to the disk.
+void sync_names(const fs::path& folder, const fs::path& as_in)
+{
+  for (const fs::directory_entry& entry : fs::directory_iterator(as_in))
+    if (entry.is_directory()) io::sync_file(folder / entry.path().filename());
+  io::sync_file(folder);
+}
+
+void move_start(const fs::path& folder)
+{
+  const fs::path start = start_in(folder);
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(start)) {
+    const fs::path to = folder / entry.path().lexically_relative(start);
+    if (entry.is_directory())
+      io::make_folder(to);
+    else
+      files.push_back(to);
+  }
+  for (const fs::path& file : files) move(start / file.lexically_relative(folder), file);
+  sync_names(folder, start);
+  fs::remove_all(start);
 }
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
@@ -60,14 +107,11 @@ RunFolder::RunFolder(const fs::path& path) : path_(path)
     if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "it is not a folder");
     fs::create_directories(path);
     if (::access(path.c_str(), W_OK | X_OK) != 0) io::throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
-    const bool of_a_run = fs::exists(path / "resolved.toml");
+    const bool of_a_run = fs::exists(path / resolved) || fs::exists(start_in(path));
     if (!of_a_run && holds_files(path))
       refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
     lock_ = std::make_unique<io::FolderLock>(path);
-    if (of_a_run) {
-      remove_soil_pictures(path);
-      for (const char* name : own_files) fs::remove_all(path / name);
-    }
+    if (of_a_run) remove_run(path);
   } catch (const fs::filesystem_error& error) {
     refuse(path, error.code().message());
   }
@@ -76,9 +120,33 @@ RunFolder::RunFolder(const fs::path& path) : path_(path)
 RunFolder RunFolder::of_earlier_run(const fs::path& path)
 {
   std::error_code error;
-  if (!fs::exists(path / "resolved.toml", error)) refuse(path, "it is not the folder of a run (there is no resolved.toml)");
+  if (!fs::exists(path / resolved, error)) refuse(path, "it is not the folder of a run (there is no resolved.toml)");
   if (::access(path.c_str(), W_OK | X_OK) != 0) io::throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
   return {path, AsItIs{}};
+}
+
+void RunFolder::begin(const std::function<void(const fs::path&)>& give) const
+{
+  const fs::path start = start_in(path_);
+  io::make_folder(start);
+  try {
+    give(start);
+    sync_names(start, start);
+    move(start / resolved, path_ / resolved);
+  } catch (...) {
+    std::error_code ignored;
+    if (!fs::exists(path_ / resolved, ignored)) fs::remove_all(start, ignored);
+    throw;
+  }
+  move_start(path_);
+}
+
+void finish_start(const fs::path& run_folder)
+{
+  std::error_code error;
+  if (!fs::exists(run_folder / resolved, error) || !fs::exists(start_in(run_folder), error)) return;
+  const io::FolderLock lock(run_folder);
+  move_start(run_folder);
 }
 
 fs::path RunFolder::subfolder(std::string_view name) const

@@ -3,13 +3,13 @@
 
 #include "io/folder_lock.hpp"
 
+#include <functional>
 #include <memory>
 #include <string_view>
 
 namespace berm::run_folder {
 
-/// The folder that a run writes into, and nobody else while this lives. It is known as one by its resolved.toml, which is therefore the first file that a
-/// run should write.
+/// The folder that a run writes into, and nobody else while this lives. Its resolved.toml says that it holds a run, which can be resumed.
 class RunFolder {
 public:
   /// Makes the folder and its parents. In the folder of an earlier run all that berm wrote is removed, and nothing else.
@@ -18,6 +18,10 @@ public:
   explicit RunFolder(const std::filesystem::path& path);
   /// The folder of a resumed run: nothing is removed. Throws RunError where it is not the folder of a run or cannot be written to.
   static RunFolder of_earlier_run(const std::filesystem::path& path);
+
+  /// Has give(FOLDER) make what the run is given, resolved.toml among it, in a folder inside, and moves it from there, resolved.toml first: before this the
+  /// folder holds no run, from there on one that has begun.
+  void begin(const std::function<void(const std::filesystem::path&)>& give) const;
 
   const std::filesystem::path& path() const { return path_; }
   /// The path of a file in the folder, "history.csv" or "frames/mesh.vtu".
@@ -32,5 +36,8 @@ private:
   std::filesystem::path path_;
   std::unique_ptr<io::FolderLock> lock_;
 };
+
+/// Moves what a process that was killed in begin() left of it. Throws RunError where another process writes into the folder.
+void finish_start(const std::filesystem::path& run_folder);
 
 }  // namespace berm::run_folder

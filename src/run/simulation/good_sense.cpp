@@ -41,11 +41,10 @@ Real free_disk(const fs::path& folder)
   return error || space.capacity == 0 ? infinity : static_cast<Real>(space.available);  // /proc has no size
 }
 
-void note_warnings(const run_folder::RunFolder& folder, const std::vector<std::string>& warnings)
+void note_warnings(const fs::path& run_folder, const std::vector<std::string>& warnings)
 {
   if (warnings.empty()) return;
-  folder.subfolder(checkpoints_in("").string());
-  io::write_atomically(warnings_in(folder.path()), fmt::format("{}\n", fmt::join(warnings, "\n")));
+  io::write_atomically(warnings_in(run_folder), fmt::format("{}\n", fmt::join(warnings, "\n")));
 }
 
 std::vector<std::string> noted_warnings(const fs::path& run_folder)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "run_folder/run_folder.hpp"
 #include "sanity/sanity.hpp"
 #include "simulation/simulate.hpp"
 
@@ -14,7 +13,7 @@ std::vector<std::string> warnings_of(const sanity::Scene& scene);
 Real free_disk(const std::filesystem::path& folder);
 
 /// Keeps the warnings in the run folder for a run that is resumed, and reads them there.
-void note_warnings(const run_folder::RunFolder& folder, const std::vector<std::string>& warnings);
+void note_warnings(const std::filesystem::path& run_folder, const std::vector<std::string>& warnings);
 std::vector<std::string> noted_warnings(const std::filesystem::path& run_folder);
 
 }  // namespace berm::simulation

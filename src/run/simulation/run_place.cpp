@@ -13,6 +13,7 @@
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/results.hpp"
+#include "simulation/run_of_ranks.hpp"
 #include "structures/structures.hpp"
 #include "user_law/load.hpp"
 
@@ -38,27 +39,35 @@ run_folder::FileHashes named_files(const RunRequest& request)
   return files;
 }
 
-/// A folder for a run from its start: what an earlier one left is removed.
-run_folder::RunFolder new_run_folder(const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings)
+/// The case file that the run in the folder is of, for summary.json of a resumed run.
+fs::path note_of_case(const fs::path& run_folder)
 {
-  run_folder::RunFolder folder(request.folder);
-  io::write_atomically(folder.file("resolved.toml"), input::resolved_toml(request.settings));
-  scratch.move_files_to(folder.path());
-  io::copy_atomically(request.case_file, folder.file("case.toml"));
+  return checkpoints_in(run_folder) / "case_file.txt";
+}
+
+/// Makes in a folder what a run is given.
+void give(const fs::path& folder, const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings)
+{
+  io::write_atomically(folder / "resolved.toml", input::resolved_toml(request.settings));
+  scratch.move_files_to(folder);
+  io::copy_atomically(request.case_file, folder / "case.toml");
   std::error_code error;
   if (const fs::path expected = request.case_file.parent_path() / "expected.toml"; fs::exists(expected, error))
-    io::copy_atomically(expected, folder.file("expected.toml"));
-  run_folder::note_origin(folder.path(), request.case_file.filename().string(), request.set, named_files(request));
+    io::copy_atomically(expected, folder / "expected.toml");
+  run_folder::note_origin(folder, request.case_file.filename().string(), request.set, named_files(request));
+  io::make_folder(checkpoints_in(folder));
   note_warnings(folder, warnings);
-  note_case_file(folder, request.case_file);
-  return folder;
+  io::write_atomically(note_of_case(folder), fs::absolute(request.case_file).string());
 }
 
 /// That of ranks whose messages nobody sees is not the one of the request.
 run_folder::RunFolder folder_of(const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings)
 {
   if (!Ranks::of_run().is_first()) return run_folder::RunFolder(scratch.path() / "run");
-  return request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch, warnings);
+  if (request.resume) return run_folder::RunFolder::of_earlier_run(request.folder);
+  run_folder::RunFolder folder(request.folder);
+  folder.begin([&](const fs::path& start) { give(start, request, scratch, warnings); });
+  return folder;
 }
 
 }  // namespace
@@ -99,11 +108,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path note_of_case(const fs::path& run_folder)
-{
-  return checkpoints_in(run_folder) / "case_file.txt";
-}
-
 bool is_finished(const fs::path& folder)
 {
   try {
@@ -117,19 +121,14 @@ bool is_finished(const fs::path& folder)
 
 }  // namespace
 
-void note_case_file(const run_folder::RunFolder& folder, const fs::path& case_file)
-{
-  folder.subfolder(checkpoints_in("").string());
-  io::write_atomically(note_of_case(folder.path()), fs::absolute(case_file).string());
-}
-
 std::optional<RunRequest> run_to_resume(const fs::path& folder)
 {
   const auto must_hold = [&](const fs::path& file) {
     if (std::error_code error; !fs::exists(file, error))
-      throw InputError(fmt::format("--resume: {} is not the folder of a run that has begun: there is no {}", folder.string(),
-                                   file.lexically_relative(folder).string()));
+      throw InputError(fmt::format("--resume: {0} is not the folder of a run that has begun: there is no {1}; begin it with berm run CASE -o {0}",
+                                   folder.string(), file.lexically_relative(folder).string()));
   };
+  on_first_rank([&] { run_folder::finish_start(folder); });
   for (const char* name : {"resolved.toml", "case.toml"}) must_hold(folder / name);
   // A finished run removes its checkpoints last of all.
   if (!fs::exists(note_of_case(folder)) && is_finished(folder)) return std::nullopt;

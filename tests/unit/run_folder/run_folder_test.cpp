@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "samples/program.hpp"
 #include "samples/run_to_write.hpp"
 
 #include <csignal>
@@ -64,9 +65,47 @@ TEST(RunFolder, a_folder_of_something_else_is_refused_and_left_alone)
 TEST(RunFolder, of_a_run_that_was_killed_as_it_began_is_taken)
 {
   const TemporaryFolder base;
-  put(base.path() / "resolved.toml.part", "[me");
+  fs::create_directories(base.path() / "start.part/checkpoint");
+  put(base.path() / "start.part/resolved.toml.part", "[me");
+  put(base.path() / "start.part/checkpoint/case_file.txt", "of another case");
   put(base.path() / io::FolderLock::file_name, "");
-  EXPECT_EQ(refusal(base.path()), "");
+  const RunFolder folder(base.path());
+  EXPECT_TRUE(fs::is_empty(base.path() / "start.part"));
+}
+
+/// What a run is given.
+const std::vector<std::string> given = {"resolved.toml", "case.toml", "checkpoint/case_file.txt"};
+
+void give(const fs::path& folder)
+{
+  fs::create_directories(folder / "checkpoint");
+  for (const std::string& name : given) put(folder / name, name);
+}
+
+TEST(RunFolder, holds_all_that_a_run_is_given_or_nothing)
+{
+  const TemporaryFolder base;
+  const RunFolder folder(base.path());
+  EXPECT_THROW(folder.begin([](const fs::path& start) {
+    give(start);
+    throw RunError("no more");
+  }),
+               RunError);
+  EXPECT_EQ(names_in(base.path()), std::vector<std::string>{"lock"});
+  folder.begin(give);
+  EXPECT_EQ(names_in(base.path()), (std::vector<std::string>{"case.toml", "checkpoint/", "lock", "resolved.toml"}));
+}
+
+TEST(RunFolder, gets_the_rest_of_what_a_run_was_given_that_was_killed_once_it_had_begun)
+{
+  const TemporaryFolder base;
+  give(base.path() / "start.part");
+  finish_start(base.path());  // not begun yet
+  EXPECT_EQ(names_in(base.path()), std::vector<std::string>{"start.part/"});
+  fs::rename(base.path() / "start.part/resolved.toml", base.path() / "resolved.toml");
+  finish_start(base.path());
+  for (const std::string& name : given) EXPECT_EQ(content_of(base.path() / name), name);
+  EXPECT_FALSE(fs::exists(base.path() / "start.part"));
 }
 
 TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
