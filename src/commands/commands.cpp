@@ -8,6 +8,7 @@
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
 #include "io/revision.hpp"
+#include "io/tell.hpp"
 #include "simulation/run_of_ranks.hpp"
 
 #include <algorithm>
@@ -104,7 +105,7 @@ int run_commands(int argc, char** argv)
 {
   std::string why;
   const int status = status_of_command(argc, argv, why);
-  if (!why.empty()) fmt::print(stderr, "berm: {}\n", why);
+  if (!why.empty()) io::tell("berm: {}\n", why);
   return simulation::leave_ranks(status, why);
 }
 

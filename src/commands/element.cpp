@@ -3,6 +3,7 @@
 #include "commands/command.hpp"
 #include "core/error.hpp"
 #include "element/element_report.hpp"
+#include "io/tell.hpp"
 #include "user_law/load.hpp"
 
 #include <chrono>
@@ -58,7 +59,7 @@ void run_element_tests(const ElementRequest& request)
   results.wall_s = std::chrono::duration<Real>(std::chrono::steady_clock::now() - begin).count();
   element::write_results(results, request.folder);
   fmt::print("{}", element::words_of_results(results.records));
-  fmt::print(stderr, "the page is {}\n", (request.folder / "element.html").string());
+  io::tell("the page is {}\n", (request.folder / "element.html").string());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/interrupt.hpp"
 #include "core/ranks.hpp"
 #include "io/folder_lock.hpp"
+#include "io/tell.hpp"
 #include "jobs/outcome.hpp"
 #include "run_folder/summary_file.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -93,7 +94,7 @@ Outcome judged(Outcome outcome, const std::vector<std::filesystem::path>& folder
     const std::optional<run_folder::RunSummary> summary = Ranks::of_run().is_first() ? run_folder::read_summary(folder) : std::nullopt;
     if (!summary || summary->spoiled.empty()) continue;
     spoiled = true;
-    fmt::print(stderr, "berm: {}: the answer is spoiled: {}\n", folder.string(), base::spoiled_words(summary->spoiled));
+    io::tell("berm: {}: the answer is spoiled: {}\n", folder.string(), base::spoiled_words(summary->spoiled));
   }
   return simulation::ends_on_any_rank_with(spoiled) ? Outcome::failed : Outcome::done;
 }

@@ -3,6 +3,7 @@
 #include "commands/side_by_side.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "jobs/jobs.hpp"
 #include "simulation/run_place.hpp"
 
@@ -32,7 +33,7 @@ jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& reques
   for (const simulation::RunRequest& request : requests) {
     const jobs::Job job{request.case_file, options.overrides, request.folder, nan, options.uncertainty && !local};
     if (!local && !options.force && has_result(job)) {
-      fmt::print(stderr, "{} has its result already and is not run again\n", request.folder.string());
+      io::tell("{} has its result already and is not run again\n", request.folder.string());
       print_results(request);
       continue;
     }
@@ -44,15 +45,15 @@ jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& reques
     const simulation::RunRequest& request = of_job[job];
     outcome = worse(outcome, jobs::outcome_of(end.kind));
     if (end.kind == jobs::JobEnd::Kind::queued) {
-      fmt::print(stderr, "{}: queued; the same command collects it\n", request.case_file.string());
+      io::tell("{}: queued; the same command collects it\n", request.case_file.string());
       return;
     }
-    fmt::print(stderr, "{}", io::read_text_file(request.folder / "run.log"));
+    io::tell("{}", io::read_text_file(request.folder / "run.log"));
     if (end.kind == jobs::JobEnd::Kind::finished)
       print_results(request);
     else
-      fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),
-                 end.kind == jobs::JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
+      io::tell("berm: {}: {}\n", request.case_file.string(),
+               end.kind == jobs::JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
   });
   return outcome;
 }

@@ -26,12 +26,12 @@ struct TomlStumbled {};
 #include <toml++/toml.h>
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "input/document.hpp"
 #include "input/message_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace berm::input {
 namespace {
@@ -165,16 +165,8 @@ int line_of_syntax_error(const std::string& text)
 
 Document parse_file(const std::filesystem::path& file)
 {
-  std::error_code problem;
-  const auto refuse_file = [&](const char* why) { throw InputError(one_line(fmt::format("{}: {}", file.string(), why))); };
-  if (!std::filesystem::exists(file, problem)) refuse_file("there is no such file");
-  if (std::filesystem::is_directory(file, problem)) refuse_file("is a folder; expected a TOML file, such as case.toml");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse_file("cannot be opened");
-  std::string text(max_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) refuse_file("cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  const auto [text, fault] = read_file(file, max_bytes);
+  if (!fault.empty()) throw InputError(one_line(fmt::format("{}: {}", file.string(), fault)));
   return parse_text(file.string(), text);
 }
 

@@ -10,7 +10,7 @@
 #include <cctype>
 #include <charconv>
 #include <fmt/format.h>
-#include <fstream>
+#include <sstream>
 
 namespace berm::input {
 namespace {
@@ -103,8 +103,9 @@ std::string unit_in_header(const char* unit)
 /// Reads one file.
 class TableFile {
 public:
-  TableFile(const std::filesystem::path& file, const TableForm& form, const TakeRow& take_row)
+  TableFile(const std::filesystem::path& file, const std::string& text, const TableForm& form, const TakeRow& take_row)
       : file_(file.string()),
+        text_(text),
         form_(form),
         take_row_(take_row)
   {
@@ -112,7 +113,7 @@ public:
 
   void read()
   {
-    std::ifstream lines(file_);
+    std::istringstream lines(text_);
     std::string line;
     for (number_ = 1; std::getline(lines, line); ++number_) {
       constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -248,6 +249,7 @@ private:
   }
 
   std::string file_;
+  const std::string& text_;
   const TableForm& form_;
   const TakeRow& take_row_;
   std::vector<std::string> headers_;  ///< as they are written; empty where the file has none
@@ -260,9 +262,9 @@ private:
 
 }  // namespace
 
-void read_table(const std::filesystem::path& file, const TableForm& form, const TakeRow& take_row)
+void read_table(const std::filesystem::path& file, const std::string& text, const TableForm& form, const TakeRow& take_row)
 {
-  TableFile(file, form, take_row).read();
+  TableFile(file, text, form, take_row).read();
 }
 
 }  // namespace berm::input

@@ -26,10 +26,10 @@ struct TableForm {
 /// Takes the next row: its time, s, the places in TableForm::columns of its columns (none: of factors), and their values, SI. Gives what is wrong with it, or "".
 using TakeRow = std::function<std::string(Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values)>;
 
-/// Reads a CSV file of numbers over time. Lines that begin with # do not count. Of a file of factors the others are two numbers with a comma between them, time in s
+/// Reads the text of a CSV file of numbers over time. Lines that begin with # do not count. Of a file of factors the others are two numbers with a comma between them, time in s
 /// and factor, under a first line of words or none. Of columns the first line names them, each with its unit as in history.csv: time_s,H_N_m,V_kN_m (N_m stands for
 /// N/m, Nm_m for N m/m). Where the first line that counts has semicolons, they stand for commas. There are two rows of numbers at least. Throws InputError with file
 /// and line where it is wrong.
-void read_table(const std::filesystem::path& file, const TableForm& form, const TakeRow& take_row);
+void read_table(const std::filesystem::path& file, const std::string& text, const TableForm& form, const TakeRow& take_row);
 
 }  // namespace berm::input

@@ -2,6 +2,7 @@
 #include "user_law/library.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 
 #include <algorithm>
 #include <cfenv>
@@ -10,9 +11,8 @@
 #include <elf.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
-#include <iterator>
 #include <optional>
+#include <unistd.h>
 
 namespace berm::user_law {
 namespace {
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// The object of a type at a place in the bytes of a file; empty beyond their end.
 template <class T>
-std::optional<T> object_at(const std::vector<char>& bytes, std::uint64_t place)
+std::optional<T> object_at(const std::string& bytes, std::uint64_t place)
 {
   if (place > bytes.size() || bytes.size() - place < sizeof(T)) return {};
   T object;
@@ -29,7 +29,7 @@ std::optional<T> object_at(const std::vector<char>& bytes, std::uint64_t place)
   return object;
 }
 
-std::string text_at(const std::vector<char>& bytes, std::uint64_t place)
+std::string text_at(const std::string& bytes, std::uint64_t place)
 {
   if (place >= bytes.size()) return "";
   const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(place);
@@ -47,6 +47,10 @@ void* open_library(const fs::path& file)
     throw InputError(
         fmt::format("there is no {}; build it first{}", file.string(), made ? fmt::format(": make -C {}", folder.string()) : ""));
   }
+  std::string fault;
+  const int readable = open_to_read(file, fault);
+  if (readable < 0) throw InputError(fmt::format("{}: {}", file.string(), fault));
+  ::close(readable);
   // Code made with -ffast-math would have small numbers set to zero from its loading on, in all of the program.
   std::fenv_t rounding;
   std::fegetenv(&rounding);
@@ -70,8 +74,8 @@ Symbol find_function(void* library, const fs::path& file, const std::vector<std:
 
 std::vector<std::string> functions_in(const fs::path& file)
 {
-  std::ifstream stream(file, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+  constexpr std::uintmax_t max_bytes = 1'000'000'000;
+  const std::string bytes = read_file(file, max_bytes).bytes;
   std::vector<std::string> names;
   const auto header = object_at<Elf64_Ehdr>(bytes, 0);
   if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 || header->e_ident[EI_CLASS] != ELFCLASS64) return names;

@@ -3,13 +3,14 @@
 #include "mesh/gmsh_program.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <spawn.h>
+#include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,7 +23,8 @@ namespace fs = std::filesystem;
 
 std::string last_lines(const fs::path& file, std::size_t count)
 {
-  std::ifstream in(file);
+  constexpr std::uintmax_t max_bytes = 100'000'000;
+  std::istringstream in(read_file(file, max_bytes).bytes);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);)
     if (!line.empty()) lines.push_back(line);

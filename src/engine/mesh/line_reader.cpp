@@ -3,10 +3,10 @@
 #include "mesh/line_reader.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace berm::mesh {
 namespace {
@@ -41,17 +41,10 @@ std::string quoted(std::string_view text)
 
 Lines::Lines(const std::filesystem::path& path) : name_(path.string())
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(fmt::format("{}: there is no such file", name_));
-  std::ifstream in(path, std::ios::binary);
-  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-  try {
-    content_.resize(error ? 0 : bytes);
-  } catch (const std::exception&) {  // of memory or of what a text can hold
-    throw InputError(fmt::format("{}: the file has {} bytes, more than there is memory for", name_, bytes));
-  }
-  if (!in || error || !in.read(content_.data(), static_cast<std::streamsize>(content_.size())))
-    throw InputError(fmt::format("{}: the file cannot be read", name_));
+  constexpr std::uintmax_t max_bytes = 20'000'000'000;
+  FileBytes found = read_file(path, max_bytes);
+  if (!found.fault.empty()) throw InputError(fmt::format("{}: {}", name_, found.fault));
+  content_ = std::move(found.bytes);
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (content_.starts_with(byte_order_mark)) place_ = byte_order_mark.size();
 }

@@ -41,7 +41,7 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
     return false;
   };
   std::string plot;
-  io::make_folder(folder / "plots");
+  io::make_inner_folder(folder, "plots");
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
     const FigureCurve& curve = figure.curves[k];
     if (!has_points(curve)) continue;

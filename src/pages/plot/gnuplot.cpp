@@ -48,14 +48,14 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
 {
   const bool vector = format == PlotFormat::svg;
   const std::string stem = vector ? name + "_svg" : name, picture = name + (vector ? ".svg" : ".png");
-  const std::filesystem::path plots = folder / "plots", messages = plots / (stem + ".messages");
+  const std::filesystem::path plots = io::make_inner_folder(folder, "plots"), messages = plots / (stem + ".messages");
   std::error_code ignored;
-  io::make_folder(plots);
   const std::string head = fmt::format("# Draws ../{0}: run 'gnuplot {1}.gp' in this folder.\n"
                                        "set terminal {2} size {3},{4} noenhanced font 'DejaVu Sans,13' linewidth 1.2 background '#ffffff'\n"
                                        "if (!exists('picture')) picture = {5}\nset output picture\nset encoding utf8\n",
                                        picture, stem, vector ? "svg" : "pngcairo", width, height, gnuplot_text("../" + picture));
   io::write_atomically(plots / (stem + ".gp"), head + script);
+  std::filesystem::remove(io::part_of(folder / picture), ignored);  // gnuplot would write through a link
   // A name that begins with - is no option.
   const int status = io::run_and_wait(
       {"gnuplot", "-e", "picture = " + gnuplot_text("../" + io::part_of(picture).string()), "./" + stem + ".gp"}, messages, plots);

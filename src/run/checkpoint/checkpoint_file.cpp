@@ -106,6 +106,7 @@ void force_to_disk(const fs::path& folder)
 void write_checkpoint(const fs::path& path, const Contents& contents)
 {
   const fs::path part = path.string() + ".part";
+  ::unlink(part.c_str());  // HDF5 would write through a link
   try {
     {
       Hdf5Writer writer(part, header_bytes);

@@ -2,6 +2,8 @@
 // Tests: tests/unit/simulation/checkpoints_test.cpp
 #include "checkpoint/checkpoint_folder.hpp"
 
+#include "io/atomic_file.hpp"
+
 #include <charconv>
 #include <fmt/format.h>
 
@@ -53,7 +55,7 @@ fs::path CheckpointFolder::read(const Contents& contents, const std::function<vo
 void CheckpointFolder::write(BigIndex step, const Contents& contents)
 {
   std::error_code error;
-  fs::create_directories(path_, error);
+  io::make_inner_folder(path_.parent_path(), path_.filename());
   const fs::path file = path_ / fmt::format("{}{}{}", begin_of_name, step, end_of_name);
   write_checkpoint(file, contents);
   for (const fs::path& other : files())

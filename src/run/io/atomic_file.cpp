@@ -3,13 +3,13 @@
 #include "io/atomic_file.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -22,8 +22,7 @@ template <class Fill>
 void make_whole(const std::filesystem::path& path, const Fill& fill)
 {
   const std::filesystem::path part = part_of(path);
-  const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  const int file = open_to_write(part, O_WRONLY | O_TRUNC);
   bool fine = fill(file) && ::fsync(file) == 0;
   int reason = errno;
   if (::close(file) != 0 && fine) fine = false, reason = errno;
@@ -64,10 +63,23 @@ bool write_all(int file, std::string_view text)
   return true;
 }
 
-std::string read_text_file(const std::filesystem::path& path)
+int open_to_write(const std::filesystem::path& path, int how)
 {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  const int file = ::open(path.c_str(), how | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
+  if (file < 0 && errno == ELOOP) throw RunError(fmt::format("cannot write {}: it is a link, and berm writes through none", path.string()));
+  if (file < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  struct stat about {};
+  if (::fstat(file, &about) == 0 && S_ISREG(about.st_mode)) return file;
+  ::close(file);
+  throw RunError(fmt::format("cannot write {}: it is no regular file", path.string()));
+}
+
+std::string read_text_file(const std::filesystem::path& path, std::uintmax_t most)
+{
+  FileBytes found = read_file(path, most);
+  std::error_code error;
+  if (!found.fault.empty() && std::filesystem::exists(path, error)) throw RunError(fmt::format("{}: {}", path.string(), found.fault));
+  return std::move(found.bytes);
 }
 
 std::filesystem::path part_of(const std::filesystem::path& path)
@@ -89,8 +101,9 @@ void write_atomically(const std::filesystem::path& path, const std::vector<std::
 
 void copy_atomically(const std::filesystem::path& from, const std::filesystem::path& to)
 {
-  const int source = ::open(from.c_str(), O_RDONLY | O_CLOEXEC);
-  if (source < 0) throw_errno(fmt::format("cannot read {}", from.string()));
+  std::string fault;
+  const int source = open_to_read(from, fault);
+  if (source < 0) throw RunError(fmt::format("{}: {}", from.string(), fault));
   try {
     make_whole(to, [&](int file) { return copy_all(source, file); });
   } catch (...) {
@@ -134,6 +147,16 @@ void make_folder(const std::filesystem::path& path)
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw RunError(fmt::format("cannot make the folder {}: {}", path.string(), error.message()));
+}
+
+std::filesystem::path make_inner_folder(const std::filesystem::path& folder, const std::filesystem::path& name)
+{
+  std::error_code error;
+  const std::filesystem::path inner = folder / name;
+  if (std::filesystem::is_symlink(inner, error))
+    throw RunError(fmt::format("cannot write into {}: it is a link, and berm writes through none", inner.string()));
+  make_folder(inner);
+  return inner;
 }
 
 }  // namespace berm::io

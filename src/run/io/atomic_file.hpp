@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -29,8 +30,15 @@ void sync_file(const std::filesystem::path& path);
 /// Makes a folder and its parents where they are missing. Throws RunError.
 void make_folder(const std::filesystem::path& path);
 
-/// All bytes of a file; "" where it cannot be read.
-std::string read_text_file(const std::filesystem::path& path);
+/// Makes a folder inside of another where it is missing, and gives its path. Throws RunError where a link has its name: nothing is written through one.
+std::filesystem::path make_inner_folder(const std::filesystem::path& folder, const std::filesystem::path& name);
+
+/// Opens a file for writing, which is made where it is missing; `how`: O_WRONLY or O_RDWR, with O_APPEND, O_TRUNC. Throws RunError where that fails and
+/// where a link has its name.
+int open_to_write(const std::filesystem::path& path, int how);
+
+/// All bytes of a file; "" where there is none. Throws RunError where it cannot be read or has more than `most` bytes.
+std::string read_text_file(const std::filesystem::path& path, std::uintmax_t most = 100'000'000);
 
 /// Throws RunError with the message of the present errno.
 [[noreturn]] void throw_errno(const std::string& what);

@@ -40,8 +40,11 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / fil
     throw_errno(fmt::format("cannot use {} as the run folder: {} {}", folder.string(), what, path_.string()));
   };
   while (true) {
-    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0) refuse("cannot write");
+    try {
+      file_ = open_to_write(path_, O_RDWR);
+    } catch (const RunError& error) {
+      throw RunError(fmt::format("cannot use {} as the run folder: {}", folder.string(), error.what()));
+    }
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK) refuse("cannot lock");
       ::close(file_);

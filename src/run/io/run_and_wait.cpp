@@ -2,10 +2,12 @@
 // Tests: tests/unit/record/soil_plot_test.cpp
 #include "io/run_and_wait.hpp"
 
+#include "io/atomic_file.hpp"
+
 #include <cerrno>
 #include <fcntl.h>
-#include <fstream>
 #include <spawn.h>
+#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,7 +18,7 @@ int run_and_wait(std::vector<std::string> words, const std::filesystem::path& me
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0666);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   std::vector<char*> arguments;
@@ -37,7 +39,7 @@ int run_and_wait(std::vector<std::string> words, const std::filesystem::path& me
 
 std::string last_message(const std::filesystem::path& file)
 {
-  std::ifstream lines(file);
+  std::istringstream lines(read_text_file(file));
   std::string line, last;
   while (std::getline(lines, line))
     if (line.find_first_not_of(" \t^") != std::string::npos) last = line;

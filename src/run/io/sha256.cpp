@@ -2,19 +2,22 @@
 #include "io/sha256.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <elf.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <link.h>
 #include <memory>
 #include <openssl/evp.h>
+#include <sstream>
 #include <string_view>
+#include <unistd.h>
 
 namespace berm::io {
 
@@ -22,14 +25,20 @@ namespace fs = std::filesystem;
 
 std::string sha256_of_file(const fs::path& file)
 {
-  std::ifstream stream(file, std::ios::binary);
+  std::string fault;
+  const int opened = open_to_read(file, fault);
+  if (opened < 0) throw RunError(fmt::format("{}: {}", file.string(), fault));
   const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> digest(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
-  bool good = stream.good() && digest != nullptr && EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr) == 1;
+  bool good = digest != nullptr && EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr) == 1;
   std::vector<char> part(1 << 18);
-  while (good && stream) {
-    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
-    good = !stream.bad() && EVP_DigestUpdate(digest.get(), part.data(), static_cast<std::size_t>(stream.gcount())) == 1;
+  for (ssize_t count = 1; good && count > 0;) {
+    count = ::read(opened, part.data(), part.size());
+    if (count < 0 && errno == EINTR)
+      count = 1;
+    else
+      good = count >= 0 && EVP_DigestUpdate(digest.get(), part.data(), static_cast<std::size_t>(count)) == 1;
   }
+  ::close(opened);
   std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
   unsigned count = 0;
   if (!good || EVP_DigestFinal_ex(digest.get(), bytes.data(), &count) != 1)
@@ -59,7 +68,7 @@ std::vector<ProgramFile> program_files(const std::string& name)
         return 0;
       },
       &search);
-  std::ifstream maps("/proc/self/maps");
+  std::istringstream maps(read_text_file("/proc/self/maps"));
   for (std::string line; std::getline(maps, line);)
     for (std::size_t k = 1; k < search.found.size(); ++k)
       if (line.ends_with(fmt::format("/{}{}", search.found[k].name, deleted))) search.found[k].path.clear();
@@ -126,7 +135,8 @@ std::string build_id_at(const void* address)
 
 std::string build_id_in(const std::filesystem::path& file)
 {
-  const std::string bytes = read_text_file(file);
+  constexpr std::uintmax_t max_bytes = 5'000'000'000;
+  const std::string bytes = read_text_file(file, max_bytes);
   const auto header = part_at<Elf64_Ehdr>(bytes, 0);
   if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64) return "";
   for (std::size_t k = 0; k < header.e_phnum; ++k) {

@@ -3,13 +3,13 @@
 #include "io/vtu_file.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
 #include "io/vtk_name.hpp"
 #include "io/xml_tag.hpp"
 #include "io/zlib_blocks.hpp"
 
 #include <cerrno>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -24,9 +24,11 @@ constexpr std::string_view data_mark = "<AppendedData encoding=\"raw\">\n_", end
 
 }  // namespace
 
-VtuFile::VtuFile(const std::filesystem::path& path) : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+VtuFile::VtuFile(const std::filesystem::path& path) : path_(path)
 {
-  if (file_ < 0) throw_errno(fmt::format("cannot read {}", path.string()));
+  std::string fault;
+  file_ = open_to_read(path, fault);
+  if (file_ < 0) refuse(fault);
   try {
     read_header();
   } catch (...) {
@@ -62,7 +64,6 @@ void VtuFile::read_header()
 {
   struct stat about {};
   if (::fstat(file_, &about) != 0) throw_errno(fmt::format("cannot read {}", path_.string()));
-  if (!S_ISREG(about.st_mode)) refuse("is not a file");
   size_ = static_cast<std::uint64_t>(about.st_size);
   std::string header(std::min(size_, max_header), '\0'), end(std::min<std::uint64_t>(size_, end_mark.size()), '\0');
   read(header.data(), header.size(), 0);

@@ -49,7 +49,7 @@ private:
   void read(void* to, std::uint64_t count, std::uint64_t from) const;
 
   std::filesystem::path path_;
-  int file_;
+  int file_ = -1;
   std::uint64_t size_ = 0, data_ = 0, data_end_ = 0;  ///< bytes: the file's, where the appended data begins and ends
   bool compressed_ = false;
   std::size_t points_ = 0, cells_ = 0;

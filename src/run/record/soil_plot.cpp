@@ -205,8 +205,7 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& 
                         plot::length_unit((view.upper - view.lower).maxCoeff()),
                         {plot::axis_base(view.lower[0], view.upper[0]), plot::axis_base(view.lower[1], view.upper[1])}};
   const std::vector<Index> points = points_in_view(picture);
-  const std::filesystem::path plots = folder / "plots";
-  io::make_folder(plots);
+  const std::filesystem::path plots = io::make_inner_folder(folder, "plots");
   if (points.empty()) return false;
   const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && points.size() <= max_disks;
   io::write_atomically(plots / soil_file(picture, as_disks), as_disks                  ? disks(picture, points)

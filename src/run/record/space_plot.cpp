@@ -112,8 +112,7 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<3>& 
   }
   paint_bodies(raster, frame);
 
-  const std::filesystem::path plots = folder / "plots";
-  io::make_folder(plots);
+  const std::filesystem::path plots = io::make_inner_folder(folder, "plots");
   io::write_atomically(plots / (wanted.name + ".bin"), raster.bytes());
   const int height = raster.rows() + paper_bottom + paper_top;
   const auto part = [](int pixels, int of) { return static_cast<Real>(pixels) / of; };

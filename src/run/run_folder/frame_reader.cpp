@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace berm::run_folder {
 namespace {
@@ -77,11 +78,16 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder)
   const std::string text = io::read_text_file(path);
   const auto refuse = [&](const char* words) { throw RunError(fmt::format("{}: {}", path.string(), words)); };
   if (!text.ends_with("</Collection>\n</VTKFile>\n")) refuse("has no end; it was cut off");
+  // By time, by travel and at the ends of stages; a case may have 1e5 of the first and of the second.
+  constexpr std::size_t most_frames = 300'000;
   std::vector<FrameFiles> frames;
+  std::set<std::string> names;
   for (const io::XmlTag& tag : io::xml_tags(text, "DataSet")) {
     const std::optional<Real> time = tag.number("timestep");
     const std::string name = tag["file"], part = tag["part"];
     if (!time || name.empty() || name.find_first_of("/\\") != std::string::npos) refuse("is damaged: a frame has no time or no file");
+    if (!names.insert(name).second) refuse("is damaged: it names a file twice");
+    if (frames.size() == most_frames) refuse("lists more frames than a run has at most");
     if (part == "0")
       frames.push_back({*time, frames_folder / name, {}});
     else if (part == "1" && !frames.empty() && frames.back().rigid.empty() && frames.back().time == *time)

@@ -2,6 +2,7 @@
 #include "run_folder/history.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/csv_line.hpp"
 
@@ -10,9 +11,7 @@
 #include <charconv>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <unistd.h>
 
 namespace berm::run_folder {
@@ -51,8 +50,7 @@ std::string shown(const std::string& field)
 
 HistoryFile::HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes) : path_(path)
 {
-  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) io::throw_errno(fmt::format("cannot write {}", path.string()));
+  file_ = io::open_to_write(path, O_WRONLY | O_APPEND);
   try {
     if (::lseek(file_, 0, SEEK_END) > kept_bytes && ::ftruncate(file_, kept_bytes) != 0)
       io::throw_errno(fmt::format("cannot write {}", path.string()));
@@ -158,11 +156,9 @@ std::vector<std::string> History::names() const
 
 History read_history(const std::filesystem::path& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) io::throw_errno(fmt::format("cannot read {}", path.string()));
-  std::ostringstream content;
-  content << file.rdbuf();
-  const std::string text = content.str();
+  constexpr std::uintmax_t max_bytes = 5'000'000'000;
+  const auto [text, fault] = read_file(path, max_bytes);
+  if (!fault.empty()) throw RunError(fmt::format("{}: {}", path.string(), fault));
 
   History history;
   if (text.empty()) return history;
@@ -229,13 +225,11 @@ std::vector<Column> read_schema(const std::filesystem::path& history)
 {
   const std::filesystem::path path = schema_path(history);
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
+  if (!std::filesystem::exists(path, error))
     throw RunError(fmt::format("{}: there is no {} beside it, which has its units", history.string(), path.filename().string()));
-  if (std::filesystem::file_size(path, error) > max_schema_bytes)
-    throw RunError(fmt::format("{} is damaged: it is too long", path.string()));
   try {
     std::vector<Column> columns;
-    const Json schema = Json::parse(io::read_text_file(path));
+    const Json schema = Json::parse(io::read_text_file(path, max_schema_bytes));
     for (const Json& entry : schema.at("columns")) {
       if (entry.at("unit").is_null()) continue;
       const auto text = [&](const char* key) { return entry.at(key).get<std::string>(); };

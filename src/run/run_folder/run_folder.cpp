@@ -58,7 +58,7 @@ bool holds_files(const fs::path& folder)
 /// resolved.toml goes first: what is left then is no run.
 void remove_run(const fs::path& folder)
 {
-  io::make_folder(start_in(folder));
+  io::make_inner_folder(folder, start_in(folder).filename());
   fs::remove(folder / resolved);
   remove_soil_pictures(folder);
   for (const char* name : own_files) fs::remove_all(folder / name);
@@ -85,7 +85,7 @@ void move_start(const fs::path& folder)
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(start)) {
     const fs::path to = folder / entry.path().lexically_relative(start);
     if (entry.is_directory())
-      io::make_folder(to);
+      io::make_inner_folder(to.parent_path(), to.filename());
     else
       files.push_back(to);
   }
@@ -127,8 +127,7 @@ RunFolder RunFolder::of_earlier_run(const fs::path& path)
 
 void RunFolder::begin(const std::function<void(const fs::path&)>& give) const
 {
-  const fs::path start = start_in(path_);
-  io::make_folder(start);
+  const fs::path start = io::make_inner_folder(path_, start_in(path_).filename());
   try {
     give(start);
     sync_names(start, start);
@@ -151,8 +150,7 @@ void finish_start(const fs::path& run_folder)
 
 fs::path RunFolder::subfolder(std::string_view name) const
 {
-  io::make_folder(path_ / name);
-  return path_ / name;
+  return io::make_inner_folder(path_, name);
 }
 
 }  // namespace berm::run_folder

@@ -3,6 +3,7 @@
 #include "run_folder/run_log.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -67,8 +68,7 @@ public:
   {
     if (line.empty() && line_.empty()) return;
     line_ = line.substr(0, std::min(line.size(), terminal_width() - 1));
-    fmt::print(stderr, "\r\x1b[2K{}", line_);
-    std::fflush(stderr);
+    io::tell("\r\x1b[2K{}", line_);
   }
 
 private:
@@ -80,9 +80,8 @@ class LogFileSink : public spdlog::sinks::base_sink<std::mutex> {
 public:
   LogFileSink(const std::filesystem::path& path, bool resume)
       : path_(path),
-        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (resume ? 0 : O_TRUNC), 0666))
+        file_(io::open_to_write(path, O_WRONLY | O_APPEND | (resume ? 0 : O_TRUNC)))
   {
-    if (file_ < 0) io::throw_errno(fmt::format("cannot write {}", path.string()));
   }
   ~LogFileSink() override { ::close(file_); }
   LogFileSink(const LogFileSink&) = delete;

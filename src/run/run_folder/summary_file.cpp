@@ -3,11 +3,10 @@
 #include "run_folder/summary_file.hpp"
 
 #include "core/error.hpp"
-#include "io/atomic_file.hpp"
+#include "core/read_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace berm::run_folder {
 namespace {
@@ -81,10 +80,10 @@ RunSummary summary_of(const Json& json)
   return summary;
 }
 
-Json parsed(const fs::path& file)
+Json parsed(const std::string& text)
 {
   try {
-    return Json::parse(io::read_text_file(file));
+    return Json::parse(text);
   } catch (const Json::parse_error& error) {
     refuse(fmt::format("byte {} is not JSON", error.byte));
   } catch (const Json::exception&) {
@@ -106,10 +105,9 @@ std::optional<RunSummary> read_summary(const fs::path& run_folder)
   std::error_code error;
   if (fs::status(file, error).type() == fs::file_type::not_found) return std::nullopt;
   try {
-    const bool readable = !error && fs::is_regular_file(file, error) && ::access(file.c_str(), R_OK) == 0;
-    if (!readable) throw RunError("cannot be read");
-    if (fs::file_size(file, error) > max_bytes) refuse("it is too long");
-    return summary_of(parsed(file));
+    const auto [text, fault] = read_file(file, max_bytes);
+    if (!fault.empty()) throw RunError(fault);
+    return summary_of(parsed(text));
   } catch (const RunError& found) {
     throw RunError(fmt::format("{} {}", file.string(), found.what()));
   }

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "simulation/checkpoints.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ std::vector<std::string> warnings_of(const sanity::Scene& scene)
   std::vector<std::string> warnings, refusals;
   for (const sanity::Finding& finding : sanity::ask(scene))
     (finding.severity == sanity::Severity::refuse ? refusals : warnings).push_back(words_of(finding, scene.places));
-  for (std::size_t k = 1; k < refusals.size(); ++k) fmt::print(stderr, "berm: {}\n", refusals[k]);
+  for (std::size_t k = 1; k < refusals.size(); ++k) io::tell("berm: {}\n", refusals[k]);
   if (!refusals.empty()) throw InputError(refusals.front());
   return warnings;
 }

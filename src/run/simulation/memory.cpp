@@ -4,13 +4,14 @@
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
+#include "core/read_file.hpp"
 #include "mpm/grid.hpp"
 #include "run_folder/frame_maker.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <malloc.h>
+#include <sstream>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -43,10 +44,17 @@ std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& c
   return bodies;
 }
 
+/// What the kernel says in a file; "" where it says nothing.
+std::string kernel_words(const std::string& path)
+{
+  constexpr std::uintmax_t max_bytes = 10'000'000;
+  return read_file(path, max_bytes).bytes;
+}
+
 /// The number in the first line of a file that begins with `key`; infinity where there is none, or "max".
 Real number_in(const std::string& path, const std::string& key = "")
 {
-  std::ifstream file(path);
+  std::istringstream file(kernel_words(path));
   for (std::string line; std::getline(file, line);)
     if (line.starts_with(key)) {
       try {
@@ -62,7 +70,7 @@ Real number_in(const std::string& path, const std::string& key = "")
 Real left_in_control_group()
 {
   const std::string root = "/sys/fs/cgroup";
-  std::ifstream list("/proc/self/cgroup");
+  std::istringstream list(kernel_words("/proc/self/cgroup"));
   std::string path;
   for (std::string line; std::getline(list, line);)
     if (line.starts_with("0::")) path = line.substr(3);
@@ -79,7 +87,7 @@ Real left_in_control_group()
 
 Real page_count(int place)
 {
-  std::ifstream file("/proc/self/statm");
+  std::istringstream file(kernel_words("/proc/self/statm"));
   Real pages = 0;
   for (int k = 0; k <= place; ++k) file >> pages;
   return pages * static_cast<Real>(::sysconf(_SC_PAGESIZE));

@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "simulation/simulate.hpp"
 
+#include "io/tell.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/with_method.hpp"
@@ -31,7 +32,7 @@ void check_case(const RunRequest& to_check, Context& context)
     typename decltype(of)::type method(request, scratch);
     const sanity::Scene scene = method.scene(request, context.threads());
     const std::vector<std::string> warnings = warnings_of(scene);
-    for (const std::string& warning : warnings) fmt::print(stderr, "berm: warning: {}\n", warning);
+    for (const std::string& warning : warnings) io::tell("berm: warning: {}\n", warning);
     fmt::print("{}\n", request.case_file.string());
     for (const std::string& line : base::soil_words(request.settings)) fmt::print("  {}\n", line);
     for (const std::string& line : base::k0_words(request.settings)) fmt::print("  {}\n", line);

@@ -32,7 +32,7 @@ std::string gnuplot_style(const LogCurve& curve)
 
 std::string script_of(const DepthLog& log, const std::filesystem::path& folder, const std::string& name)
 {
-  io::make_folder(folder / "plots");
+  io::make_inner_folder(folder, "plots");
   std::string script = record::begin_panels(log.title);
   script +=
       fmt::format("set yrange [{:.6g}:{:.6g}]\nset format '%g'\nset key bottom left reverse Left opaque\n", log.deepest, log.shallowest);

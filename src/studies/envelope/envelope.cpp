@@ -4,6 +4,7 @@
 #include "envelope/envelope_report.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "run_folder/progress.hpp"
 #include "simulation/simulate.hpp"
 
@@ -37,7 +38,7 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
     row_of_job.push_back(k);
   }
   if (const std::size_t there = rows.size() - jobs.size(); there > 0)
-    fmt::print(stderr, "{} of {} probes have their result already and are not run again\n", there, rows.size());
+    io::tell("{} of {} probes have their result already and are not run again\n", there, rows.size());
   std::size_t done = 0, failed = 0, interrupted = 0, queued = 0;
   run_jobs(jobs, request.runner, request.folder / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     EnvelopeRow& row = rows[row_of_job[job]];
@@ -50,20 +51,19 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
     const bool fails = end.kind == jobs::JobEnd::Kind::failed;
     failed += fails;
     if (fails) row.state = "failed";
-    fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), row.probe.name,
-               fails ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
+    io::tell("{}/{} {}: {}\n", ++done, jobs.size(), row.probe.name,
+             fails ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
   });
   const base::EmbeddedBody body = embedded_body(settings);
   for (EnvelopeRow& row : rows)
     if (row.state == "finished") row.result = result_of(row.probe, run_folder::read_history(runs / row.probe.name / "history.csv"), body);
   write_envelope_report(settings, rows, request.folder);
   fmt::print("{}", envelope_words(settings, rows));
-  if (failed > 0) fmt::print(stderr, "{} of {} probes failed; envelope.csv says which\n", failed, rows.size());
+  if (failed > 0) io::tell("{} of {} probes failed; envelope.csv says which\n", failed, rows.size());
   const std::size_t ended = rows.size() - interrupted - queued;
-  if (interrupted > 0)
-    fmt::print(stderr, "interrupted: {} of {} probes are done; the same command goes on from there\n", ended, rows.size());
-  if (queued > 0) fmt::print(stderr, "queued: {} of {} probes are done; the same command collects the others\n", ended, rows.size());
-  fmt::print(stderr, "the envelope is in {}\n", request.folder.string());
+  if (interrupted > 0) io::tell("interrupted: {} of {} probes are done; the same command goes on from there\n", ended, rows.size());
+  if (queued > 0) io::tell("queued: {} of {} probes are done; the same command collects the others\n", ended, rows.size());
+  io::tell("the envelope is in {}\n", request.folder.string());
   return interrupted + queued > 0 ? jobs::Outcome::unfinished : failed > 0 ? jobs::Outcome::failed : jobs::Outcome::done;
 }
 

@@ -13,9 +13,9 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 #include <map>
 #include <numeric>
+#include <sstream>
 
 namespace berm::jobs {
 namespace {
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 /// The last line that a process wrote, without the program's name.
 std::string last_message(const fs::path& file)
 {
-  std::ifstream lines(file);
+  std::istringstream lines(io::read_text_file(file));
   std::string line, last;
   while (std::getline(lines, line))
     if (line.find_first_not_of(" \t") != std::string::npos) last = line;

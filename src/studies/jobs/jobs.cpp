@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "io/tell.hpp"
 #include "jobs/processes.hpp"
 #include "jobs/queue.hpp"
 #include "jobs/scheduler.hpp"
@@ -32,7 +33,7 @@ bool hand_over(Queue& queue, Scheduler& scheduler)
 {
   if (scheduler.works_on(queue.handle())) {
     queue.check_holds_all();
-    fmt::print(stderr, "the runs of {} were handed over by an earlier command\n", queue.folder().string());
+    io::tell("the runs of {} were handed over by an earlier command\n", queue.folder().string());
     return true;
   }
   const std::vector<std::size_t> to_do = queue.to_do();
@@ -40,8 +41,8 @@ bool hand_over(Queue& queue, Scheduler& scheduler)
   queue.write(to_do);
   const std::string handle = scheduler.submit(queue.folder(), to_do.size());
   queue.hand_to(handle);
-  fmt::print(stderr, "{} run{} handed to {}; {} has what was handed over\n", to_do.size(), to_do.size() == 1 ? " is" : "s are", handle,
-             queue.folder().string());
+  io::tell("{} run{} handed to {}; {} has what was handed over\n", to_do.size(), to_do.size() == 1 ? " is" : "s are", handle,
+           queue.folder().string());
   return true;
 }
 

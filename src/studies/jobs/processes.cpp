@@ -31,8 +31,7 @@ pid_t start(const Job& job)
   arguments.push_back(nullptr);
   io::make_folder(job.folder.parent_path());
   const fs::path messages = messages_of(job);
-  const int out = ::open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (out < 0) io::throw_errno(fmt::format("cannot write {}", messages.string()));
+  const int out = io::open_to_write(messages, O_WRONLY | O_TRUNC);
   const pid_t child = ::fork();
   if (child != 0) {
     const int reason = errno;

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "jobs/scheduler.hpp"
 #include "jobs/shell.hpp"
 
@@ -55,10 +56,10 @@ public:
   void leave(const std::string&) override
   {
     if (!started_ || !works()) {
-      fmt::print(stderr, "the runs that were handed over stay so; the same command collects them\n");
+      io::tell("the runs that were handed over stay so; the same command collects them\n");
       return;
     }
-    fmt::print(stderr, "stopped: the command of --runner and what it has started are asked to end\n");
+    io::tell("stopped: the command of --runner and what it has started are asked to end\n");
     ::kill(-process_, SIGTERM);
     while (works() || group_lives()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "jobs/queue_scripts.hpp"
 #include "jobs/scheduler.hpp"
 #include "jobs/shell.hpp"
@@ -70,8 +71,7 @@ public:
   void leave(const std::string& handle) override
   {
     const std::string job = number_of(handle);
-    fmt::print(stderr,
-               "Slurm keeps the runs that are not done (job {0}): the same command waits for them again, scancel {0} cancels them\n", job);
+    io::tell("Slurm keeps the runs that are not done (job {0}): the same command waits for them again, scancel {0} cancels them\n", job);
   }
 
   Real pause(Real waited) const override { return std::clamp<Real>(waited / 20, 0.5, 10); }

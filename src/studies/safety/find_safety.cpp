@@ -6,6 +6,7 @@
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "run_folder/progress.hpp"
 #include "run_folder/summary_file.hpp"
 #include "safety/safety_report.hpp"
@@ -89,8 +90,8 @@ Round run_round(const SafetyRequest& request, const problem::Case& settings, con
       trial = result_of(factors[job], jobs[job].folder);
     else
       trial.why = "the run failed: " + end.reason;
-    fmt::print(stderr, "{}: {}{}\n", trial_name(trial.factor), trial.why.empty() ? word_of(trial.end) : trial.why,
-               std::isfinite(trial.wall_s) ? ", " + run_folder::words_of_duration(trial.wall_s) : "");
+    io::tell("{}: {}{}\n", trial_name(trial.factor), trial.why.empty() ? word_of(trial.end) : trial.why,
+             std::isfinite(trial.wall_s) ? ", " + run_folder::words_of_duration(trial.wall_s) : "");
     round.trials.push_back(trial);
   });
   return round;
@@ -125,7 +126,7 @@ jobs::Outcome find_safety(const SafetyRequest& request)
       {.settings = trial_case(settings, request.how.low), .case_file = request.case_file, .folder = request.folder});
   io::make_folder(request.folder / "runs");
   std::vector<Trial> trials = earlier_trials(request, settings);
-  if (!trials.empty()) fmt::print(stderr, "{} trials have their result already and are not run again\n", trials.size());
+  if (!trials.empty()) io::tell("{} trials have their result already and are not run again\n", trials.size());
   Round last;
   while (!last.interrupted && !last.queued) {
     const std::vector<Real> factors = next_factors(trials, request.how);
@@ -136,9 +137,9 @@ jobs::Outcome find_safety(const SafetyRequest& request)
   sort(trials);
   write_safety_report(settings, trials, request.folder, !last.interrupted && !last.queued);
   fmt::print("{}", safety_words(trials));
-  if (last.interrupted) fmt::print(stderr, "interrupted: the same command goes on from there\n");
-  if (last.queued) fmt::print(stderr, "queued: the same command collects the trials and goes on\n");
-  fmt::print(stderr, "the factor of safety is in {}\n", (request.folder / "safety.html").string());
+  if (last.interrupted) io::tell("interrupted: the same command goes on from there\n");
+  if (last.queued) io::tell("queued: the same command collects the trials and goes on\n");
+  io::tell("the factor of safety is in {}\n", (request.folder / "safety.html").string());
   if (last.interrupted || last.queued) return jobs::Outcome::unfinished;
   return tells(trials, request.how) ? jobs::Outcome::done : jobs::Outcome::failed;
 }

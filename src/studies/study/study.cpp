@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "run_folder/progress.hpp"
 #include "run_folder/summary.hpp"
 #include "structures/driven/results/known_names.hpp"
@@ -167,7 +168,7 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
     row_of_job.push_back(k);
   }
   if (const std::size_t there = plan.rows.size() - jobs.size(); there > 0)
-    fmt::print(stderr, "{} of {} runs have their result already and are not run again\n", there, plan.rows.size());
+    io::tell("{} of {} runs have their result already and are not run again\n", there, plan.rows.size());
   std::size_t done = 0, failed = 0, interrupted = 0, queued = 0;
   run_jobs(jobs, runner, output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     StudyRow& row = plan.rows[row_of_job[job]];
@@ -176,9 +177,9 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
     queued += end.kind == jobs::JobEnd::Kind::queued;
     if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     failed += end.kind == jobs::JobEnd::Kind::failed;
-    fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), name_of(row.names),
-               end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason
-                                                      : run_folder::words_of_duration(jobs::wall_time_of(row.job.folder)));
+    io::tell("{}/{} {}: {}\n", ++done, jobs.size(), name_of(row.names),
+             end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason
+                                                    : run_folder::words_of_duration(jobs::wall_time_of(row.job.folder)));
   });
   std::vector<std::string> told;
   for (StudyRow& row : plan.rows) take_numbers(row, plan.study, told);
@@ -187,12 +188,11 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
   for (const StudyRow& row : plan.rows)
     if (row.end.kind == jobs::JobEnd::Kind::finished) finished.push_back(row.job.folder);
   if (const std::string units = jobs::mixed_vector_units(finished); !units.empty()) spdlog::warn("{}", units);
-  if (failed > 0) fmt::print(stderr, "{} of {} runs failed; the table says why\n", failed, plan.rows.size());
+  if (failed > 0) io::tell("{} of {} runs failed; the table says why\n", failed, plan.rows.size());
   const std::size_t ended = plan.rows.size() - interrupted - queued;
-  if (interrupted > 0)
-    fmt::print(stderr, "interrupted: {} of {} runs are done; the same command goes on from there\n", ended, plan.rows.size());
-  if (queued > 0) fmt::print(stderr, "queued: {} of {} runs are done; the same command collects the others\n", ended, plan.rows.size());
-  fmt::print(stderr, "the results are {}\n", (output / "results.md").string());
+  if (interrupted > 0) io::tell("interrupted: {} of {} runs are done; the same command goes on from there\n", ended, plan.rows.size());
+  if (queued > 0) io::tell("queued: {} of {} runs are done; the same command collects the others\n", ended, plan.rows.size());
+  io::tell("the results are {}\n", (output / "results.md").string());
   return interrupted + queued == 0 ? jobs::Outcome::done : jobs::Outcome::unfinished;
 }
 

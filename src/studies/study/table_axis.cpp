@@ -2,9 +2,9 @@
 #include "study/table_axis.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "input/message_text.hpp"
 #include "input/units.hpp"
-#include "io/atomic_file.hpp"
 #include "run_folder/csv_line.hpp"
 
 #include <algorithm>
@@ -31,11 +31,9 @@ public:
   explicit TableLines(const fs::path& file) : file_(file)
   {
     constexpr std::uintmax_t max_bytes = 10'000'000;
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) throw InputError(input::one_line(fmt::format("{}: there is no such file", file.string())));
-    if (fs::file_size(file, error) > max_bytes)
-      throw InputError(input::one_line(fmt::format("{}: is longer than {} bytes, the maximum for a table", file.string(), max_bytes)));
-    text_ = io::read_text_file(file);
+    FileBytes found = read_file(file, max_bytes);
+    if (!found.fault.empty()) throw InputError(input::one_line(fmt::format("{}: {}", file.string(), found.fault)));
+    text_ = std::move(found.bytes);
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // written by spreadsheets
     if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
     if (!text_.empty() && text_.back() != '\n') text_ += '\n';

@@ -90,8 +90,7 @@ bool draw_tornado(const std::filesystem::path& folder, const std::string& name, 
     sample.add(y, estimate.low, estimate.high);
     add_tic(y, fmt::format("all, 5 to 95 % of {} runs", estimate.numbers));
   }
-  const std::filesystem::path plots = folder / "plots";
-  io::make_folder(plots);
+  const std::filesystem::path plots = io::make_inner_folder(folder, "plots");
   std::string commands;
   for (const std::string& part : {low.plot(plots, name + "_low.dat", low_color, of_swings ? "at its 5 % value" : ""),
                                   high.plot(plots, name + "_high.dat", high_color, of_swings ? "at its 95 % value" : ""),

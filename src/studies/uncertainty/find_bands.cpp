@@ -4,6 +4,7 @@
 
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/tell.hpp"
 #include "jobs/jobs.hpp"
 #include "run_folder/progress.hpp"
 #include "structures/structures.hpp"
@@ -12,8 +13,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
+#include <unistd.h>
 
 namespace berm::uncertainty {
 namespace {
@@ -49,9 +51,9 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
   }
   const std::size_t done_already = plan.variants.size() - jobs.size();
   const auto resumed = std::count_if(jobs.begin(), jobs.end(), [](const jobs::Job& job) { return job.resume; });
-  fmt::print(stderr, "uncertainty: {} runs with coarser cells{}{}\n", plan.variants.size(),
-             done_already == 0 ? "" : fmt::format(", of which {} have their result already", done_already),
-             resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
+  io::tell("uncertainty: {} runs with coarser cells{}{}\n", plan.variants.size(),
+           done_already == 0 ? "" : fmt::format(", of which {} have their result already", done_already),
+           resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
   Ends ends;
   std::size_t done = 0;
   run_jobs(jobs, {jobs::LocalProcesses{at_once}}, folder / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
@@ -62,8 +64,8 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
     }
     const bool failed = end.kind == jobs::JobEnd::Kind::failed;
     if (failed && ends.failure.empty()) ends.failure = fmt::format("the run {} failed: {}", name, end.reason);
-    fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), name,
-               failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
+    io::tell("{}/{} {}: {}\n", ++done, jobs.size(), name,
+             failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
   });
   return ends;
 }
@@ -86,11 +88,13 @@ run_folder::Uncertainty bands_from(const VariantPlan& plan, const fs::path& fold
 void append_to_log(const fs::path& run_folder, const std::string& words)
 {
   const fs::path path = run_folder / "run.log";
-  errno = 0;
-  std::ofstream log(path, std::ios::app);
-  log << words << '\n';
-  log.close();
-  if (!log) io::throw_errno(fmt::format("cannot write {}", path.string()));
+  const int log = io::open_to_write(path, O_WRONLY | O_APPEND);
+  const bool written = io::write_all(log, words + '\n');
+  const int reason = errno;
+  if (::close(log) != 0 || !written) {
+    if (!written) errno = reason;
+    io::throw_errno(fmt::format("cannot write {}", path.string()));
+  }
 }
 
 }  // namespace
@@ -106,8 +110,8 @@ void try_to_plan(const simulation::RunRequest& request)
           fmt::format("{}: --uncertainty: with cells {:.3g} times as large: {}", request.case_file.string(), variant.size, error.what()));
     }
   }
-  fmt::print(stderr, "uncertainty: the runs with coarser cells take about {:.1f} times the work of the run itself\n",
-             work_of(plan, request.settings));
+  io::tell("uncertainty: the runs with coarser cells take about {:.1f} times the work of the run itself\n",
+           work_of(plan, request.settings));
 }
 
 jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once)
@@ -120,11 +124,10 @@ jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once)
   const record::RunRecord run = structures::read_run(request.folder);
   run_folder::Uncertainty found;
   if (ends.interrupted) {
-    fmt::print(stderr, "berm: stopped: there is no band yet; berm run --resume {} --uncertainty goes on from there\n",
-               request.folder.string());
+    io::tell("berm: stopped: there is no band yet; berm run --resume {} --uncertainty goes on from there\n", request.folder.string());
     found.missing = "stopped before all runs that it is made of were done";
   } else if (!ends.failure.empty()) {
-    fmt::print(stderr, "berm: there is no band: {}\n", ends.failure);
+    io::tell("berm: there is no band: {}\n", ends.failure);
     found.missing = ends.failure;
   } else {
     found = bands_from(plan, folder, run);

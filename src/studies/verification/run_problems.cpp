@@ -6,6 +6,7 @@
 #include "core/interrupt.hpp"
 #include "element/element_report.hpp"
 #include "input/read_case.hpp"
+#include "io/tell.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/progress.hpp"
 #include "simulation/simulate.hpp"
@@ -47,7 +48,7 @@ void estimate_times(std::vector<jobs::Job>& jobs)
   for (jobs::Job& job : jobs)
     if (std::isnan(expected_time(job))) unknown.push_back(&job);
   if (unknown.empty()) return;
-  fmt::print(stderr, "estimating the time of {} problem{}\n", unknown.size(), unknown.size() == 1 ? "" : "s");
+  io::tell("estimating the time of {} problem{}\n", unknown.size(), unknown.size() == 1 ? "" : "s");
   for (jobs::Job* job : unknown) {
     if (interrupted()) return;
     job->estimate = estimate_of(*job);
@@ -71,7 +72,7 @@ public:
         begin_(Clock::now())
   {
     if (const auto* local = std::get_if<jobs::LocalProcesses>(&runner.by)) remaining_.emplace(jobs, local->at_once);
-    fmt::print(stderr, "{} problem{} to run{}\n", jobs.size(), jobs.size() == 1 ? "" : "s", words_of_time("; about {}"));
+    io::tell("{} problem{} to run{}\n", jobs.size(), jobs.size() == 1 ? "" : "s", words_of_time("; about {}"));
   }
   void tell(std::size_t job, const jobs::JobEnd& end)
   {
@@ -80,8 +81,8 @@ public:
     ++done_;
     const std::string words =
         end.kind == Kind::failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs_[job].folder));
-    fmt::print(stderr, "{:>{}}/{} {}: {}{}\n", done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(),
-               fs::relative(jobs_[job].folder, output_).string(), words, words_of_rest());
+    io::tell("{:>{}}/{} {}: {}{}\n", done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(),
+             fs::relative(jobs_[job].folder, output_).string(), words, words_of_rest());
   }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/verify.hpp"
 
+#include "io/tell.hpp"
 #include "run_folder/progress.hpp"
 #include "verification/book_index.hpp"
 #include "verification/requirements.hpp"
@@ -123,11 +124,11 @@ jobs::Outcome verify(const VerifyRequest& request)
   const auto unfinished = count([](jobs::JobEnd::Kind kind) { return outcome_of(kind) == jobs::Outcome::unfinished; });
   const bool queued = count([](jobs::JobEnd::Kind kind) { return kind == jobs::JobEnd::Kind::queued; }) > 0;
   if (unfinished > 0)
-    fmt::print(stderr, "{}: {} of {} problems are done; the same command {}\n", queued ? "queued" : "interrupted",
-               static_cast<std::ptrdiff_t>(results.size()) - unfinished, results.size(),
-               queued ? "collects the others" : "goes on from there");
+    io::tell("{}: {} of {} problems are done; the same command {}\n", queued ? "queued" : "interrupted",
+             static_cast<std::ptrdiff_t>(results.size()) - unfinished, results.size(),
+             queued ? "collects the others" : "goes on from there");
   write_book(request.output, pages, questions);
-  fmt::print(stderr, "the book is {}\n", (request.output / "index.html").string());
+  io::tell("the book is {}\n", (request.output / "index.html").string());
   if (unfinished > 0) return jobs::Outcome::unfinished;
   return all_met(pages) ? jobs::Outcome::done : jobs::Outcome::failed;
 }

@@ -3,12 +3,12 @@
 #include "bodies/rigid/triangle_file.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -142,10 +142,9 @@ Triangles obj(Lines lines)
 
 Triangles read_triangles(const std::filesystem::path& file)
 {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream all;
-  if (!std::filesystem::is_regular_file(file) || !(all << in.rdbuf())) throw InputError(fmt::format("{} cannot be read", file.string()));
-  const std::string bytes = all.str();
+  constexpr std::uintmax_t max_bytes = 5'000'000'000;
+  const auto [bytes, fault] = read_file(file, max_bytes);
+  if (!fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), fault));
   const std::string ending = without_capitals(file.extension().string());
   if (ending == ".obj") return obj({file.string(), bytes});
   if (ending != ".stl") throw InputError(fmt::format("{}: is neither an STL nor an OBJ file by its ending: .stl, .obj", file.string()));
