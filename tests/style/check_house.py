@@ -300,11 +300,16 @@ def examples(tree):
 def silence(tree):
     """Only what runs cases, main.cpp, the progress line and the run log write to the terminal."""
     studies = tuple(f"src/studies/{room}/" for room in ("benchmark", "envelope", "jobs", "safety", "study", "uncertainty", "verification"))
-    allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log")
+    allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log", "src/run/io/tell")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
-    pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b"
+    pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b|\bio::tell\s*\("
     yield from code_matching(tree, paths, pattern, "writes to the terminal")
     yield from lines_matching(tree, paths, r"\bfmt::print\s*\(\s*\"", "writes to the terminal")
+
+
+def reading(tree):
+    """Files are opened for reading by core/read_file alone, which opens no FIFO and no device."""
+    yield from code_matching(tree, tree.ending(CPP, "src/"), r"\bstd::i?fstream\b|\bfopen\s*\(", "opens a file by itself: open_to_read and read_file do it")
 
 
 def allocation(tree):
@@ -436,8 +441,13 @@ CHECKS = {
             {"src/engine/mesh/a.cpp": 'printf("x");\n'},
             {"src/run/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
             {"src/engine/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
+            {"src/fem/b.cpp": 'io::tell("{}", 1);\n'},
         ],
         [{"src/commands/a.cpp": "std::cout << 1;\n", "src/run/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/engine/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
+    ),
+    reading: (
+        [{"src/run/io/a.cpp": "std::ifstream lines(file);\n"}, {"src/engine/mesh/a.cpp": 'FILE* file = fopen(name, "r");\n'}],
+        [{"src/run/io/a.cpp": "std::ofstream lines(file); // no std::ifstream\n", "tests/a.cpp": "std::ifstream lines(file);\n"}],
     ),
     allocation: (
         [{"src/engine/mpm/a.cpp": "int* a = new int;\n"}, {"src/engine/contact/a.hpp": "void* p = std::malloc(3);\n"}],

@@ -125,8 +125,9 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder)
 {
   const auto must_hold = [&](const fs::path& file) {
     if (std::error_code error; !fs::exists(file, error))
-      throw InputError(fmt::format("--resume: {0} is not the folder of a run that has begun: there is no {1}; begin it with berm run CASE -o {0}",
-                                   folder.string(), file.lexically_relative(folder).string()));
+      throw InputError(
+          fmt::format("--resume: {0} is not the folder of a run that has begun: there is no {1}; begin it with berm run CASE -o {0}",
+                      folder.string(), file.lexically_relative(folder).string()));
   };
   on_first_rank([&] { run_folder::finish_start(folder); });
   for (const char* name : {"resolved.toml", "case.toml"}) must_hold(folder / name);

@@ -85,7 +85,7 @@ TEST(ShapesInSpace, are_refused_with_place_key_and_what_to_change)
       {std::string(profile) + "position = [0]\n", "rigid.body.position: needs 3 numbers"},
       {with(profile, "[0, 0.2, 0.2, 0]", "[0, 0.2, 0.2, 0.1]"), "must begin and end at the axis x = 0, or lie off it all around"},
       {"shape = \"surface\"\n", "rigid.body.file"},
-      {"shape = \"surface\"\nfile = \"nowhere.stl\"\n", "nowhere.stl cannot be read"},
+      {"shape = \"surface\"\nfile = \"nowhere.stl\"\n", "nowhere.stl: there is no such file"},
       {"shape = \"surface\"\nfile = \"nowhere.stl\"\nscale = 0\n", "rigid.body.scale"},
       {"shape = \"sphere\"\ncenter = [0, 0, 0]\ndiameter = 0\n", "rigid.body.diameter"}};
   for (const auto& [shape, says] : rows) {

@@ -177,7 +177,7 @@ TEST(Summary, that_is_damaged_is_refused_with_the_reason)
             "is damaged: a value in \"text\" is no text");
   EXPECT_EQ(refusal_of(std::string(5'000'000, '[')), "is damaged: byte 5000001 is not JSON");
   EXPECT_EQ(refusal_of(std::string(4'000'000, '[') + std::string(4'000'000, ']')), "is damaged: it is no table");
-  EXPECT_EQ(refusal_of(std::string(10'000'001, ' ')), "is damaged: it is too long");
+  EXPECT_EQ(refusal_of(std::string(10'000'001, ' ')), "is longer than 10000000 bytes, the maximum");
 }
 
 TEST(Summary, that_is_cut_is_never_taken)
