@@ -216,7 +216,7 @@ def open(folder: PathLike, kind: type[Run] | type[Study] | None = None) -> Run |
 
 def study(file: PathLike, folder: PathLike, *, threads: int | None = None, quiet: bool = False, program: PathLike | None = None) -> Study:
     """Runs a study (study.toml or its folder), `threads` runs at a time, and returns it; what has its result already is not run again.
-    Throws InputError, RunError and Stopped."""
+    Throws InputError, RunError (also where a row failed: open(folder) has the others) and Stopped."""
     words = ["study", file, "-o", folder, *(["--threads", str(threads)] if threads is not None else [])]
     call(words, quiet=quiet, program=program)
     return Study(folder)

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/threads.hpp"
+#include "material/user_law.hpp"
 #include "structures/structures.hpp"
 
 #include <fmt/format.h>
@@ -36,6 +37,27 @@ void CaseOptions::take_jobs(CLI::App& command)
 int CaseOptions::jobs() const
 {
   return threads > 0 ? threads : processor_count();
+}
+
+void CaseOptions::take_no_programs(CLI::App& command)
+{
+  command.add_flag(
+      "--no-programs", no_programs,
+      "refuse a case that brings programs, which may do whatever you may: a geometry (.geo) that gmsh runs, a library with a law");
+}
+
+void CaseOptions::refuse_programs(const simulation::RunRequest& request) const
+{
+  if (!no_programs) return;
+  const auto refuse = [&](const std::string& key, const char* what) {
+    throw InputError(request.places.located(key, fmt::format("names {}, a program, and --no-programs allows none", what)));
+  };
+  if (const auto* mesh = std::get_if<mesh::GmshFile>(&request.settings.mesh); mesh != nullptr && fs::path(mesh->file).extension() == ".geo")
+    refuse("mesh.file", "a geometry that gmsh runs");
+  for (const auto& [name, soil] : request.settings.material)
+    if (soil.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
+        soil.get_if<material::UserLaw<material::Interface::umat>>() != nullptr)
+      refuse(fmt::format("material.{}.library", name), "a library with a law");
 }
 
 void CaseOptions::take_runner(CLI::App& command)
@@ -82,6 +104,7 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
     auto [settings, places] = structures::read_case(file, options.overrides);
     all.push_back({std::move(settings), file, folder, false, std::move(places), {}, options.overrides});
+    options.refuse_programs(all.back());
   }
   return all;
 }

@@ -15,6 +15,7 @@ struct CaseOptions {
   int threads = 0;           ///< 0: all processors
   bool force = false;        ///< replace the results of earlier runs
   bool uncertainty = false;  ///< find the bands of the results, too
+  bool no_programs = false;  ///< refuse cases that bring programs
   bool strict = false;       ///< a run whose answer is spoiled has failed
   std::string runner_words, sbatch;
   int pack = 0;  ///< runs a task of Slurm; 0: not said
@@ -26,6 +27,10 @@ struct CaseOptions {
   void take_threads(CLI::App& command);
   void take_jobs(CLI::App& command);
   int jobs() const;
+  /// --no-programs.
+  void take_no_programs(CLI::App& command);
+  /// With it: throws InputError where the case names a program, a geometry that gmsh runs or a library with a law.
+  void refuse_programs(const simulation::RunRequest& request) const;
   /// --runner and what goes with it.
   void take_runner(CLI::App& command);
   /// What runs the cases. Throws InputError where it cannot.

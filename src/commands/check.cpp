@@ -8,9 +8,11 @@ namespace berm::commands {
 Command add_check(CLI::App& program)
 {
   const auto options = std::make_shared<CaseOptions>();
-  CLI::App* app = program.add_subcommand("check", "validate a case and print what a run would take");
+  CLI::App* app = program.add_subcommand(
+      "check", "validate a case and print what a run would take; gmsh runs the geometry (.geo) that it names, and its laws are loaded");
   options->take_cases(*app);
   options->take_threads(*app);
+  options->take_no_programs(*app);
   return {app, [options] {
             simulation::Context context(options->threads);
             for (const simulation::RunRequest& request : requests(*options)) check_case(request, context);

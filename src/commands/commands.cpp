@@ -3,12 +3,14 @@
 #include "commands/commands.hpp"
 
 #include "commands/command.hpp"
+#include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
 #include "io/revision.hpp"
 #include "io/tell.hpp"
+#include "jobs/outcome.hpp"
 #include "simulation/run_of_ranks.hpp"
 
 #include <algorithm>
@@ -90,6 +92,9 @@ int status_of_command(int argc, char** argv, std::string& why)
   } catch (const InputError& error) {
     why = error.what();
     return 2;
+  } catch (const Interrupted& error) {
+    why = fmt::format("{}; the same command begins anew", error.what());
+    return status_of(jobs::Outcome::unfinished);
   } catch (const std::bad_alloc&) {
     why = "the machine has no more memory for this; berm check CASE prints how much a run needs";
     return 1;

@@ -60,8 +60,9 @@ void draw(const Picture& picture)
 Command add_draw(CLI::App& program)
 {
   const auto options = std::make_shared<CaseOptions>();
-  CLI::App* app = program.add_subcommand("draw", "draw the model of a case before it is run");
+  CLI::App* app = program.add_subcommand("draw", "draw the model of a case before it is run; gmsh runs the geometry (.geo) that it names");
   options->take_cases(*app);
+  options->take_no_programs(*app);
   app->add_option("-o,--output", options->output,
                   "picture to write (.png or .svg); of several cases: the folder that theirs go into (default: out/FOLDER/NAME.png of "
                   "FOLDER/NAME.toml)");

@@ -40,7 +40,7 @@ Command add_envelope(CLI::App& program)
                                                                                : std::filesystem::path(options->output);
             auto [settings, places] = structures::read_case(file, options->overrides);
             try {
-              return status_of(envelope::find_envelope({std::move(settings), file, folder, options->how, options->runner()}));
+              return status_of(envelope::find_envelope({std::move(settings), file, folder, options->how, options->runner(), places}));
             } catch (const KeyError& error) {
               throw InputError(places.located(error.what()));
             }

@@ -113,6 +113,7 @@ Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
   if (finished) fmt::print("the run in {} is finished\n", folder.string());
   if (finished && !options.uncertainty) return Outcome::done;
   if (finished) request = simulation::finished_run(folder);
+  options.refuse_programs(*request);
   catch_interrupts();
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
@@ -137,6 +138,7 @@ Command add_run(CLI::App& program)
   CLI::Option* cases = options->take_cases(*app)->required(false);
   options->take_threads(*app);
   options->take_runner(*app);
+  options->take_no_programs(*app);
   app->add_option("-o,--output", options->output,
                   "run folder; of several cases: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
   CLI::Option* force = app->add_flag("--force", options->force, "replace what earlier runs left in the folder");

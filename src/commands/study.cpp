@@ -30,9 +30,13 @@ jobs::Outcome study_all(const std::vector<std::string>& studies, const std::stri
       if (other.second == folder) throw InputError(fmt::format("{} and another study would both be written to {}", study, folder.string()));
     plans.emplace_back(study::plan_study(file, folder), folder);
   }
-  for (auto& [plan, folder] : plans)
-    if (run_study(plan, folder, runner) == jobs::Outcome::unfinished) return jobs::Outcome::unfinished;
-  return jobs::Outcome::done;
+  jobs::Outcome outcome = jobs::Outcome::done;
+  for (auto& [plan, folder] : plans) {
+    const jobs::Outcome of_plan = run_study(plan, folder, runner);
+    if (of_plan == jobs::Outcome::unfinished) return of_plan;
+    outcome = worse(outcome, of_plan);
+  }
+  return outcome;
 }
 
 }  // namespace

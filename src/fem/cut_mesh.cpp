@@ -294,8 +294,7 @@ mesh::Mesh<2> make_cut_mesh(const problem::Case& c, const fs::path& case_folder,
   if (failure) throw RunError(fmt::format("the mesh cannot be written to {}: {}", work_folder.string(), failure.message()));
   const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
   write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), c.fem.contact_size.value_or(bed->near_size), geo);
-  mesh::run_gmsh(geo, msh, 2);
-  mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);
+  mesh::Mesh<2> mesh = mesh::mesh_by_gmsh<2>(geo, msh, "mesh");
   name_regions(mesh, *bed);
   if (const mesh::GroundLine ground = ground_of(*bed); !ground.level()) name_boundaries(mesh, *bed, ground);
   // The space above the bed is not in this mesh, so a support of its top fixes nothing.

@@ -25,6 +25,7 @@ struct TomlStumbled {};
 #pragma pop_macro("TOML_UNREACHABLE")
 #include <toml++/toml.h>
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
 #include "input/document.hpp"
@@ -179,7 +180,7 @@ Document parse_text(const std::string& file, const std::string& text)
     refuse_line(file, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'),
                 "a NUL byte: this is not a text file");
   try {
-    Document document{file, convert(toml::parse(text, file))};
+    Document document{file, convert(toml::parse(text, file)), text.starts_with(resolved_heading)};
     document.root.line = 1;
     return document;
   } catch (const toml::parse_error& error) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace berm::input {
@@ -31,7 +32,11 @@ struct Node {
 struct Document {
   std::string file;
   Node root;
+  bool resolved = false;  ///< written by berm with every key in it, whoever gave them
 };
+
+/// The first line of a case that berm has written with every key in it.
+constexpr std::string_view resolved_heading = "# The whole case: every default filled in, numbers in SI units, angles in radians.\n";
 
 /// Reads a TOML file. Throws InputError "FILE:LINE: ..." where it is not TOML, "FILE: ..." where it cannot be read.
 Document parse_file(const std::filesystem::path& file);

@@ -2,6 +2,8 @@
 // Tests: tests/unit/input/document_test.cpp
 #include "input/message_text.hpp"
 
+#include "core/control_characters.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -81,13 +83,6 @@ std::string shortened(const std::string& text, std::size_t max)
 std::string in_quotes(const std::string& text)
 {
   return one_line(fmt::format("\"{}\"", shortened(text, 60)));
-}
-
-std::string one_line(std::string text)
-{
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  return text;
 }
 
 std::string quantity(Real value, const std::string& si_unit)

@@ -24,9 +24,6 @@ std::string shortened(const std::string& text, std::size_t max);
 /// A text in quotes, on one line, cut after 60 bytes.
 std::string in_quotes(const std::string& text);
 
-/// A text on one line: every control character becomes a space.
-std::string one_line(std::string text);
-
 /// A quantity in its SI unit, angles in degrees: "0.02 m", "35 deg".
 std::string quantity(Real value, const std::string& si_unit);
 

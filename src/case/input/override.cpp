@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/parameters_test.cpp
 #include "input/override.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "input/message_text.hpp"
 

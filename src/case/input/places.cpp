@@ -43,4 +43,9 @@ bool Places::has(const std::string& key) const
   return document_ && follow(document_->root, written(key)).whole;
 }
 
+bool Places::is_given(const std::string& key) const
+{
+  return has(key) && (!document_->resolved || !follow(document_->root, written(key)).node->override_key.empty());
+}
+
 }  // namespace berm::input

@@ -26,6 +26,8 @@ public:
 
   /// Whether the file or an override has this key.
   bool has(const std::string& key) const;
+  /// Whether somebody wrote it: in a case that berm has written whole, an override.
+  bool is_given(const std::string& key) const;
 
 private:
   std::string written(const std::string& key) const;

@@ -233,6 +233,16 @@ SiQuantity to_si(const std::string& text)
   refuse_text(text, "has a unit of unknown dimension", words);
 }
 
+bool is_quantity(const std::string& text)
+{
+  try {
+    to_si(text);
+    return true;
+  } catch (const UnitError&) {
+    return false;
+  }
+}
+
 bool same_dimension(const std::string& unit, const std::string& other)
 {
   const Unit one = parse_unit(unit), two = parse_unit(other);

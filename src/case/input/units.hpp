@@ -27,6 +27,9 @@ struct SiQuantity {
 /// The same for a text of unknown dimension, in the SI unit of its own. Throws UnitError where the unit is unknown.
 SiQuantity to_si(const std::string& text);
 
+/// Whether a text is a quantity.
+bool is_quantity(const std::string& text);
+
 /// Whether two units have the same dimension; "1" and "" are dimensionless.
 bool same_dimension(const std::string& unit, const std::string& other);
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "input/value_reader.hpp"
 
+#include "core/control_characters.hpp"
 #include "input/message_text.hpp"
 #include "input/units.hpp"
 
@@ -11,16 +12,6 @@ namespace berm::input {
 namespace {
 
 constexpr std::size_t max_in_text = 4096;  // bytes
-
-/// Texts go to terminals, tables and plot scripts. In UTF-8 the control characters beyond ASCII are C2 80 to C2 9F.
-bool has_control_character(const std::string& text)
-{
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u; };
-    if (byte(k) < 0x20 || byte(k) == 0x7F || (byte(k) == 0xC2 && byte(k + 1) >= 0x80 && byte(k + 1) < 0xA0)) return true;
-  }
-  return false;
-}
 
 }  // namespace
 

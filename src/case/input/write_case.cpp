@@ -159,7 +159,7 @@ SettingTable all_settings(const problem::Case& settings)
 
 std::string resolved_toml(const problem::Case& settings)
 {
-  return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + toml_of(all_settings(settings));
+  return std::string(resolved_heading) + toml_of(all_settings(settings));
 }
 
 std::string_view without_report(std::string_view resolved)

@@ -65,7 +65,7 @@ struct Unused {
 /// Whether a clay has a number above what it is when left out, or the input says that it has not.
 bool is_given(const Scene& s, const std::string& material, const char* key, bool above)
 {
-  return above || s.places.has(fmt::format("material.{}.{}", material, key));
+  return above || s.places.is_given(fmt::format("material.{}.{}", material, key));
 }
 
 void add_material_keys(const Scene& s, std::vector<Unused>& keys)
@@ -140,7 +140,7 @@ void is_every_key_used(const Scene& s, Findings& found)
   add_material_keys(s, keys);
   add_body_keys(s, keys);
   for (const Unused& one : keys)
-    if (one.idle && s.places.has(one.key)) {
+    if (one.idle && s.places.is_given(one.key)) {
       const bool says_what_else = one.why.find("; give") != std::string::npos;
       found.warn(one.key, fmt::format("is not used: {}{}", one.why, says_what_else ? ", or leave this out" : "; leave it out"));
     }

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/mesh/gmsh_test.cpp
+// Tests: tests/unit/mesh/mesh_settings_test.cpp
 #include "mesh/gmsh_program.hpp"
 
+#include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
 
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <system_error>
 #include <vector>
 
 namespace berm::mesh {
@@ -33,42 +31,15 @@ std::string last_lines(const fs::path& file, std::size_t count)
   return text;
 }
 
-// Gmsh reads its user's options from the folder that GMSH_HOME names; a folder without any makes meshes the same for
-// everyone.
-std::vector<std::string> environment_with_home(const fs::path& home)
+ChildProcess started(const ChildStart& start)
 {
-  std::vector<std::string> environment;
-  for (char** entry = environ; *entry != nullptr; ++entry)
-    if (std::strncmp(*entry, "GMSH_HOME=", 10) != 0) environment.emplace_back(*entry);
-  environment.push_back("GMSH_HOME=" + home.string() + "/");
-  return environment;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& words)
-{
-  std::vector<char*> list;
-  for (std::string& word : words) list.push_back(word.data());
-  list.push_back(nullptr);
-  return list;
-}
-
-// Runs a program found in PATH, without a shell, and waits. Returns its wait status.
-int run_and_wait(std::vector<std::string> words, std::vector<std::string> environment, const fs::path& log)
-{
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t process = 0;
-  const int failure = posix_spawnp(&process, words[0].c_str(), &actions, nullptr, pointers(words).data(), pointers(environment).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure == ENOENT) throw RunError(fmt::format("{0} is not installed: sudo apt-get install {0}", words[0]));
-  if (failure != 0) throw RunError(fmt::format("{} cannot be started: {}", words[0], std::strerror(failure)));
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) throw RunError(fmt::format("waiting for {} failed: {}", words[0], std::strerror(errno)));
-  return status;
+  try {
+    return ChildProcess(start);
+  } catch (const std::system_error& error) {
+    const std::string& name = start.words[0];
+    if (error.code().value() == ENOENT) throw RunError(fmt::format("{0} is not installed: sudo apt-get install {0}", name));
+    throw RunError(fmt::format("{} cannot be started: {}", name, error.code().message()));
+  }
 }
 
 }  // namespace
@@ -81,13 +52,32 @@ void run_gmsh(const fs::path& geo, const fs::path& msh, int dim)
   if (!fs::is_directory(folder)) throw RunError(fmt::format("gmsh: there is no folder {} for the mesh", folder.string()));
   if (!fs::is_regular_file(geo)) throw RunError(fmt::format("gmsh: there is no geometry {}", geo.string()));
   fs::remove(msh);
-  const int status = run_and_wait({"gmsh", fs::absolute(geo).string(), fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format", "msh41",
-                                   "-o", fs::absolute(msh).string()},
-                                  environment_with_home(folder), log);
-  if (WIFSIGNALED(status)) throw RunError(fmt::format("gmsh was stopped by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
-  if (WEXITSTATUS(status) != 0 || !fs::exists(msh))
-    throw RunError(fmt::format("gmsh failed on {} (exit status {}); the end of {}:{}", geo.string(), WEXITSTATUS(status), log.string(),
-                               last_lines(log, 8)));
+  // Gmsh reads its user's options from the folder that GMSH_HOME names; a folder without any makes meshes the same for everyone.
+  ChildProcess gmsh = started({.words = {"gmsh", fs::absolute(geo).string(), fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format",
+                                         "msh41", "-o", fs::absolute(msh).string()},
+                               .messages = log.string(),
+                               .environment = {"GMSH_HOME=" + folder.string() + "/"}});
+  const int status = wait_unless_interrupted(gmsh, "gmsh");
+  if (status > 128) throw RunError(fmt::format("gmsh was stopped by signal {} ({})", status - 128, strsignal(status - 128)));
+  if (status != 0 || !fs::exists(msh))
+    throw RunError(
+        fmt::format("gmsh failed on {} (exit status {}); the end of {}:{}", geo.string(), status, log.string(), last_lines(log, 8)));
 }
+
+template <int dim>
+Mesh<dim> mesh_by_gmsh(const fs::path& geo, const fs::path& msh, const std::string& key, const GmshFile* settings)
+{
+  run_gmsh(geo, msh, dim);
+  try {
+    return settings == nullptr ? read_msh<dim>(msh) : read_msh<dim>(msh, *settings);
+  } catch (const InputError& error) {
+    std::string why = error.what();
+    if (const std::string name = msh.string() + ":"; why.starts_with(name)) why.erase(0, name.size());
+    throw KeyError(fmt::format("{}: the mesh that gmsh made cannot be used:{}{}", key, why.starts_with(' ') ? "" : " line ", why));
+  }
+}
+
+template Mesh<2> mesh_by_gmsh<2>(const fs::path&, const fs::path&, const std::string&, const GmshFile*);
+template Mesh<3> mesh_by_gmsh<3>(const fs::path&, const fs::path&, const std::string&, const GmshFile*);
 
 }  // namespace berm::mesh

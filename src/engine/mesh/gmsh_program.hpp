@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mesh/gmsh.hpp"
+
 #include <filesystem>
+#include <string>
 
 namespace berm::mesh {
 
@@ -9,5 +12,11 @@ namespace berm::mesh {
 /// its output goes to a .log beside `msh`. The user's own Gmsh options are ignored. Throws RunError where gmsh is not
 /// installed or fails.
 void run_gmsh(const std::filesystem::path& geo, const std::filesystem::path& msh, int dim);
+
+/// Runs it and reads what it made, by the settings of a user's file where there are some. Throws KeyError with the key that the geometry comes from where that cannot be
+/// used: the file is berm's own.
+template <int dim>
+Mesh<dim> mesh_by_gmsh(const std::filesystem::path& geo, const std::filesystem::path& msh, const std::string& key,
+                       const GmshFile* settings = nullptr);
 
 }  // namespace berm::mesh

@@ -21,8 +21,7 @@ Mesh<dim> make(const SeabedMesh& seabed, const fs::path&, const fs::path& work_f
   } else {
     const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
     write_geo(seabed, geo);
-    run_gmsh(geo, msh, dim);
-    return read_msh<dim>(msh);
+    return mesh_by_gmsh<dim>(geo, msh, "mesh");
   }
 }
 
@@ -32,8 +31,7 @@ Mesh<dim> make(const GmshFile& mesh, const fs::path& case_folder, const fs::path
   const fs::path user_file = case_folder / mesh.file, ours = work_folder / "mesh.msh";
   if (user_file.extension() == ".geo") {
     if (!fs::is_regular_file(user_file)) throw KeyError(fmt::format("mesh.file: there is no geometry {}", user_file.string()));
-    run_gmsh(user_file, ours, dim);
-    return read_msh<dim>(ours, mesh);
+    return mesh_by_gmsh<dim>(user_file, ours, "mesh.file", &mesh);
   }
   Mesh<dim> read = read_msh<dim>(user_file, mesh);
   if (!fs::exists(ours) || !fs::equivalent(user_file, ours)) fs::copy_file(user_file, ours, fs::copy_options::overwrite_existing);

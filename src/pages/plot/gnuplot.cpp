@@ -56,9 +56,9 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
                                        picture, stem, vector ? "svg" : "pngcairo", width, height, gnuplot_text("../" + picture));
   io::write_atomically(plots / (stem + ".gp"), head + script);
   std::filesystem::remove(io::part_of(folder / picture), ignored);  // gnuplot would write through a link
-  // A name that begins with - is no option.
+  // -d: without the settings of its user. A name that begins with - is no option.
   const int status = io::run_and_wait(
-      {"gnuplot", "-e", "picture = " + gnuplot_text("../" + io::part_of(picture).string()), "./" + stem + ".gp"}, messages, plots);
+      {"gnuplot", "-d", "-e", "picture = " + gnuplot_text("../" + io::part_of(picture).string()), "./" + stem + ".gp"}, messages, plots);
   const int reason = errno;
   if (status == 0) {
     std::filesystem::remove(messages, ignored);

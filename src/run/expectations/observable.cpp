@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "expectations/observable.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "run_folder/summary_file.hpp"
@@ -71,8 +72,8 @@ Reading quantity_of(const Observable& observable, std::vector<run_folder::Quanti
     if (const auto found = details->find(observable.quantity, observable.at)) return reading_of(*found);
     for (const std::string& name : details->names()) known.push_back(name);
   }
-  throw InputError(input::one_line(fmt::format("summary.json has no quantity {}{}", input::in_quotes(observable.quantity),
-                                               input::suggestion(observable.quantity, known))));
+  throw InputError(one_line(fmt::format("summary.json has no quantity {}{}", input::in_quotes(observable.quantity),
+                                        input::suggestion(observable.quantity, known))));
 }
 
 Reading reading_of_column(const Observable& observable, const run_folder::History& history)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/folder_lock.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 
@@ -62,6 +63,18 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / fil
     errno = reason;
     refuse("cannot write");
   }
+}
+
+std::string FolderLock::owner_of(const std::filesystem::path& folder)
+{
+  const std::filesystem::path path = folder / file_name;
+  const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return "";
+  const bool taken = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  if (!taken) return "";
+  const std::string owner = read_text_file(path);
+  return owner.empty() ? "another process" : one_line(owner.substr(0, owner.find('\n')));
 }
 
 FolderLock::~FolderLock()

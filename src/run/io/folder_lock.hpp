@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace berm::io {
 
@@ -15,6 +16,9 @@ public:
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
+
+  /// Who has the folder, "another process" where the lock does not tell; "" nobody.
+  static std::string owner_of(const std::filesystem::path& folder);
 
 private:
   std::filesystem::path path_;

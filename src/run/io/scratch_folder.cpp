@@ -8,7 +8,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <string>
+#include <system_error>
+#include <unistd.h>
 
 namespace berm::io {
 namespace fs = std::filesystem;
@@ -18,12 +21,43 @@ ScratchFolder::ScratchFolder()
   std::string name = (fs::temp_directory_path() / "berm-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw RunError("no temporary folder " + name + " can be made: " + std::strerror(errno));
   path_ = name;
+  try {
+    start_guard();
+  } catch (...) {
+    remove();
+    throw;
+  }
+}
+
+/// The shell reads until the other end of the pipe is closed, which the system does whatever ends this program.
+void ScratchFolder::start_guard()
+{
+  int pipe[2];
+  if (::pipe2(pipe, O_CLOEXEC) != 0) throw_errno("no temporary folder can be made");
+  held_ = pipe[1];
+  try {
+    guard_.emplace(ChildStart{.words = {"/bin/sh", "-c", "trap '' HUP INT TERM; read -r nothing; rm -rf -- \"$0\"", path_.string()},
+                              .messages = "/dev/null",
+                              .in = pipe[0],
+                              .outlives = true});
+  } catch (const std::system_error& error) {
+    ::close(pipe[0]);
+    throw RunError(std::string("no temporary folder can be made: /bin/sh does not start: ") + error.code().message());
+  }
+  ::close(pipe[0]);
 }
 
 ScratchFolder::~ScratchFolder()
 {
+  remove();
+}
+
+void ScratchFolder::remove()
+{
   std::error_code ignored;  // a temporary folder left behind is no reason to fail
   fs::remove_all(path_, ignored);
+  guard_.reset();
+  if (held_ >= 0) ::close(held_);
 }
 
 void ScratchFolder::move_files_to(const fs::path& folder) const

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/child_process.hpp"
+
 #include <filesystem>
+#include <optional>
 
 namespace berm::io {
 
-/// A folder of the system's temporary ones, removed with this object.
+/// A folder of the system's temporary ones, removed with this object, or by a shell that waits for the end of this program where it is killed.
 class ScratchFolder {
 public:
-  /// Throws RunError where the system's temporary folder cannot be written to.
+  /// Throws RunError where the system's temporary folder cannot be written to, or the shell cannot be started.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
@@ -19,7 +22,12 @@ public:
   void move_files_to(const std::filesystem::path& folder) const;
 
 private:
+  void start_guard();
+  void remove();
+
   std::filesystem::path path_;
+  std::optional<ChildProcess> guard_;
+  int held_ = -1;  ///< open as long as this program lives
 };
 
 }  // namespace berm::io

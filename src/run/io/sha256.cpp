@@ -23,6 +23,27 @@ namespace berm::io {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+using Bytes = std::array<unsigned char, EVP_MAX_MD_SIZE>;
+
+std::string hexadecimal(const Bytes& bytes, unsigned count)
+{
+  std::string hex;
+  for (unsigned k = 0; k < count; ++k) hex += fmt::format("{:02x}", bytes[k]);
+  return hex;
+}
+
+}  // namespace
+
+std::string sha256_of(std::string_view text)
+{
+  Bytes bytes{};
+  unsigned count = 0;
+  if (EVP_Digest(text.data(), text.size(), bytes.data(), &count, EVP_sha256(), nullptr) != 1) throw RunError("there is no SHA-256");
+  return hexadecimal(bytes, count);
+}
+
 std::string sha256_of_file(const fs::path& file)
 {
   std::string fault;
@@ -39,13 +60,11 @@ std::string sha256_of_file(const fs::path& file)
       good = count >= 0 && EVP_DigestUpdate(digest.get(), part.data(), static_cast<std::size_t>(count)) == 1;
   }
   ::close(opened);
-  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+  Bytes bytes{};
   unsigned count = 0;
   if (!good || EVP_DigestFinal_ex(digest.get(), bytes.data(), &count) != 1)
     throw RunError(fmt::format("{}: cannot be read for its SHA-256", file.string()));
-  std::string hex;
-  for (unsigned k = 0; k < count; ++k) hex += fmt::format("{:02x}", bytes[k]);
-  return hex;
+  return hexadecimal(bytes, count);
 }
 
 std::vector<ProgramFile> program_files(const std::string& name)

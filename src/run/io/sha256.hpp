@@ -3,12 +3,16 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace berm::io {
 
 /// SHA-256 of a file's bytes, 64 hexadecimal digits, as `sha256sum` prints it. Throws RunError where the file cannot be read.
 std::string sha256_of_file(const std::filesystem::path& file);
+
+/// The same of a text.
+std::string sha256_of(std::string_view text);
 
 /// A file that the running program was loaded from.
 struct ProgramFile {

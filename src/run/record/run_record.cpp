@@ -2,9 +2,12 @@
 // Tests: tests/unit/commands/report_test.cpp
 #include "record/run_record.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/sha256.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -75,8 +78,8 @@ void take_log(RunRecord& run)
   for (std::string line; std::getline(lines, line);) {
     const bool timed = line.size() > time_length + 1 && line[4] == '-' && line[time_length] == ' ';
     if (!timed) continue;
-    const std::string words = line.substr(time_length + 1);
-    if (run.begun.empty()) run.begun = line.substr(0, time_length);
+    const std::string words = one_line(line.substr(time_length + 1));
+    if (run.begun.empty()) run.begun = one_line(line.substr(0, time_length));
     if (words.starts_with(warning)) run.warnings.push_back(words.substr(warning.size()));
     run.last_log_line = words;
   }
@@ -115,6 +118,23 @@ void take_ground(RunRecord& run)
     run.faults.emplace_back("ground.csv is damaged: the ground is taken to be level");
 }
 
+/// Compares the files of the folder with what origin.json noted of them when the run began.
+void take_changes(RunRecord& run)
+{
+  const run_folder::FileHashes& noted = run.origin->input;
+  const auto has = [&](const std::string& name, const std::string& hash) {
+    return std::find(noted.begin(), noted.end(), std::pair(name, hash)) != noted.end();
+  };
+  for (const auto& [name, hash] : noted) {
+    const fs::path file = run.folder / name;
+    if (file.filename() != name || look_for(file) != Found::file || io::sha256_of_file(file) == hash) continue;
+    if (name == "resolved.toml" && has(run_folder::without_report_entry, io::sha256_of(input::without_report(io::read_text_file(file)))))
+      continue;
+    run.changed.push_back(name);
+    run.faults.push_back(words_of_change(name));
+  }
+}
+
 void take_origin(RunRecord& run)
 {
   try {
@@ -122,6 +142,7 @@ void take_origin(RunRecord& run)
   } catch (const RunError&) {
     run.faults.emplace_back("origin.json is damaged: what the run was made from is not known");
   }
+  if (run.origin) take_changes(run);
   if (run.origin && run.origin->begins() && !run.origin->sessions.front().begun.empty()) run.begun = run.origin->sessions.front().begun;
 }
 
@@ -167,6 +188,11 @@ void write_ground(const fs::path& folder, const mesh::GroundLine& line)
   io::write_atomically(folder / "ground.csv", text);
 }
 
+std::string words_of_change(const std::string& file)
+{
+  return fmt::format("{} was changed after the run began: it is not what the run was computed with", file);
+}
+
 bool is_run_folder(const fs::path& folder)
 {
   return look_for(folder / "resolved.toml") == Found::file;
@@ -178,7 +204,7 @@ RunRecord read_run(const fs::path& folder)
   run.folder = folder;
   const fs::path whole = fs::absolute(folder).lexically_normal();
   const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-  run.name = Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+  run.name = one_line(Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>());
   run.settings = input::read_case(folder / "resolved.toml");
   take_ground(run);
   take_history(run);

@@ -29,6 +29,8 @@ struct RunRecord {
   std::optional<run_folder::Origin> origin;  ///< none in a run of an earlier version, or where it is damaged
   std::string
       begun;  ///< date and time (UTC) of its origin; else those of the first line of run.log, in local time; "" where neither is there
+  std::vector<std::string>
+      changed;  ///< files of the folder that are others than origin.json noted when the run began, but for [report] of the case
   std::vector<std::string> warnings;  ///< of run.log, without their times
   std::string last_log_line;          ///< why the run ended, as run.log tells: its last line, or the warning before the results
   std::vector<std::string> faults;    ///< what is missing or damaged in the folder, in words
@@ -46,6 +48,9 @@ struct RunRecord {
 
 /// A name that files may have: letters, digits, points, - and _; everything else becomes _.
 std::string file_name_of(const std::string& name);
+
+/// What is said of a file in RunRecord::changed.
+std::string words_of_change(const std::string& file);
 
 /// Whether a folder is one of a run: it holds a resolved.toml that may be looked at.
 bool is_run_folder(const std::filesystem::path& folder);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/history.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/csv_line.hpp"
+#include "run_folder/json_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -29,11 +31,6 @@ bool read_number(const std::string& field, Real& value)
   const char* end = field.data() + field.size();
   const auto [stop, error] = std::from_chars(field.data(), end, value);
   return error == std::errc() && stop == end && !field.empty();
-}
-
-bool has_control_character(const std::string& text)
-{
-  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
 }
 
 /// A field in quotes on one line, as far as it is needed to find it.
@@ -179,6 +176,8 @@ History read_history(const std::filesystem::path& path)
   for (Index line = 2; next_csv_line(text, at, fields); ++line) {
     if (fields.size() != header.size())
       throw RunError(fmt::format("{}: line {}: {} fields for {} columns", path.string(), line, fields.size(), header.size()));
+    if (has_control_character(fields[stage]))
+      throw RunError(fmt::format("{}: line {}: {} is no name of a stage", path.string(), line, shown(fields[stage])));
     history.stage.push_back(fields[stage]);
     for (std::size_t k = 0, column = 0; k < fields.size(); ++k) {
       if (k == stage) continue;
@@ -229,7 +228,7 @@ std::vector<Column> read_schema(const std::filesystem::path& history)
     throw RunError(fmt::format("{}: there is no {} beside it, which has its units", history.string(), path.filename().string()));
   try {
     std::vector<Column> columns;
-    const Json schema = Json::parse(io::read_text_file(path, max_schema_bytes));
+    const Json schema = read_json(path, max_schema_bytes);
     for (const Json& entry : schema.at("columns")) {
       if (entry.at("unit").is_null()) continue;
       const auto text = [&](const char* key) { return entry.at(key).get<std::string>(); };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/origin.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "core/vector_unit.hpp"
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
 #include "io/revision.hpp"
 #include "io/sha256.hpp"
+#include "run_folder/json_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -90,7 +92,10 @@ void note_origin(const fs::path& run_folder, const std::string& case_file, const
     if (const fs::path file = run_folder / name; fs::exists(file, error)) inputs.push_back(file);
   FileHashes hashes = hashes_of(inputs);
   hashes.insert(hashes.end(), named.begin(), named.end());
-  write(run_folder, {hashes, {this_session()}, case_file, set});
+  for (auto& entry : hashes) entry.first = one_line(entry.first);
+  std::vector<std::string> changes;
+  for (const std::string& change : set) changes.push_back(one_line(change));
+  write(run_folder, {hashes, {this_session()}, one_line(case_file), changes});
 }
 
 void note_resumption(const fs::path& run_folder)
@@ -112,7 +117,7 @@ std::optional<Origin> read_origin(const fs::path& run_folder)
   const fs::path file = run_folder / origin_name;
   if (!fs::exists(file, error)) return std::nullopt;
   try {
-    const Json json = Json::parse(io::read_text_file(file));
+    const Json json = read_json(file);
     Origin origin{hashes_in(json.at("input_sha256")), {}, json.value("case", ""), json.value("set", std::vector<std::string>())};
     for (const Json& session : json.at("sessions"))
       origin.sessions.push_back({session.at("begun").get<std::string>(), session.at("version").get<std::string>(),

@@ -12,6 +12,9 @@ namespace berm::run_folder {
 /// SHA-256 of files, by their names.
 using FileHashes = std::vector<std::pair<std::string, std::string>>;
 
+/// Under this name stands the hash of resolved.toml up to its table [report], which may be changed after the run.
+constexpr const char* without_report_entry = "resolved.toml before [report]";
+
 /// A program that computed a run, or a part of it.
 struct RunSession {
   std::string begun;  ///< date and time (UTC, ISO 8601)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/summary.hpp"
 
+#include "core/control_characters.hpp"
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
@@ -116,9 +117,11 @@ std::string Summary::json() const
   root["checks"] = Json::object();
   for (const auto& [name, check] : checks) std::visit([&, &key = name](auto value) { root["checks"][key] = value; }, check);
   root["text"] = Json::object();
-  for (const auto& [name, words] : text) root["text"][name] = words;
-  root["warnings"] = warnings;
-  root["spoiled"] = spoiled;
+  for (const auto& [name, words] : text) root["text"][name] = one_line(words);
+  for (const auto& [name, list] : {std::pair{"warnings", &warnings}, {"spoiled", &spoiled}}) {
+    root[name] = Json::array();
+    for (const std::string& words : *list) root[name].push_back(one_line(words));
+  }
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -3,7 +3,7 @@
 #include "run_folder/summary_file.hpp"
 
 #include "core/error.hpp"
-#include "core/read_file.hpp"
+#include "run_folder/json_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -80,17 +80,6 @@ RunSummary summary_of(const Json& json)
   return summary;
 }
 
-Json parsed(const std::string& text)
-{
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    refuse(fmt::format("byte {} is not JSON", error.byte));
-  } catch (const Json::exception&) {
-    refuse("a number in it is too large");
-  }
-}
-
 }  // namespace
 
 bool RunSummary::finished() const
@@ -104,10 +93,9 @@ std::optional<RunSummary> read_summary(const fs::path& run_folder)
   const fs::path file = run_folder / "summary.json";
   std::error_code error;
   if (fs::status(file, error).type() == fs::file_type::not_found) return std::nullopt;
+  const Json json = read_json(file, max_bytes);
   try {
-    const auto [text, fault] = read_file(file, max_bytes);
-    if (!fault.empty()) throw RunError(fault);
-    return summary_of(parsed(text));
+    return summary_of(json);
   } catch (const RunError& found) {
     throw RunError(fmt::format("{} {}", file.string(), found.what()));
   }

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/json_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -145,14 +146,10 @@ Uncertainty uncertainty_of(const Json& json)
 void add_to_summary(const std::filesystem::path& run_folder, const Uncertainty& uncertainty)
 {
   const std::filesystem::path file = run_folder / "summary.json";
-  try {
-    Json root = Json::parse(io::read_text_file(file));
-    if (!root.is_object()) throw RunError(fmt::format("{} is damaged: it is no table", file.string()));
-    root["uncertainty"] = json_of(uncertainty);
-    io::write_atomically(file, root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-  } catch (const Json::exception&) {
-    throw RunError(fmt::format("{} is damaged: it is not JSON", file.string()));
-  }
+  Json root = read_json(file);
+  if (!root.is_object()) throw RunError(fmt::format("{} is damaged: it is no table", file.string()));
+  root["uncertainty"] = json_of(uncertainty);
+  io::write_atomically(file, root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace berm::run_folder

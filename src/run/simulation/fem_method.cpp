@@ -31,7 +31,7 @@ fem::FemProblem build_for(const RunRequest& request, const io::ScratchFolder& sc
 {
   const problem::Case c = case_to_run(request);
   const Real elements = min_elements(c);
-  refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
+  refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), words_of_count(elements, "elements"),
                         larger_elements);
   return fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
 }
@@ -74,6 +74,20 @@ Real FemMethod::movement() const
   for (Index node = 0; node < problem_.model.mesh.node_count(); ++node)
     largest = std::max(largest, std::hypot(now[2 * node] - moved_from_[2 * node], now[2 * node + 1] - moved_from_[2 * node + 1]));
   return largest;
+}
+
+/// Strains are small: soil that has moved by more than the model is large is not held by anything.
+void FemMethod::refuse_lost_soil() const
+{
+  const fem::FemModel& of = problem_.model;
+  const std::vector<Real>& now = problem_.state.displacement;
+  const Vec<2> size = model().mesh.upper - model().mesh.lower;
+  for (Index node = 0; node < of.mesh.node_count(); ++node)
+    if (const Real moved = std::hypot(now[2 * node], now[2 * node + 1]); !(moved <= size.norm()))
+      throw RunError(
+          fmt::format("t = {:.6g} s: the soil at ({:.4g}, {:.4g}) m has moved by {:.3g} m, and the mesh is {:.3g} m wide and {:.3g} m "
+                      "high: it is too soft or too weak for its loads, or nothing holds it",
+                      state().time, of.mesh.position[node][0], of.mesh.position[node][1], moved, size[0], size[1]));
 }
 
 bool FemMethod::is_last_stage() const
@@ -126,6 +140,7 @@ void FemMethod::step()
   if (trial_ && trial_->failed()) return;
   try_to([&] { last_ = steps_.advance(); });
   if (trial_ && trial_->failed()) return;
+  if (!trial_) refuse_lost_soil();
   recorder_.observe_steps(steps_);
   iterations_ += last_.iterations;
   if (last_.converged) return;

@@ -64,6 +64,7 @@ private:
   void try_to(const Act& act);
   Real movement() const;
   void end_stage_of_trial();
+  void refuse_lost_soil() const;
   bool is_last_stage() const;
 
   fem::FemProblem problem_;

@@ -2,6 +2,7 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "simulation/good_sense.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
@@ -53,7 +54,7 @@ std::vector<std::string> noted_warnings(const fs::path& run_folder)
   std::vector<std::string> warnings;
   std::error_code error;
   std::istringstream lines(fs::exists(warnings_in(run_folder), error) ? io::read_text_file(warnings_in(run_folder)) : "");
-  for (std::string line; std::getline(lines, line);) warnings.push_back(line);
+  for (std::string line; std::getline(lines, line);) warnings.push_back(one_line(line));
   return warnings;
 }
 

@@ -93,7 +93,19 @@ Real page_count(int place)
   return pages * static_cast<Real>(::sysconf(_SC_PAGESIZE));
 }
 
+std::string words_of_memory(Real bytes)
+{
+  constexpr Real tebibyte = mebibyte * mebibyte;
+  return bytes > 1000 * tebibyte ? "more than 1000 TiB" : fmt::format("{:.0f} MiB", bytes / mebibyte);
+}
+
 }  // namespace
+
+std::string words_of_count(Real count, const char* of)
+{
+  constexpr Real most = 1e15;
+  return count > most ? fmt::format("more than {:g} {}", most, of) : fmt::format("{:.4g} {}", count, of);
+}
 
 template <int dim>
 RunSize min_size(const problem::Case& c)
@@ -204,8 +216,8 @@ void refuse_without_memory(Real bytes, Real in_use, const std::string& what, con
   const Real here = Ranks::of_run().count_here();
   const Real needed = here * (in_use + bytes), there = here * memory_in_use() + memory_left();
   if (needed > there)
-    throw RunError(fmt::format("{} need {:.0f} MiB of memory at least, and there are {:.0f} MiB; {}", what, needed / mebibyte,
-                               there / mebibyte, advice));
+    throw KeyError(fmt::format("mesh: {} need {} of memory at least, and there are {}; {}", what, words_of_memory(needed),
+                               words_of_memory(there), advice));
 }
 
 template <int dim>
@@ -213,7 +225,8 @@ void refuse_without_memory(const RunSize& size, Real in_use)
 {
   Real particles = 0;
   for (const RunSize::OfBody& body : size.bodies) particles += body.particles;
-  refuse_without_memory(memory_of<dim>(size), in_use, fmt::format("{:.4g} cells and {:.4g} particles", size.cells, particles),
+  refuse_without_memory(memory_of<dim>(size), in_use,
+                        words_of_count(size.cells, "cells") + " and " + words_of_count(particles, "particles"),
                         "take larger cells or fewer particles in each");
 }
 

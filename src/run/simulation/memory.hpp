@@ -46,7 +46,10 @@ Real memory_of_data();
 /// Bytes that the program could take beside what it has: the least of what the machine, its control group and its limit of address space leave.
 Real memory_left();
 
-/// Throws RunError where `what` ("5 cells"), which needs so many bytes beside those in use, would need more than there is. advice: what the user can do.
+/// "5 cells"; of a number that nothing can have, that it is larger than such.
+std::string words_of_count(Real count, const char* of);
+
+/// Throws KeyError where `what` ("5 cells"), which needs so many bytes beside those in use, would need more than there is. advice: what the user can do.
 void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice);
 
 /// The same for a run of the material point method. in_use: what the program had before anything of the run was made.

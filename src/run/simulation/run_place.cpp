@@ -25,10 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whole path and SHA-256 of the files that the case names.
+/// Whole path and SHA-256 of the files that the case names, and what tells whether it was changed.
 run_folder::FileHashes named_files(const RunRequest& request)
 {
   run_folder::FileHashes files = user_law::library_hashes(request.settings);
+  files.emplace_back(run_folder::without_report_entry, io::sha256_of(input::without_report(input::resolved_toml(request.settings))));
   const auto add = [&](const fs::path& file) {
     const fs::path whole = fs::absolute(file).lexically_normal();
     files.emplace_back(whole.string(), io::sha256_of_file(whole));

@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "simulation/simulate.hpp"
 
+#include "core/error.hpp"
 #include "io/tell.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/open_run.hpp"
@@ -38,7 +39,11 @@ void check_case(const RunRequest& to_check, Context& context)
     for (const std::string& line : base::k0_words(request.settings)) fmt::print("  {}\n", line);
     for (const std::string& line : base::drainage_words(request.settings)) fmt::print("  {}\n", line);
     for (const std::string& line : motion_words(scene)) fmt::print("  {}\n", line);
-    method.print_check(context);
+    try {
+      method.print_check(context);
+    } catch (const RunError& error) {
+      throw InputError(fmt::format("{}: its first steps fail: {}", request.case_file.string(), error.what()));
+    }
     fmt::print("  disk         about {} in {}\n", sanity::words_of_bytes(disk_of(scene)), request.folder.string());
   });
 }

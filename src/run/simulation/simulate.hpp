@@ -28,7 +28,7 @@ struct RunRequest {
 /// to its end. Throws InputError and RunError.
 bool run_case(const RunRequest& request, Context& context);
 
-/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh or makes no sense, RunError where there is no memory for it.
+/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh, makes no sense, or needs more memory than there is.
 void check_buildable(const RunRequest& request);
 
 /// Builds the problem and prints what it is and what a run would take.

@@ -22,7 +22,8 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
   const problem::Case settings = jobs::with_whole_paths(request.settings, request.case_file);
   std::vector<EnvelopeRow> rows;
   for (const Probe& probe : choose_probes(settings, request.how)) rows.push_back({probe, "finished", {}});
-  simulation::check_buildable({.settings = rows[0].probe.settings, .case_file = request.case_file, .folder = request.folder});
+  simulation::check_buildable(
+      {.settings = rows[0].probe.settings, .case_file = request.case_file, .folder = request.folder, .places = request.places});
 
   const fs::path runs = request.folder / "runs";
   io::make_folder(runs);

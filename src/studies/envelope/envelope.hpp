@@ -2,6 +2,7 @@
 #pragma once
 
 #include "envelope/envelope_probes.hpp"
+#include "input/places.hpp"
 #include "jobs/jobs.hpp"
 
 #include <filesystem>
@@ -15,6 +16,7 @@ struct EnvelopeRequest {
   std::filesystem::path folder;
   EnvelopeSettings how;
   jobs::Runner runner;
+  input::Places places = {};  ///< where the keys of the case were written, for messages
 };
 
 /// Runs the probes of an envelope that have no result yet, FOLDER/runs/PROBE.toml into FOLDER/runs/PROBE, and writes envelope.csv, envelope.png (of a

@@ -61,6 +61,11 @@ std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>&
   return all.dump(2) + "\n";
 }
 
+std::string ratio_words(Real ratio)
+{
+  return std::isfinite(ratio) ? fmt::format("{:.3f}", ratio) : "-";
+}
+
 }  // namespace
 
 void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
@@ -84,13 +89,15 @@ std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow
   for (const EnvelopeRow& row : rows) {
     const ProbeResult& r = row.result;
     if (row.state == "finished") {
-      text += fmt::format("{:<18} {:>11.5g} {:>11.5g} {:>8.3f} {:>8.3f} {:>7.2f}%", row.probe.name, r.end.V, r.end.H,
-                          r.end.V / extremes.V_max, r.end.H / extremes.H_max, 100 * r.growth);
-      text += body.arm ? fmt::format(" {:>11.5g} {:>8.3f}\n", r.end.M, r.end.M / extremes.M_max) : "\n";
+      text += fmt::format("{:<18} {:>11.5g} {:>11.5g} {:>8} {:>8} {:>7.2f}%", row.probe.name, r.end.V, r.end.H,
+                          ratio_words(r.end.V / extremes.V_max), ratio_words(r.end.H / extremes.H_max), 100 * r.growth);
+      text += body.arm ? fmt::format(" {:>11.5g} {:>8}\n", r.end.M, ratio_words(r.end.M / extremes.M_max)) : "\n";
     } else {
       text += fmt::format("{:<18} {}\n", row.probe.name, row.state);
     }
   }
+  if (!std::isfinite(extremes.V_max) || !std::isfinite(extremes.H_max))
+    return text + "Vmax and Hmax are not known before the probes that look for them are done\n";
   const std::string unit = published.unit > 0 ? fmt::format(" = {:.4g} and {:.4g} times {:.5g} {}", extremes.V_max / published.unit,
                                                             extremes.H_max / published.unit, published.unit, force)
                                               : "";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jobs/job.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
@@ -29,7 +30,7 @@ std::string last_message(const fs::path& file)
   std::string line, last;
   while (std::getline(lines, line))
     if (line.find_first_not_of(" \t") != std::string::npos) last = line;
-  return last.starts_with("berm: ") ? last.substr(6) : last;
+  return one_line(last.starts_with("berm: ") ? last.substr(6) : last);
 }
 
 /// Empty where it is damaged, too: the case is then run again.

@@ -2,90 +2,120 @@
 // Tests: tests/unit/study/study_test.cpp
 #include "jobs/processes.hpp"
 
+#include "core/child_process.hpp"
+#include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
 
 #include <chrono>
 #include <csignal>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <map>
-#include <sys/prctl.h>
-#include <sys/wait.h>
+#include <optional>
+#include <set>
+#include <system_error>
 #include <thread>
-#include <unistd.h>
 
 namespace berm::jobs {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Starts the job and returns its process, which gets signals from this program alone and is asked to stop when this program
-/// ends.
-pid_t start(const Job& job)
+/// Starts the job, which is asked to stop where this program ends before it.
+ChildProcess start(const Job& job)
 {
   std::vector<std::string> words = words_of(job);
   words.insert(words.begin(), "berm");
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
   io::make_folder(job.folder.parent_path());
-  const fs::path messages = messages_of(job);
-  const int out = io::open_to_write(messages, O_WRONLY | O_TRUNC);
-  const pid_t child = ::fork();
-  if (child != 0) {
-    const int reason = errno;
-    ::close(out);
-    errno = reason;
-    if (child < 0) io::throw_errno("no process can be started");
-    return child;
+  try {
+    return ChildProcess({.words = words, .program = "/proc/self/exe", .messages = messages_of(job).string(), .end_by = SIGTERM});
+  } catch (const std::system_error& error) {
+    throw RunError(fmt::format("no process can be started: {}", error.code().message()));
   }
-  ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  const int in = ::open("/dev/null", O_RDONLY);
-  if (in >= 0 && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(out, STDERR_FILENO) >= 0)
-    ::execv("/proc/self/exe", arguments.data());
-  ::_exit(127);
 }
 
 JobEnd end_of(const Job& job, int status, bool stopped)
 {
-  const JobEnd end = end_with(job, WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+  const JobEnd end = end_with(job, status);
   std::error_code ignored;
   if (end.kind == JobEnd::Kind::finished) fs::remove(messages_of(job), ignored);
   return end.kind == JobEnd::Kind::failed && stopped ? JobEnd{} : end;
 }
 
+/// Jobs that have not begun, the longest first. One into whose folder another process still writes, as a run does whose parent was killed, waits for it, and then goes
+/// on from what that left.
+class Waiting {
+public:
+  Waiting(const std::vector<Job>& jobs, const Ended& ended) : jobs_(jobs), ended_(ended), order_(by_time(jobs)) {}
+
+  bool empty() const { return order_.empty(); }
+  /// The next one that can be started, and what to start for it; empty where there is none now.
+  std::optional<std::pair<std::size_t, Job>> take()
+  {
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const std::size_t number = order_[k];
+      if (is_in_use(number)) continue;
+      order_.erase(order_.begin() + static_cast<std::ptrdiff_t>(k--));
+      Job job = jobs_[number];
+      if (waited_.count(number) > 0 && !job.element) {
+        if (has_result(job)) {
+          ended_(number, end_of(job, status_of(Outcome::done), false));
+          continue;
+        }
+        job.resume = goes_on(job);
+      }
+      return std::pair{number, job};
+    }
+    return std::nullopt;
+  }
+  void tell_of_rest() const
+  {
+    for (const std::size_t job : order_) ended_(job, {});
+  }
+
+private:
+  bool is_in_use(std::size_t job)
+  {
+    const std::string owner = io::FolderLock::owner_of(jobs_[job].folder);
+    if (!owner.empty() && waited_.insert(job).second)
+      fmt::print(stderr, "{}: waits for {}, which writes there\n", jobs_[job].folder.string(), owner);
+    return !owner.empty();
+  }
+
+  const std::vector<Job>& jobs_;
+  const Ended& ended_;
+  std::vector<std::size_t> order_;
+  std::set<std::size_t> waited_;
+};
+
 }  // namespace
 
 void run_processes(const std::vector<Job>& jobs, int at_once, const Ended& ended)
 {
-  std::map<pid_t, std::size_t> running;
+  std::map<std::size_t, ChildProcess> running;
+  Waiting waiting(jobs, ended);
   bool stopping = false;
-  const auto stop = [&] {
-    for (const auto& entry : running) ::kill(entry.first, SIGTERM);
-    stopping = true;
-  };
-  const std::vector<std::size_t> order = by_time(jobs);
-  std::size_t next = 0;
   while (true) {
-    if (interrupted() && !stopping) stop();
-    while (!stopping && next < order.size() && static_cast<int>(running.size()) < at_once) {
-      const std::size_t job = order[next++];
-      running[start(jobs[job])] = job;
+    if (interrupted() && !stopping) {
+      for (const auto& entry : running) entry.second.send(SIGTERM);
+      stopping = true;
     }
-    if (running.empty()) break;
+    while (!stopping && static_cast<int>(running.size()) < at_once) {
+      const std::optional<std::pair<std::size_t, Job>> next = waiting.take();
+      if (!next) break;
+      running.emplace(next->first, start(next->second));
+    }
+    if (running.empty() && (stopping || waiting.empty())) break;
     // A signal does not end a wait, so each wait is short.
     std::vector<std::pair<std::size_t, int>> gone;
-    for (const auto& [process, job] : running)
-      if (int status = 0; ::waitpid(process, &status, WNOHANG) == process) gone.emplace_back(job, status);
-    std::erase_if(running, [&](const auto& entry) {
-      return std::any_of(gone.begin(), gone.end(), [&](const auto& end) { return end.first == entry.second; });
-    });
+    for (auto& [job, process] : running)
+      if (process.has_ended()) gone.emplace_back(job, process.wait());
+    for (const auto& [job, status] : gone) running.erase(job);
     for (const auto& [job, status] : gone) ended(job, end_of(jobs[job], status, stopping));
     if (gone.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  for (; next < order.size(); ++next) ended(order[next], {});
+  waiting.tell_of_rest();
 }
 
 }  // namespace berm::jobs

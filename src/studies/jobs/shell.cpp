@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jobs/shell.hpp"
 
+#include "core/child_process.hpp"
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 
-#include <array>
-#include <cstdio>
+#include <csignal>
+#include <fmt/format.h>
 #include <sstream>
-#include <sys/wait.h>
+#include <sys/mman.h>
+#include <system_error>
+#include <unistd.h>
 
 namespace berm::jobs {
 
@@ -19,16 +23,30 @@ std::string quoted(const std::string& word)
   return text + "'";
 }
 
-ShellEnd run_shell(const std::string& command)
+ChildProcess started_shell(const std::string& command, const std::string& messages)
 {
   std::fflush(nullptr);
-  std::FILE* stream = ::popen(("{ " + command + "\n} 2>&1").c_str(), "re");
-  if (stream == nullptr) io::throw_errno("no process can be started");
+  try {
+    return ChildProcess({.words = {"sh", "-c", command}, .program = "/bin/sh", .messages = messages, .end_by = SIGTERM});
+  } catch (const std::system_error& error) {
+    throw RunError(fmt::format("no process can be started: {}", error.code().message()));
+  }
+}
+
+ShellEnd run_shell(const std::string& command)
+{
+  const int memory = ::memfd_create("berm", MFD_CLOEXEC);
+  if (memory < 0) io::throw_errno("no process can be started");
+  const std::string file = fmt::format("/proc/self/fd/{}", memory);
   ShellEnd end;
-  std::array<char, 4096> part{};
-  while (const std::size_t count = std::fread(part.data(), 1, part.size(), stream)) end.out.append(part.data(), count);
-  const int status = ::pclose(stream);
-  end.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  try {
+    end.status = started_shell(command, file).wait();
+  } catch (...) {
+    ::close(memory);
+    throw;
+  }
+  end.out = io::read_text_file(file);
+  ::close(memory);
   return end;
 }
 

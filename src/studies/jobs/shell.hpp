@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/child_process.hpp"
+
 #include <string>
 
 namespace berm::jobs {
@@ -13,6 +15,9 @@ struct ShellEnd {
   int status = 0;   ///< exit status, 128 + N after signal N; 127: there is no such program
   std::string out;  ///< standard output and error
 };
+
+/// Starts a command with /bin/sh; standard output and error go to a file, or with "" to this program's standard error. Throws RunError where no process can be started.
+ChildProcess started_shell(const std::string& command, const std::string& messages = "");
 
 /// Runs a command with /bin/sh and waits for it. Throws RunError where no process can be started.
 ShellEnd run_shell(const std::string& command);

@@ -150,7 +150,8 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
   if (!run.settings.title.empty()) lines.push_back(run.settings.title);
   if (run.origin)
     for (const auto& [file, hash] : run.origin->input)
-      if (file == "resolved.toml") lines.push_back("SHA-256 of the case, " + file + ": " + hash);
+      if (file == "resolved.toml") lines.push_back("SHA-256 of the case when the run began, " + file + ": " + hash);
+  for (const std::string& file : run.changed) lines.push_back(record::words_of_change(file));
   if (run.summary)
     for (const char* entry : {"version", "build", "date"})
       if (const auto found = run.summary->text.find(entry); found != run.summary->text.end())

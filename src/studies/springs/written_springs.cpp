@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "springs/written_springs.hpp"
 
+#include "core/control_characters.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -138,13 +140,6 @@ NormalStiffness normal_stiffness(const Springs& s)
 std::string without_friction(const std::string& spring)
 {
   return spring + " has no coefficient of friction: V is not positive";
-}
-
-std::string one_line(std::string text)
-{
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  return text;
 }
 
 std::string remark(const std::string& mark, const std::string& text)

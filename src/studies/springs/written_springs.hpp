@@ -50,8 +50,6 @@ NormalStiffness normal_stiffness(const Springs& springs);
 /// Says that a spring ("travel sweep_1") has no coefficient of friction.
 std::string without_friction(const std::string& spring);
 
-/// Without line ends and other marks that are no letters.
-std::string one_line(std::string text);
 /// A comment behind the mark that begins one, in lines of at most some 120 letters.
 std::string remark(const std::string& mark, const std::string& text);
 /// Comments at the head of a file: the provenance, the springs that are missing, `remarks` (units, how sure the format is), the size of the prototype.

@@ -137,6 +137,10 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
       folder += '.';
       folder += as_file_name(value.name);
     }
+    constexpr std::size_t most = 240;  // a file beside it has some more
+    if (folder.size() > most)
+      throw InputError(fmt::format("{}: {}: the name of its run folder would be longer than {} bytes: choose shorter names", file.string(),
+                                   input::shortened(name_of(row.names), most), most));
     row.job.folder = output / "runs" / folder;
     if (const StudySkip* skip = skip_of(study, row.names)) {
       plan.skipped.push_back({row.names, skip->why});
@@ -188,12 +192,12 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
   for (const StudyRow& row : plan.rows)
     if (row.end.kind == jobs::JobEnd::Kind::finished) finished.push_back(row.job.folder);
   if (const std::string units = jobs::mixed_vector_units(finished); !units.empty()) spdlog::warn("{}", units);
-  if (failed > 0) io::tell("{} of {} runs failed; the table says why\n", failed, plan.rows.size());
+  if (failed > 0) io::tell("berm: {} of {} runs failed; the table says why\n", failed, plan.rows.size());
   const std::size_t ended = plan.rows.size() - interrupted - queued;
   if (interrupted > 0) io::tell("interrupted: {} of {} runs are done; the same command goes on from there\n", ended, plan.rows.size());
   if (queued > 0) io::tell("queued: {} of {} runs are done; the same command collects the others\n", ended, plan.rows.size());
   io::tell("the results are {}\n", (output / "results.md").string());
-  return interrupted + queued == 0 ? jobs::Outcome::done : jobs::Outcome::unfinished;
+  return interrupted + queued > 0 ? jobs::Outcome::unfinished : failed > 0 ? jobs::Outcome::failed : jobs::Outcome::done;
 }
 
 }  // namespace berm::study

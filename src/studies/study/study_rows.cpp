@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/json_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -57,9 +58,9 @@ std::optional<std::vector<SavedRow>> read_rows(const fs::path& output)
 {
   const fs::path file = output / "study.json";
   if (!fs::exists(file)) return std::nullopt;
+  const Json root = run_folder::read_json(file);
   try {
     std::vector<SavedRow> rows;
-    const Json root = Json::parse(io::read_text_file(file));
     for (const Json& row : root.at("rows"))
       rows.push_back({row.at("names").get<std::vector<std::string>>(), kind_named(row.at("kind").get<std::string>()),
                       output / row.at("run").get<std::string>(), row.at("finished").get<bool>()});

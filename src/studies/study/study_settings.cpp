@@ -35,6 +35,8 @@ void check_names(Describe& d, const std::string& path, const std::vector<Item>& 
   std::vector<std::string> before;
   for (std::size_t k = 0; k < items.size(); ++k) {
     const std::string name = as_file_name(items[k].name);
+    const std::string fault = fault_of_name(items[k].name);
+    d.check(fault.empty(), fmt::format("{}[{}].name", path, k), fault);
     d.check(!contains(before, name), fmt::format("{}[{}].name", path, k), "is the name, or as a file the name, of another before it");
     before.push_back(name);
   }
@@ -113,6 +115,7 @@ std::pair<std::string, std::string> set_twice(const std::vector<StudyAxis>& axes
 /// Adds the axis of a table or a sample, which stands at the node.
 void add_axis(const input::Document& document, const input::Node& node, const std::string& path, Study& study, const StudyAxis& axis)
 {
+  if (const std::string fault = fault_of_name(axis.name); !fault.empty()) refuse(document, node, path, "the name of its axis " + fault);
   if (contains(names_of(study.axis), axis.name) || axis.name == case_key || axis.name == why_key)
     refuse(document, node, path,
            fmt::format("there is another axis {0}, or it is a word that [[skip]] needs itself", input::in_quotes(axis.name)));
@@ -218,6 +221,8 @@ void describe(Describe& d, Study& study)
     const std::string path = fmt::format("measure[{}]", k);
     const StudyMeasure& measure = study.measure[k];
     check(d, path, measure.observable);
+    const std::string fault = fault_of_name(measure.name);
+    d.check(fault.empty(), path + ".name", fault);
     for (const std::string& name : measure.cases) d.check(contains(cases, name), path + ".cases", "there is no such case", cases);
   }
   for (std::size_t k = 0; k < study.figure.size(); ++k) {
@@ -246,6 +251,14 @@ const StudyAxis* sample_of(const Study& study)
   for (const StudyAxis& axis : study.axis)
     if (axis.sample_from) return &axis;
   return nullptr;
+}
+
+std::string fault_of_name(const std::string& name)
+{
+  constexpr std::size_t most = 100;
+  if (name.size() > most) return fmt::format("is longer than {} bytes", most);
+  const bool formula = !name.empty() && std::string("=+-@").find(name[0]) != std::string::npos && !input::is_quantity(name);
+  return formula ? input::in_quotes(name) + " begins as a formula of a spreadsheet does, by =, +, - or @, and is no number" : "";
 }
 
 std::string as_file_name(std::string name)

@@ -69,6 +69,10 @@ Study read_study(const std::filesystem::path& file);
 /// The axis that is a sample, or null.
 const StudyAxis* sample_of(const Study& study);
 
+/// What is wrong with a name that goes into tables and becomes one of a file: longer than 100 bytes, or a formula where a spreadsheet opens the table; "" where
+/// nothing is.
+std::string fault_of_name(const std::string& name);
+
 /// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_", and one of dots alone gets a "_".
 std::string as_file_name(std::string name);
 

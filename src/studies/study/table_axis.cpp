@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/table_axis.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
 #include "input/message_text.hpp"
@@ -32,7 +33,7 @@ public:
   {
     constexpr std::uintmax_t max_bytes = 10'000'000;
     FileBytes found = read_file(file, max_bytes);
-    if (!found.fault.empty()) throw InputError(input::one_line(fmt::format("{}: {}", file.string(), found.fault)));
+    if (!found.fault.empty()) throw InputError(one_line(fmt::format("{}: {}", file.string(), found.fault)));
     text_ = std::move(found.bytes);
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // written by spreadsheets
     if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
@@ -55,14 +56,19 @@ public:
         continue;
       }
       if (!run_folder::next_csv_line(text_, at_, fields, separator_)) refuse("a quote is not closed");
-      for (std::string& field : fields) field = trimmed(field);
+      for (std::string& field : fields) {
+        field = trimmed(field);
+        if (has_control_character(field))
+          refuse(
+              fmt::format("{} holds a control character; fields are separated by commas, or all by semicolons", input::in_quotes(field)));
+      }
       if (std::any_of(fields.begin(), fields.end(), [](const std::string& field) { return !field.empty(); })) return true;
     }
     return false;
   }
 
   std::string place() const { return fmt::format("{}:{}", file_.string(), line_); }
-  [[noreturn]] void refuse(const std::string& why) const { throw InputError(input::one_line(fmt::format("{}: {}", place(), why))); }
+  [[noreturn]] void refuse(const std::string& why) const { throw InputError(one_line(fmt::format("{}: {}", place(), why))); }
 
 private:
   fs::path file_;
@@ -104,11 +110,7 @@ std::vector<TableColumn> columns_of(const TableLines& lines, const Words& fields
 /// The number in a field, in the SI unit of its own; NaN where it is a word or a list.
 input::SiQuantity quantity_of(const std::string& field)
 {
-  try {
-    return input::to_si(field);
-  } catch (const input::UnitError&) {
-    return {nan, "1"};
-  }
+  return input::is_quantity(field) ? input::to_si(field) : input::SiQuantity{nan, "1"};
 }
 
 /// Rows without a name are counted from 1. A parameter has the unit of the first row that says one.
@@ -121,6 +123,7 @@ void add_row(const TableLines& lines, const std::vector<TableColumn>& columns, c
     const auto& [key, unit] = columns[k];
     if (fields[k].empty()) lines.refuse(fmt::format("{} is empty", key));
     if (key == name_column) {
+      if (const std::string fault = fault_of_name(fields[k]); !fault.empty()) lines.refuse(fmt::format("name: {}", fault));
       value.name = fields[k];
       continue;
     }

@@ -51,6 +51,30 @@ TEST_F(Export, refuses_a_state_and_a_travel_that_the_run_has_not)
   EXPECT_EQ(json("r/export/springs.json")["springs"]["best"]["state"], "operation");
 }
 
+TEST_F(Export, says_of_a_run_folder_that_was_edited_so_in_decks_page_and_messages)
+{
+  ASSERT_EQ(berm({"run", "case.toml", "-o", "r"}).status, 0);
+  const std::string whole = text_of_file(folder_ / "r/resolved.toml");
+  folder_.write("r/resolved.toml", whole + "client = \"A client\"\n");
+  EXPECT_EQ(berm({"report", "r"}).err, "") << "[report] is no part of what is computed";
+  std::string edited = whole;
+  edited.replace(edited.find("cohesion = 1000"), 15, "cohesion = 2000");
+  folder_.write("r/resolved.toml", edited);
+  const std::string words = "resolved.toml was changed after the run began: it is not what the run was computed with";
+  const Ended report = berm({"report", "r"}), deck = berm({"export", "r", "--to", "ansys"});
+  EXPECT_EQ(report.status, 0);
+  EXPECT_NE(report.err.find("warning: r: " + words), std::string::npos) << report.err;
+  EXPECT_NE(text_of_file(folder_ / "r/report.html").find(words), std::string::npos);
+  EXPECT_NE(deck.err.find(words), std::string::npos) << deck.err;
+  EXPECT_NE(text_of_file(folder_ / "r/export/springs_best.mac").find("! " + words + "\n"), std::string::npos);
+
+  std::string summary = text_of_file(folder_ / "r/summary.json");
+  summary.replace(summary.find("\"date\": \"") + 9, 0, "2026\\n/SYS,touch x");
+  folder_.write("r/summary.json", summary);
+  EXPECT_EQ(berm({"export", "r", "--to", "ansys"}).status, 0);
+  EXPECT_EQ(text_of_file(folder_ / "r/export/springs_best.mac").find("/SYS"), std::string::npos);
+}
+
 TEST_F(Export, refuses_a_study_whose_measure_no_run_can_have)
 {
   std::string misspelt = sample_of_strength;

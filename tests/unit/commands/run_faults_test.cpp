@@ -77,8 +77,9 @@ TEST(Faults, a_case_that_there_is_no_memory_for_is_refused_before_anything_is_ma
   const Words huge = {"--set", "body.sand.block.spacing=1 nm"};
   const Ended run = place.run(huge), check = run_program(place.folder.path(), {"check", "small.toml", huge[0], huge[1]});
   for (const Ended& ended : {run, check}) {
-    EXPECT_EQ(ended.status, 1);
-    expect_parts(ended.err, {"4.8e+15 particles", "MiB of memory at least"});
+    EXPECT_EQ(ended.status, 2);
+    expect_parts(ended.err,
+                 {"berm: small.toml:", ": mesh: ", "more than 1e+15 particles", "more than 1000 TiB of memory at least", " MiB; "});
   }
   EXPECT_FALSE(place.has("results"));
 }

@@ -131,7 +131,11 @@ TEST(FemRun, of_resolved_toml_writes_the_same_history_byte_for_byte)
 {
   const Place place;
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "one"}).status, 0);
-  ASSERT_EQ(place.berm({"run", "one/resolved.toml", "--threads", "1", "-o", "two"}).status, 0);
+  const Ended again = place.berm({"run", "one/resolved.toml", "--threads", "1", "-o", "two"});
+  ASSERT_EQ(again.status, 0);
+  EXPECT_EQ(again.err.find("is not used"), std::string::npos) << "nobody wrote the keys of the other method: " << again.err;
+  EXPECT_NE(place.berm({"check", "one/resolved.toml", "--set", "mpm.courant=0.3"}).err.find("--set mpm.courant: mpm: is not used"),
+            std::string::npos);
   EXPECT_GT(text_of_file(place.folder / "one/history.csv").size(), 1000u);
   EXPECT_TRUE(text_of_file(place.folder / "one/history.csv") == text_of_file(place.folder / "two/history.csv"));
 }
@@ -163,6 +167,26 @@ TEST(FemRun, that_fails_ends_with_status_1_and_keeps_what_it_had)
     EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is not in: " << ended.err;
   EXPECT_EQ(nlohmann::json::parse(text_of_file(place.folder / "results/summary.json"))["checks"]["finished"], false);
   EXPECT_NE(text_of_file(place.folder / "results/run.log").find("no equilibrium"), std::string::npos);
+}
+
+TEST(FemRun, whose_soil_moves_by_more_than_the_model_is_large_fails)
+{
+  const Place place;
+  place.folder.write("soft.toml", R"(method = "fem"
+gravity = [0, "-10 m/s^2"]
+mesh = {kind = "box", size = [1, 1], cells = [2, 2]}
+material.mud = {law = "linear_elastic", density = 1000, young_modulus = 1e-6, poisson_ratio = 0.3}
+body.mud = {material = "mud", regions = ["box"]}
+support.base = {boundary = "bottom", fixed = ["x", "y"]}
+[[stage]]
+name = "rest"
+kind = "free"
+until.time = "1 s"
+)");
+  const Ended ended = place.berm({"run", "soft.toml", "-o", "results"});
+  EXPECT_EQ(ended.status, 1);
+  for (const char* part : {"the soil at (", "and the mesh is 1 m wide and 1 m high: it is too soft or too weak"})
+    EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is not in: " << ended.err;
 }
 
 /// A wrong case: the small one with these words replaced, and what berm says of it.

@@ -96,11 +96,11 @@ TEST_F(Hostile, numbers_that_are_none_or_beyond_all_bounds_are_refused)
 
 TEST_F(Hostile, sizes_that_no_machine_holds_are_refused_at_once)
 {
-  expect_refused(small_case_with("\"1.3333333 mm\"", "1e-12"), "MiB of memory at least", "check", 1);
-  expect_refused(small_case_with("\"1.3333333 mm\"", "1e-300"), "MiB of memory at least", "check", 1);
+  expect_refused(small_case_with("\"1.3333333 mm\"", "1e-12"), "of memory at least");
+  expect_refused(small_case_with("\"1.3333333 mm\"", "1e-300"), "of memory at least");
   expect_refused(small_case_with("[30, 15]", "[1e9, 15]"), "mesh.cells");
-  expect_refused(small_case_with("[30, 15]", "[1000000, 1000000]"), "MiB of memory at least", "check", 1);
-  expect_refused("method = \"fem\"\n" + small_case_with("[30, 15]", "[1000000, 1000000]"), "elements need", "check", 1);
+  expect_refused(small_case_with("[30, 15]", "[1000000, 1000000]"), "of memory at least");
+  expect_refused("method = \"fem\"\n" + small_case_with("[30, 15]", "[1000000, 1000000]"), "elements need");
   expect_refused(small_case_with("[\"120 mm\", \"60 mm\"]", "[1e-200, 1e-200]"), "mesh.size");
   expect_refused(small_case_with("\"0.05 ms\"", "1e-30"), "output.history_time");
   expect_refused(small_case_with("frame_travel = \"1 mm\"", "frame_time = 1e-30"), "output.frame_time");
@@ -110,8 +110,7 @@ TEST_F(Hostile, sizes_that_no_machine_holds_are_refused_at_once)
   expect_refused(test::small_case + comb, "1000 corners at most");
   const std::string bed = "kind = \"seabed\"\nlength = 1\ndepth = 1\nheadroom = 1\nnear_left = -0.1\nnear_right = 0.1\nnear_depth = 0.1\n"
                           "near_height = 0.1\nnear_size = 1e-12\n";
-  expect_refused(small_case_with("kind = \"box\"\nsize = [\"120 mm\", \"60 mm\"]\ncells = [30, 15]\n", bed), "MiB of memory at least",
-                 "check", 1);
+  expect_refused(small_case_with("kind = \"box\"\nsize = [\"120 mm\", \"60 mm\"]\ncells = [30, 15]\n", bed), "of memory at least");
 }
 
 /// The number of cells is told before gmsh works on them for hours.

@@ -185,6 +185,8 @@ TEST_F(EnvelopeCommand, goes_on_where_a_signal_stopped_it)
   program.signal(SIGINT);
   const Ended stopped = program.wait();
   EXPECT_EQ(stopped.status, 75);
+  EXPECT_EQ(stopped.out.find("nan"), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find("Vmax and Hmax are not known before"), std::string::npos) << stopped.out;
   EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos) << stopped.err;
   EXPECT_NE(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);
   EXPECT_EQ(run_program(folder_.path(), words).status, 0);
@@ -200,6 +202,13 @@ TEST_F(EnvelopeCommand, refuses_what_is_no_pipe_in_a_bed_with_one_line_and_write
     EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
     EXPECT_EQ(names_in(folder_.path()), before);
   }
+  // What is found only where the first probe is built has a place, too.
+  std::string text = coarse_clay;
+  text.replace(text.find("near_left = "), 12, "near_left = 9 # ");
+  folder_.write("clay.toml", text);
+  const Ended built = envelope({"clay.toml", "-o", "found"});
+  EXPECT_EQ(built.status, 2);
+  EXPECT_EQ(built.err.find("berm: clay.toml:"), 0u) << built.err;
 }
 
 }  // namespace

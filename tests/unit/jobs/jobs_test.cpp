@@ -30,7 +30,7 @@ TEST_F(Runners, keep_the_message_of_a_row_that_fails_and_go_on_with_the_others)
 {
   write_study(falls_with("-9e3"));  // it leaves the mesh
   const berm::Ended ended = study({"--runner", one_by_one});
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_NE(ended.err.find("1 of 3 runs failed"), std::string::npos) << ended.err;
   EXPECT_NE(result("results.md").find("- it's a stone, moon: particle "), std::string::npos) << result("results.md");
   EXPECT_NE(result("results.md").find("| it's a stone | mars | -3.7 |"), std::string::npos) << result("results.md");
@@ -59,8 +59,8 @@ TEST_F(Runners, have_a_failed_row_tried_again_only_once_it_was_collected)
 {
   write_study(falls_with("-9e3"));
   const Words now = {"--no-wait", "--runner", "wc -l < {jobs} >> count; " + one_by_one};
-  EXPECT_EQ(study(now).status, 0) << "all have ended";
-  EXPECT_EQ(study(now).status, 0);
+  EXPECT_EQ(study(now).status, 1) << "all have ended, one of them failed";
+  EXPECT_EQ(study(now).status, 1);
   EXPECT_EQ(text_of_file(folder_ / "count"), "3\n1\n");
 }
 
@@ -105,7 +105,7 @@ TEST_F(Runners, whose_jobs_are_killed_say_so_and_go_on)
   folder_.write("study.toml", "[[case]]\nname = \"stone\"\nfile = \"stone.toml\"\n[[measure]]\nname = \"g\"\nquantity = \"finished\"\n");
   const berm::Ended killed =
       study({"--runner", "touch results/runs/stone.messages # {jobs}"});  // as one that began and has left no word of its end
-  EXPECT_EQ(killed.status, 0) << killed.err;
+  EXPECT_EQ(killed.status, 1) << killed.err;
   EXPECT_NE(result("results.md").find("was ended from outside"), std::string::npos) << result("results.md");
   EXPECT_EQ(study({"--runner", one_by_one}).status, 0);
   EXPECT_EQ(result("results.csv").find("case,g,run\nstone,1,"), 0u) << result("results.csv");

@@ -201,6 +201,28 @@ TEST(MakeMesh, lets_gmsh_mesh_the_users_geometry_in_the_plane_and_in_space)
   EXPECT_NE(space.find_region("rock"), none);
 }
 
+TEST(MakeMesh, of_a_geometry_that_gives_no_mesh_names_the_key_and_no_file_of_its_own)
+{
+  const TemporaryFolder theirs, ours;
+  const auto refusal = [&](const char* geometry) -> std::string {
+    theirs.write("their.geo", geometry);
+    try {
+      make_mesh<2>(GmshFile{"their.geo"}, theirs.path(), ours.path());
+    } catch (const KeyError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const std::string empty = refusal("Mesh.Algorithm = 6;\n");
+  EXPECT_EQ(empty.find("mesh.file: the mesh that gmsh made cannot be used: line "), 0u) << empty;
+  EXPECT_NE(empty.find("the file ends without a section"), std::string::npos) << empty;
+  EXPECT_EQ(empty.find("mesh.msh"), std::string::npos) << empty;
+  const std::string unnamed = std::string(square).substr(0, std::string(square).find("Physical"));
+  EXPECT_EQ(refusal(unnamed.c_str()).find("mesh.file: the mesh that gmsh made cannot be used: no triangle is in a named physical group"),
+            0u)
+      << refusal(unnamed.c_str());
+}
+
 TEST(MakeMesh, refuses_a_missing_file_with_its_name)
 {
   const TemporaryFolder folder;

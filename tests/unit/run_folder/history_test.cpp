@@ -250,12 +250,24 @@ TEST(History, without_a_schema_or_with_that_of_another_is_refused)
   EXPECT_THROW(read_history(path), RunError);
   put_schema(path, {"time_s", "b"});
   EXPECT_THROW(read_history(path), RunError);
-  for (const char* damaged : {"", "{", "[]", "{\"columns\": [{\"name\": 5}]}"}) {
+  for (const char* damaged : {"", "{", "[]", "{\"columns\": [{\"name\": 5}]}",
+                              R"({"columns": [{"name": "time_s", "label": "t", "unit": "s\n", "meaning": "", "of": "run"}]})"}) {
     put(schema_path(path), damaged);
     EXPECT_THROW(read_history(path), RunError) << damaged;
   }
   put_schema(path, {"time_s", "a"});
   EXPECT_EQ(read_history(path).rows(), 1);
+}
+
+TEST(History, has_no_stage_whose_name_moves_a_cursor_or_ends_a_line)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "history.csv";
+  put_schema(path, {"time_s", "a"});
+  for (const char* stage : {"\"pu\nsh\"", "pu\x1B[2Jsh", "pu\xC2\x9Bsh"}) {
+    put(path, fmt::format("time_s,stage,a\n0,{},1\n", stage));
+    EXPECT_THROW(read_history(path), RunError) << stage;
+  }
 }
 
 TEST(History, of_a_run_that_ended_before_its_first_row_is_empty)

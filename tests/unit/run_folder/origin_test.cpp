@@ -72,7 +72,8 @@ TEST(origin, of_an_earlier_version_is_unknown_and_a_damaged_one_is_refused)
 {
   const TemporaryFolder run;
   EXPECT_FALSE(read_origin(run.path()));
-  for (const char* damaged : {"", "{", "{\"input_sha256\": {}}", "{\"input_sha256\": {\"case.toml\": 3}, \"sessions\": []}", "[]"}) {
+  for (const char* damaged : {"", "{", "{\"input_sha256\": {}}", "{\"input_sha256\": {\"case.toml\": 3}, \"sessions\": []}", "[]",
+                              R"({"input_sha256": {}, "sessions": [], "case": "a\nb"})"}) {
     run.write("origin.json", damaged);
     EXPECT_THROW(read_origin(run.path()), RunError) << damaged;
   }

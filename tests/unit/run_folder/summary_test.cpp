@@ -4,6 +4,7 @@
 #include "samples/run_to_write.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -175,6 +176,10 @@ TEST(Summary, that_is_damaged_is_refused_with_the_reason)
             "is damaged: a value in \"checks\" is no number");
   EXPECT_EQ(refusal_of(R"({"quantities": {}, "timing": {}, "checks": {}, "text": {"title": null}})"),
             "is damaged: a value in \"text\" is no text");
+  // Its texts go into decks of other programs.
+  for (const char* text : {R"("date": "2026\n/SYS,touch x")", R"("\u001b[2J": "")", R"("case": "a\u0085b")"})
+    EXPECT_EQ(refusal_of(fmt::format(R"({{"quantities": {{}}, "timing": {{}}, "checks": {{}}, "text": {{{}}}}})", text)),
+              "is damaged: a text in it holds a control character");
   EXPECT_EQ(refusal_of(std::string(5'000'000, '[')), "is damaged: byte 5000001 is not JSON");
   EXPECT_EQ(refusal_of(std::string(4'000'000, '[') + std::string(4'000'000, ']')), "is damaged: it is no table");
   EXPECT_EQ(refusal_of(std::string(10'000'001, ' ')), "is longer than 10000000 bytes, the maximum");

@@ -84,9 +84,9 @@ TEST(Memory, a_run_that_needs_more_than_there_is_is_refused_with_both_numbers)
   try {
     refuse_without_memory<2>(size, memory_in_use());
     FAIL() << "nothing was thrown";
-  } catch (const RunError& error) {
+  } catch (const KeyError& error) {
     const std::string message = error.what();
-    for (const char* part : {"1e+12 cells", "MiB of memory at least", "there are", "larger cells"})
+    for (const char* part : {"mesh: 1e+12 cells", "MiB of memory at least", "there are", "larger cells"})
       EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
   }
 }
@@ -95,8 +95,8 @@ TEST(Memory, that_is_in_use_counts_with_what_is_needed)
 {
   const Real there = memory_in_use() + memory_left();
   EXPECT_NO_THROW(refuse_without_memory(there / 4, there / 4, "5 elements", "take larger elements"));
-  EXPECT_THROW(refuse_without_memory(there / 4, there, "5 elements", "take larger elements"), RunError);
-  EXPECT_THROW(refuse_without_memory(2 * there, 0, "5 elements", "take larger elements"), RunError);
+  EXPECT_THROW(refuse_without_memory(there / 4, there, "5 elements", "take larger elements"), KeyError);
+  EXPECT_THROW(refuse_without_memory(2 * there, 0, "5 elements", "take larger elements"), KeyError);
 }
 
 TEST(Memory, that_was_in_use_is_known_when_it_has_been_given_back)

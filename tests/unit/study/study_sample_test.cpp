@@ -135,7 +135,7 @@ TEST_F(StudySampleCommand, that_is_small_warns_and_counts_what_failed)
   text.replace(text.find("\"0.1 s\""), 7, "\"2 s\"");  // it leaves the mesh after 0.3 s
   write_study(text);
   const Ended ended = study();
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_NE(ended.err.find("a sample of 4 rows says little of 5 and 95 %, which stay empty: take 20 at least"), std::string::npos)
       << ended.err;
   const std::vector<Real> end = numbers_in(result("estimates.csv"), "stone,end (s)");

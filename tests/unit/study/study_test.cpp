@@ -2,6 +2,10 @@
 #include "samples/small_cases.hpp"
 #include "samples/study_of_falls.hpp"
 
+#include "io/folder_lock.hpp"
+
+#include <optional>
+
 namespace berm::study::this_file {
 namespace {
 
@@ -87,7 +91,7 @@ TEST_F(StudyCommand, has_a_row_for_a_run_that_fails)
   text.replace(text.find("gravity=[0, -1.6]"), 17, "gravity=[0, -9e3]");  // it leaves the mesh
   write_study(text);
   const Ended ended = study();
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_NE(ended.err.find("1 of 3 runs failed"), std::string::npos) << ended.err;
   const std::string table = result("results.md");
   EXPECT_NE(table.find("| on high | moon | failed |  |\n"), std::string::npos) << table;
@@ -123,6 +127,39 @@ TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
   text.replace(text.find("1e6 s"), 5, "0.1 s");
   write_study(text);
   EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
+}
+TEST_F(StudyCommand, refuses_names_that_cannot_be_those_of_rows_before_the_first_run)
+{
+  const auto refused = [&](const std::string& name, const std::string& says) {
+    std::string text = four_falls;
+    text.replace(text.find("name = \"moon\""), 13, "name = \"" + name + "\"");
+    write_study(text);
+    const Ended ended = study();
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_NE(ended.err.find("study.toml:14: axis[0].value[1].name: " + says), std::string::npos) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "results"));
+  };
+  refused("=1+1", "\"=1+1\" begins as a formula");
+  refused(std::string(101, 'x'), "is longer than 100 bytes");
+  std::string text = four_falls;
+  for (const char* name : {"on high", "earth", "moon"}) text.replace(text.find(name), std::string(name).size(), std::string(100, name[0]));
+  write_study(text + "[[axis]]\nname = \"density\"\n[[axis.value]]\nname = \"" + std::string(99, 'd') + "\"\n");
+  EXPECT_NE(study().err.find("the name of its run folder would be longer than 240 bytes: choose shorter names"), std::string::npos);
+}
+TEST_F(StudyCommand, waits_for_a_process_that_still_writes_into_a_run_folder)
+{
+  // As one of an earlier command does, which was killed.
+  const std::filesystem::path folder = folder_ / "results/runs/low.earth";
+  std::filesystem::create_directories(folder);
+  std::optional<io::FolderLock> lock(folder);
+  Program program(folder_.path(), {"study", ".", "-o", "results"});
+  ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(folder_ / "results/runs/on_high.moon/summary.json"); }));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.log"));
+  lock.reset();
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("results/runs/low.earth: waits for process "), std::string::npos) << ended.err;
+  EXPECT_NE(result("results.md").find("| low | earth | 1000 | 1 |\n"), std::string::npos) << result("results.md");
 }
 TEST_F(StudyCommand, refuses_a_measure_that_the_run_of_a_pipe_cannot_have_and_runs_nothing)
 {

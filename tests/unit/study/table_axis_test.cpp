@@ -44,6 +44,19 @@ TEST_F(Table, without_names_is_a_sample_whose_rows_are_counted)
   EXPECT_EQ(axis.value[1].place, (folder_ / "t.csv").string() + ":5");
   EXPECT_EQ(axis.sample_from, std::optional<std::size_t>(0));
 }
+TEST_F(Table, has_names_that_a_terminal_a_folder_and_a_spreadsheet_can_hold)
+{
+  EXPECT_EQ(message("gravity,name\n1,a\n2,x\x1B[2J\x07\n"),
+            "t.csv:3: \"x [2J \" holds a control character; fields are separated by commas, or all by semicolons");
+  EXPECT_EQ(message("gravity,name\n1,\"a\nb\"\n"),
+            "t.csv:2: \"a b\" holds a control character; fields are separated by commas, or all by semicolons");
+  EXPECT_EQ(message("gravity,name\n1,a\n2," + std::string(5000, 'x') + "\n"), "t.csv:3: name: is longer than 100 bytes");
+  for (const std::string name : {"=1+1", "=cmd|'/C calc'!A0", "+cmd", "-cmd", "@sum", "-2+3"})
+    EXPECT_EQ(message("gravity,name\n1," + name + "\n"),
+              "t.csv:2: name: \"" + name + "\" begins as a formula of a spreadsheet does, by =, +, - or @, and is no number");
+  for (const char* name : {"-1.5", "+2 kPa", "a=1", "x-y"})
+    EXPECT_EQ(read(std::string("gravity,name\n1,") + name + "\n").value[0].name, name);
+}
 TEST_F(Table, with_names_holds_chosen_values)
 {
   const StudyAxis axis = read("a.b,name\n2 kPa,soft\n3 kPa,stiff\n");

@@ -75,7 +75,10 @@ std::vector<text::RunEntry> entries_of(const record::RunRecord& run)
           entry(fmt::format("resumed (UTC){}", resumptions == 1 ? "" : fmt::format(", {}", resumptions)), text::html_text(session.begun)));
   if (!run.origin->begins())
     entries.push_back(entry("SHA-256", "not recorded: origin.json was missing or damaged when the run was resumed"));
-  for (const auto& [name, hash] : run.origin->input) entries.push_back(entry("SHA-256 of " + name, code(hash)));
+  for (const auto& [name, hash] : run.origin->input) {
+    const bool changed = std::find(run.changed.begin(), run.changed.end(), name) != run.changed.end();
+    entries.push_back(entry("SHA-256 of " + name, code(hash) + (changed ? " when the run began; the file was changed after that" : "")));
+  }
   for (std::size_t k = 0; k < run.origin->sessions.size(); ++k) {
     const run_folder::RunSession& session = run.origin->sessions[k];
     const run_folder::RunSession& first = run.origin->sessions.front();
@@ -134,8 +137,9 @@ std::string origin_section(const Runs& runs)
   html += columns.table("origin", "What each run is made from, and by which program").html();
   if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.origin.has_value(); }))
     html += text::html_paragraph(
-        "The hashes were noted in origin.json of each run folder when the run began; sha256sum of the file named gives the same digits "
-        "if it is unchanged. case.toml is the input as it was given, resolved.toml the whole of it with overrides and defaults.",
+        "The hashes were noted in origin.json of each run folder when the run began; berm has compared them with the files in the folder, "
+        "and "
+        "says where one was changed. case.toml is the input as it was given, resolved.toml the whole of it with overrides and defaults.",
         "quiet");
   html += "<h3>Units and signs</h3>\n" + text::html_paragraph(units_words(runs));
   if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return base::drives_a_body(run.settings); }))
