@@ -257,8 +257,9 @@ std::string fault_of_name(const std::string& name)
 {
   constexpr std::size_t most = 100;
   if (name.size() > most) return fmt::format("is longer than {} bytes", most);
-  const bool formula = !name.empty() && std::string("=+-@").find(name[0]) != std::string::npos && !input::is_quantity(name);
-  return formula ? input::in_quotes(name) + " begins as a formula of a spreadsheet does, by =, +, - or @, and is no number" : "";
+  const bool signs = name.starts_with('+') || name.starts_with('-');
+  const bool formula = name.starts_with('=') || name.starts_with('@') || (signs && name.find_first_of("(|!") != std::string::npos);
+  return formula ? input::in_quotes(name) + " is a formula to a spreadsheet" : "";
 }
 
 std::string as_file_name(std::string name)

@@ -72,7 +72,7 @@ TEST(NoPrograms, of_a_case_are_run_where_none_are_allowed)
   const auto started = [&] { return std::filesystem::exists(folder / "started"); };
   folder.write("busy.geo", busy_geometry);
   std::string text = test::falling_stone;
-  text.replace(text.find("{kind = \"box\", size = [1, 1], cells = [4, 4]}"), 46, "{kind = \"gmsh\", file = \"busy.geo\"}");
+  text.replace(text.find("{kind = \"box\", size = [1, 1], cells = [4, 4]}"), 45, "{kind = \"gmsh\", file = \"busy.geo\"}");
   folder.write("case.toml", text);
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"check", "case.toml"}, {"draw", "case.toml", "-o", "case.svg"}, {"run", "case.toml", "-o", "results"}}) {
@@ -114,7 +114,7 @@ TEST(Check, of_a_case_whose_first_steps_fail_names_it)
   folder.write("stone.toml", test::falling_stone);
   const Ended ended = run_program(folder.path(), {"check", "stone.toml", "--set", "gravity=[0, -9e3]"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_EQ(ended.err.find("berm: stone.toml: its first steps fail: particle "), 0u) << ended.err;
+  EXPECT_NE(ended.err.find("berm: stone.toml: its first steps fail: particle "), std::string::npos) << ended.err;
 }
 
 }  // namespace

