@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -101,6 +102,8 @@ std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow
   const std::string unit = published.unit > 0 ? fmt::format(" = {:.4g} and {:.4g} times {:.5g} {}", extremes.V_max / published.unit,
                                                             extremes.H_max / published.unit, published.unit, force)
                                               : "";
+  const bool open = std::any_of(rows.begin(), rows.end(), [](const EnvelopeRow& row) { return row.state != "finished"; });
+  if (open) text += "of the probes that are done: ";
   text += fmt::format("Vmax {:.5g} {}, Hmax {:.5g} {}{}\n", extremes.V_max, force, extremes.H_max, force, unit);
   if (std::isfinite(extremes.M_max)) {
     const std::string times = published.unit > 0 ? fmt::format(" = {:.4g} times {:.5g} {}", extremes.M_max / (published.unit * body.width),

@@ -185,12 +185,20 @@ TEST_F(EnvelopeCommand, goes_on_where_a_signal_stopped_it)
   program.signal(SIGINT);
   const Ended stopped = program.wait();
   EXPECT_EQ(stopped.status, 75);
-  EXPECT_EQ(stopped.out.find("nan"), std::string::npos) << stopped.out;
-  EXPECT_NE(stopped.out.find("Vmax and Hmax are not known before"), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find("\nof the probes that are done: Vmax "), std::string::npos) << stopped.out;
   EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos) << stopped.err;
   EXPECT_NE(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);
   EXPECT_EQ(run_program(folder_.path(), words).status, 0);
   EXPECT_EQ(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);
+}
+
+TEST_F(EnvelopeCommand, that_is_queued_says_that_nothing_is_known_yet)
+{
+  const Ended queued = envelope({"clay.toml", "-o", "found", "--points", "2", "--no-wait", "--runner", "cp {jobs} later"});
+  EXPECT_EQ(queued.status, 75) << queued.err;
+  EXPECT_EQ(queued.out.find("nan"), std::string::npos) << queued.out;
+  EXPECT_NE(queued.out.find("Vmax and Hmax are not known before the probes that look for them are done\n"), std::string::npos)
+      << queued.out;
 }
 
 TEST_F(EnvelopeCommand, refuses_what_is_no_pipe_in_a_bed_with_one_line_and_writes_nothing)
