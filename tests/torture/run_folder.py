@@ -69,7 +69,7 @@ def check(folder, reference=None, killed=False):
     for parent, _, names in os.walk(folder):
         for name in names:
             path = os.path.join(parent, name)
-            same = reference and os.path.join(reference, os.path.relpath(path, folder))
+            same = reference and os.path.join(reference, os.path.relpath(path, folder).removeprefix("start.part/"))
             if name.endswith(".part") or name == "lock":
                 expect(killed, f"{path}: is left")
             elif name == "history.csv":
