@@ -7,6 +7,7 @@
 #include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
+#include "io/tell.hpp"
 
 #include <chrono>
 #include <csignal>
@@ -78,8 +79,7 @@ private:
   bool is_in_use(std::size_t job)
   {
     const std::string owner = io::FolderLock::owner_of(jobs_[job].folder);
-    if (!owner.empty() && waited_.insert(job).second)
-      fmt::print(stderr, "{}: waits for {}, which writes there\n", jobs_[job].folder.string(), owner);
+    if (!owner.empty() && waited_.insert(job).second) io::tell("{}: waits for {}, which writes there\n", jobs_[job].folder.string(), owner);
     return !owner.empty();
   }
 
