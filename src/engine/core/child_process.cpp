@@ -72,6 +72,14 @@ private:
   }
 };
 
+/// The child's memory is not copied: a run may fill the machine's. By itself, so that the child changes no variable of who calls it.
+[[gnu::noinline]] pid_t start_child(const Launch& launch, volatile int& error)
+{
+  const pid_t process = vfork();
+  if (process == 0) launch(error);
+  return process;
+}
+
 /// -1 where there is none.
 int opened_messages(const std::string& file)
 {
@@ -89,7 +97,7 @@ ChildProcess::ChildProcess(const ChildStart& start) : end_by_(start.end_by)
   const std::vector<char*> words = pointers(start.words), variables = pointers(environment);
   sigset_t all, before;
   sigfillset(&all);
-  const int out = opened_messages(start.messages);
+  const int opened = opened_messages(start.messages), out = opened < 0 ? start.out : opened;
   const Launch launch{start.program.empty() ? words[0] : start.program.c_str(),
                       words.data(),
                       variables.data(),
@@ -103,12 +111,10 @@ ChildProcess::ChildProcess(const ChildStart& start) : end_by_(start.end_by)
   volatile int error = 0;
   // No handler of this program runs in the child.
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  // Its memory is not copied: a run may fill the machine's.
-  const pid_t process = vfork();
-  if (process == 0) launch(error);
+  const pid_t process = start_child(launch, error);
   if (process < 0) error = errno;
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  if (out >= 0) close(out);
+  if (opened >= 0) close(opened);
   if (process > 0 && error != 0) waitpid(process, nullptr, 0);
   if (error != 0) throw std::system_error(error, std::generic_category(), start.words[0]);
   process_ = process;

@@ -20,7 +20,7 @@ nlohmann::ordered_json read_json(const std::filesystem::path& file, std::uintmax
     return true;
   };
   const auto [text, fault] = read_file(file, most);
-  if (!fault.empty()) throw RunError(fmt::format("{} {}", file.string(), fault));
+  if (!fault.empty()) throw RunError(fmt::format("{}: {}", file.string(), fault));
   try {
     return Json::parse(text, look_at);
   } catch (const Json::parse_error& error) {

@@ -23,11 +23,11 @@ std::string quoted(const std::string& word)
   return text + "'";
 }
 
-ChildProcess started_shell(const std::string& command, const std::string& messages)
+ChildProcess started_shell(const std::string& command, int out)
 {
   std::fflush(nullptr);
   try {
-    return ChildProcess({.words = {"sh", "-c", command}, .program = "/bin/sh", .messages = messages, .end_by = SIGTERM});
+    return ChildProcess({.words = {"sh", "-c", command}, .program = "/bin/sh", .out = out, .end_by = SIGTERM});
   } catch (const std::system_error& error) {
     throw RunError(fmt::format("no process can be started: {}", error.code().message()));
   }
@@ -37,15 +37,14 @@ ShellEnd run_shell(const std::string& command)
 {
   const int memory = ::memfd_create("berm", MFD_CLOEXEC);
   if (memory < 0) io::throw_errno("no process can be started");
-  const std::string file = fmt::format("/proc/self/fd/{}", memory);
   ShellEnd end;
   try {
-    end.status = started_shell(command, file).wait();
+    end.status = started_shell(command, memory).wait();
   } catch (...) {
     ::close(memory);
     throw;
   }
-  end.out = io::read_text_file(file);
+  end.out = io::read_text_file(fmt::format("/proc/self/fd/{}", memory));
   ::close(memory);
   return end;
 }

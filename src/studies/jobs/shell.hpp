@@ -16,8 +16,8 @@ struct ShellEnd {
   std::string out;  ///< standard output and error
 };
 
-/// Starts a command with /bin/sh; standard output and error go to a file, or with "" to this program's standard error. Throws RunError where no process can be started.
-ChildProcess started_shell(const std::string& command, const std::string& messages = "");
+/// Starts a command with /bin/sh; standard output and error go to an open file, or with -1 to this program's standard error. Throws RunError where no process can be started.
+ChildProcess started_shell(const std::string& command, int out = -1);
 
 /// Runs a command with /bin/sh and waits for it. Throws RunError where no process can be started.
 ShellEnd run_shell(const std::string& command);
