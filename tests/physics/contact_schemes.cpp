@@ -104,6 +104,30 @@ TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
   EXPECT_LT(gap_of(contact::Detection::particle), 0.8 * overlap);
 }
 
+TEST(ParticleRim, that_wears_lets_soil_that_is_sheared_nearer_to_a_pipe_and_makes_no_energy)
+{
+  const auto run_with = [](contact::ParticleRim rim) {
+    problem::Case c = pipe_in_sand();
+    c.contact[0].second.particle_rim = rim;
+    Simulation<2> run(c);
+    take_steps(run, 300);
+    next_stage(run);
+    take_steps(run, 900);
+    return run;
+  };
+  const auto gap_of = [](const Simulation<2>& run) {
+    const contact::ContactSums<2>& sums = run.problem.state.contact_sums[0];
+    return sums.impulse_times_gap / sums.impulse_sum;
+  };
+  Simulation<2> whole = run_with(contact::ParticleRim::whole), worn = run_with(contact::ParticleRim::worn);
+  // Nearly all of a rim goes; soil that the pipe has just reached has most of it.
+  EXPECT_LT(gap_of(worn), 0.5 * gap_of(whole));
+  EXPECT_LT(mpm::momentum_error(worn.state()), 1e-12);
+  const problem::Totals<2>& t = worn.state().totals;
+  const Real kinetic = mpm::sums_over(worn.state().particles[0]).kinetic;
+  EXPECT_LT(std::abs(kinetic + t.internal + t.damping + t.filter + t.friction - t.external), 0.01 * t.external);
+}
+
 TEST(UpdateStressFirst, keeps_the_energy_of_a_free_block_that_swings)
 {
   // The floor is far away: contact plays no part but to choose the order of the step.
