@@ -3,10 +3,13 @@
 #include "commands/case_options.hpp"
 
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "core/threads.hpp"
 #include "material/user_law.hpp"
+#include "sandbox/sandbox.hpp"
 #include "structures/structures.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -14,6 +17,23 @@
 namespace berm::commands {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// What a case names that is a program: the key, and what stands there.
+std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case& settings)
+{
+  std::vector<std::pair<std::string, const char*>> found;
+  if (const auto* mesh = std::get_if<mesh::GmshFile>(&settings.mesh); mesh != nullptr && fs::path(mesh->file).extension() == ".geo")
+    found.emplace_back("mesh.file", "a geometry that gmsh runs");
+  for (const auto& [name, soil] : settings.material)
+    if (soil.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
+        soil.get_if<material::UserLaw<material::Interface::umat>>() != nullptr)
+      found.emplace_back(fmt::format("material.{}.library", name), "a library with a law");
+  return found;
+}
+
+}  // namespace
 
 CLI::Option* CaseOptions::take_cases(CLI::App& command)
 {
@@ -49,15 +69,27 @@ void CaseOptions::take_no_programs(CLI::App& command)
 void CaseOptions::refuse_programs(const simulation::RunRequest& request) const
 {
   if (!no_programs) return;
-  const auto refuse = [&](const std::string& key, const char* what) {
+  for (const auto& [key, what] : programs_of(request.settings))
     throw InputError(request.places.located(key, fmt::format("names {}, a program, and --no-programs allows none", what)));
-  };
-  if (const auto* mesh = std::get_if<mesh::GmshFile>(&request.settings.mesh); mesh != nullptr && fs::path(mesh->file).extension() == ".geo")
-    refuse("mesh.file", "a geometry that gmsh runs");
-  for (const auto& [name, soil] : request.settings.material)
-    if (soil.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
-        soil.get_if<material::UserLaw<material::Interface::umat>>() != nullptr)
-      refuse(fmt::format("material.{}.library", name), "a library with a law");
+}
+
+void CaseOptions::take_sandbox(CLI::App& command)
+{
+  CLI::Option* with = command.add_flag("--sandbox", sandbox,
+                                       "let nothing write but to the run folder, open sockets or start programs: the default where a case "
+                                       "brings a geometry (.geo) or a library; an error where the system has no sandbox");
+  command.add_flag("--no-sandbox", no_sandbox, "let a geometry (.geo) or a library do whatever you may")->excludes(with);
+}
+
+void CaseOptions::enter_sandbox(const std::vector<simulation::RunRequest>& requests, const std::vector<fs::path>& folders) const
+{
+  const auto brings = [](const simulation::RunRequest& request) { return !programs_of(request.settings).empty(); };
+  if (no_sandbox || (!sandbox && std::none_of(requests.begin(), requests.end(), brings))) return;
+  const std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
+  if (why.empty()) return sandbox::enter(folders);
+  if (sandbox) throw RunError(fmt::format("--sandbox: there is none here: {}", why));
+  if (Ranks::of_run().is_first())
+    spdlog::warn("what the case brings runs with all of your rights: there is no sandbox here, as {}. --no-programs refuses it", why);
 }
 
 void CaseOptions::take_runner(CLI::App& command)

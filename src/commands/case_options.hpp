@@ -16,7 +16,9 @@ struct CaseOptions {
   bool force = false;        ///< replace the results of earlier runs
   bool uncertainty = false;  ///< find the bands of the results, too
   bool no_programs = false;  ///< refuse cases that bring programs
-  bool strict = false;       ///< a run whose answer is spoiled has failed
+  bool sandbox = false;      ///< where no case brings programs, too
+  bool no_sandbox = false;
+  bool strict = false;  ///< a run whose answer is spoiled has failed
   std::string runner_words, sbatch;
   int pack = 0;  ///< runs a task of Slurm; 0: not said
   bool no_wait = false;
@@ -31,6 +33,11 @@ struct CaseOptions {
   void take_no_programs(CLI::App& command);
   /// With it: throws InputError where the case names a program, a geometry that gmsh runs or a library with a law.
   void refuse_programs(const simulation::RunRequest& request) const;
+  /// --sandbox and --no-sandbox.
+  void take_sandbox(CLI::App& command);
+  /// From now on what the cases bring writes to `folders` only (sandbox/sandbox.hpp): where a case names a program, or --sandbox asks for it. Without it a warning
+  /// tells why there is none. Throws RunError where the system has none and --sandbox asks for it.
+  void enter_sandbox(const std::vector<simulation::RunRequest>& requests, const std::vector<std::filesystem::path>& folders) const;
   /// --runner and what goes with it.
   void take_runner(CLI::App& command);
   /// What runs the cases. Throws InputError where it cannot.

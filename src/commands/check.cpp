@@ -13,9 +13,12 @@ Command add_check(CLI::App& program)
   options->take_cases(*app);
   options->take_threads(*app);
   options->take_no_programs(*app);
+  options->take_sandbox(*app);
   return {app, [options] {
+            const std::vector<simulation::RunRequest> all = requests(*options);
+            options->enter_sandbox(all, {});
             simulation::Context context(options->threads);
-            for (const simulation::RunRequest& request : requests(*options)) check_case(request, context);
+            for (const simulation::RunRequest& request : all) check_case(request, context);
             return 0;
           }};
 }

@@ -11,6 +11,7 @@
 #include "io/revision.hpp"
 #include "io/tell.hpp"
 #include "jobs/outcome.hpp"
+#include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <new>
+#include <sstream>
 
 namespace berm::commands {
 namespace {
@@ -81,6 +83,16 @@ int dispatch(int argc, char** argv)
   return 2;
 }
 
+/// What the sandbox kept from happening, where `why` does not say it yet.
+std::string words_of_sandbox(const std::string& why, const std::string& stopped)
+{
+  std::string words = why;
+  std::istringstream lines(stopped);
+  for (std::string line; std::getline(lines, line);)
+    if (why.find(line) == std::string::npos) words += fmt::format("{}stopped by the sandbox: {}", words.empty() ? "" : "\n", line);
+  return words + "\n--no-sandbox lets a case that you trust do so";
+}
+
 /// `why` is what was said of a failure.
 int status_of_command(int argc, char** argv, std::string& why)
 {
@@ -109,7 +121,12 @@ int status_of_command(int argc, char** argv, std::string& why)
 int run_commands(int argc, char** argv)
 {
   std::string why;
-  const int status = status_of_command(argc, argv, why);
+  int status = status_of_command(argc, argv, why);
+  if (const std::string stopped = sandbox::stopped(); !stopped.empty()) {
+    why = words_of_sandbox(why, stopped);
+    status = status == 0 ? 1 : status;
+  }
+  sandbox::leave();
   if (!why.empty()) io::tell("berm: {}\n", why);
   return simulation::leave_ranks(status, why);
 }

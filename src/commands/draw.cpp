@@ -63,12 +63,21 @@ Command add_draw(CLI::App& program)
   CLI::App* app = program.add_subcommand("draw", "draw the model of a case before it is run; gmsh runs the geometry (.geo) that it names");
   options->take_cases(*app);
   options->take_no_programs(*app);
+  options->take_sandbox(*app);
   app->add_option("-o,--output", options->output,
                   "picture to write (.png or .svg); of several cases: the folder that theirs go into (default: out/FOLDER/NAME.png of "
                   "FOLDER/NAME.toml)");
   return {app, [options] {
             messages_to_stderr();
-            for (const Picture& picture : pictures(*options)) draw(picture);
+            const std::vector<Picture> all = pictures(*options);
+            std::vector<simulation::RunRequest> cases;
+            std::vector<fs::path> folders;
+            for (const Picture& picture : all) {
+              cases.push_back(picture.request);
+              folders.push_back(fs::absolute(picture.file).parent_path());
+            }
+            options->enter_sandbox(cases, folders);
+            for (const Picture& picture : all) draw(picture);
             return 0;
           }};
 }

@@ -9,6 +9,7 @@
 #include "io/tell.hpp"
 #include "jobs/outcome.hpp"
 #include "run_folder/summary_file.hpp"
+#include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
 #include "simulation/run_place.hpp"
 #include "structures/base/spoiled.hpp"
@@ -29,6 +30,13 @@ Outcome outcome_of_stopped(const std::filesystem::path& folder)
   return simulation::ends_on_any_rank_with(simulation::has_checkpoint(folder)) ? Outcome::unfinished : Outcome::failed;
 }
 
+/// Whether a signal asks the run to stop. Throws RunError where a program of the case was kept from what its sandbox does not allow.
+bool stopped()
+{
+  sandbox::throw_if_stopped();
+  return interrupted();
+}
+
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side after them.
 Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
@@ -38,7 +46,7 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
   std::copy_if(all.begin(), all.end(), std::back_inserter(fem), is_fem);
   const bool side_by_side = fem.size() > 1 && options.jobs() > 1;
   {
-    simulation::Context context(options.threads, interrupted);
+    simulation::Context context(options.threads, stopped);
     // A case that does not fit its mesh is refused before the first one runs.
     if (all.size() > 1)
       for (const simulation::RunRequest& request : all) check_buildable(request);
@@ -106,6 +114,14 @@ std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunR
   return folders;
 }
 
+/// Those of the runs, and that of the jobs where several go side by side.
+std::vector<std::filesystem::path> written_folders(const std::vector<simulation::RunRequest>& all)
+{
+  std::vector<std::filesystem::path> folders = folders_of(all);
+  if (all.size() > 1) folders.push_back(queue_of(all));
+  return folders;
+}
+
 Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
 {
   std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
@@ -114,10 +130,11 @@ Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
   if (finished && !options.uncertainty) return Outcome::done;
   if (finished) request = simulation::finished_run(folder);
   options.refuse_programs(*request);
+  options.enter_sandbox({*request}, {folder});
   catch_interrupts();
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
-    simulation::Context context(options.threads, interrupted);
+    simulation::Context context(options.threads, stopped);
     if (!run_case(*request, context)) {
       const Outcome outcome = outcome_of_stopped(folder);
       return options.uncertainty ? without_bands(outcome) : outcome;
@@ -139,6 +156,7 @@ Command add_run(CLI::App& program)
   options->take_threads(*app);
   options->take_runner(*app);
   options->take_no_programs(*app);
+  options->take_sandbox(*app);
   app->add_option("-o,--output", options->output,
                   "run folder; of several cases: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
   CLI::Option* force = app->add_flag("--force", options->force, "replace what earlier runs left in the folder");
@@ -162,7 +180,10 @@ Command add_run(CLI::App& program)
               return status_of(judged(resume(options->unfinished, *options), {options->unfinished}, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
             if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
-            if (!options->has_runner()) return status_of(judged(run_all(all, *options), folders_of(all), *options));
+            if (!options->has_runner()) {
+              options->enter_sandbox(all, written_folders(all));
+              return status_of(judged(run_all(all, *options), folders_of(all), *options));
+            }
             catch_interrupts();
             return status_of(judged(run_side_by_side(all, *options), folders_of(all), *options));
           }};

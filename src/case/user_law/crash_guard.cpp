@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace berm::user_law {
@@ -30,7 +31,8 @@ void say(const char* text)
   say(called);
   say(what);
   say("; what the run folder holds is whole\n");
-  ::_exit(EXIT_FAILURE);
+  ::syscall(SYS_exit_group, EXIT_FAILURE);
+  ::abort();
 }
 
 const char* words_of(int signal)
@@ -131,3 +133,16 @@ InsideCall::~InsideCall()
 }
 
 }  // namespace berm::user_law
+
+// The program offers its own _exit and _Exit, so that those of a law are noticed: the C library's ask nobody.
+extern "C" [[noreturn]] void _exit(int status)
+{
+  if (berm::user_law::called != nullptr) berm::user_law::end(" ended the program (_exit)");
+  ::syscall(SYS_exit_group, status);
+  ::abort();
+}
+
+extern "C" [[noreturn]] void _Exit(int status) noexcept
+{
+  ::_exit(status);
+}

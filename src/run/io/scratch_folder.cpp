@@ -16,11 +16,29 @@
 namespace berm::io {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Where the system's temporary files go.
+fs::path system_folder()
+{
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (!error) return folder;
+  for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"})  // in the order of temp_directory_path
+    if (const char* const named = std::getenv(variable))
+      throw RunError(std::string(variable) + " names " + named + " for temporary files, which is no folder: " + error.message());
+  throw RunError("there is no folder /tmp for temporary files: " + error.message());
+}
+
+}  // namespace
+
 ScratchFolder::ScratchFolder()
 {
-  std::string name = (fs::temp_directory_path() / "berm-XXXXXX").string();
+  const char* const outer = std::getenv(outer_variable);
+  std::string name = ((outer != nullptr ? fs::path(outer) : system_folder()) / "berm-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw RunError("no temporary folder " + name + " can be made: " + std::strerror(errno));
   path_ = name;
+  if (outer != nullptr) return;
   try {
     start_guard();
   } catch (...) {

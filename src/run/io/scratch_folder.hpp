@@ -11,6 +11,9 @@ namespace berm::io {
 /// A folder of the system's temporary ones, removed with this object, or by a shell that waits for the end of this program where it is killed.
 class ScratchFolder {
 public:
+  /// The variable of the environment that names a temporary folder, removed by whoever made it: all others are made in it.
+  static constexpr const char* outer_variable = "BERM_SCRATCH";
+
   /// Throws RunError where the system's temporary folder cannot be written to, or the shell cannot be started.
   ScratchFolder();
   ~ScratchFolder();

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_sandbox_test.cpp
+#include "sandbox/judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <fcntl.h>
+#include <filesystem>
+#include <optional>
+#include <sys/socket.h>
+#include <sys/uio.h>
+
+namespace berm::sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A call that changes a file by its name or by its number.
+struct Changes {
+  int call;
+  struct Name {
+    int folder, path;  ///< arguments; folder -1: names begin at the working folder; path -1: the folder is the open file itself
+  };
+  std::vector<Name> names;
+  bool only_here;  ///< Landlock does not know it in all of its versions
+};
+
+const std::vector<Changes>& changing_calls()
+{
+  static const std::vector<Changes> all = {
+      {SCMP_SYS(open), {{-1, 0}}, false},
+      {SCMP_SYS(openat), {{0, 1}}, false},
+      {SCMP_SYS(creat), {{-1, 0}}, false},
+      {SCMP_SYS(mkdir), {{-1, 0}}, false},
+      {SCMP_SYS(mkdirat), {{0, 1}}, false},
+      {SCMP_SYS(mknod), {{-1, 0}}, false},
+      {SCMP_SYS(mknodat), {{0, 1}}, false},
+      {SCMP_SYS(unlink), {{-1, 0}}, false},
+      {SCMP_SYS(unlinkat), {{0, 1}}, false},
+      {SCMP_SYS(rmdir), {{-1, 0}}, false},
+      {SCMP_SYS(rename), {{-1, 0}, {-1, 1}}, false},
+      {SCMP_SYS(renameat), {{0, 1}, {2, 3}}, false},
+      {SCMP_SYS(renameat2), {{0, 1}, {2, 3}}, false},
+      {SCMP_SYS(link), {{-1, 0}, {-1, 1}}, false},
+      {SCMP_SYS(linkat), {{0, 1}, {2, 3}}, false},
+      {SCMP_SYS(symlink), {{-1, 1}}, false},
+      {SCMP_SYS(symlinkat), {{1, 2}}, false},
+      {SCMP_SYS(truncate), {{-1, 0}}, true},
+      {SCMP_SYS(chmod), {{-1, 0}}, true},
+      {SCMP_SYS(fchmod), {{0, -1}}, true},
+      {SCMP_SYS(fchmodat), {{0, 1}}, true},
+      {SCMP_SYS(chown), {{-1, 0}}, true},
+      {SCMP_SYS(lchown), {{-1, 0}}, true},
+      {SCMP_SYS(fchown), {{0, -1}}, true},
+      {SCMP_SYS(fchownat), {{0, 1}}, true},
+      {SCMP_SYS(utime), {{-1, 0}}, true},
+      {SCMP_SYS(utimes), {{-1, 0}}, true},
+      {SCMP_SYS(futimesat), {{0, 1}}, true},
+      {SCMP_SYS(utimensat), {{0, 1}}, true},
+      {SCMP_SYS(setxattr), {{-1, 0}}, true},
+      {SCMP_SYS(lsetxattr), {{-1, 0}}, true},
+      {SCMP_SYS(fsetxattr), {{0, -1}}, true},
+      {SCMP_SYS(removexattr), {{-1, 0}}, true},
+      {SCMP_SYS(lremovexattr), {{-1, 0}}, true},
+      {SCMP_SYS(fremovexattr), {{0, -1}}, true},
+  };
+  return all;
+}
+
+fs::path process(const seccomp_notif& call)
+{
+  return fs::path("/proc") / std::to_string(call.pid);
+}
+
+/// A text in the memory of the process; empty where it cannot be read.
+std::optional<std::string> text_at(const seccomp_notif& call, std::uint64_t address)
+{
+  std::string text;
+  constexpr std::size_t page = 4096;
+  while (text.size() < PATH_MAX) {
+    std::array<char, page> bytes;
+    const std::size_t count = page - address % page;  // the next page may not be there
+    iovec here{bytes.data(), count}, there{reinterpret_cast<void*>(address), count};
+    const ssize_t got = ::process_vm_readv(static_cast<pid_t>(call.pid), &here, 1, &there, 1, 0);
+    if (got <= 0) return {};
+    const auto end = std::find(bytes.begin(), bytes.begin() + got, '\0');
+    text.append(bytes.begin(), end);
+    if (end != bytes.begin() + got) return text;
+    address += static_cast<std::uint64_t>(got);
+  }
+  return {};
+}
+
+/// A path of the process as an absolute one; empty where that is not to be known.
+std::optional<fs::path> absolute_path(const seccomp_notif& call, int folder, int path)
+{
+  std::error_code error;
+  const auto place_of = [&](int argument) -> fs::path {
+    const int number = argument < 0 ? AT_FDCWD : static_cast<int>(call.data.args[argument]);
+    return fs::read_symlink(number == AT_FDCWD ? process(call) / "cwd" : process(call) / "fd" / std::to_string(number), error);
+  };
+  if (path < 0) {
+    const fs::path file = place_of(folder);
+    return error ? std::nullopt : std::optional(file);
+  }
+  if (call.data.args[path] == 0) {  // utimensat of an open file
+    const fs::path file = place_of(folder);
+    return error ? std::nullopt : std::optional(file);
+  }
+  const std::optional<std::string> text = text_at(call, call.data.args[path]);
+  if (!text) return {};
+  fs::path name = *text;
+  if (const std::string self = "/proc/self/"; text->starts_with(self)) name = process(call) / text->substr(self.size());
+  if (name.is_absolute()) return name;
+  const fs::path start = place_of(folder);
+  return error ? std::nullopt : std::optional(start / name);
+}
+
+bool is_within(const fs::path& file, const fs::path& folder)
+{
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+/// With links followed as far as the path is there.
+fs::path real(const fs::path& file)
+{
+  std::error_code error;
+  const fs::path found = fs::weakly_canonical(file, error);
+  return error ? file.lexically_normal() : found;
+}
+
+std::string family(std::uint64_t number)
+{
+  return number == AF_INET || number == AF_INET6 ? "of the network"
+         : number == AF_UNIX                     ? "to other programs"
+                                                 : "of family " + std::to_string(number);
+}
+
+}  // namespace
+
+const std::vector<int>& watched_calls()
+{
+  static const std::vector<int> all = [] {
+    std::vector<int> calls = {SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(socket)};
+    for (const Changes& changes : changing_calls())
+      if (changes.call != SCMP_SYS(open) && changes.call != SCMP_SYS(openat)) calls.push_back(changes.call);
+    return calls;
+  }();
+  return all;
+}
+
+/// gnuplot and what else draws may try to write what it remembers: that is refused without a word.
+Verdict Judge::refused(const seccomp_notif& call, const std::string& what) const
+{
+  std::error_code error;
+  const std::string program = fs::read_symlink(process(call) / "exe", error).filename().string();
+  if (error || program == "berm") return {EACCES, "a library of the case would have " + what};
+  if (program == "gmsh") return {EACCES, "the geometry of the case would have " + what};
+  return {EACCES, ""};
+}
+
+Verdict Judge::start(const seccomp_notif& call) const
+{
+  if (call.data.nr == SCMP_SYS(execveat)) return refused(call, "started a program");
+  const std::optional<fs::path> file = absolute_path(call, -1, 0);
+  std::error_code error;
+  if (!file || !fs::exists(*file, error)) return {};  // refused by Landlock, or by the system as there is none
+  const fs::path program = real(*file);
+  const bool allowed = std::find(allowed_.programs.begin(), allowed_.programs.end(), program) != allowed_.programs.end();
+  return allowed ? Verdict{} : refused(call, "started the program " + file->string());
+}
+
+Verdict Judge::change(const seccomp_notif& call, const std::string& file) const
+{
+  const fs::path path = real(file);
+  const bool device = is_within(path, "/dev") || is_within(path, "/proc");  // open files and terminals: Landlock tells them
+  const bool allowed = std::any_of(allowed_.folders.begin(), allowed_.folders.end(), [&](const fs::path& f) { return is_within(path, f); });
+  if (allowed || device) return {};
+  // FLTK, which gmsh is made with, keeps settings of its own whatever the geometry is.
+  return path.filename() == "fltk.prefs" ? Verdict{EACCES, ""} : refused(call, "written to " + path.string());
+}
+
+Verdict Judge::operator()(const seccomp_notif& call) const
+{
+  if (call.data.nr == SCMP_SYS(socket)) return refused(call, "opened a socket " + family(call.data.args[0]));
+  if (call.data.nr == SCMP_SYS(execve) || call.data.nr == SCMP_SYS(execveat)) return start(call);
+  const auto changes =
+      std::find_if(changing_calls().begin(), changing_calls().end(), [&](const Changes& known) { return known.call == call.data.nr; });
+  if (changes == changing_calls().end()) return {EPERM, ""};
+  for (const Changes::Name& name : changes->names) {
+    const std::optional<fs::path> file = absolute_path(call, name.folder, name.path);
+    if (!file && changes->only_here) return {EPERM, ""};
+    if (!file) continue;  // Landlock refuses it where it is not allowed
+    if (Verdict verdict = change(call, file->string()); verdict.error != 0) return verdict;
+  }
+  return {};
+}
+
+}  // namespace berm::sandbox

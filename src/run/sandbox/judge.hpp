@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sandbox/watcher.hpp"
+
+#include <seccomp.h>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace berm::sandbox {
+
+/// What becomes of a call: it goes on (error 0), or fails with this error number. The note tells what was refused; "" where that is nobody's business.
+struct Verdict {
+  int error = 0;
+  std::string note = {};
+};
+
+/// The calls that are judged whatever their arguments are; open and openat beside them where they write.
+const std::vector<int>& watched_calls();
+
+/// Judges the calls of a process and of what it started.
+class Judge {
+public:
+  Judge(const Allowed& allowed, pid_t watched) : allowed_(allowed), watched_(watched) {}
+
+  Verdict operator()(const seccomp_notif& call) const;
+
+private:
+  Verdict start(const seccomp_notif& call) const;
+  Verdict change(const seccomp_notif& call, const std::string& file) const;
+  Verdict refused(const seccomp_notif& call, const std::string& what) const;
+
+  Allowed allowed_;
+  pid_t watched_;
+};
+
+}  // namespace berm::sandbox

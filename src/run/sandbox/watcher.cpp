@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_sandbox_test.cpp
+#include "sandbox/watcher.hpp"
+
+#include "sandbox/judge.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace berm::sandbox {
+
+/// Shared by both processes. Notes that do not fit are lost.
+struct Watcher::Notes {
+  static constexpr std::size_t size = 8192;
+  std::atomic<std::size_t> length;
+  char text[size];
+
+  void add(const std::string& line)
+  {
+    const std::size_t begin = length;
+    if (begin + line.size() + 1 > size || std::string(text, begin).find(line) != std::string::npos) return;
+    std::memcpy(text + begin, line.data(), line.size());
+    text[begin + line.size()] = '\n';
+    length = begin + line.size() + 1;
+  }
+};
+
+namespace {
+
+[[noreturn]] void fail(int error)
+{
+  throw std::system_error(error, std::generic_category());
+}
+
+/// Sends an open file to the other end of a pair of sockets.
+void send_file(int line, int file)
+{
+  char byte = 'f';
+  iovec data{&byte, 1};
+  alignas(cmsghdr) char space[CMSG_SPACE(sizeof file)] = {};
+  msghdr message{};
+  message.msg_iov = &data;
+  message.msg_iovlen = 1;
+  message.msg_control = space;
+  message.msg_controllen = sizeof space;
+  cmsghdr* const header = CMSG_FIRSTHDR(&message);
+  header->cmsg_level = SOL_SOCKET;
+  header->cmsg_type = SCM_RIGHTS;
+  header->cmsg_len = CMSG_LEN(sizeof file);
+  std::memcpy(CMSG_DATA(header), &file, sizeof file);
+  if (::sendmsg(line, &message, MSG_NOSIGNAL) != 1) fail(errno);
+}
+
+/// -1 where the other end was closed.
+int received_file(int line)
+{
+  char byte = 0;
+  iovec data{&byte, 1};
+  alignas(cmsghdr) char space[CMSG_SPACE(sizeof(int))] = {};
+  msghdr message{};
+  message.msg_iov = &data;
+  message.msg_iovlen = 1;
+  message.msg_control = space;
+  message.msg_controllen = sizeof space;
+  if (::recvmsg(line, &message, MSG_CMSG_CLOEXEC) != 1) return -1;
+  const cmsghdr* const header = CMSG_FIRSTHDR(&message);
+  int file = -1;
+  if (header != nullptr) std::memcpy(&file, CMSG_DATA(header), sizeof file);
+  return file;
+}
+
+void check(int result)
+{
+  if (result < 0) fail(-result);
+}
+
+/// The calls that the kernel asks the watcher about. Gives the descriptor that it asks through.
+int install_filter()
+{
+  struct Filter {
+    scmp_filter_ctx context = seccomp_init(SCMP_ACT_ALLOW);
+    ~Filter() { seccomp_release(context); }
+  } filter;
+  if (filter.context == nullptr) fail(ENOMEM);
+  check(seccomp_attr_set(filter.context, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS));
+  for (const int call : watched_calls()) check(seccomp_rule_add(filter.context, SCMP_ACT_NOTIFY, call, 0));
+  // Opening a file is looked at where it is opened to write, made or cut.
+  const auto opens = [&](int call, unsigned flags) {
+    for (const unsigned way : {O_WRONLY, O_RDWR, O_ACCMODE})
+      check(seccomp_rule_add(filter.context, SCMP_ACT_NOTIFY, call, 1, SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, O_ACCMODE, way)));
+    for (const unsigned change : {O_CREAT, O_TRUNC})
+      check(seccomp_rule_add(filter.context, SCMP_ACT_NOTIFY, call, 1, SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, change | O_ACCMODE, change)));
+  };
+  opens(SCMP_SYS(openat), 2);
+  opens(SCMP_SYS(open), 1);
+  // Ways around it: flags that the filter cannot see, and calls that another thread of the kernel makes.
+  check(seccomp_rule_add(filter.context, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(openat2), 0));
+  check(seccomp_rule_add(filter.context, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(io_uring_setup), 0));
+  check(seccomp_load(filter.context));
+  const int asks = seccomp_notify_fd(filter.context);
+  check(asks);
+  return asks;
+}
+
+/// Until nobody is left who could be asked about.
+void answer(int asks, int line, const Judge& judge, const std::vector<std::filesystem::path>& made, const auto& note)
+{
+  seccomp_notif* call = nullptr;
+  seccomp_notif_resp* reply = nullptr;
+  if (seccomp_notify_alloc(&call, &reply) != 0) return;
+  for (pollfd both[2] = {{asks, POLLIN, 0}, {line, POLLIN, 0}}; ::poll(both, 2, -1) >= 0 || errno == EINTR;) {
+    if ((both[1].revents & POLLIN) != 0) {
+      char byte = 0;
+      if (::read(line, &byte, 1) == 1) {
+        for (const auto& folder : made) ::rmdir(folder.c_str());
+        [[maybe_unused]] const auto told = ::write(line, &byte, 1);
+      } else {
+        both[1].fd = -1;
+      }
+    } else if ((both[1].revents & (POLLHUP | POLLERR)) != 0) {
+      both[1].fd = -1;
+    }
+    if ((both[0].revents & POLLIN) == 0) {
+      if ((both[0].revents & (POLLHUP | POLLERR)) != 0) return;
+      continue;
+    }
+    std::memset(call, 0, sizeof *call);
+    if (seccomp_notify_receive(asks, call) != 0) continue;
+    std::memset(reply, 0, sizeof *reply);
+    reply->id = call->id;
+    const Verdict verdict = judge(*call);
+    if (seccomp_notify_id_valid(asks, call->id) != 0) continue;  // it has ended: what was read may be of another
+    if (!verdict.note.empty()) note(verdict.note);
+    reply->flags = verdict.error == 0 ? SECCOMP_USER_NOTIF_FLAG_CONTINUE : 0;
+    reply->error = -verdict.error;
+    seccomp_notify_respond(asks, reply);
+  }
+}
+
+/// It has nothing of the program that it watches but the line to it, and no signal of a terminal reaches it.
+void become_watcher(int line)
+{
+  ::setsid();
+  ::prctl(PR_SET_NAME, "berm-sandbox");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGPIPE}) ::signal(signal, SIG_IGN);
+  const int nothing = ::open("/dev/null", O_RDWR);
+  for (int file = 0; file < 3; ++file) ::dup2(nothing, file);
+  ::dup2(line, 3);
+  ::close_range(4, ~0U, 0);
+}
+
+}  // namespace
+
+Watcher::Watcher(const Allowed& allowed)
+{
+  int line[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line) != 0) fail(errno);
+  void* const shared = ::mmap(nullptr, sizeof(Notes), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) fail(errno);
+  notes_ = new (shared) Notes{};
+  const pid_t watched = ::getpid(), watcher = ::fork();
+  if (watcher < 0) fail(errno);
+  if (watcher == 0) {
+    become_watcher(line[1]);
+    if (const int asks = received_file(3); asks >= 0)
+      answer(asks, 3, Judge(allowed, watched), allowed.made, [&](const std::string& what) { notes_->add(what); });
+    ::_exit(0);
+  }
+  ::close(line[1]);
+  line_ = line[0];
+  ::prctl(PR_SET_PTRACER, watcher, 0, 0, 0);  // where the system lets nobody but parents look into a process
+  const int asks = install_filter();
+  send_file(line_, asks);
+  ::close(asks);
+}
+
+std::string Watcher::notes() const
+{
+  return {notes_->text, std::min(notes_->length.load(), Notes::size)};
+}
+
+void Watcher::tidy_up()
+{
+  char byte = 't';
+  if (::write(line_, &byte, 1) == 1) [[maybe_unused]]
+    const auto done = ::read(line_, &byte, 1);
+}
+
+}  // namespace berm::sandbox

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The built program with cases that bring programs which reach for more than their run folder.
+#include "sandbox/sandbox.hpp"
+
+#include "samples/falling_stone.hpp"
+#include "samples/program.hpp"
+#include "samples/small_cases.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <iterator>
+
+namespace berm::commands::this_file {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* victim_text = "what was there before\n";
+
+/// A folder with a victim beside the case.
+class Sandbox : public testing::Test {
+protected:
+  Sandbox()
+  {
+    folder_.write("victim", victim_text);
+    fs::create_directory(folder_ / "tmp");
+  }
+  void SetUp() override
+  {
+    if (const std::string why = sandbox::why_there_is_none(); !why.empty()) GTEST_SKIP() << why;
+  }
+  Ended berm(const std::vector<std::string>& words) const
+  {
+    return run_program(folder_.path(), words, {"TMPDIR=" + (folder_ / "tmp").string()});
+  }
+  /// Nothing outside of the run folder is another, and temporary folders go.
+  void expect_nothing_changed(const std::string& what) const
+  {
+    EXPECT_EQ(text_of_file(folder_ / "victim"), victim_text) << what;
+    EXPECT_EQ(fs::status(folder_ / "victim").permissions() & fs::perms::owner_write, fs::perms::owner_write) << what;
+    EXPECT_FALSE(fs::exists(folder_ / "made")) << what;
+    EXPECT_TRUE(wait_until([&] { return fs::is_empty(folder_ / "tmp"); })) << what;
+  }
+
+  TemporaryFolder folder_;
+};
+
+class SandboxOfLaw : public Sandbox {
+protected:
+  SandboxOfLaw()
+  {
+    std::string text = test::falling_stone;
+    const std::string old = "law = \"linear_elastic\"";
+    text.replace(text.find(old), old.size(), "law = \"user\", library = \"their.so\"");
+    folder_.write("case.toml", text);
+    fs::copy_file(BERM_REACHING_LAW, folder_ / "their.so");
+  }
+  Ended run(int act, std::vector<std::string> more = {}) const
+  {
+    more.insert(more.begin(), {"run", "case.toml", "-o", "results", "--threads", "1", "--force", "--set",
+                               fmt::format("material.stone.properties=[1e6, 0, {}]", act)});
+    return berm(more);
+  }
+};
+
+TEST_F(SandboxOfLaw, names_what_a_law_was_kept_from_and_ends_the_run)
+{
+  const fs::path real = fs::canonical(folder_.path());
+  const std::string writes = "written to " + (real / "victim").string(), makes = "written to " + (real / "made").string();
+  const std::pair<int, std::string> acts[] = {{1, writes},
+                                              {2, "opened a socket of the network"},
+                                              {3, "opened a socket to other programs"},
+                                              {4, "started the program /bin/sh"},
+                                              {5, writes},
+                                              {6, writes},
+                                              {7, writes},
+                                              {8, writes},
+                                              {9, makes},
+                                              {10, makes},
+                                              {11, writes},
+                                              {12, "started the program /usr/bin/touch"},
+                                              {13, writes},
+                                              {14, writes}};
+  for (const auto& [act, words] : acts) {
+    const Ended ended = run(act);
+    EXPECT_EQ(ended.status, 1) << act;
+    EXPECT_NE(ended.err.find("berm: stopped by the sandbox: a library of the case would have " + words +
+                             "\n--no-sandbox lets a case that you trust do so\n"),
+              std::string::npos)
+        << act << ": " << ended.err;
+    EXPECT_NE(text_of_file(folder_ / "results/run.log").find("stopped by the sandbox"), std::string::npos) << act;
+    EXPECT_NE(text_of_file(folder_ / "results/summary.json").find("\"finished\": false"), std::string::npos) << act;
+    expect_nothing_changed(std::to_string(act));
+  }
+}
+
+TEST_F(SandboxOfLaw, is_not_there_where_the_user_says_so)
+{
+  const Ended ended = run(5, {"--no-sandbox"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_FALSE(fs::exists(folder_ / "victim"));
+}
+
+TEST_F(SandboxOfLaw, leaves_results_and_resuming_as_they_are)
+{
+  ASSERT_EQ(run(0).status, 0);
+  const std::string history = text_of_file(folder_ / "results/history.csv");
+  ASSERT_EQ(run(0, {"--no-sandbox"}).status, 0);
+  EXPECT_EQ(text_of_file(folder_ / "results/history.csv"), history);
+  expect_nothing_changed("done");
+  const Ended resumed = berm({"run", "--resume", "results"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+}
+
+TEST_F(SandboxOfLaw, is_no_part_of_a_law_that_ends_the_program)
+{
+  for (const char* option : {"--sandbox", "--no-sandbox"}) {
+    const Ended ended = run(20, {option});
+    EXPECT_EQ(ended.status, 1) << option;
+    EXPECT_NE(ended.err.find("ended the program (_exit); what the run folder holds is whole"), std::string::npos) << ended.err;
+  }
+}
+
+/// A geometry of one square, after or before which gmsh is told to do something else.
+constexpr const char* square = R"(Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Surface("soil") = {1};
+)";
+
+TEST_F(Sandbox, names_what_a_geometry_was_kept_from)
+{
+  std::string text = test::falling_stone;
+  const std::string box = "{kind = \"box\", size = [1, 1], cells = [4, 4]}";
+  text.replace(text.find(box), box.size(), "{kind = \"gmsh\", file = \"square.geo\"}");
+  folder_.write("case.toml", text);
+  folder_.write("square.geo", square);
+  EXPECT_EQ(berm({"check", "case.toml"}).status, 0);
+  const std::string victim = (fs::canonical(folder_.path()) / "victim").string();
+  const std::pair<std::string, std::string> acts[] = {{"SystemCall \"rm victim\";", "started the program /bin/sh"},
+                                                      {fmt::format("Printf(\"here\") > \"{}\";", victim), "written to " + victim},
+                                                      {fmt::format("Save \"{}\";", victim + ".msh"), "written to " + victim + ".msh"}};
+  for (const auto& [line, words] : acts) {
+    folder_.write("square.geo", square + line + "\n");
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"check", "case.toml"},
+                                                    {"draw", "case.toml", "-o", "drawn/case.svg"},
+                                                    {"run", "case.toml", "-o", "out/results"}}) {
+      const Ended ended = berm(command);
+      EXPECT_EQ(ended.status, 1) << command[0];
+      EXPECT_NE(ended.err.find("stopped by the sandbox: the geometry of the case would have " + words + "\n"), std::string::npos)
+          << command[0] << ": " << ended.err;
+      expect_nothing_changed(line);
+      EXPECT_FALSE(fs::exists(folder_ / "out")) << "a run that has not begun leaves no folder";
+    }
+  }
+}
+
+TEST_F(Sandbox, of_a_case_without_programs_changes_nothing)
+{
+  folder_.write("case.toml", test::small_case);
+  folder_.write("fem.toml", test::small_fem_case);
+  for (const char* name : {"case.toml", "fem.toml"}) {
+    ASSERT_EQ(berm({"run", name, "-o", "without", "--force", "--threads", "1"}).status, 0);
+    const Ended ended = berm({"run", name, "-o", "with", "--force", "--threads", "1", "--sandbox"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    for (const char* file : {"history.csv", "curves.png"})
+      EXPECT_TRUE(text_of_file(folder_ / "with" / file) == text_of_file(folder_ / "without" / file)) << name << " " << file;
+  }
+  const Ended both = berm({"run", "fem.toml", "case.toml", "-o", "both", "--threads", "2", "--sandbox"});
+  EXPECT_EQ(both.status, 0) << both.err;
+  expect_nothing_changed("done");
+}
+
+TEST(TemporaryFolders, that_cannot_be_made_are_told_by_the_variable_that_names_them)
+{
+  const TemporaryFolder folder;
+  folder.write("case.toml", test::falling_stone);
+  const Ended ended = run_program(folder.path(), {"check", "case.toml"}, {"TMPDIR=/not/there"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_EQ(ended.err, "berm: TMPDIR names /not/there for temporary files, which is no folder: No such file or directory\n");
+}
+
+}  // namespace
+}  // namespace berm::commands::this_file
