@@ -20,7 +20,7 @@ add_custom_command(
   VERBATIM)
 
 add_custom_command(
-  OUTPUT ${BERM_WEB}/page_files.cpp
+  OUTPUT ${BERM_WEB}/page_files.cpp ${BERM_WEB}/licences.txt
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${BERM_WEB}/src ${BERM_WEB}/tests
   COMMAND ${CMAKE_COMMAND} -E copy_directory ${web_source}/src ${BERM_WEB}/src
   COMMAND ${CMAKE_COMMAND} -E copy_directory ${web_source}/tests ${BERM_WEB}/tests

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changed_report, launch_browser, open_report, report_data, report_file, take_screenshot } from "./browser";
+import { changed_report, launch_browser, open_report, report_data, report_file, scratch_folder, take_screenshot } from "./browser";
 
 let browser: Browser;
 before(async () => void (browser = await launch_browser()));
@@ -335,5 +336,23 @@ test("every_control_has_a_name_and_every_canvas_says_what_is_seen", async () => 
     assert.equal(await canvas.getAttribute("role"), "img");
     assert.match((await canvas.getAttribute("aria-label"))!, /Across: .*up: .*Lines: /);
   }
+  await context.close();
+});
+
+test("browser_refuses_scripts_that_are_not_the_page's", async () => {
+  const foreign = '<script>window.ran = "inline";</script><img src="data:," onerror="window.ran = \'attribute\'">';
+  const file = join(scratch_folder(), "foreign.html");
+  writeFileSync(file, readFileSync(report_file(), "utf8").replace("<main>", `<main>${foreign}`));
+  const { page, context, requests } = await open_report(browser, { file });
+  assert.ok((await page.locator("#curves .chart canvas").count()) > 0, "the page's own script runs");
+  assert.equal(await page.evaluate(() => (window as unknown as { ran?: string }).ran), undefined);
+  assert.deepEqual(requests, []);
+  await context.close();
+});
+
+test("page_holds_the_licences_of_its_code", async () => {
+  const { page, context } = await open_report(browser);
+  const words = await page.locator("#licences pre").textContent();
+  for (const name of ["uplot", "gifenc", "three", "d3-scale-chromatic", "Permission is hereby granted"]) assert.ok(words!.includes(name), name);
   await context.close();
 });

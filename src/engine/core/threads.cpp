@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/threads.hpp"
 
+#include "core/control_group.hpp"
+
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <omp.h>
@@ -54,6 +57,13 @@ std::vector<int>& allowed_processors()
   return processors;
 }
 
+/// As the control groups were when they were first asked for.
+Real processors_of_groups()
+{
+  static const Real processors = ControlGroups().processors();
+  return processors;
+}
+
 /// Gives the calling thread, which OpenMP has bound to the first of its places, the processors of all of them.
 void let_go_of_places()
 {
@@ -72,7 +82,8 @@ void let_go_of_places()
 int processor_count()
 {
   const std::vector<int>& processors = allowed_processors();
-  return processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
+  const int count = processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
+  return std::max(1, static_cast<int>(std::min<Real>(count, processors_of_groups())));
 }
 
 void bind_to_cores(int index, int count)
@@ -90,7 +101,9 @@ Threads::Threads(int count)
   const std::vector<int>& processors = allowed_processors();
   CPU_ZERO(&processors_before_);
   sched_getaffinity(0, sizeof processors_before_, &processors_before_);
-  bound_ = count_ > 1 && count_ <= static_cast<int>(processors.size()) && std::getenv("OMP_PROC_BIND") == nullptr;
+  // A share of the time of all processors is better taken where there is time.
+  const bool shares = processors_of_groups() < static_cast<Real>(processors.size());
+  bound_ = count_ > 1 && count_ <= static_cast<int>(processors.size()) && !shares && std::getenv("OMP_PROC_BIND") == nullptr;
   omp_set_num_threads(count_);
 #pragma omp parallel
   {

@@ -24,6 +24,14 @@ std::string html_text(const std::string& text)
   return html;
 }
 
+std::string content_policy(const std::string& scripts)
+{
+  return fmt::format(
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {}; style-src 'unsafe-inline'; "
+      "img-src 'self' file: data: blob:; base-uri 'none'; form-action 'none'\">\n",
+      scripts.empty() ? "'none'" : scripts);
+}
+
 void HtmlTable::row(std::vector<HtmlCell> cells, std::string row_class)
 {
   const std::string span = cells.size() == 1 && columns_.size() > 1 ? fmt::format(" colspan=\"{}\"", columns_.size()) : "";

@@ -9,6 +9,10 @@ namespace berm::text {
 /// A text as HTML shows it: &, <, > and " escaped.
 std::string html_text(const std::string& text);
 
+/// The element of a page's head that tells a browser what the page may do: run the scripts that `scripts` names ("": none), show pictures that lie in it or beside it, and
+/// nothing else; it fetches nothing.
+std::string content_policy(const std::string& scripts = "");
+
 /// One cell of a table. The content is HTML: text of the user's goes through html_text first.
 struct HtmlCell {
   std::string content;

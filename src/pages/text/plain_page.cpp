@@ -39,9 +39,9 @@ img { max-width: 100%; height: auto; display: block; margin: .6em 0; }
 std::string plain_page(const std::string& title, const std::string& content)
 {
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}<meta name=\"viewport\" "
       "content=\"width=device-width\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-      html_text(title), style, content);
+      content_policy(), html_text(title), style, content);
 }
 
 std::string plain_row(const std::vector<std::string>& cells, std::size_t first_number, std::size_t last_number, const char* tag)

@@ -2,9 +2,9 @@
 #include "simulation/memory.hpp"
 
 #include "bodies/fill.hpp"
+#include "core/control_group.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
-#include "core/read_file.hpp"
 #include "mpm/grid.hpp"
 #include "run_folder/frame_maker.hpp"
 
@@ -42,47 +42,6 @@ std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& c
     bodies.push_back(body);
   }
   return bodies;
-}
-
-/// What the kernel says in a file; "" where it says nothing.
-std::string kernel_words(const std::string& path)
-{
-  constexpr std::uintmax_t max_bytes = 10'000'000;
-  return read_file(path, max_bytes).bytes;
-}
-
-/// The number in the first line of a file that begins with `key`; infinity where there is none, or "max".
-Real number_in(const std::string& path, const std::string& key = "")
-{
-  std::istringstream file(kernel_words(path));
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with(key)) {
-      try {
-        return std::stod(line.substr(key.size()));
-      } catch (const std::exception&) {
-        return infinity;
-      }
-    }
-  return infinity;
-}
-
-/// What a control group (version 2) and those above it leave; pages of files that were read or written are given back when needed.
-Real left_in_control_group()
-{
-  const std::string root = "/sys/fs/cgroup";
-  std::istringstream list(kernel_words("/proc/self/cgroup"));
-  std::string path;
-  for (std::string line; std::getline(list, line);)
-    if (line.starts_with("0::")) path = line.substr(3);
-  Real left = infinity;
-  while (true) {
-    const std::string folder = root + path;
-    const Real files = number_in(folder + "/memory.stat", "file ");
-    left = std::min(left, number_in(folder + "/memory.max") - number_in(folder + "/memory.current") + (files < infinity ? files : 0));
-    if (path.empty() || path == "/") break;
-    path.erase(path.rfind('/'));
-  }
-  return std::isnan(left) ? infinity : left;
 }
 
 Real page_count(int place)
@@ -193,7 +152,7 @@ Real memory_in_use()
 
 Real largest_memory_in_use()
 {
-  const Real kibibytes = number_in("/proc/self/status", "VmHWM:");
+  const Real kibibytes = kernel_number("/proc/self/status", "VmHWM:");
   return kibibytes == infinity ? nan : kibibyte * kibibytes;
 }
 
@@ -208,7 +167,7 @@ Real memory_left()
   rlimit space{};
   const Real of_limit =
       ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY ? static_cast<Real>(space.rlim_cur) - page_count(0) : infinity;
-  return std::min({kibibyte * number_in("/proc/meminfo", "MemAvailable:"), left_in_control_group(), of_limit});
+  return std::min({kibibyte * kernel_number("/proc/meminfo", "MemAvailable:"), ControlGroups().memory_left(), of_limit});
 }
 
 void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page.hpp"
 
+#include "io/sha256.hpp"
 #include "report/animation/film.hpp"
 #include "report/origin/origin_section.hpp"
 #include "report/page/page_files.hpp"
@@ -8,12 +9,14 @@
 #include "report/results/results_section.hpp"
 #include "report/setup/setup_section.hpp"
 #include "structures/base/spoiled.hpp"
+#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <string>
 
 namespace berm::report {
 namespace {
@@ -92,6 +95,21 @@ std::string faults_of(const std::vector<record::RunRecord>& runs, const std::vec
   return items.empty() ? "" : fmt::format("<ul class=\"warnings\" id=\"faults\">\n{}</ul>\n", items);
 }
 
+/// The one script that the page runs, by its hash, as a Content-Security-Policy names it.
+std::string source_of_script()
+{
+  const std::string digits = io::sha256_of(page_script);
+  std::string bytes;
+  for (std::size_t k = 0; k < digits.size(); k += 2) bytes += static_cast<char>(std::stoi(digits.substr(k, 2), nullptr, 16));
+  return fmt::format("'sha256-{}'", text::base64(bytes));
+}
+
+std::string licences()
+{
+  return fmt::format("<details id=\"licences\" class=\"for_screen\"><summary>Licences of the code in this page</summary><pre>{}</pre></details>\n",
+                     text::html_text(std::string(page_licences)));
+}
+
 }  // namespace
 
 std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSheets& expected, const std::vector<std::string>& left_out)
@@ -119,7 +137,7 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
   sections.emplace_back("record", "Record");
 
-  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + text::content_policy(source_of_script());
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style,
                       style_of_foot(document_foot(runs.front())));
@@ -129,7 +147,7 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
-  page += quality_section(runs, judgements) + what_is_expected + what_is_claimed + origin_section(runs) + "</main>\n";
+  page += quality_section(runs, judgements) + what_is_expected + what_is_claimed + origin_section(runs) + licences() + "</main>\n";
   page += blocks;
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
   page += page_script;
