@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure configure_tests build probe test test-all slowest verify bench packages site debug fuzz sanitize threads tidy clean
+.PHONY: help setup configure configure_tests build probe test test-all slowest verify bench packages reproducible site debug fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -80,8 +80,13 @@ packages: setup ## Debian packages in build/packages, for all processors, tried 
 	@scripts/setup ranks && scripts/setup python && scripts/setup packages
 	@cmake --preset all_units >/dev/null
 	@ninja -C build/all_units | $(only_news)
-	@cd build/all_units && cpack >packages.log 2>&1 || { cat packages.log; exit 1; }
+	@scripts/packages build/all_units build/packages
+	@lintian --fail-on error build/packages/*.deb
 	@tests/installed/clean_root build/packages
+
+reproducible: ## build the packages twice, in two folders, and compare their bytes: two builds long
+	@scripts/setup ranks && scripts/setup python
+	@tests/installed/reproducible .
 
 site: ## the documentation as a site that needs no network: build/site/index.html
 	@scripts/setup site

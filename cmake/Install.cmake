@@ -14,7 +14,11 @@ endfunction()
 
 install(TARGETS berm RUNTIME COMPONENT berm)
 # In the build folder: the libraries beside the program, wherever the folder was moved; of a copy of the program alone those that it was built with.
-berm_search_path(berm berm ${CMAKE_INSTALL_BINDIR}/berm "$ORIGIN/lib;${CMAKE_BINARY_DIR}/lib" "$ORIGIN/${from_program}")
+set(beside "$ORIGIN/lib")
+if(NOT BERM_REPRODUCIBLE)
+  string(APPEND beside ";${CMAKE_BINARY_DIR}/lib")
+endif()
+berm_search_path(berm berm ${CMAKE_INSTALL_BINDIR}/berm "${beside}" "$ORIGIN/${from_program}")
 foreach(unit IN LISTS BERM_UNITS)
   berm_folder_of(${unit} ${BERM_PRIVATE_LIBRARIES} folder)
   install(TARGETS berm_engine_${unit} LIBRARY DESTINATION ${folder} COMPONENT berm)
@@ -33,12 +37,13 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/berm TYPE INCLUDE COMPONENT libber
 set(BERM_SHARE ${CMAKE_BINARY_DIR}/share)
 add_custom_command(OUTPUT ${BERM_SHARE}/man/man1/berm.1 DEPENDS berm VERBATIM
   COMMAND berm man ${BERM_SHARE}/man/man1
+  COMMAND sh -c "gzip --force -9 --no-name --keep ${BERM_SHARE}/man/man1/*.1"
   COMMAND ${CMAKE_COMMAND} -E make_directory ${BERM_SHARE}/bash-completion/completions ${BERM_SHARE}/zsh/vendor-completions ${BERM_SHARE}/fish/vendor_completions.d
   COMMAND berm completion bash > ${BERM_SHARE}/bash-completion/completions/berm
   COMMAND berm completion zsh > ${BERM_SHARE}/zsh/vendor-completions/_berm
   COMMAND berm completion fish > ${BERM_SHARE}/fish/vendor_completions.d/berm.fish)
 add_custom_target(berm_manual ALL DEPENDS ${BERM_SHARE}/man/man1/berm.1)
-install(DIRECTORY ${BERM_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT berm)
+install(DIRECTORY ${BERM_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT berm PATTERN "*.1" EXCLUDE)
 
 # find_package(berm) gives the target berm::berm.
 include(CMakePackageConfigHelpers)

@@ -19,6 +19,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_DEBUGINFO_PACKAGE OFF)
 
@@ -34,10 +35,12 @@ macro(berm_package component name summary)
     list(POP_FRONT fields field value)
     set(CPACK_DEBIAN_${upper}_PACKAGE_${field} "${value}")
   endwhile()
-  install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright COMPONENT ${component})
+  install(FILES ${CMAKE_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
   install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
 endmacro()
 
+file(READ ${CMAKE_SOURCE_DIR}/LICENSE licence)
+file(WRITE ${CMAKE_BINARY_DIR}/copyright "${licence}\nThe licences of other packages whose code berm holds are in /usr/share/doc/berm/licences.gz.\n")
 # gzip without the time of the file, so that the same sources give the same bytes
 execute_process(COMMAND gzip -9 -n -c ${CMAKE_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 set(same "(= ${PROJECT_VERSION})")
@@ -52,7 +55,11 @@ berm_package(python python3-berm "berm in Python: runs, results, and the engine 
   SECTION python SUGGESTS "python3-matplotlib, python3-pandas, python3-xarray")
 berm_package(doc berm-doc "examples and documentation of berm" SHLIBDEPS OFF SECTION doc ARCHITECTURE all)
 
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)
+# Once all is built: the build tells what it has read.
+install(CODE "execute_process(COMMAND ${CMAKE_SOURCE_DIR}/scripts/licences ${CMAKE_BINARY_DIR} COMMAND gzip -9 -n OUTPUT_FILE ${CMAKE_BINARY_DIR}/licences.gz COMMAND_ERROR_IS_FATAL ANY)" COMPONENT berm)
+install(FILES ${CMAKE_BINARY_DIR}/licences.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT berm)
+
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc PATTERN "*.so" EXCLUDE) # laws that were built where they lie
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/build/site/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm/html COMPONENT doc OPTIONAL) # where `make site` has made it
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)

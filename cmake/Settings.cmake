@@ -14,6 +14,7 @@ option(BERM_TESTS "build the tests" ON)
 set(BERM_VECTOR_UNITS native CACHE STRING "what the engine is compiled for: native (the vector unit that the loader takes on this machine), all (baseline, x86-64-v3 and x86-64-v4) or baseline")
 set_property(CACHE BERM_VECTOR_UNITS PROPERTY STRINGS native all baseline)
 set(BERM_SANITIZE "" CACHE STRING "sanitizers, as for -fsanitize=")
+option(BERM_REPRODUCIBLE "nothing that is built names the folder it was built in" OFF)
 option(BERM_FUZZ "make the targets of tests/fuzz programs of clang's libFuzzer" OFF)
 
 add_library(berm_flags INTERFACE)
@@ -33,6 +34,9 @@ target_compile_definitions(berm_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSER
 target_include_directories(berm_flags INTERFACE ${CMAKE_SOURCE_DIR}/include) # what users include is also what the program means
 target_compile_definitions(berm_flags INTERFACE BERM_VERSION="${PROJECT_VERSION}")
 target_link_options(berm_flags INTERFACE -Wl,--build-id) # by which results are known to be of this program; gcc of Debian does so anyway
+if(BERM_REPRODUCIBLE)
+  target_compile_options(berm_flags INTERFACE -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.)
+endif()
 # Eigen's alignment follows the vector unit by default; fixed here, so that all versions of the engine share one layout.
 target_compile_definitions(berm_flags INTERFACE EIGEN_MAX_STATIC_ALIGN_BYTES=0)
 if(BERM_SANITIZE)
