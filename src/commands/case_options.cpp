@@ -10,6 +10,7 @@
 #include "structures/structures.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -27,9 +28,7 @@ std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case
   if (const auto* mesh = std::get_if<mesh::GmshFile>(&settings.mesh); mesh != nullptr && fs::path(mesh->file).extension() == ".geo")
     found.emplace_back("mesh.file", "a geometry that gmsh runs");
   for (const auto& [name, soil] : settings.material)
-    if (soil.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
-        soil.get_if<material::UserLaw<material::Interface::umat>>() != nullptr)
-      found.emplace_back(fmt::format("material.{}.library", name), "a library with a law");
+    if (is_of_library(soil)) found.emplace_back(fmt::format("material.{}.library", name), "a library with a law");
   return found;
 }
 
@@ -78,18 +77,21 @@ void CaseOptions::take_sandbox(CLI::App& command)
   CLI::Option* with = command.add_flag("--sandbox", sandbox,
                                        "let nothing write but to the run folder, open sockets or start programs: the default where a case "
                                        "brings a geometry (.geo) or a library; an error where the system has no sandbox");
-  command.add_flag("--no-sandbox", no_sandbox, "let a geometry (.geo) or a library do whatever you may")->excludes(with);
+  command
+      .add_flag("--no-sandbox", no_sandbox,
+                "let a geometry (.geo) or a library do whatever you may; as does BERM_NO_SANDBOX=1 in the environment, for studies too")
+      ->excludes(with);
 }
 
-void CaseOptions::enter_sandbox(const std::vector<simulation::RunRequest>& requests, const std::vector<fs::path>& folders) const
+void CaseOptions::enter_sandbox(bool brings_programs, const std::vector<fs::path>& folders) const
 {
-  const auto brings = [](const simulation::RunRequest& request) { return !programs_of(request.settings).empty(); };
-  if (no_sandbox || (!sandbox && std::none_of(requests.begin(), requests.end(), brings))) return;
+  constexpr const char* variable = "BERM_NO_SANDBOX";  // which runs that this one starts inherit
+  if (no_sandbox) ::setenv(variable, "1", 1);
+  if (!sandbox && (!brings_programs || std::getenv(variable) != nullptr)) return;
   const std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
   if (why.empty()) return sandbox::enter(folders);
   if (sandbox) throw RunError(fmt::format("--sandbox: there is none here: {}", why));
-  if (Ranks::of_run().is_first())
-    spdlog::warn("what the case brings runs with all of your rights: there is no sandbox here, as {}. --no-programs refuses it", why);
+  if (Ranks::of_run().is_first()) spdlog::warn("what the case brings runs with all of your rights: there is no sandbox here: {}", why);
 }
 
 void CaseOptions::take_runner(CLI::App& command)
@@ -139,6 +141,18 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
     options.refuse_programs(all.back());
   }
   return all;
+}
+
+bool is_of_library(const material::Material& soil)
+{
+  return soil.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
+         soil.get_if<material::UserLaw<material::Interface::umat>>() != nullptr;
+}
+
+bool bring_programs(const std::vector<simulation::RunRequest>& requests)
+{
+  return std::any_of(requests.begin(), requests.end(),
+                     [](const simulation::RunRequest& request) { return !programs_of(request.settings).empty(); });
 }
 
 void messages_to_stderr()

@@ -35,9 +35,9 @@ struct CaseOptions {
   void refuse_programs(const simulation::RunRequest& request) const;
   /// --sandbox and --no-sandbox.
   void take_sandbox(CLI::App& command);
-  /// From now on what the cases bring writes to `folders` only (sandbox/sandbox.hpp): where a case names a program, or --sandbox asks for it. Without it a warning
-  /// tells why there is none. Throws RunError where the system has none and --sandbox asks for it.
-  void enter_sandbox(const std::vector<simulation::RunRequest>& requests, const std::vector<std::filesystem::path>& folders) const;
+  /// From now on what the cases bring writes to `folders` only (sandbox/sandbox.hpp): where they bring programs, or --sandbox asks for it. Where the system has no sandbox a warning says
+  /// why; throws RunError where --sandbox asks for one.
+  void enter_sandbox(bool brings_programs, const std::vector<std::filesystem::path>& folders) const;
   /// --runner and what goes with it.
   void take_runner(CLI::App& command);
   /// What runs the cases. Throws InputError where it cannot.
@@ -52,6 +52,10 @@ std::filesystem::path default_folder(const std::filesystem::path& file);
 /// Reads all cases, before the first one runs, so that a wrong one costs nothing. One case goes to `output` itself, several to folders in it that are
 /// named like their files. Throws InputError.
 std::vector<simulation::RunRequest> requests(const CaseOptions& options);
+
+/// Whether a case names a geometry that gmsh runs or a library with a law.
+bool bring_programs(const std::vector<simulation::RunRequest>& requests);
+bool is_of_library(const material::Material& soil);
 
 /// Messages of commands that write no run.log go to stderr.
 void messages_to_stderr();

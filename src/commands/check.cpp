@@ -16,7 +16,7 @@ Command add_check(CLI::App& program)
   options->take_sandbox(*app);
   return {app, [options] {
             const std::vector<simulation::RunRequest> all = requests(*options);
-            options->enter_sandbox(all, {});
+            options->enter_sandbox(bring_programs(all), {});
             simulation::Context context(options->threads);
             for (const simulation::RunRequest& request : all) check_case(request, context);
             return 0;

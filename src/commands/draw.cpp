@@ -76,7 +76,7 @@ Command add_draw(CLI::App& program)
               cases.push_back(picture.request);
               folders.push_back(fs::absolute(picture.file).parent_path());
             }
-            options->enter_sandbox(cases, folders);
+            options->enter_sandbox(bring_programs(cases), folders);
             for (const Picture& picture : all) draw(picture);
             return 0;
           }};

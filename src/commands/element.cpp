@@ -6,6 +6,7 @@
 #include "io/tell.hpp"
 #include "user_law/load.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 
@@ -29,6 +30,16 @@ void load_laws(ElementRequest& request)
   }
 }
 
+bool bring_libraries(const std::vector<ElementRequest>& requests)
+{
+  return std::any_of(requests.begin(), requests.end(), [](const ElementRequest& request) {
+    return std::any_of(request.settings.material.begin(), request.settings.material.end(),
+                       [](const auto& soil) { return is_of_library(soil.second); }) ||
+           std::any_of(request.settings.borrowed.begin(), request.settings.borrowed.end(),
+                       [](const auto& soil) { return is_of_library(soil.second); });
+  });
+}
+
 /// All inputs are read before the first test; one goes to `output` itself, several to folders in it that are named like their files.
 std::vector<ElementRequest> element_requests(const CaseOptions& options)
 {
@@ -41,11 +52,14 @@ std::vector<ElementRequest> element_requests(const CaseOptions& options)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.file.string(), file, folder.string()));
     all.push_back({file, folder, element::read_element_case(file, options.overrides)});
-    load_laws(all.back());
     if (element::holds_results(folder) && !options.force)
       throw InputError(
           fmt::format("{} holds the results of element tests: replace them with --force, or name another folder with -o", folder.string()));
   }
+  std::vector<fs::path> folders;
+  for (const ElementRequest& request : all) folders.push_back(request.folder);
+  options.enter_sandbox(bring_libraries(all), folders);
+  for (ElementRequest& request : all) load_laws(request);
   return all;
 }
 
@@ -73,6 +87,7 @@ Command add_element(CLI::App& program)
       "-o,--output", options->output,
       "folder for the results; of several inputs: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
   app->add_flag("--force", options->force, "replace the results of earlier tests in the folder");
+  options->take_sandbox(*app);
   return {app, [options] {
             messages_to_stderr();
             for (const ElementRequest& request : element_requests(*options)) run_element_tests(request);

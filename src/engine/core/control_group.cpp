@@ -88,10 +88,10 @@ Real ControlGroups::memory_left() const
     const Real bytes = kernel_number(folder + limit) - kernel_number(folder + used) + (files < infinity ? files : 0);
     return std::isnan(bytes) ? infinity : bytes;
   };
-  return std::min(least(unified(), group_, [&](const std::string& folder) { return left(folder, "/memory.max", "/memory.current", "file "); }),
-                  least(root_ / "memory", memory_group_, [&](const std::string& folder) {
-                    return left(folder, "/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_cache ");
-                  }));
+  return std::min(
+      least(unified(), group_, [&](const std::string& folder) { return left(folder, "/memory.max", "/memory.current", "file "); }),
+      least(root_ / "memory", memory_group_,
+            [&](const std::string& folder) { return left(folder, "/memory.limit_in_bytes", "/memory.usage_in_bytes", "total_cache "); }));
 }
 
 }  // namespace berm

@@ -26,10 +26,9 @@ std::string html_text(const std::string& text)
 
 std::string content_policy(const std::string& scripts)
 {
-  return fmt::format(
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {}; style-src 'unsafe-inline'; "
-      "img-src 'self' file: data: blob:; base-uri 'none'; form-action 'none'\">\n",
-      scripts.empty() ? "'none'" : scripts);
+  return fmt::format("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {}; style-src 'unsafe-inline'; "
+                     "img-src 'self' file: data: blob:; base-uri 'none'; form-action 'none'\">\n",
+                     scripts.empty() ? "'none'" : scripts);
 }
 
 void HtmlTable::row(std::vector<HtmlCell> cells, std::string row_class)

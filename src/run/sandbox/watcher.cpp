@@ -5,7 +5,6 @@
 #include "sandbox/judge.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -20,21 +19,14 @@
 
 namespace berm::sandbox {
 
-/// Shared by both processes. Notes that do not fit are lost.
-struct Watcher::Notes {
-  static constexpr std::size_t size = 8192;
-  std::atomic<std::size_t> length;
-  char text[size];
-
-  void add(const std::string& line)
-  {
-    const std::size_t begin = length;
-    if (begin + line.size() + 1 > size || std::string(text, begin).find(line) != std::string::npos) return;
-    std::memcpy(text + begin, line.data(), line.size());
-    text[begin + line.size()] = '\n';
-    length = begin + line.size() + 1;
-  }
-};
+void Watcher::Notes::add(const std::string& line)
+{
+  const std::size_t begin = length;
+  if (begin + line.size() + 1 > size || std::string(text, begin).find(line) != std::string::npos) return;
+  std::memcpy(text + begin, line.data(), line.size());
+  text[begin + line.size()] = '\n';
+  length = begin + line.size() + 1;
+}
 
 namespace {
 

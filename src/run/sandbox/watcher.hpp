@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,7 +28,15 @@ public:
   void tidy_up();
 
 private:
-  struct Notes;
+  /// Shared by both processes. What does not fit is lost.
+  struct Notes {
+    static constexpr std::size_t size = 8192;
+    std::atomic<std::size_t> length;
+    char text[size];
+
+    void add(const std::string& line);
+  };
+
   Notes* notes_;  ///< the watcher writes there; kept to the end of the program
   int line_;      ///< to the watcher
 };

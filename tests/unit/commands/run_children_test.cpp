@@ -74,10 +74,9 @@ TEST(NoPrograms, of_a_case_are_run_where_none_are_allowed)
   std::string text = test::falling_stone;
   text.replace(text.find("{kind = \"box\", size = [1, 1], cells = [4, 4]}"), 45, "{kind = \"gmsh\", file = \"busy.geo\"}");
   folder.write("case.toml", text);
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"check", "case.toml", "--no-sandbox"},
-        {"draw", "case.toml", "-o", "case.svg", "--no-sandbox"},
-        {"run", "case.toml", "-o", "results", "--no-sandbox"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "case.toml", "--no-sandbox"},
+                                                {"draw", "case.toml", "-o", "case.svg", "--no-sandbox"},
+                                                {"run", "case.toml", "-o", "results", "--no-sandbox"}}) {
     std::vector<std::string> with = words;
     with.emplace_back("--no-programs");
     const Ended refused = berm(with);

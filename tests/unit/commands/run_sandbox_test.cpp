@@ -30,9 +30,10 @@ protected:
   {
     if (const std::string why = sandbox::why_there_is_none(); !why.empty()) GTEST_SKIP() << why;
   }
-  Ended berm(const std::vector<std::string>& words) const
+  Ended berm(const std::vector<std::string>& words, std::vector<std::string> environment = {}) const
   {
-    return run_program(folder_.path(), words, {"TMPDIR=" + (folder_ / "tmp").string()});
+    environment.push_back("TMPDIR=" + (folder_ / "tmp").string());
+    return run_program(folder_.path(), words, environment);
   }
   /// Nothing outside of the run folder is another, and temporary folders go.
   void expect_nothing_changed(const std::string& what) const
@@ -100,6 +101,25 @@ TEST_F(SandboxOfLaw, is_not_there_where_the_user_says_so)
   const Ended ended = run(5, {"--no-sandbox"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_FALSE(fs::exists(folder_ / "victim"));
+  const std::vector<std::string> words = {"run", "case.toml", "-o", "results", "--force", "--set", "material.stone.properties=[1e6, 0, 9]"};
+  EXPECT_EQ(berm(words, {"BERM_NO_SANDBOX=1"}).status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "made"));
+}
+
+TEST_F(SandboxOfLaw, holds_for_element_tests)
+{
+  folder_.write("element.toml", R"(materials_from = "case.toml"
+[[test]]
+name = "one"
+kind = "oedometer"
+material = "stone"
+confining_stress = "6 kPa"
+strain_path = [0.05]
+)");
+  const Ended ended = berm({"element", "element.toml", "-o", "results", "--set", "material.stone.properties=[1e6, 0, 5]"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("stopped by the sandbox: a library of the case would have written to "), std::string::npos) << ended.err;
+  expect_nothing_changed("element");
 }
 
 TEST_F(SandboxOfLaw, leaves_results_and_resuming_as_they_are)

@@ -106,8 +106,9 @@ std::string source_of_script()
 
 std::string licences()
 {
-  return fmt::format("<details id=\"licences\" class=\"for_screen\"><summary>Licences of the code in this page</summary><pre>{}</pre></details>\n",
-                     text::html_text(std::string(page_licences)));
+  return fmt::format(
+      "<details id=\"licences\" class=\"for_screen\"><summary>Licences of the code in this page</summary><pre>{}</pre></details>\n",
+      text::html_text(std::string(page_licences)));
 }
 
 }  // namespace
