@@ -79,3 +79,22 @@ def test_a_study_as_a_table_of_pandas(sampled: berm.Study) -> None:
     assert len(table) == len(sampled.rows) and np.array_equal(table["H_end_of_drag"], sampled.values("H_end_of_drag"))
     assert table["material.sand.friction_angle (rad)"].isna().sum() == 3, "best, low and high are no draws"
     assert table["kind"].tolist() == [row.kind for row in sampled.rows]
+
+
+def test_a_study_of_which_a_row_failed_raises_and_leaves_the_others(tmp_path: Path) -> None:
+    stone = """gravity = [0, "-10 m/s^2"]
+mesh = {kind = "box", size = [1, 1], cells = [4, 4]}
+material.stone = {law = "linear_elastic", density = 1000, young_modulus = 1e6, poisson_ratio = 0}
+body.stone = {material = "stone", block = {center = [0.5, 0.7], size = [0.2, 0.2], spacing = 0.1}}
+[[stage]]
+name = "fall"
+kind = "free"
+until.time = "0.1 s"
+"""
+    (tmp_path / "falls.toml").write_text(stone)
+    (tmp_path / "flies.toml").write_text(stone.replace("-10 m/s^2", "-9000 m/s^2"))
+    cases = "".join(f'[[case]]\nname = "{name}"\nfile = "{name}.toml"\n' for name in ("falls", "flies"))
+    (tmp_path / "study.toml").write_text(f'title = "stones"\n{cases}[[measure]]\nname = "energy error"\nquantity = "energy_error"\n')
+    with pytest.raises(berm.RunError, match="1 of 2 runs failed"):
+        berm.study(tmp_path / "study.toml", tmp_path / "out", threads=1, quiet=True)
+    assert [row.finished for row in berm.Study(tmp_path / "out").rows] == [True, False]
