@@ -27,7 +27,7 @@ else()
   target_compile_options(berm_flags INTERFACE -Wshadow)
 endif()
 # One law serves vectors of lanes, whose masks are joined by & and |, and single numbers, whose masks are bool.
-target_compile_options(berm_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
+target_compile_options(berm_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical;-Wno-bitwise-conditional-parentheses>)
 # Square roots need no errno and no comparison may trap: with this the compiler can vectorize them. NaN keeps its meaning.
 target_compile_options(berm_flags INTERFACE -fno-math-errno -fno-trapping-math)
 target_compile_definitions(berm_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
@@ -80,6 +80,6 @@ target_link_libraries(cmark_gfm INTERFACE ${CMARK_GFM_EXTENSIONS_LIBRARY} ${CMAR
 set(openmp OpenMP::OpenMP_CXX)
 if(BERM_FUZZ) # a target has one thread; there OpenMP would only take memory at every loop
   set(openmp ${OpenMP_omp_LIBRARY})
-  target_compile_options(berm_flags INTERFACE -Wno-unused-variable)
+  target_compile_options(berm_flags INTERFACE -Wno-unused-variable -Wno-unused-parameter)
 endif()
 target_link_libraries(berm_flags INTERFACE ${openmp} Eigen3::Eigen fmt::fmt spdlog::spdlog)

@@ -24,9 +24,11 @@ def macro_element(file: str | Path) -> MacroElement:
     path = Path(file)
     if path.is_dir():
         path = path / "macro_element.json"
+    if not path.is_file():
+        raise InputError(f"{path}: there is no such file")
     try:
         parameters = {name: entry["value"] for name, entry in json.loads(path.read_text())["parameters"].items()}
         w, V = parameters.pop("backbone_w"), parameters.pop("backbone_V")
         return MacroElement(parameters, w, V)
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError(f"{path}: not a macro_element.json of this version of berm: {error}") from error

@@ -3,8 +3,8 @@
 #include "commands/commands.hpp"
 
 #include "commands/command.hpp"
-#include "core/child_process.hpp"
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/ranks.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"

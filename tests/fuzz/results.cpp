@@ -3,7 +3,6 @@
 // s summary.json, l run.log, p frames.pvd. A damaged file is told of, or refused with RunError or InputError.
 #include "target.hpp"
 
-#include "core/error.hpp"
 #include "jobs/jobs.hpp"
 #include "report/expectations/expectations_section.hpp"
 #include "report/page/page.hpp"
@@ -13,7 +12,6 @@
 #include "run_folder/history.hpp"
 #include "structures/structures.hpp"
 
-#include <fstream>
 #include <sstream>
 
 using namespace berm;
@@ -32,42 +30,26 @@ stage = [{name = "push", kind = "push", velocity = 1, until.embedment = 0.02},
          {name = "drag", kind = "drag", velocity = 1, vertical = "fixed", until.displacement = 0.02}]
 )";
 
-/// A run folder in memory with a resolved.toml and at most one file more.
+/// A run folder with a resolved.toml and at most one file more.
 class Folder {
 public:
-  Folder() : path_(fs::path("/dev/shm") / fmt::format("berm_fuzz_{}", ::getpid()))
+  Folder()
   {
-    fs::create_directories(path_ / "frames");
-    std::ofstream(path_ / "resolved.toml") << settings;
+    fs::create_directories(path() / "frames");
+    folder_.hold("resolved.toml", settings);
   }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
   void hold(const std::string& name, const std::string& text)
   {
-    if (!name_.empty() && name_ != name) fs::remove(path_ / name_);
+    if (!name_.empty() && name_ != name) fs::remove(path() / name_);
     name_ = name;
-    std::ofstream(path_ / name, std::ios::binary) << text;
+    folder_.hold(name, text);
   }
-  const fs::path& path() const { return path_; }
+  const fs::path& path() const { return folder_.path(); }
 
 private:
-  fs::path path_;
+  MemoryFolder folder_;
   std::string name_;
 };
-
-template <class Work>
-void may_be_refused(const Work& work)
-{
-  try {
-    work();
-  } catch (const InputError& error) {
-    promise_one_line(error.what());
-  } catch (const RunError& error) {
-    promise_one_line(error.what());
-  }
-}
 
 /// The numbers that `berm study` and `berm verify` take.
 void take_numbers(const fs::path& folder)
@@ -110,7 +92,7 @@ why = "so"
 std::vector<run_folder::Column> columns_in_header(const std::string& text)
 {
   std::vector<run_folder::Column> columns;
-  std::istringstream header(text.empty() ? "" : text.substr(1, text.find('\n') - 1));
+  std::istringstream header(text.substr(0, text.find('\n')));
   for (std::string name; std::getline(header, name, ',');)
     if (name != "stage") columns.push_back({name, name.substr(0, name.find('_')), "1", "of a test", "run"});
   return columns;
@@ -137,10 +119,9 @@ void write_sections(const fs::path& folder)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static Folder folder;
-  const std::string text = text_of(data, size);
-  const char kind = text.empty() ? 'h' : text[0];
+  const auto [kind, text] = kind_and_text(data, size, 'h');
   const char* file = kind == 's' ? "summary.json" : kind == 'l' ? "run.log" : kind == 'p' ? "frames/frames.pvd" : "history.csv";
-  folder.hold(file, text.empty() ? "" : text.substr(1));
+  folder.hold(file, text);
   if (kind == 'h') run_folder::write_schema(folder.path() / "history.csv", columns_in_header(text));
   if (kind == 'p') {
     may_be_refused([&] { run_folder::frame_files(folder.path() / "frames"); });

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/error.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <string>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -56,5 +59,47 @@ private:
   int file_;
   std::filesystem::path path_;
 };
+
+/// A folder in memory, for readers that ask for the name of a file or for more than one.
+class MemoryFolder {
+public:
+  MemoryFolder() : path_(fmt::format("/dev/shm/berm_fuzz_{}", ::getpid())) { std::filesystem::create_directories(path_); }
+  ~MemoryFolder() { std::filesystem::remove_all(path_); }
+  MemoryFolder(const MemoryFolder&) = delete;
+  MemoryFolder& operator=(const MemoryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path hold(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+/// What begins with an input's first byte, which says what the rest is: `first` where there is none.
+struct KindAndText {
+  char kind;
+  std::string text;
+};
+inline KindAndText kind_and_text(const std::uint8_t* data, std::size_t size, char first)
+{
+  return size == 0 ? KindAndText{first, ""} : KindAndText{static_cast<char>(data[0]), text_of(data + 1, size - 1)};
+}
+
+/// Does what may refuse a damaged input, by InputError or RunError, in one line.
+template <class Work>
+void may_be_refused(const Work& work)
+{
+  try {
+    work();
+  } catch (const InputError& error) {
+    promise_one_line(error.what());
+  } catch (const RunError& error) {
+    promise_one_line(error.what());
+  }
+}
 
 }  // namespace berm

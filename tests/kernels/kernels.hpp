@@ -13,6 +13,8 @@ void add_lane_kernels();
 void add_mesh_kernels();
 /// Impulses of contact points that are open, stick or slide.
 void add_contact_kernels();
+/// What is wrong with the surface of a long pipe of many triangles.
+void add_surface_kernels();
 /// Stress and consistent tangent of one point of the finite elements.
 void add_tangent_kernels();
 

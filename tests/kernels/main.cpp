@@ -11,6 +11,7 @@ int main(int count, char** words)
   berm::add_lane_kernels();
   berm::add_mesh_kernels();
   berm::add_contact_kernels();
+  berm::add_surface_kernels();
   berm::add_tangent_kernels();
   benchmark::Initialize(&count, words);
   if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -58,6 +59,12 @@ def test_what_makes_no_sense_is_refused_and_the_state_stays(tmp_path: Path) -> N
         berm.macro_element(write(tmp_path, peak_ratio=-1))
     with pytest.raises(berm.InputError, match="no_such"):
         berm.macro_element(tmp_path / "no_such.json")
+    (tmp_path / "deep.json").write_text("[" * 100_000)
+    with pytest.raises(berm.InputError, match="deep.json: not a macro_element.json"):
+        berm.macro_element(tmp_path / "deep.json")
+    os.mkfifo(tmp_path / "pipe.json")
+    with pytest.raises(berm.InputError, match="pipe.json: there is no such file"):
+        berm.macro_element(tmp_path / "pipe.json")
     pipe = berm.macro_element(write(tmp_path))
     with pytest.raises(ValueError, match="displacement"):
         pipe.step(float("nan"), 0)

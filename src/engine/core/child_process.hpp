@@ -2,16 +2,10 @@
 #pragma once
 
 #include <csignal>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace berm {
-
-/// A signal asked to stop (interrupted()) where nothing can be kept. The same command begins anew.
-struct Interrupted : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// A program to start, without a shell.
 struct ChildStart {

@@ -3,6 +3,7 @@
 #include "core/interrupt.hpp"
 
 #include <csignal>
+#include <fmt/format.h>
 
 namespace berm {
 namespace {
@@ -42,6 +43,11 @@ void survive_failed_writes()
 bool interrupted()
 {
   return asked_to_stop != 0;
+}
+
+void stop_if_asked(const char* what)
+{
+  if (interrupted()) throw Interrupted(fmt::format("stopped while {}", what));
 }
 
 }  // namespace berm

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "mesh/doubled_nodes.hpp"
 #include "mesh/line_reader.hpp"
+#include "mesh/loose_borders.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -374,12 +375,14 @@ private:
     if (has_middles_)
       mesh_.remarks.push_back(fmt::format("has {} of second order: their corners are used, with straight sides between them",
                                           dim == 2 ? "triangles" : "tetrahedra"));
-    if (settings_ != nullptr && !settings_->made_from) join_doubled_nodes(mesh_, settings_->merge_tolerance, name_);
+    const bool is_of_user = settings_ != nullptr && !settings_->made_from;
+    if (is_of_user) join_doubled_nodes(mesh_, settings_->merge_tolerance, name_);
     try {
       mesh_.complete();
     } catch (const RunError& error) {
       throw InputError(fmt::format("{}: {}", name_, error.what()));
     }
+    if (is_of_user) refuse_loose_borders(mesh_, name_);
     return std::move(mesh_);
   }
 

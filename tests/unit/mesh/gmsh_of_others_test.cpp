@@ -171,5 +171,68 @@ TEST(DoubledNodes, are_found_wherever_they_lie)
     }
 }
 
+/// Triangles of "soil" in the plane.
+std::string triangles(const std::vector<Vec<3>>& points, const std::vector<std::string>& corners)
+{
+  std::string text = std::string(head) + entities + nodes(points) + fmt::format("$Elements\n1 {0} 1 {0}\n2 1 2 {0}\n", corners.size());
+  for (std::size_t k = 0; k < corners.size(); ++k) text += fmt::format("{} {}\n", k + 1, corners[k]);
+  return text + "$EndElements\n";
+}
+
+constexpr const char* loose = "parts of the mesh lie at each other at ";
+
+// Two surfaces of one body that meet along a line, which each has meshed by itself.
+TEST(LooseBorders, of_surfaces_that_meet_at_a_line_with_nodes_of_each_are_refused_with_a_place)
+{
+  const std::vector<Vec<3>> doubled = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
+  EXPECT_NE(message_of(triangles(doubled, {"1 2 3", "1 3 4", "5 6 7", "5 7 8"})).find("two nodes lie at (1, 0) m"), std::string::npos);
+  std::vector<Vec<3>> apart = doubled;
+  for (std::size_t k : {4u, 7u}) apart[k][0] += 5e-3;  // more than a thousandth of an edge
+  const std::string message = message_of(triangles(apart, {"1 2 3", "1 3 4", "5 6 7", "5 7 8"}));
+  EXPECT_NE(message.find(std::string(loose) + "(1, 0.5) m and share no nodes there"), std::string::npos) << message;
+  GmshFile settings;
+  settings.merge_tolerance = 1e-2;
+  EXPECT_EQ(read(triangles(apart, {"1 2 3", "1 3 4", "5 6 7", "5 7 8"}), settings).node_count(), 6);
+}
+
+TEST(LooseBorders, with_nodes_at_other_places_of_the_line_are_refused)
+{
+  // The right part begins and ends elsewhere on the line.
+  const std::vector<Vec<3>> shifted = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, -0.3, 0}, {2, 0, 0}, {2, 1, 0}, {1, 0.8, 0}};
+  EXPECT_NE(message_of(triangles(shifted, {"1 2 3", "1 3 4", "5 6 7", "5 7 8"})).find(loose), std::string::npos);
+  // The ends are shared, and a node of the right part hangs between them.
+  const std::vector<Vec<3>> hanging = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0.5, 0}, {1, 0.5, 0}};
+  EXPECT_NE(message_of(triangles(hanging, {"1 2 3", "1 3 4", "2 5 6", "6 5 3"})).find(loose), std::string::npos);
+  // Of the right part only a fifth of its side lies at the left one.
+  const std::vector<Vec<3>> end = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0.8, 0}, {2, 1, 0}, {1, 1.8, 0}};
+  EXPECT_NE(message_of(triangles(end, {"1 2 3", "1 3 4", "5 6 7"})).find(loose), std::string::npos);
+}
+
+TEST(LooseBorders, in_space_with_another_diagonal_in_the_common_side_are_refused)
+{
+  const auto text = [](const char* upper) {
+    return std::string("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 2 \"soil\"\n$EndPhysicalNames\n") +
+           "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 1 2 0\n$EndEntities\n$Nodes\n1 6 1 6\n3 1 0 6\n1\n2\n3\n4\n5\n6\n" +
+           "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 -1\n0.5 0.5 1\n$EndNodes\n$Elements\n1 4 1 4\n3 1 4 4\n1 1 2 3 5\n2 1 3 4 5\n" + upper +
+           "$EndElements\n";
+  };
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_msh<3>(folder.write("whole.msh", text("3 1 2 3 6\n4 1 3 4 6\n")), GmshFile{}).cell_count(), 4);
+  try {
+    read_msh<3>(folder.write("loose.msh", text("3 1 2 4 6\n4 2 3 4 6\n")), GmshFile{});
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(loose), std::string::npos) << error.what();
+  }
+}
+
+TEST(LooseBorders, of_parts_that_lie_apart_or_meet_in_a_corner_are_none)
+{
+  const std::vector<Vec<3>> gap = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1.05, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1.05, 1, 0}};
+  EXPECT_EQ(read(triangles(gap, {"1 2 3", "1 3 4", "5 6 7", "5 7 8"})).cell_count(), 4);
+  const std::vector<Vec<3>> corner = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 1.02, 0}, {1, 2, 0}};
+  EXPECT_EQ(read(triangles(corner, {"1 2 3", "1 3 4", "3 5 6"})).cell_count(), 3);
+}
+
 }  // namespace
 }  // namespace berm::mesh::this_file

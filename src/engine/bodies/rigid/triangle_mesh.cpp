@@ -2,15 +2,15 @@
 // Tests: tests/unit/bodies/rigid/triangulated_test.cpp
 #include "bodies/rigid/triangle_mesh.hpp"
 
+#include "bodies/rigid/triangle_boxes.hpp"
+#include "core/interrupt.hpp"
+
 #include <Eigen/Dense>
 #include <algorithm>
-#include <map>
-#include <unsupported/Eigen/BVH>
+#include <unordered_map>
 
 namespace berm::bodies {
 namespace {
-
-using AlignedBox = Eigen::AlignedBox<Real, 3>;
 
 constexpr int face = 6;
 
@@ -18,20 +18,10 @@ constexpr int face = 6;
 
 /// The triangles of a mesh in boxes within boxes.
 struct TriangleTree {
-  Eigen::KdBVH<Real, 3, Index> boxes;
+  TriangleBoxes boxes;
   mutable std::vector<Index> starts;  ///< by cell of the grid: a triangle that is near, whose distance a search begins with
 
-  explicit TriangleTree(const Triangles& t)
-  {
-    std::vector<Index> all(t.corners.size());
-    std::iota(all.begin(), all.end(), 0);
-    std::vector<AlignedBox> around;
-    for (const auto& [a, b, c] : t.corners) {
-      AlignedBox box(t.points[a]);
-      around.push_back(box.extend(t.points[b]).extend(t.points[c]));
-    }
-    boxes.init(all.begin(), all.end(), around.begin(), around.end());
-  }
+  explicit TriangleTree(const Triangles& t) : boxes(boxes_of(t)) {}
 };
 
 Contents contents_of(const Triangles& t)
@@ -61,10 +51,12 @@ TriangleMesh::TriangleMesh(Triangles triangles) : triangles_(std::move(triangles
   const std::size_t count = triangles_.corners.size();
   for (std::vector<Vec<3>>& of_feature : normals_) of_feature.assign(count, Vec<3>::Zero());
   std::vector<Vec<3>> of_point(triangles_.points.size(), Vec<3>(Vec<3>::Zero()));
-  std::map<std::pair<Index, Index>, Vec<3>> of_edge;
+  std::unordered_map<std::uint64_t, Vec<3>> of_edge;
+  of_edge.reserve(count * 3 / 2);
   const auto edge = [&](std::size_t t, int opposite) {
     const auto& corners = triangles_.corners[t];
-    return std::minmax({corners[(opposite + 1) % 3], corners[(opposite + 2) % 3]});
+    const auto [one, other] = std::minmax({corners[(opposite + 1) % 3], corners[(opposite + 2) % 3]});
+    return (static_cast<std::uint64_t>(one) << 32) | static_cast<std::uint64_t>(other);
   };
   for (std::size_t t = 0; t < count; ++t) {
     const auto& corners = triangles_.corners[t];
@@ -174,6 +166,7 @@ void TriangleMesh::list_candidates()
   for (Index k = 0; k < cells_[2]; ++k)
     for (Index j = 0; j < cells_[1]; ++j)
       for (Index i = 0; i < cells_[0]; ++i) {
+        stop_if_asked("distances from a surface were prepared");
         const Vec<3> center = lower_ + cell_ * Vec<3>(i + 0.5, j + 0.5, k + 0.5);
         Index& start = tree_->starts[first_.size() - 1];
         start = before;

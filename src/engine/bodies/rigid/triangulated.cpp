@@ -25,7 +25,7 @@ void read_solid(TriangulatedSettings& surface)
     left = std::min(left, x[0]), right = std::max(right, x[0]);
     x = contents.axes.transpose() * (x - contents.center);
   }
-  surface.solid = std::make_shared<const Solid>(contents, right - left, TriangleMesh(std::move(triangles)));
+  surface.solid = std::make_shared<const Solid>(Solid{contents, right - left, TriangleMesh(std::move(triangles))});
 }
 
 void describe(Describe& d, TriangulatedSettings& surface)
