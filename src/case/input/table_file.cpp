@@ -149,11 +149,13 @@ private:
   {
     const std::string unit = unit_in(written);
     // A moment per metre run, N m/m, is N.
-    if (unit.empty() || !same_dimension(unit, si_unit.empty() ? "1" : si_unit))
-      refuse(fmt::format("{} has no unit of {}: write {}", in_quotes(header), wanted(si_unit),
-                         in_quotes(header.substr(0, header.size() - written.size()) + (unit.empty() && !header.ends_with('_') ? "_" : "") +
-                                   unit_in_header(si_unit.c_str()))));
-    return to_si("1 " + unit, si_unit);
+    if (!unit.empty() && same_dimension(unit, si_unit.empty() ? "1" : si_unit)) try {
+        return to_si("1 " + unit, si_unit);
+      } catch (const UnitError&) {  // such as "2s"
+      }
+    refuse(fmt::format("{} has no unit of {}: write {}", in_quotes(header), wanted(si_unit),
+                       in_quotes(header.substr(0, header.size() - written.size()) + (unit.empty() && !header.ends_with('_') ? "_" : "") +
+                                 unit_in_header(si_unit.c_str()))));
   }
 
   void read_header(const std::vector<std::string>& names)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/write_case.hpp"
 
+#include "input/document.hpp"
 #include "input/units.hpp"
 
 #include <algorithm>

@@ -3,9 +3,10 @@
 #include "io/run_and_wait.hpp"
 
 #include "core/child_process.hpp"
+#include "io/atomic_file.hpp"
 
 #include <cerrno>
-#include <fstream>
+#include <sstream>
 #include <system_error>
 
 namespace berm::io {

@@ -12,14 +12,14 @@ static_assert(std::endian::native == std::endian::little, "the .vtu files say th
 template <class T>
 constexpr const char* vtk_name = nullptr;
 template <>
-constexpr const char* vtk_name<double> = "Float64";
+inline constexpr const char* vtk_name<double> = "Float64";
 template <>
-constexpr const char* vtk_name<float> = "Float32";
+inline constexpr const char* vtk_name<float> = "Float32";
 template <>
-constexpr const char* vtk_name<std::int32_t> = "Int32";
+inline constexpr const char* vtk_name<std::int32_t> = "Int32";
 template <>
-constexpr const char* vtk_name<std::int64_t> = "Int64";
+inline constexpr const char* vtk_name<std::int64_t> = "Int64";
 template <>
-constexpr const char* vtk_name<std::uint8_t> = "UInt8";
+inline constexpr const char* vtk_name<std::uint8_t> = "UInt8";
 
 }  // namespace berm::io

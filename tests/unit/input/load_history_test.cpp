@@ -69,6 +69,12 @@ TEST_F(LoadHistory, ends_its_stage_at_its_last_time_or_at_the_time_of_the_stage_
   EXPECT_EQ(read("0,0\n2,1\n", 3).until.time, 2);
 }
 
+TEST_F(LoadHistory, with_a_unit_that_begins_with_a_number_is_refused_with_its_line)
+{
+  EXPECT_NE(refusal("time_2s,H_N_m\n0,0\n1,1\n", false).find("storm.csv:1: \"time_2s\" has no unit of a time"), std::string::npos)
+      << refusal("time_2s,H_N_m\n0,0\n1,1\n", false);
+}
+
 TEST_F(LoadHistory, is_linear_between_its_times_and_constant_after)
 {
   const problem::StageSettings stage = read("1,2\n3,6\n");

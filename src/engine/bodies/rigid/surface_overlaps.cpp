@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/bodies/rigid/triangulated_test.cpp
+// Tests: tests/unit/bodies/rigid/triangulated_overlaps_test.cpp
 #include "bodies/rigid/surface_overlaps.hpp"
 
 #include "bodies/rigid/fault_count.hpp"
@@ -88,16 +88,16 @@ private:
       const auto found = std::find(others.begin(), others.end(), corners[k]);
       shared[k] = found == others.end() ? none : static_cast<Index>(found - others.begin());
     }
-    switch (meeting_of(facets_[one], facets_[other], shared, tolerance_)) {
-    case Meeting::apart:
+    switch (intersection_of(facets_[one], facets_[other], shared, tolerance_)) {
+    case Intersection::apart:
       break;
-    case Meeting::touch:
+    case Intersection::touch:
       touched_[one] = touched_[other] = 1;
       break;
-    case Meeting::cut:
+    case Intersection::cut:
       cut_.add(middle_of(one));
       break;
-    case Meeting::overlap:
+    case Intersection::overlap:
       lying_.add(middle_of(one));
     }
   }

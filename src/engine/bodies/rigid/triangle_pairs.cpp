@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/bodies/rigid/triangle_faults_test.cpp
+// Tests: tests/unit/bodies/rigid/triangulated_overlaps_test.cpp
 #include "bodies/rigid/triangle_pairs.hpp"
 
 #include <Eigen/Geometry>
@@ -75,7 +75,7 @@ Facet facet_of(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c)
   return {{a, b, c}, (b - a).cross(c - a).normalized()};
 }
 
-Meeting meeting_of(const Facet& one, const Facet& other, const std::array<Index, 3>& shared, Real tolerance)
+Intersection intersection_of(const Facet& one, const Facet& other, const std::array<Index, 3>& shared, Real tolerance)
 {
   OfCorners of_one = distances_of(one, other), of_other = distances_of(other, one);
   int count = 0;
@@ -83,23 +83,23 @@ Meeting meeting_of(const Facet& one, const Facet& other, const std::array<Index,
     if (shared[k] != none) of_one[k] = of_other[shared[k]] = 0, ++count;
   for (const OfCorners& distances : {of_one, of_other})
     if (are(distances, [&](Real d) { return d > tolerance; }) || are(distances, [&](Real d) { return d < -tolerance; }))
-      return Meeting::apart;
+      return Intersection::apart;
 
   const auto small = [&](Real d) { return std::abs(d) <= tolerance; };
-  if (are(of_other, small)) return depth_in_plane(one, other, one.normal) > tolerance ? Meeting::overlap : Meeting::apart;
-  if (are(of_one, small)) return depth_in_plane(one, other, other.normal) > tolerance ? Meeting::overlap : Meeting::apart;
-  if (count == 2) return Meeting::apart;
+  if (are(of_other, small)) return depth_in_plane(one, other, one.normal) > tolerance ? Intersection::overlap : Intersection::apart;
+  if (are(of_one, small)) return depth_in_plane(one, other, other.normal) > tolerance ? Intersection::overlap : Intersection::apart;
+  if (count == 2) return Intersection::apart;
 
   const Vec<3> along = one.normal.cross(other.normal).normalized(), &start = one.corners[0];
   const auto overlap = [&](Real zero) {
     return overlap_of(chord_of(one, of_one, start, along, zero), chord_of(other, of_other, start, along, zero));
   };
-  if (overlap(tolerance) <= tolerance) return Meeting::apart;
+  if (overlap(tolerance) <= tolerance) return Intersection::apart;
   const auto is_divided = [&](const OfCorners& distances) {
     const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
     return *least<-tolerance&& * most> tolerance;
   };
-  return is_divided(of_one) && is_divided(of_other) && overlap(0) > tolerance ? Meeting::cut : Meeting::touch;
+  return is_divided(of_one) && is_divided(of_other) && overlap(0) > tolerance ? Intersection::cut : Intersection::touch;
 }
 
 Hit hit_of(const Facet& facet, const Vec<3>& start, const Vec<3>& direction, Real tolerance)

@@ -15,7 +15,7 @@ struct Facet {
 Facet facet_of(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c);
 
 /// How two triangles lie to each other.
-enum class Meeting {
+enum class Intersection {
   apart,    ///< in corners and edges that they share they may meet
   touch,    ///< along a line, of which an edge of one is a part: whether surfaces pass through each other there their neighbours tell
   cut,      ///< along a line within both
@@ -23,7 +23,7 @@ enum class Meeting {
 };
 
 /// Of corners that are shared, `shared[k]` is the corner of `other` that corner k of `one` is, or none. What is less than `tolerance`, m, is none.
-Meeting meeting_of(const Facet& one, const Facet& other, const std::array<Index, 3>& shared, Real tolerance);
+Intersection intersection_of(const Facet& one, const Facet& other, const std::array<Index, 3>& shared, Real tolerance);
 
 /// Where a line from a point meets a triangle.
 struct Hit {
