@@ -5,6 +5,7 @@
 //   FAULT_AT      N, from 1; 0: none fails, all are told
 //   FAULT_HOW     ENOSPC, EIO, EFBIG with its signal (this call), SHORT (a write takes half, all other calls pass), FULL (the same, and all that
 //                 follow fail with ENOSPC; so does this one where it is no write), KILL (the program is killed before it; unlink and rmdir count, too)
+//   FAULT_ONE     set: only the first process of that name is meant, not its children
 //   FAULT_TOLD    a file that gets a line for each call that failed: its name and the path
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -24,10 +25,20 @@
 static long at = -1, count = 0;
 static int reason = 0, full = 0, halves = 0, kills = 0;  // full: a disk that is full from then on
 
+// The number of the first process goes to its children, and to what it becomes by exec.
+static int is_the_first(void)
+{
+  char own[24];
+  snprintf(own, sizeof own, "%ld", (long)getpid());
+  setenv("FAULT_FIRST", own, 0);
+  return strcmp(getenv("FAULT_FIRST"), own) == 0;
+}
+
 __attribute__((constructor)) static void begin(void)
 {
   const char *in = getenv("FAULT_IN"), *n = getenv("FAULT_AT"), *how = getenv("FAULT_HOW");
   if (in == NULL || n == NULL || how == NULL || strcmp(in, program_invocation_short_name) != 0) return;
+  if (getenv("FAULT_ONE") != NULL && !is_the_first()) return;
   at = atol(n);
   halves = strcmp(how, "SHORT") == 0;
   full = strcmp(how, "FULL") == 0;

@@ -122,20 +122,20 @@ def check_order(calls):
 
 
 def results(folder):
-    """All files of a run by name, without what differs from run to run: the log, time taken, machine and date, and the sessions of origin.json."""
+    """All files of a run, or of runs in a folder, by name, without what differs from run to run: the log, time taken, machine and date, and the sessions of origin.json."""
     found = {}
     for parent, _, names in os.walk(folder):
         for name in names:
             path = os.path.join(parent, name)
             inner = os.path.relpath(path, folder)
-            if name in ("run.log", "lock") or inner.startswith("checkpoint"):
+            if name in ("run.log", "lock") or "checkpoint" in inner.split(os.sep):
                 continue
             content = read(path)
             if name == "summary.json":
                 summary = json.loads(content)
                 for key in ("machine", "date"):
-                    summary["text"].pop(key)
-                timing = summary["timing"]
+                    summary.get("text", {}).pop(key, None)
+                timing = summary.get("timing", {})
                 summary["timing"] = {key: timing[key] for key in ("particles", "cells", "steps") if key in timing}
                 content = json.dumps(summary).encode()
             if name == "origin.json":  # a resumed run has a session more, and each its time
@@ -162,14 +162,17 @@ def has_half_a_checkpoint(folder):
 
 
 def log_is_whole(folder):
+    if not os.path.exists(os.path.join(folder, "run.log")):
+        return False
     lines = read(os.path.join(folder, "run.log")).splitlines()
     return bool(lines) and b"everything is in" in lines[-1]
 
 
 def differences(folder, reference):
-    """What is not as an undisturbed run of the same case leaves it, in words."""
+    """What is not as an undisturbed run of the same case, or an undisturbed study, leaves it, in words."""
     ours, theirs = results(folder), results(reference)
-    words = [] if log_is_whole(folder) else ["run.log does not go to the end"]
+    logs = [path for path, _, names in os.walk(reference) if "run.log" in names]
+    words = [f"{log}/run.log does not go to the end" for log in sorted(os.path.relpath(log, reference) for log in logs) if not log_is_whole(os.path.join(folder, log))]
     words += [f"{name} is missing" for name in sorted(theirs.keys() - ours.keys())]
     words += [f"{name} is too many" for name in sorted(ours.keys() - theirs.keys())]
     return words + [f"{name} differs" for name in sorted(ours.keys() & theirs.keys()) if ours[name] != theirs[name]]
