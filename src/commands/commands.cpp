@@ -108,8 +108,7 @@ int status_of_command(int argc, char** argv, std::string& why)
     why = fmt::format("{}; the same command begins anew", error.what());
     return status_of(jobs::Outcome::unfinished);
   } catch (const std::bad_alloc&) {
-    why = "the machine has no more memory for this; berm check CASE prints how much a run needs";
-    return 1;
+    throw;
   } catch (const std::exception& error) {
     why = error.what();
     return 1;
@@ -120,15 +119,20 @@ int status_of_command(int argc, char** argv, std::string& why)
 
 int run_commands(int argc, char** argv)
 {
-  std::string why;
-  int status = status_of_command(argc, argv, why);
-  if (const std::string stopped = sandbox::stopped(); !stopped.empty()) {
-    why = words_of_sandbox(why, stopped);
-    status = status == 0 ? 1 : status;
+  try {
+    std::string why;
+    int status = status_of_command(argc, argv, why);
+    if (const std::string stopped = sandbox::stopped(); !stopped.empty()) {
+      why = words_of_sandbox(why, stopped);
+      status = status == 0 ? 1 : status;
+    }
+    sandbox::leave();
+    if (!why.empty()) io::tell("berm: {}\n", why);
+    return simulation::leave_ranks(status, why);
+  } catch (const std::bad_alloc&) {  // to say so may take none
+    std::fputs("berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n", stderr);
+    return simulation::leave_ranks(1, "out of memory");
   }
-  sandbox::leave();
-  if (!why.empty()) io::tell("berm: {}\n", why);
-  return simulation::leave_ranks(status, why);
 }
 
 }  // namespace berm::commands

@@ -40,7 +40,6 @@ bool stopped()
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side after them.
 Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
-  catch_interrupts();
   const auto is_fem = [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; };
   std::vector<simulation::RunRequest> fem;
   std::copy_if(all.begin(), all.end(), std::back_inserter(fem), is_fem);
@@ -131,7 +130,6 @@ Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
   if (finished) request = simulation::finished_run(folder);
   options.refuse_programs(*request);
   options.enter_sandbox(bring_programs({*request}), {folder});
-  catch_interrupts();
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
     simulation::Context context(options.threads, stopped);
@@ -173,6 +171,7 @@ Command add_run(CLI::App& program)
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });
   return {app, [options] {
+            catch_interrupts();
             options->runner();  // is refused here
             if (Ranks::of_run().count() > 1 && (options->has_runner() || options->uncertainty))
               throw InputError("the ranks of an MPI launcher run one case after the other: without --runner and --uncertainty");
@@ -184,7 +183,6 @@ Command add_run(CLI::App& program)
               options->enter_sandbox(bring_programs(all), written_folders(all));
               return status_of(judged(run_all(all, *options), folders_of(all), *options));
             }
-            catch_interrupts();
             return status_of(judged(run_side_by_side(all, *options), folders_of(all), *options));
           }};
 }

@@ -30,13 +30,13 @@ class Berm:
     """The program, with a folder for its temporary files."""
 
     def __init__(self, options, place):
-        self.program, self.shim, self.place = options.berm, options.shim, place
+        self.program, self.shims, self.place = options.berm, options.shims, place
         self.scratch = os.path.join(place, "scratch")
         os.mkdir(self.scratch)
 
     def start(self, *words, hears=False, **more):
         """hears: its standard output can be read."""
-        environment = dict(os.environ, TMPDIR=self.scratch, OMP_NUM_THREADS="1", **more)
+        environment = dict(os.environ, TMPDIR=self.scratch, OMP_NUM_THREADS="1", GOMP_SPINCOUNT="100", **more)
         return subprocess.Popen([self.program, *words], cwd=self.place, env=environment, text=True, stderr=subprocess.PIPE,
                                 stdout=subprocess.PIPE if hears else subprocess.DEVNULL)
 
@@ -46,13 +46,13 @@ class Berm:
         _, said = process.communicate(timeout=TIME_LIMIT)
         return process.returncode, said
 
-    def faulted(self, words, at, how, one=False):
+    def faulted(self, words, at, how, one=False, shim="failing_writes"):
         """The same with a fault, and the calls that failed: (name, path) of each. at = 0: no fault, and all calls. one: not in its children."""
         told = os.path.join(self.place, "told")
         with open(told, "w"):
             pass
         only = {"FAULT_ONE": "1"} if one else {}
-        status, said = self.run(*words, LD_PRELOAD=self.shim, FAULT_IN="berm", FAULT_AT=str(at), FAULT_HOW=how, FAULT_TOLD=told, **only)
+        status, said = self.run(*words, LD_PRELOAD=os.path.join(self.shims, f"lib{shim}.so"), FAULT_IN="berm", FAULT_AT=str(at), FAULT_HOW=how, FAULT_TOLD=told, **only)
         with open(told) as file:
             return status, said, [line.rstrip("\n").split(" ", 1) for line in file]
 

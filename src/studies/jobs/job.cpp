@@ -57,6 +57,13 @@ void note_libraries(std::vector<std::pair<std::string, material::Material>>& mat
   }
 }
 
+/// Whether a run has begun and has not come to its end: it removes its checkpoints last of all, after its pictures.
+bool is_under_way(const Job& job)
+{
+  std::error_code error;
+  return fs::exists(job.folder / "checkpoint/case_file.txt", error);
+}
+
 /// Whether the run folder is of these settings, and of what is in the files that they name.
 bool is_of(const fs::path& folder, problem::Case settings)
 {
@@ -110,6 +117,7 @@ JobEnd end_with(const Job& job, int status)
 
 bool has_result(const Job& job)
 {
+  if (is_under_way(job)) return false;
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
   if (!summary || !summary->finished()) return false;
   const problem::Case settings = input::read_case(job.case_file, job.set);
@@ -119,11 +127,10 @@ bool has_result(const Job& job)
 
 bool goes_on(const Job& job)
 {
-  std::error_code error;
-  if (job.element || !fs::exists(job.folder / "checkpoint/case_file.txt", error)) return false;
+  if (job.element || !is_under_way(job)) return false;
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
   const problem::Case settings = input::read_case(job.case_file, job.set);
-  if (summary && (summary->finished() || !run_folder::by_this_build(*summary, settings.method))) return false;
+  if (summary && !run_folder::by_this_build(*summary, settings.method)) return false;
   return is_of(job.folder, settings);
 }
 

@@ -129,6 +129,17 @@ TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
   write_study(text);
   EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
 }
+TEST_F(StudyCommand, draws_what_is_missing_of_a_run_that_was_killed_between_its_summary_and_its_pictures)
+{
+  ASSERT_EQ(study().status, 0);
+  const std::filesystem::path run = folder_ / "results/runs/low.earth";
+  ASSERT_TRUE(std::filesystem::remove(run / "soil.png"));
+  std::filesystem::create_directory(run / "checkpoint");
+  folder_.write("results/runs/low.earth/checkpoint/case_file.txt", (folder_ / "stone.toml").string());
+  EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(run / "soil.png"));
+  EXPECT_FALSE(std::filesystem::exists(run / "checkpoint"));
+}
 TEST_F(StudyCommand, refuses_names_that_cannot_be_those_of_rows_before_the_first_run)
 {
   const auto refused = [&](const std::string& name, const std::string& says) {
