@@ -3,12 +3,14 @@
 //   FAULT_IN      the name of the program that is meant; others, such as its children, run as ever
 //   FAULT_AT      N, from 1; 0: none fails, and of each it is told by which way the program came to it
 //   FAULT_HOW     ONCE, or EVER: so do all that follow
-//   FAULT_TOLD    a file that gets a line of who asked where one fails: LIBRARY:FUNCTION, the innermost first; where none does, a line of each request: a number for its way
+//   FAULT_TOLD    a file that gets a line of who asked where one fails: LIBRARY:FUNCTION, or LIBRARY+PLACE, the innermost first, and one of who ends the program by a signal or exit();
+//                 where none does, a line of each request: a number for its way
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <execinfo.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,11 +37,24 @@ static void tell(void)
   for (int k = 2; k < depth && size < 3700; ++k) {
     Dl_info info;
     if (dladdr(frames[k], &info) == 0) continue;
-    const char* file = strrchr(info.dli_fname, '/');
-    size += sprintf(text + size, "%.40s:%.200s ", file == NULL ? info.dli_fname : file + 1, info.dli_sname == NULL ? "?" : info.dli_sname);
+    const char *file = strrchr(info.dli_fname, '/'), *name = file == NULL ? info.dli_fname : file + 1;
+    size += info.dli_sname == NULL ? sprintf(text + size, "%.40s+%lx ", name, (unsigned long)((char*)frames[k] - (char*)info.dli_fbase))
+                                   : sprintf(text + size, "%.40s:%.200s ", name, info.dli_sname);
   }
   text[size++] = '\n';
   if (syscall(SYS_write, told, text, size) != size) _exit(99);
+}
+
+static void tell_of_signal(int signal)
+{
+  at = -1;
+  tell();
+  raise(signal);  // SA_RESETHAND
+}
+
+static void tell_of_exit(void)
+{
+  if (at > 0 && count >= at) at = -1, tell();
 }
 
 // A number for the calls that led here.
@@ -126,11 +141,15 @@ static int counted_main(int argc, char** argv, char** environment)
     backtrace(frames, 4);  // loads what it needs
     told = (int)syscall(SYS_openat, AT_FDCWD, file, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     ever = strcmp(how, "EVER") == 0;
+    struct sigaction action = {.sa_handler = tell_of_signal, .sa_flags = (int)SA_RESETHAND | SA_NODEFER};
+    const int deadly[] = {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+    for (int k = 0; k < 5; ++k) sigaction(deadly[k], &action, NULL);
+    atexit(tell_of_exit);
     if (atol(n) == 0) ways = fdopen(told, "a");
     at = atol(n);
   }
   const int status = own_main(argc, argv, environment);
-  at = -1;
+  at = -1;  // what follows is no part of it
   if (ways != NULL) fclose(ways);
   return status;
 }

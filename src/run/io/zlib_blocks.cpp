@@ -4,7 +4,6 @@
 #include "core/for_each_task.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <new>
 #include <vector>
@@ -15,20 +14,16 @@ namespace {
 
 constexpr std::size_t block_size = 1 << 17, worth_threads = 8;  // blocks: below, waiting for threads takes as long
 
-/// False where there is no memory.
-bool pack_block(std::string_view block, std::string& packed) noexcept
+std::string packed_block(std::string_view block)
 {
-  try {
-    uLongf size = compressBound(block.size());
-    packed.resize(size);
-    const bool done = compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(block.data()), block.size(),
-                                Z_BEST_SPEED) == Z_OK;
-    packed.resize(size);
-    packed.shrink_to_fit();
-    return done;
-  } catch (const std::bad_alloc&) {
-    return false;
-  }
+  uLongf size = compressBound(block.size());
+  std::string packed(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(block.data()), block.size(), Z_BEST_SPEED) !=
+      Z_OK)
+    throw std::bad_alloc();  // all else is right
+  packed.resize(size);
+  packed.shrink_to_fit();
+  return packed;
 }
 
 }  // namespace
@@ -37,15 +32,13 @@ std::string zlib_blocks(std::string_view bytes)
 {
   const std::size_t blocks = (bytes.size() + block_size - 1) / block_size;
   std::vector<std::string> packed(blocks);
-  std::atomic<bool> failed = false;
   const auto pack = [&](Index k) {
-    if (!pack_block(bytes.substr(static_cast<std::size_t>(k) * block_size, block_size), packed[static_cast<std::size_t>(k)])) failed = true;
+    packed[static_cast<std::size_t>(k)] = packed_block(bytes.substr(static_cast<std::size_t>(k) * block_size, block_size));
   };
   if (blocks < worth_threads)
     for (Index k = 0; k < static_cast<Index>(blocks); ++k) pack(k);
   else
     for_each_task("compress frames", static_cast<Index>(blocks), pack);
-  if (failed) throw std::bad_alloc();
   std::vector<std::uint64_t> header{blocks, block_size, bytes.size() % block_size};
   for (const std::string& block : packed) header.push_back(block.size());
   std::string all(reinterpret_cast<const char*>(header.data()), header.size() * sizeof(std::uint64_t));

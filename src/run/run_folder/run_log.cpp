@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <new>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/ansicolor_sink.h>
 #include <spdlog/sinks/base_sink.h>
@@ -125,8 +126,11 @@ RunLog::RunLog(const std::filesystem::path& file, bool resume, const std::shared
 
 RunLog::~RunLog()
 {
-  rewrite_line("");
-  spdlog::set_default_logger(before_);
+  try {
+    rewrite_line("");
+    spdlog::set_default_logger(before_);
+  } catch (const std::bad_alloc&) {  // what is said from here on goes to this log, too
+  }
 }
 
 void RunLog::rewrite_line(std::string_view line)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/element_settings.hpp"
 
+#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "input/override.hpp"
 #include "input/read_case.hpp"
@@ -269,7 +270,11 @@ ElementCase read_element_case(const std::filesystem::path& file, const std::vect
   refuse_case_of_run(document);
   if (const input::Node* from = member(document.root, "materials_from"); from != nullptr && !from->text.empty()) {
     c.materials_from = from->text;
-    other = input::parse_file(file.parent_path() / from->text);
+    try {
+      other = input::parse_file(file.parent_path() / from->text);
+    } catch (const InputError& error) {
+      input::refuse(document, *from, "materials_from", error.what());
+    }
     apply(true);
     std::erase_if(other.root.items, [](const input::Node& item) { return item.key != "material"; });
     MaterialsOfCase materials;
