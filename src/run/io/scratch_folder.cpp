@@ -9,9 +9,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <new>
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace berm::io {
 namespace fs = std::filesystem;
@@ -72,8 +74,13 @@ ScratchFolder::~ScratchFolder()
 
 void ScratchFolder::remove()
 {
-  std::error_code ignored;  // a temporary folder left behind is no reason to fail
-  fs::remove_all(path_, ignored);
+  try {
+    std::error_code ignored;  // a temporary folder left behind is no reason to fail
+    fs::remove_all(path_, ignored);
+  } catch (const std::bad_alloc&) {
+    if (held_ >= 0) ::close(std::exchange(held_, -1));
+    if (guard_) guard_->wait();  // it does it
+  }
   guard_.reset();
   if (held_ >= 0) ::close(held_);
 }
