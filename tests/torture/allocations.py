@@ -18,7 +18,7 @@ STONE = os.path.join(CASES, "stone.toml")
 WRONG = os.path.join(CASES, "study.toml")  # no case
 SHIM = "failing_allocations"
 # What ends the program by itself where it gets no memory, by a part of the name of the function or its library.
-LIBRARIES = ("directory_iterator", "libudunits2", "libexpat", "libgomp", "libmpi", "libhdf5", "libdmumps", "nlohmann::", "CLI::", "spdlog::", "toml::", "fmt::")
+LIBRARIES = ("directory_iterator", "libudunits2", "libexpat", "libgomp", "libmpi", "libhdf5", "libdmumps", "libcrypto", "nlohmann::", "CLI::", "spdlog::", "toml::", "fmt::")
 
 
 class Command:
@@ -96,6 +96,9 @@ def check_results(berm, command, status, reference):
     if status == 0 and os.path.isdir(reference):
         run_folder.check(command.folder, reference, killed=True)
         lost = run_folder.differences(command.folder, reference)
+        page = os.path.join(command.folder, "report.html")
+        if lost == ["report.html differs"] and b"more than there is memory for" in run_folder.read(page):
+            return  # a page says what it could not read
         run_folder.expect(not lost, ", ".join(lost))
 
 

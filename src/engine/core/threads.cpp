@@ -4,11 +4,11 @@
 #include "core/control_group.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cstdlib>
-#include <filesystem>
 #include <omp.h>
 #include <sched.h>
-#include <string>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 #ifdef __SSE2__
@@ -132,10 +132,11 @@ void reexec_with_openmp_environment(char** argv)
 {
   constexpr const char* spins = "GOMP_SPINCOUNT";
   const bool wait_is_open = std::getenv(spins) == nullptr && std::getenv("OMP_WAIT_POLICY") == nullptr, is_bound = omp_get_num_places() > 0;
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  // Without memory, for want of which main() could not end in order.
+  char program[PATH_MAX] = "";
+  if ((!wait_is_open && !is_bound) || readlink("/proc/self/exe", program, sizeof program - 1) <= 0) return;
   // Where the loader was called by name, it is the program that would be started.
-  if ((!wait_is_open && !is_bound) || error || program.filename().string().starts_with("ld-")) return;
+  if (std::string_view(program).substr(std::string_view(program).rfind('/') + 1).starts_with("ld-")) return;
   if (wait_is_open && setenv(spins, "10000", 1) != 0) return;
   if (is_bound) {
     let_go_of_places();
@@ -143,7 +144,7 @@ void reexec_with_openmp_environment(char** argv)
   }
   setenv("OPENBLAS_NUM_THREADS", "1", 0);  // its threads gain nothing on matrices of this size, and spin
   // Where this fails, the run goes on, only slower.
-  execv(program.c_str(), argv);
+  execv(program, argv);
 }
 
 }  // namespace berm

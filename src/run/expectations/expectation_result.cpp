@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <new>
 
 namespace berm::expectations {
 namespace {
@@ -62,6 +63,8 @@ bool take_values(ExpectationResult& result, const Expectation& e, const NumbersO
       if (!e.unit.empty() && !input::same_dimension(e.unit, reading.unit))
         throw InputError(
             fmt::format("{} is expected in {}, and is in {}", words_of(e.observable), e.unit, reading.unit.empty() ? "1" : reading.unit));
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       result.reason = error.what();
       return false;

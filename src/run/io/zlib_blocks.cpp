@@ -73,7 +73,9 @@ std::uint64_t ZlibHeader::unpacked(std::uint64_t room) const
 bool unpack_zlib(std::string_view packed, void* to, std::size_t count)
 {
   uLongf size = count;
-  return uncompress(static_cast<Bytef*>(to), &size, reinterpret_cast<const Bytef*>(packed.data()), packed.size()) == Z_OK && size == count;
+  const int end = uncompress(static_cast<Bytef*>(to), &size, reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+  if (end == Z_MEM_ERROR) throw std::bad_alloc();  // the block may be whole
+  return end == Z_OK && size == count;
 }
 
 }  // namespace berm::io

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <new>
 #include <spdlog/spdlog.h>
 
 namespace berm::study {
@@ -107,6 +108,8 @@ void take_numbers(StudyRow& row, Study& study, std::vector<std::string>& told)
       const expectations::Reading reading = evaluate(measure.observable, row.job.folder);
       row.numbers.back() = measure.scale * reading.value;
       if (measure.unit.empty()) measure.unit = reading.unit;
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       if (std::find(told.begin(), told.end(), measure.name) != told.end()) continue;
       told.push_back(measure.name);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <new>
 #include <nlohmann/json.hpp>
 
 namespace berm::study {
@@ -65,6 +66,8 @@ std::optional<std::vector<SavedRow>> read_rows(const fs::path& output)
       rows.push_back({row.at("names").get<std::vector<std::string>>(), kind_named(row.at("kind").get<std::string>()),
                       output / row.at("run").get<std::string>(), row.at("finished").get<bool>()});
     return rows;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw RunError(fmt::format("{} is damaged: {}", file.string(), error.what()));
   }
