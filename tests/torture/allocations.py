@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each request for memory fails in turn, alone or with all that follow: one for each way in which the program comes to ask. It ends with one message and status 1 or 2, or as ever where it
-gets on without; a run is then resumed, or begun anew, to the bytes of an undisturbed one. Some libraries end the program by themselves; they are counted apart."""
+"""Each request for memory fails in turn, alone or with all that follow: one for each way in which the program comes to ask. It ends with
+one message and status 1 or 2, or as ever where it gets on without; a run is then resumed, or begun anew, to the bytes of an undisturbed
+one. Some libraries end the program by themselves; they are counted apart."""
 
 import bisect
 import collections
@@ -18,7 +19,8 @@ STONE = os.path.join(CASES, "stone.toml")
 WRONG = os.path.join(CASES, "study.toml")  # no case
 SHIM = "failing_allocations"
 # What ends the program by itself where it gets no memory, by a part of the name of the function or its library.
-LIBRARIES = ("directory_iterator", "libudunits2", "libexpat", "libgomp", "libmpi", "libhdf5", "libdmumps", "libcrypto", "nlohmann::", "CLI::", "spdlog::", "toml::", "fmt::")
+LIBRARIES = ("directory_iterator", "libudunits2", "libexpat", "libgomp", "libmpi", "libhdf5", "libdmumps", "libcrypto")
+LIBRARIES += ("nlohmann::", "CLI::", "spdlog::", "toml::", "fmt::")
 
 
 class Command:

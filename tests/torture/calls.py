@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""berm is killed at each call by which it changes files, whatever it does: start, rows, frames, checkpoints and end of a run, a run that is resumed or replaces another, a study, an
-envelope, bands, a test of soil, a page, exported tables. Done again, or resumed where a run has begun, it must leave the bytes of what was not disturbed."""
+"""berm is killed at each call by which it changes files, whatever it does: start, rows, frames, checkpoints and end of a run, a run that is
+resumed or replaces another, a study, an envelope, bands, a test of soil, a page, exported tables. Done again, or resumed where a run has
+begun, it must leave the bytes of what was not disturbed."""
 
 import os
 import random
@@ -26,9 +27,12 @@ def in_water(material):
     return [f"material.{material}.{change}" for change in WATER]
 
 
-LIFTED = ("stage.rest.until.time=2 ms", "stage.push.until.embedment=5 mm", "stage.lift.until.time=4 ms", "stage.drag.until.displacement=5 mm", "output.frame_travel=2 mm")
+LIFTED = ("stage.rest.until.time=2 ms", "stage.push.until.embedment=5 mm", "stage.lift.until.time=4 ms")
+LIFTED += ("stage.drag.until.displacement=5 mm", "output.frame_travel=2 mm")
 IN_SPACE = ("stage.push.until.embedment=2 mm", "stage.drag.until.displacement=2 mm", "output.frame_travel=1 mm")
 SANDY_FLOW = [*in_water("clay"), "material.clay.friction_angle=0.5", "contact.skin.friction_angle=0.3", "contact.skin.adhesion=0"]
+
+SHORT = ("stage.push.until.force=20", "stage.drag.until.displacement=0.1 mm")
 
 # What is done, by its name. The folder of the results comes behind the words.
 RUNS = {
@@ -43,12 +47,12 @@ RUNS = {
     "body_in_space": run_of("space_case.toml", CHECKPOINTS, *IN_SPACE),
     "earthworks": of_ranks("works"),
     "elements": WIP_PIPE,
-    "elements_in_water": run_of("fem_case.toml", *SANDY_FLOW, "stage.push.until.force=20", "stage.drag.until.displacement=0.1 mm"),
+    "elements_in_water": run_of("fem_case.toml", *SANDY_FLOW, *SHORT),
 }
 OTHERS = {
     "study": ["study", os.path.join(CASES, "study.toml")],
     "envelope": ["envelope", os.path.join(CASES, "clay_pipe.toml"), "--points", "2", "--travel", "0.01"],
-    "bands": [*run_of("fem_case.toml", "stage.push.until.force=20", "stage.drag.until.displacement=0.1 mm", "fem.contact_size=2 mm", "mesh.near_size=4 mm"), "--uncertainty"],
+    "bands": [*run_of("fem_case.toml", *SHORT, "fem.contact_size=2 mm", "mesh.near_size=4 mm"), "--uncertainty"],
     "element": ["element", os.path.join(EXAMPLES, "element", "case.toml"), "--force"],
 }
 HAVE_CHILDREN = ("study", "envelope", "bands")

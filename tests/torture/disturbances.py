@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run may meet: it is halted and let go on (SIGSTOP, SIGCONT), the clock is set back, its folder gets another name, a rank of an MPI launcher is killed. It leaves the bytes of an
-undisturbed run, resumed where it ended before; and two commands on one folder at a time each end with a clear result, and tear nothing."""
+"""What a run may meet: it is halted and let go on (SIGSTOP, SIGCONT), the clock is set back, its folder gets another name, a rank of an MPI
+launcher is killed. It leaves the bytes of an undisturbed run, resumed where it ended before; and two commands on one folder at a time each
+end with a clear result, and tear nothing."""
 
 import itertools
 import os
@@ -152,7 +153,8 @@ def pair(berm, first, second, folder, length):
     for process, words in zip(processes, (first, second)):
         said = process.communicate(timeout=TIME_LIMIT)[1]
         run_folder.expect(process.returncode in (0, 1, 2), f"berm {words[0]} ends with {process.returncode}: {said.strip()[-300:]}")
-        run_folder.expect(process.returncode == 0 or re.search(r"^berm: |^interrupted|^[0-9]+ of", said, re.MULTILINE), f"berm {words[0]} ends with {process.returncode} and no message: {said!r}")
+        told = process.returncode == 0 or re.search(r"^berm: |^interrupted|^[0-9]+ of", said, re.MULTILINE)
+        run_folder.expect(told, f"berm {words[0]} ends with {process.returncode} and no message: {said!r}")
     if os.path.isdir(folder):
         run_folder.check(folder, killed=True)
 

@@ -21,8 +21,11 @@ import token_mutants
 MEMORY = 4 << 30  # bytes, of each process
 ENDS_WITHIN = 300  # s after it was asked to stop, on a machine that has other things to do; longer is a hang
 NOT_A_NUMBER = re.compile(r"(?<![\w\"'./-])[-+]?(nan|inf)(?![\w\"'.-])")
-OF_THE_LIBRARY = re.compile(r"std::|vector::|basic_string|map::at|bad_alloc|stoi|stod|terminate|what\(\)|[Aa]ssert|filesystem error|json\.exception|bad variant|bad optional")
-RUN_FILES = ("summary.json", "origin.json", "history.csv", "history.schema.json", "resolved.toml", "run.log", "frames/frames.pvd", "case.toml", "checkpoint/case_file.txt")
+OF_THE_LIBRARY = re.compile(
+    r"std::|vector::|basic_string|map::at|bad_alloc|stoi|stod|terminate|what\(\)|[Aa]ssert|filesystem error|json\.exception|bad variant|bad optional"
+)
+RUN_FILES = ("summary.json", "origin.json", "history.csv", "history.schema.json", "resolved.toml", "run.log", "frames/frames.pvd", "case.toml")
+RUN_FILES += ("checkpoint/case_file.txt",)
 
 
 class Way:
@@ -113,7 +116,7 @@ class Worker:
         fault = judged(told, way, "mutant.toml") or (way.words[0] == "run" and told.status is not None and of_results(results, told))
         if not fault and way.words[0] == "run" and told.status == 75 and run_folder.has_begun(results):
             again = self.start(["run", "--resume", "out", "--threads", "1"], folder, 1)
-            fault = (again.status not in (0, 1, 75) and f"is stopped; resumed it ends with {again.status}: {again.said[-300:]}") or judged(again, way, "out")
+            fault = f"its folder is refused then: {again.said[-300:]}" if again.status == 2 else judged(again, way, "out")
         shutil.rmtree(results, ignore_errors=True)
         return told, fault
 
@@ -133,6 +136,8 @@ def judged(told, way, name):
     """What is wrong with the end of a command, or None."""
     if told.status is None:
         return f"hangs: it does not end within {ENDS_WITHIN} s after SIGTERM"
+    if told.asked and told.status == ENDED and not told.out + told.said:
+        return None  # it had not come to its first word
     if told.status not in {0, 1, 2, way.ever} | ({way.stopped, 75} if told.asked else set()):
         return f"ends with {told.status}"
     errors = [line for line in told.said.splitlines() if line.startswith("berm: ")]

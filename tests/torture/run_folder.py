@@ -122,7 +122,8 @@ def check_order(calls):
 
 
 def results(folder):
-    """All files of a run, or of runs in a folder, by name, without what differs from run to run: the log, time taken, machine and date, and the sessions of origin.json."""
+    """All files of a run, or of runs in a folder, by name, without what differs from run to run: the log, time taken, machine and date, and the
+    sessions of origin.json."""
     found = {}
     for parent, _, names in os.walk(folder):
         for name in names:
@@ -172,7 +173,8 @@ def differences(folder, reference):
     """What is not as an undisturbed run of the same case, or an undisturbed study, leaves it, in words."""
     ours, theirs = results(folder), results(reference)
     logs = [path for path, _, names in os.walk(reference) if "run.log" in names]
-    words = [f"{log}/run.log does not go to the end" for log in sorted(os.path.relpath(log, reference) for log in logs) if not log_is_whole(os.path.join(folder, log))]
+    inner = sorted(os.path.relpath(log, reference) for log in logs)
+    words = [f"{log}/run.log does not go to the end" for log in inner if not log_is_whole(os.path.join(folder, log))]
     words += [f"{name} is missing" for name in sorted(theirs.keys() - ours.keys())]
     words += [f"{name} is too many" for name in sorted(ours.keys() - theirs.keys())]
     return words + [f"{name} differs" for name in sorted(ours.keys() & theirs.keys()) if ours[name] != theirs[name]]

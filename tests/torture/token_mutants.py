@@ -3,7 +3,11 @@
 
 import re
 
-TOKEN = re.compile(r'(?P<blank>[ \t\r\n]+|#[^\n]*)|(?P<quantity>"[-+]?\d[^"\n]*")|(?P<string>"""[\s\S]*?"""|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\')|(?P<number>[-+]?\d[\w.+-]*)|(?P<word>[A-Za-z_][\w-]*)|(?P<sign>.)')
+TOKEN = re.compile(
+    r'(?P<blank>[ \t\r\n]+|#[^\n]*)|(?P<quantity>"[-+]?\d[^"\n]*")'
+    r'|(?P<string>"""[\s\S]*?"""|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\')'
+    r"|(?P<number>[-+]?\d[\w.+-]*)|(?P<word>[A-Za-z_][\w-]*)|(?P<sign>.)"
+)
 
 # What a number or a string may be replaced by.
 HOSTILE = ["nan", "inf", "-inf", "1e300", "-1e300", "1e-300", "1e999", "-1", "0", "-0.0", "1", "2", "0.5", "1e6", "1e-6", "2147483648", "9223372036854775807",

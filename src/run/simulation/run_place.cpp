@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_faults_test.cpp
 #include "simulation/run_place.hpp"
 
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "input/write_case.hpp"
@@ -98,7 +99,7 @@ RunPlace::RunPlace(const RunRequest& request, const Context& context, const io::
 {
   if (!Ranks::of_run().is_first()) return;
   if (replaces_) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
-  spdlog::info("{} -> {}: {}", request.case_file.string(), folder_.path().string(), size);
+  spdlog::info("{}", one_line(fmt::format("{} -> {}: {}", request.case_file.string(), folder_.path().string(), size)));
   if (request.resume)
     run_folder::note_resumption(folder_.path());
   else

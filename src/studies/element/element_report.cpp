@@ -137,8 +137,8 @@ void write_results(const ElementResults& results, const fs::path& folder)
     write_rows(record, folder / record.settings.name / rows_file);
   }
   const std::vector<std::string> figures = draw_figures(results.records, folder);
+  io::write_atomically(folder / page_file, page_html(results, figures, folder));  // by which the folder is known as one of tests
   io::write_atomically(folder / "summary.json", summary_json(results));
-  io::write_atomically(folder / page_file, page_html(results, figures, folder));
 }
 
 std::string words_of_results(const std::vector<TestRecord>& records)

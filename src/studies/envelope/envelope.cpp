@@ -33,7 +33,7 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
     const Probe& probe = rows[k].probe;
     jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
     io::write_atomically(job.case_file, input::resolved_toml(probe.settings));
-    if (has_result(job)) continue;
+    if (has_ended_with_result(job)) continue;
     job.resume = goes_on(job);
     jobs.push_back(job);
     row_of_job.push_back(k);

@@ -125,6 +125,14 @@ bool has_result(const Job& job)
   return !job.uncertainty || (summary->uncertainty && summary->uncertainty->missing.empty());
 }
 
+bool has_ended_with_result(const Job& job)
+{
+  if (!has_result(job)) return false;
+  std::error_code ignored;
+  fs::remove(messages_of(job), ignored);
+  return true;
+}
+
 bool goes_on(const Job& job)
 {
   if (job.element || !is_under_way(job)) return false;

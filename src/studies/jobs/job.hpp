@@ -38,6 +38,9 @@ JobEnd end_with(const Job& job, int status);
 /// same where all of its parameters are, and the bytes of the files that it names.
 bool has_result(const Job& job);
 
+/// The same of a job that would be started next, if not. The messages that it wrote to the end after its parent was killed go.
+bool has_ended_with_result(const Job& job);
+
 /// Whether the run folder holds a run of this case, whoever computed it.
 bool is_of_case(const Job& job);
 

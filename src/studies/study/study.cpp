@@ -169,7 +169,7 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < plan.rows.size(); ++k) {
     plan.rows[k].end.kind = jobs::JobEnd::Kind::finished;
-    if (has_result(plan.rows[k].job)) continue;
+    if (has_ended_with_result(plan.rows[k].job)) continue;
     jobs.push_back(plan.rows[k].job);
     jobs.back().resume = goes_on(jobs.back());
     row_of_job.push_back(k);

@@ -45,7 +45,7 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
   for (const Variant& variant : plan.variants) {
     jobs::Job job{folder / (variant.name + ".toml"), {}, folder / variant.name};
     io::write_atomically(job.case_file, input::resolved_toml(variant.settings));
-    if (has_result(job)) continue;
+    if (has_ended_with_result(job)) continue;
     job.resume = goes_on(job);
     jobs.push_back(job);
   }

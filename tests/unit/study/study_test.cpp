@@ -136,9 +136,11 @@ TEST_F(StudyCommand, draws_what_is_missing_of_a_run_that_was_killed_between_its_
   ASSERT_TRUE(std::filesystem::remove(run / "soil.png"));
   std::filesystem::create_directory(run / "checkpoint");
   folder_.write("results/runs/low.earth/checkpoint/case_file.txt", (folder_ / "stone.toml").string());
+  folder_.write("results/runs/on_high.moon.messages", "of a run that came to its end after its parent was killed");
   EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(run / "soil.png"));
   EXPECT_FALSE(std::filesystem::exists(run / "checkpoint"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "results/runs/on_high.moon.messages"));
 }
 TEST_F(StudyCommand, refuses_names_that_cannot_be_those_of_rows_before_the_first_run)
 {
