@@ -29,10 +29,12 @@ template <int dim>
 Mesh<dim> make(const GmshFile& mesh, const fs::path& case_folder, const fs::path& work_folder)
 {
   const fs::path user_file = case_folder / mesh.file, ours = work_folder / "mesh.msh";
+  std::error_code error;
   if (user_file.extension() == ".geo") {
-    if (!fs::is_regular_file(user_file)) throw KeyError(fmt::format("mesh.file: there is no geometry {}", user_file.string()));
+    if (!fs::is_regular_file(user_file, error)) throw KeyError(fmt::format("mesh.file: there is no geometry {}", user_file.string()));
     return mesh_by_gmsh<dim>(user_file, ours, "mesh.file", &mesh);
   }
+  if (!fs::exists(user_file, error)) throw KeyError(fmt::format("mesh.file: {}: there is no such file", user_file.string()));
   Mesh<dim> read = read_msh<dim>(user_file, mesh);
   if (!fs::exists(ours) || !fs::equivalent(user_file, ours)) fs::copy_file(user_file, ours, fs::copy_options::overwrite_existing);
   return read;

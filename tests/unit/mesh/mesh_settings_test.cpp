@@ -248,5 +248,21 @@ TEST(MakeMesh, says_when_the_run_folder_cannot_be_made)
   EXPECT_THROW(make_mesh<2>(sample_box<2>(), ".", folder / "file"), RunError);
 }
 
+TEST(MeshSettings, of_a_file_that_is_not_there_name_their_key)
+{
+  const TemporaryFolder folder;
+  for (const std::string name : {"nowhere.msh", "nowhere.geo"}) {
+    GmshFile file;
+    file.file = name;
+    try {
+      make_mesh<2>(file, folder.path(), folder / "work");
+      FAIL() << "there is no " << name;
+    } catch (const KeyError& error) {
+      EXPECT_EQ(std::string(error.what()).find("mesh.file: "), 0u) << error.what();
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace berm::mesh::this_file

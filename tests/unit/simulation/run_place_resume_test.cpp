@@ -155,7 +155,7 @@ TEST_F(Resume, without_a_checkpoint_begins_at_the_start)
   ASSERT_EQ(berm(first("whole")).status, 0);
   run_until(first("parts"), "parts", 100, SIGKILL);
   for (const std::string& name : checkpoints("parts")) fs::remove(folder_ / "parts/checkpoint" / name);
-  folder_.write("parts/checkpoint/case_file.txt", text("parts/checkpoint/case_file.txt") + "\x1b[2J");
+  folder_.write("parts/checkpoint/case_file.txt", "/nowhere\x1b[2J/fine.toml");
   const Ended ended = berm(on("parts"));
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.err.find("there is no checkpoint in parts: begins at the start"), std::string::npos) << ended.err;
