@@ -151,7 +151,7 @@ private:
     // A moment per metre run, N m/m, is N.
     if (!unit.empty() && same_dimension(unit, si_unit.empty() ? "1" : si_unit)) try {
         return to_si("1 " + unit, si_unit);
-      } catch (const UnitError&) {  // such as "2s"
+      } catch (const UnitError&) {  // such as "s@2", a scale with an offset
       }
     refuse(fmt::format("{} has no unit of {}: write {}", in_quotes(header), wanted(si_unit),
                        in_quotes(header.substr(0, header.size() - written.size()) + (unit.empty() && !header.ends_with('_') ? "_" : "") +

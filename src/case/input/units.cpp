@@ -116,7 +116,7 @@ bool spelled_as_unit(const std::string& unit)
     return letter(k) || text[k] == '^' || (k > 0 && text[k] == '*' && text[k - 1] == '*');
   };
   for (std::size_t k = 0; k < text.size(); ++k) {
-    if (!digit(k) && !letter(k) && std::strchr("_%^*/.-+() ", text[k]) == nullptr) return false;
+    if (!digit(k) && !letter(k) && std::string_view("_%^*/.-+() ").find(text[k]) == std::string_view::npos) return false;
     const bool begins_number = digit(k) && (k == 0 || !digit(k - 1));
     if (!begins_number || (k == 0 && text.starts_with("1/"))) continue;
     const std::size_t before = k > 0 && (text[k - 1] == '-' || text[k - 1] == '+') ? k - 1 : k;
@@ -245,7 +245,8 @@ bool is_quantity(const std::string& text)
 
 bool same_dimension(const std::string& unit, const std::string& other)
 {
-  const Unit one = parse_unit(unit), two = parse_unit(other);
+  const auto parsed = [](const std::string& text) { return text == "1" || spelled_as_unit(text) ? parse_unit(text) : Unit(); };
+  const Unit one = parsed(unit), two = parsed(other);
   return one && two && convertible(one.get(), two.get(), true);
 }
 

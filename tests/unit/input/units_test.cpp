@@ -135,5 +135,15 @@ TEST(Units, keep_every_number_that_is_written_in_SI)
   });
 }
 
+// UDUNITS-2 reads these as units of time.
+TEST(Units, with_numbers_or_a_nul_in_them_are_none)
+{
+  EXPECT_TRUE(same_dimension("ms", "s"));
+  EXPECT_TRUE(same_dimension("1", ""));
+  EXPECT_FALSE(same_dimension("2s", "s"));
+  EXPECT_FALSE(same_dimension(std::string("s\0", 2), "s"));
+  EXPECT_FALSE(is_quantity(std::string("1 s\0", 4)));
+}
+
 }  // namespace
 }  // namespace berm::input::this_file
