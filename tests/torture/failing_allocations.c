@@ -154,7 +154,8 @@ static int counted_main(int argc, char** argv, char** environment)
   return status;
 }
 
-int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, void (*begin)(void), void (*end)(void), void (*end_of_loader)(void), void* stack)
+int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, void (*begin)(void), void (*end)(void),
+                      void (*end_of_loader)(void), void* stack)
 {
   __typeof__(&__libc_start_main) real = (__typeof__(&__libc_start_main))dlsym(RTLD_NEXT, "__libc_start_main");
   own_main = main;
