@@ -14,9 +14,9 @@ endfunction()
 
 install(TARGETS berm RUNTIME COMPONENT berm)
 # In the build folder: the libraries beside the program, wherever the folder was moved; of a copy of the program alone those that it was built with.
-set(beside "$ORIGIN/lib")
-if(NOT BERM_REPRODUCIBLE)
-  string(APPEND beside ";${CMAKE_BINARY_DIR}/lib")
+set(beside "$ORIGIN/lib;${CMAKE_BINARY_DIR}/lib")
+if(BERM_REPRODUCIBLE)
+  set(beside "$ORIGIN/lib;$ORIGIN/${from_program}")
 endif()
 berm_search_path(berm berm ${CMAKE_INSTALL_BINDIR}/berm "${beside}" "$ORIGIN/${from_program}")
 foreach(unit IN LISTS BERM_UNITS)
