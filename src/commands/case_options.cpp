@@ -32,6 +32,11 @@ std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case
   return found;
 }
 
+bool is_one(const char* value)
+{
+  return value != nullptr && std::string_view(value) == "1";
+}
+
 }  // namespace
 
 CLI::Option* CaseOptions::take_cases(CLI::App& command)
@@ -60,9 +65,8 @@ int CaseOptions::jobs() const
 
 void CaseOptions::take_no_programs(CLI::App& command)
 {
-  command.add_flag(
-      "--no-programs", no_programs,
-      "refuse a case that brings programs, which may do whatever you may: a geometry (.geo) that gmsh runs, a library with a law");
+  command.add_flag("--no-programs", no_programs,
+                   "refuse a case that brings programs: a geometry (.geo) that gmsh runs, a library with a law");
 }
 
 void CaseOptions::refuse_programs(const simulation::RunRequest& request) const
@@ -87,7 +91,7 @@ void CaseOptions::enter_sandbox(bool brings_programs, const std::vector<fs::path
 {
   constexpr const char* variable = "BERM_NO_SANDBOX";  // which runs that this one starts inherit
   if (no_sandbox) ::setenv(variable, "1", 1);
-  if (!sandbox && (!brings_programs || std::getenv(variable) != nullptr)) return;
+  if (!sandbox && (!brings_programs || is_one(std::getenv(variable)))) return;
   const std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
   if (why.empty()) return sandbox::enter(folders);
   if (sandbox) throw RunError(fmt::format("--sandbox: there is none here: {}", why));

@@ -124,7 +124,7 @@ int run_commands(int argc, char** argv)
     int status = status_of_command(argc, argv, why);
     if (const std::string stopped = sandbox::stopped(); !stopped.empty()) {
       why = words_of_sandbox(why, stopped);
-      status = status == 0 ? 1 : status;
+      status = 1;
     }
     sandbox::leave();
     if (!why.empty()) io::tell("berm: {}\n", why);

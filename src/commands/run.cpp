@@ -113,11 +113,12 @@ std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunR
   return folders;
 }
 
-/// Those of the runs, and that of the jobs where several go side by side.
+/// That of the run; of several the folders that theirs lie in, where the messages and the queue of those that go side by side lie, too.
 std::vector<std::filesystem::path> written_folders(const std::vector<simulation::RunRequest>& all)
 {
-  std::vector<std::filesystem::path> folders = folders_of(all);
-  if (all.size() > 1) folders.push_back(queue_of(all));
+  if (all.size() == 1) return {all.front().folder};
+  std::vector<std::filesystem::path> folders;
+  for (const simulation::RunRequest& request : all) folders.push_back(std::filesystem::absolute(request.folder).parent_path());
   return folders;
 }
 
@@ -155,6 +156,7 @@ Command add_run(CLI::App& program)
   options->take_runner(*app);
   options->take_no_programs(*app);
   options->take_sandbox(*app);
+  app->get_option("--sandbox")->excludes("--runner");
   app->add_option("-o,--output", options->output,
                   "run folder; of several cases: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
   CLI::Option* force = app->add_flag("--force", options->force, "replace what earlier runs left in the folder");

@@ -2,9 +2,13 @@
 // A law that does, once in a run, what its third property says: the sandbox is tried with it.
 #include <berm/law.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <sched.h>
+#include <string>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -59,6 +63,34 @@ void act(int what)
   case 14:
     if (const int file = ::open("results", O_PATH); file >= 0) result = ::unlinkat(file, "../victim", 0);
     break;
+  case 15:
+  case 16:
+    if (const int file = ::open("victim", O_RDONLY); file >= 0)
+      result = ::chmod(((what == 15 ? "/dev/fd/" : "/proc/thread-self/fd/") + std::to_string(file)).c_str(), 0);
+    break;
+  case 17: {
+    const int here = ::open(".", O_PATH);
+    if (::chdir("/proc") == 0) result = ::chmod("self/environ", 0);
+    result = ::fchdir(here);
+    break;
+  }
+  case 18:
+    result = ::symlink("../made", "results/link");
+    result = ::open("results/link", O_WRONLY | O_CREAT, 0666);
+    break;
+  case 19:  // allowed
+    if (::close(::open(std::getenv("TMPDIR"), O_TMPFILE | O_RDWR, 0600)) != 0) std::abort();
+    break;
+  case 21: {
+    constexpr long fchmodat2 = 452;
+    char byte = 'x';
+    int pair[2];
+    // Refused without a note: nothing that is honest asks for these.
+    const bool refused = ::socketpair(AF_UNIX, SOCK_DGRAM, 0, pair) != 0 && ::unshare(CLONE_NEWUSER) != 0 && ::chroot(".") != 0 &&
+                         ::ioctl(0, TIOCSTI, &byte) != 0 && errno == EPERM && ::syscall(fchmodat2, AT_FDCWD, "victim", 0, 0) != 0;
+    if (!refused) std::abort();
+    break;
+  }
   case 20:
     ::_exit(0);
   default:

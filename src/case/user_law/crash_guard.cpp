@@ -16,6 +16,8 @@ namespace {
 constexpr int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::size_t crash_count = std::size(crashes);
 
+const pid_t own_process = ::getpid();
+
 /// What is said of the law whose call this thread is in; null outside.
 thread_local const char* called = nullptr;
 
@@ -137,7 +139,7 @@ InsideCall::~InsideCall()
 // The program offers its own _exit and _Exit, so that those of a law are noticed: the C library's ask nobody.
 extern "C" [[noreturn]] void _exit(int status)
 {
-  if (berm::user_law::called != nullptr) berm::user_law::end(" ended the program (_exit)");
+  if (berm::user_law::called != nullptr && ::getpid() == berm::user_law::own_process) berm::user_law::end(" ended the program (_exit)");
   ::syscall(SYS_exit_group, status);
   ::abort();
 }

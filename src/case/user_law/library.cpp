@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/read_file.hpp"
+#include "user_law/crash_guard.hpp"
 
 #include <algorithm>
 #include <cfenv>
@@ -54,8 +55,11 @@ void* open_library(const fs::path& file)
   // Code made with -ffast-math would have small numbers set to zero from its loading on, in all of the program.
   std::fenv_t rounding;
   std::fegetenv(&rounding);
+  const std::string name = "loading " + file.string();
+  std::optional<InsideCall> inside(name);
   void* const library = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
   const char* const reason = library == nullptr ? ::dlerror() : nullptr;
+  inside.reset();
   std::fesetenv(&rounding);
   if (library == nullptr) throw InputError(fmt::format("the library does not load: {}", reason));
   return library;

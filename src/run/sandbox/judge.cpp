@@ -123,12 +123,19 @@ bool is_within(const fs::path& file, const fs::path& folder)
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
-/// With links followed as far as the path is there.
+/// With links followed as far as the path is there, also those that lead to nothing.
 fs::path real(const fs::path& file)
 {
   std::error_code error;
-  const fs::path found = fs::weakly_canonical(file, error);
-  return error ? file.lexically_normal() : found;
+  fs::path found = file;
+  for (int links = 0; links < 40; ++links) {
+    const fs::path next = fs::weakly_canonical(found, error);
+    if (error) return found.lexically_normal();
+    if (!fs::is_symlink(fs::symlink_status(next, error))) return next;
+    const fs::path target = fs::read_symlink(next, error);
+    found = target.is_absolute() ? target : next.parent_path() / target;
+  }
+  return found;
 }
 
 std::string family(std::uint64_t number)
@@ -155,29 +162,33 @@ const std::vector<int>& watched_calls()
 Verdict Judge::refused(const seccomp_notif& call, const std::string& what) const
 {
   std::error_code error;
-  const std::string program = fs::read_symlink(process(call) / "exe", error).filename().string();
-  if (error || program == "berm") return {EACCES, "a library of the case would have " + what};
-  if (program == "gmsh") return {EACCES, "the geometry of the case would have " + what};
-  return {EACCES, ""};
+  const fs::path program = fs::read_symlink(process(call) / "exe", error);
+  if (std::find(allowed_.quiet.begin(), allowed_.quiet.end(), program) != allowed_.quiet.end()) return {EACCES, ""};
+  if (program == fs::read_symlink(fs::path("/proc") / std::to_string(watched_) / "exe", error))
+    return {EACCES, "a library of the case would have " + what};
+  return {EACCES, (program.filename() == "gmsh" ? "the geometry of the case would have " : "a program of the case would have ") + what};
 }
 
 Verdict Judge::start(const seccomp_notif& call) const
 {
   if (call.data.nr == SCMP_SYS(execveat)) return refused(call, "started a program");
   const std::optional<fs::path> file = absolute_path(call, -1, 0);
+  if (!file) return refused(call, "started a program");
   std::error_code error;
-  if (!file || !fs::exists(*file, error)) return {};  // refused by Landlock, or by the system as there is none
+  if (!fs::exists(*file, error)) return {};  // the system says that there is none
   const fs::path program = real(*file);
   const bool allowed = std::find(allowed_.programs.begin(), allowed_.programs.end(), program) != allowed_.programs.end();
   return allowed ? Verdict{} : refused(call, "started the program " + file->string());
 }
 
-Verdict Judge::change(const seccomp_notif& call, const std::string& file) const
+/// Below /proc and /dev names are others for each process: what Landlock knows it judges itself, and of the rest nothing is allowed.
+Verdict Judge::change(const seccomp_notif& call, const fs::path& file, bool only_here) const
 {
   const fs::path path = real(file);
-  const bool device = is_within(path, "/dev") || is_within(path, "/proc");  // open files and terminals: Landlock tells them
-  const bool allowed = std::any_of(allowed_.folders.begin(), allowed_.folders.end(), [&](const fs::path& f) { return is_within(path, f); });
-  if (allowed || device) return {};
+  const auto within = [&](const fs::path& folder) { return is_within(file.lexically_normal(), folder) || is_within(path, folder); };
+  if (within("/proc") || within("/dev")) return only_here ? refused(call, "changed " + file.string()) : Verdict{};
+  if (std::any_of(allowed_.folders.begin(), allowed_.folders.end(), [&](const fs::path& folder) { return is_within(path, folder); }))
+    return {};
   // FLTK, which gmsh is made with, keeps settings of its own whatever the geometry is.
   return path.filename() == "fltk.prefs" ? Verdict{EACCES, ""} : refused(call, "written to " + path.string());
 }
@@ -191,9 +202,8 @@ Verdict Judge::operator()(const seccomp_notif& call) const
   if (changes == changing_calls().end()) return {EPERM, ""};
   for (const Changes::Name& name : changes->names) {
     const std::optional<fs::path> file = absolute_path(call, name.folder, name.path);
-    if (!file && changes->only_here) return {EPERM, ""};
-    if (!file) continue;  // Landlock refuses it where it is not allowed
-    if (Verdict verdict = change(call, file->string()); verdict.error != 0) return verdict;
+    if (!file) return refused(call, "written to a file whose name cannot be read");
+    if (Verdict verdict = change(call, *file, changes->only_here); verdict.error != 0) return verdict;
   }
   return {};
 }

@@ -28,7 +28,7 @@ public:
 
 private:
   Verdict start(const seccomp_notif& call) const;
-  Verdict change(const seccomp_notif& call, const std::string& file) const;
+  Verdict change(const seccomp_notif& call, const std::filesystem::path& file, bool only_here) const;
   Verdict refused(const seccomp_notif& call, const std::string& what) const;
 
   Allowed allowed_;

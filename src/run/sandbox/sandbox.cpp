@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_sandbox_test.cpp
 #include "sandbox/sandbox.hpp"
 
+#include "core/control_group.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
@@ -9,7 +10,7 @@
 #include "sandbox/watcher.hpp"
 
 #include <cstdlib>
-#include <fmt/format.h>
+#include <fstream>
 #include <optional>
 #include <seccomp.h>
 #include <sstream>
@@ -30,21 +31,44 @@ bool has_one_thread()
   return !error && std::distance(begin(tasks), end(tasks)) == 1;
 }
 
-/// The programs that berm itself starts, where they are installed, and berm.
-std::vector<fs::path> own_programs()
+/// A program where PATH has it; "" without.
+fs::path program_in_path(const std::string& name)
 {
   std::error_code error;
-  std::vector<fs::path> found = {fs::canonical("/proc/self/exe")};
   const char* const path = std::getenv("PATH");
-  for (const char* name : {"gmsh", "gnuplot", "rsvg-convert"}) {
-    std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
-    for (std::string folder; std::getline(folders, folder, ':');)
-      if (const fs::path file = fs::path(folder) / name; !folder.empty() && ::access(file.c_str(), X_OK) == 0) {
-        if (const fs::path program = fs::canonical(file, error); !error) found.push_back(program);
-        break;
-      }
-  }
-  return found;
+  std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (const fs::path file = fs::path(folder) / name;
+        !folder.empty() && fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0)
+      return fs::canonical(file, error);
+  return {};
+}
+
+/// The programs that berm itself starts, where they are installed, and berm.
+void add_own_programs(Allowed& allowed)
+{
+  std::error_code error;
+  const fs::path berm = fs::canonical("/proc/self/exe", error);
+  if (!error) allowed.programs.push_back(berm);
+  if (const fs::path gmsh = program_in_path("gmsh"); !gmsh.empty()) allowed.programs.push_back(gmsh);
+  for (const char* name : {"gnuplot", "rsvg-convert"})
+    if (const fs::path program = program_in_path(name); !program.empty()) {
+      allowed.programs.push_back(program);
+      allowed.quiet.push_back(program);
+    }
+}
+
+bool is_script(const fs::path& program)
+{
+  std::ifstream file(program);
+  return file.get() == '#' && file.get() == '!';
+}
+
+/// Whether a berm that is in a sandbox started this one: what it left in the environment is believed where the kernel says the same.
+bool is_in_one_already()
+{
+  return std::getenv(io::ScratchFolder::outer_variable) != nullptr && kernel_number("/proc/self/status", "Seccomp:") == 2 &&
+         kernel_number("/proc/self/status", "NoNewPrivs:") == 1;
 }
 
 /// The folders that are not there yet on the way to this one, the innermost first.
@@ -62,16 +86,22 @@ std::string why_there_is_none()
   if (landlock_version() < 2) return "its kernel has no Landlock (Linux 5.19 and later, where it is not switched off)";
   if (seccomp_api_get() < 5) return "its kernel has no notifications of seccomp";
   if (!has_one_thread()) return "the program has threads already";
+  if (is_script(program_in_path("gmsh"))) return "gmsh is a script here, which would have to start other programs";
+  const Real scope = kernel_number("/proc/sys/kernel/yama/ptrace_scope");
+  if (scope > 0 && scope < infinity && ::geteuid() != 0) return "no process may look into another here (kernel.yama.ptrace_scope)";
   return "";
 }
 
 void enter(const std::vector<fs::path>& folders)
 {
-  if (std::getenv(io::ScratchFolder::outer_variable) != nullptr) return;
+  if (is_in_one_already()) return;
+  ::unsetenv(io::ScratchFolder::outer_variable);
   if (const std::string why = why_there_is_none(); !why.empty()) throw RunError("this system has no sandbox: " + why);
   // Never removed by this program, which may not: its guard does so, outside of the sandbox.
   static const auto* const scratch = new io::ScratchFolder;
-  Allowed allowed{{fs::canonical(scratch->path())}, own_programs(), {}};
+  Allowed allowed;
+  allowed.folders.push_back(fs::canonical(scratch->path()));
+  add_own_programs(allowed);
   for (const fs::path& name : folders) {
     const fs::path folder = fs::absolute(name).lexically_normal();
     const std::vector<fs::path> made = missing(folder);
@@ -85,7 +115,8 @@ void enter(const std::vector<fs::path>& folders)
   } catch (const std::system_error& error) {
     throw RunError(std::string("the sandbox cannot be set up: ") + error.what());
   }
-  ::setenv(io::ScratchFolder::outer_variable, allowed.folders.front().c_str(), 1);
+  for (const char* variable : {io::ScratchFolder::outer_variable, "TMPDIR", "TMP", "TEMP"})
+    ::setenv(variable, allowed.folders.front().c_str(), 1);
 }
 
 std::string stopped()

@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_sandbox_test.cpp
 #include "sandbox/watcher.hpp"
 
+#include "sandbox/filter.hpp"
 #include "sandbox/judge.hpp"
 
 #include <algorithm>
@@ -18,15 +19,6 @@
 #include <unistd.h>
 
 namespace berm::sandbox {
-
-void Watcher::Notes::add(const std::string& line)
-{
-  const std::size_t begin = length;
-  if (begin + line.size() + 1 > size || std::string(text, begin).find(line) != std::string::npos) return;
-  std::memcpy(text + begin, line.data(), line.size());
-  text[begin + line.size()] = '\n';
-  length = begin + line.size() + 1;
-}
 
 namespace {
 
@@ -72,37 +64,12 @@ int received_file(int line)
   return file;
 }
 
-void check(int result)
+/// A line for people: what moves a cursor is shown as a question mark.
+std::string plain(std::string text)
 {
-  if (result < 0) fail(-result);
-}
-
-/// The calls that the kernel asks the watcher about. Gives the descriptor that it asks through.
-int install_filter()
-{
-  struct Filter {
-    scmp_filter_ctx context = seccomp_init(SCMP_ACT_ALLOW);
-    ~Filter() { seccomp_release(context); }
-  } filter;
-  if (filter.context == nullptr) fail(ENOMEM);
-  check(seccomp_attr_set(filter.context, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS));
-  for (const int call : watched_calls()) check(seccomp_rule_add(filter.context, SCMP_ACT_NOTIFY, call, 0));
-  // Opening a file is looked at where it is opened to write, made or cut.
-  const auto opens = [&](int call, unsigned flags) {
-    for (const unsigned way : {O_WRONLY, O_RDWR, O_ACCMODE})
-      check(seccomp_rule_add(filter.context, SCMP_ACT_NOTIFY, call, 1, SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, O_ACCMODE, way)));
-    for (const unsigned change : {O_CREAT, O_TRUNC})
-      check(seccomp_rule_add(filter.context, SCMP_ACT_NOTIFY, call, 1, SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, change | O_ACCMODE, change)));
-  };
-  opens(SCMP_SYS(openat), 2);
-  opens(SCMP_SYS(open), 1);
-  // Ways around it: flags that the filter cannot see, and calls that another thread of the kernel makes.
-  check(seccomp_rule_add(filter.context, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(openat2), 0));
-  check(seccomp_rule_add(filter.context, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(io_uring_setup), 0));
-  check(seccomp_load(filter.context));
-  const int asks = seccomp_notify_fd(filter.context);
-  check(asks);
-  return asks;
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  return text;
 }
 
 /// Until nobody is left who could be asked about.
@@ -140,6 +107,8 @@ void answer(int asks, int line, const Judge& judge, const std::vector<std::files
   }
 }
 
+constexpr int own_line = 3;
+
 /// It has nothing of the program that it watches but the line to it, and no signal of a terminal reaches it.
 void become_watcher(int line)
 {
@@ -148,8 +117,8 @@ void become_watcher(int line)
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGPIPE}) ::signal(signal, SIG_IGN);
   const int nothing = ::open("/dev/null", O_RDWR);
   for (int file = 0; file < 3; ++file) ::dup2(nothing, file);
-  ::dup2(line, 3);
-  ::close_range(4, ~0U, 0);
+  ::dup2(line, own_line);
+  ::close_range(own_line + 1, ~0U, 0);
 }
 
 }  // namespace
@@ -158,20 +127,35 @@ Watcher::Watcher(const Allowed& allowed)
 {
   int line[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line) != 0) fail(errno);
-  void* const shared = ::mmap(nullptr, sizeof(Notes), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) fail(errno);
-  notes_ = new (shared) Notes{};
+  const int memory = ::memfd_create("berm-sandbox", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  if (memory < 0 || ::ftruncate(memory, sizeof(Notes)) != 0) fail(errno);
   const pid_t watched = ::getpid(), watcher = ::fork();
   if (watcher < 0) fail(errno);
+  char byte = 'r';
   if (watcher == 0) {
+    void* const shared = ::mmap(nullptr, sizeof(Notes), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
     become_watcher(line[1]);
-    if (const int asks = received_file(3); asks >= 0)
-      answer(asks, 3, Judge(allowed, watched), allowed.made, [&](const std::string& what) { notes_->add(what); });
+    if (shared == MAP_FAILED || ::write(own_line, &byte, 1) != 1) ::_exit(1);
+    auto* const notes = new (shared) Notes{};
+    std::string all;
+    const auto note = [&](const std::string& what) {
+      const std::string text = "\n" + plain(what) + "\n";
+      if (("\n" + all).find(text) != std::string::npos || all.size() + text.size() > Notes::size) return;
+      all += text.substr(1);
+      std::memcpy(notes->text, all.data(), all.size());
+      notes->length = all.size();
+    };
+    if (const int asks = received_file(own_line); asks >= 0) answer(asks, own_line, Judge(allowed, watched), allowed.made, note);
     ::_exit(0);
   }
   ::close(line[1]);
   line_ = line[0];
-  ::prctl(PR_SET_PTRACER, watcher, 0, 0, 0);  // where the system lets nobody but parents look into a process
+  // The watcher has its map to write to; nobody gets another one.
+  if (::read(line_, &byte, 1) != 1 || ::fcntl(memory, F_ADD_SEALS, F_SEAL_FUTURE_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) != 0) fail(EPERM);
+  const void* const shared = ::mmap(nullptr, sizeof(Notes), PROT_READ, MAP_SHARED, memory, 0);
+  ::close(memory);
+  if (shared == MAP_FAILED) fail(errno);
+  notes_ = static_cast<const Notes*>(shared);
   const int asks = install_filter();
   send_file(line_, asks);
   ::close(asks);

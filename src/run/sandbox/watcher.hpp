@@ -12,6 +12,7 @@ namespace berm::sandbox {
 struct Allowed {
   std::vector<std::filesystem::path> folders;   ///< to write below, as the system calls them: absolute, without links
   std::vector<std::filesystem::path> programs;  ///< to start
+  std::vector<std::filesystem::path> quiet;     ///< of these, whose attempts to write elsewhere are nobody's business
   std::vector<std::filesystem::path> made;      ///< folders to remove at the end where they are empty, the innermost first
 };
 
@@ -28,17 +29,15 @@ public:
   void tidy_up();
 
 private:
-  /// Shared by both processes. What does not fit is lost.
+  /// The watcher writes there, and the watched can only read.
   struct Notes {
     static constexpr std::size_t size = 8192;
     std::atomic<std::size_t> length;
     char text[size];
-
-    void add(const std::string& line);
   };
 
-  Notes* notes_;  ///< the watcher writes there; kept to the end of the program
-  int line_;      ///< to the watcher
+  const Notes* notes_;  ///< kept to the end of the program
+  int line_;            ///< to the watcher
 };
 
 }  // namespace berm::sandbox
