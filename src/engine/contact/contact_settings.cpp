@@ -60,10 +60,12 @@ void describe(Describe& d, ContactSettings& contact)
           {.meaning = "time steps over which a gap may close, with detection by gap or particle",
            .range = {1, 1000},
            .formerly = "approach_steps"});
-  d.choice("particle_rim", contact.particle_rim, {"whole", "worn"},
-           {.meaning = "where a particle touches a rigid body: at half its width from its centre; or there while its soil lies as it was "
-                       "placed, and nearer to the centre as that is sheared, which brings soil that flows closer to its exact resistance; a body that "
-                       "slides over the same soil at a fixed level loses it"});
+  d.choice(
+      "particle_rim", contact.particle_rim, {"whole", "worn"},
+      {.meaning =
+           "where a particle touches a rigid body: at half its width from its centre; or there while its soil lies as it was "
+           "placed, and nearer to the centre as that is sheared, which brings soil that flows closer to its exact resistance; a body that "
+           "slides over the same soil at a fixed level loses it"});
   d.value("drained", contact.drained,
           {.meaning = "the water of consolidating soil crosses the surface of the rigid body, at which there is no excess pore pressure; "
                       "else it does not cross it"});

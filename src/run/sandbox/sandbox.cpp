@@ -4,13 +4,13 @@
 
 #include "core/control_group.hpp"
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
 #include "sandbox/landlock.hpp"
 #include "sandbox/watcher.hpp"
 
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <seccomp.h>
 #include <sstream>
@@ -60,8 +60,13 @@ void add_own_programs(Allowed& allowed)
 
 bool is_script(const fs::path& program)
 {
-  std::ifstream file(program);
-  return file.get() == '#' && file.get() == '!';
+  std::string fault;
+  const int file = open_to_read(program, fault);
+  if (file < 0) return false;
+  char begin[2] = {};
+  const bool script = ::read(file, begin, sizeof begin) == sizeof begin && begin[0] == '#' && begin[1] == '!';
+  ::close(file);
+  return script;
 }
 
 /// Whether a berm that is in a sandbox started this one: what it left in the environment is believed where the kernel says the same.
