@@ -92,8 +92,12 @@ void CaseOptions::enter_sandbox(bool brings_programs, const std::vector<fs::path
   constexpr const char* variable = "BERM_NO_SANDBOX";  // which runs that this one starts inherit
   if (no_sandbox) ::setenv(variable, "1", 1);
   if (!sandbox && (!brings_programs || is_one(std::getenv(variable)))) return;
-  const std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
-  if (why.empty()) return sandbox::enter(folders);
+  std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
+  try {
+    if (why.empty()) return sandbox::enter(folders);
+  } catch (const RunError& error) {
+    why = error.what();
+  }
   if (sandbox) throw RunError(fmt::format("--sandbox: there is none here: {}", why));
   if (Ranks::of_run().is_first()) spdlog::warn("what the case brings runs with all of your rights: there is no sandbox here: {}", why);
 }
