@@ -55,9 +55,12 @@ berm_package(python python3-berm "berm in Python: runs, results, and the engine 
   SECTION python SUGGESTS "python3-matplotlib, python3-pandas, python3-xarray")
 berm_package(doc berm-doc "examples and documentation of berm" SHLIBDEPS OFF SECTION doc ARCHITECTURE all)
 
-# Once all is built: the build tells what it has read.
-install(CODE "execute_process(COMMAND ${CMAKE_SOURCE_DIR}/scripts/licences ${CMAKE_BINARY_DIR} COMMAND gzip -9 -n OUTPUT_FILE ${CMAKE_BINARY_DIR}/licences.gz COMMAND_ERROR_IS_FATAL ANY)" COMPONENT berm)
-install(FILES ${CMAKE_BINARY_DIR}/licences.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT berm)
+# Once all is built: the build tells what it has read, and Debian which package that is of.
+find_program(BERM_DPKG_QUERY dpkg-query)
+if(BERM_DPKG_QUERY AND CMAKE_GENERATOR STREQUAL "Ninja")
+  install(CODE "execute_process(COMMAND ${CMAKE_SOURCE_DIR}/scripts/licences ${CMAKE_BINARY_DIR} COMMAND gzip -9 -n OUTPUT_FILE ${CMAKE_BINARY_DIR}/licences.gz COMMAND_ERROR_IS_FATAL ANY)" COMPONENT berm)
+  install(FILES ${CMAKE_BINARY_DIR}/licences.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT berm)
+endif()
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc PATTERN "*.so" EXCLUDE) # laws that were built where they lie
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/build/site/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm/html COMPONENT doc OPTIONAL) # where `make site` has made it

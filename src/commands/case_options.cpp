@@ -27,8 +27,8 @@ std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case
   std::vector<std::pair<std::string, const char*>> found;
   if (const auto* mesh = std::get_if<mesh::GmshFile>(&settings.mesh); mesh != nullptr && fs::path(mesh->file).extension() == ".geo")
     found.emplace_back("mesh.file", "a geometry that gmsh runs");
-  for (const auto& [name, soil] : settings.material)
-    if (is_of_library(soil)) found.emplace_back(fmt::format("material.{}.library", name), "a library with a law");
+  for (const auto& soil : settings.material)
+    if (is_of_library(soil)) found.emplace_back(fmt::format("material.{}.library", soil.first), "a library with a law");
   return found;
 }
 
@@ -151,16 +151,15 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
   return all;
 }
 
-bool is_of_library(const material::Material& soil)
+bool is_of_library(const std::pair<std::string, material::Material>& soil)
 {
-  return soil.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
-         soil.get_if<material::UserLaw<material::Interface::umat>>() != nullptr;
+  return soil.second.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
+         soil.second.get_if<material::UserLaw<material::Interface::umat>>() != nullptr;
 }
 
-bool bring_programs(const std::vector<simulation::RunRequest>& requests)
+bool brings_programs(const simulation::RunRequest& request)
 {
-  return std::any_of(requests.begin(), requests.end(),
-                     [](const simulation::RunRequest& request) { return !programs_of(request.settings).empty(); });
+  return !programs_of(request.settings).empty();
 }
 
 void messages_to_stderr()

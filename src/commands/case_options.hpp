@@ -54,8 +54,8 @@ std::filesystem::path default_folder(const std::filesystem::path& file);
 std::vector<simulation::RunRequest> requests(const CaseOptions& options);
 
 /// Whether a case names a geometry that gmsh runs or a library with a law.
-bool bring_programs(const std::vector<simulation::RunRequest>& requests);
-bool is_of_library(const material::Material& soil);
+bool brings_programs(const simulation::RunRequest& request);
+bool is_of_library(const std::pair<std::string, material::Material>& soil);
 
 /// Messages of commands that write no run.log go to stderr.
 void messages_to_stderr();

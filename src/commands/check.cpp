@@ -3,6 +3,8 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 
+#include <algorithm>
+
 namespace berm::commands {
 
 Command add_check(CLI::App& program)
@@ -16,7 +18,7 @@ Command add_check(CLI::App& program)
   options->take_sandbox(*app);
   return {app, [options] {
             const std::vector<simulation::RunRequest> all = requests(*options);
-            options->enter_sandbox(bring_programs(all), {});
+            options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_programs), {});
             simulation::Context context(options->threads);
             for (const simulation::RunRequest& request : all) check_case(request, context);
             return 0;

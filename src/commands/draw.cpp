@@ -70,13 +70,10 @@ Command add_draw(CLI::App& program)
   return {app, [options] {
             messages_to_stderr();
             const std::vector<Picture> all = pictures(*options);
-            std::vector<simulation::RunRequest> cases;
             std::vector<fs::path> folders;
-            for (const Picture& picture : all) {
-              cases.push_back(picture.request);
-              folders.push_back(fs::absolute(picture.file).parent_path());
-            }
-            options->enter_sandbox(bring_programs(cases), folders);
+            for (const Picture& picture : all) folders.push_back(fs::absolute(picture.file).parent_path());
+            options->enter_sandbox(std::any_of(all.begin(), all.end(), [](const Picture& p) { return brings_programs(p.request); }),
+                                   folders);
             for (const Picture& picture : all) draw(picture);
             return 0;
           }};

@@ -30,14 +30,10 @@ void load_laws(ElementRequest& request)
   }
 }
 
-bool bring_libraries(const std::vector<ElementRequest>& requests)
+bool brings_libraries(const ElementRequest& request)
 {
-  return std::any_of(requests.begin(), requests.end(), [](const ElementRequest& request) {
-    return std::any_of(request.settings.material.begin(), request.settings.material.end(),
-                       [](const auto& soil) { return is_of_library(soil.second); }) ||
-           std::any_of(request.settings.borrowed.begin(), request.settings.borrowed.end(),
-                       [](const auto& soil) { return is_of_library(soil.second); });
-  });
+  const auto any = [](const auto& materials) { return std::any_of(materials.begin(), materials.end(), is_of_library); };
+  return any(request.settings.material) || any(request.settings.borrowed);
 }
 
 /// All inputs are read before the first test; one goes to `output` itself, several to folders in it that are named like their files.
@@ -58,7 +54,7 @@ std::vector<ElementRequest> element_requests(const CaseOptions& options)
   }
   std::vector<fs::path> folders;
   for (const ElementRequest& request : all) folders.push_back(request.folder);
-  options.enter_sandbox(bring_libraries(all), folders);
+  options.enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), folders);
   for (ElementRequest& request : all) load_laws(request);
   return all;
 }

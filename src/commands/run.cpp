@@ -130,7 +130,7 @@ Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
   if (finished && !options.uncertainty) return Outcome::done;
   if (finished) request = simulation::finished_run(folder);
   options.refuse_programs(*request);
-  options.enter_sandbox(bring_programs({*request}), {folder});
+  options.enter_sandbox(brings_programs(*request), {folder});
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
     simulation::Context context(options.threads, stopped);
@@ -182,7 +182,7 @@ Command add_run(CLI::App& program)
             const std::vector<simulation::RunRequest> all = requests(*options);
             if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
             if (!options->has_runner()) {
-              options->enter_sandbox(bring_programs(all), written_folders(all));
+              options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_programs), written_folders(all));
               return status_of(judged(run_all(all, *options), folders_of(all), *options));
             }
             return status_of(judged(run_side_by_side(all, *options), folders_of(all), *options));

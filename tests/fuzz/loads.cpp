@@ -8,46 +8,38 @@
 #include "input/write_case.hpp"
 #include "problem/stages.hpp"
 
+#include <fmt/format.h>
+
 using namespace berm;
 
 namespace {
 
 constexpr const char* table = "table.csv";
 
-constexpr const char* in_plane = R"(gravity = [0, -10]
-mesh = {kind = "box", size = [1, 1], cells = [4, 4]}
-material.clay = {law = "mohr_coulomb", density = 900, young_modulus = 7e6, poisson_ratio = 0.25, cohesion = 2e3, friction_angle = 0}
-body.clay = {material = "clay", regions = ["box"]}
-rigid.pipe = {shape = "circle", center = [0.5, 1.1], diameter = 0.2, mass = 30}
-contact.skin = {body = "clay", rigid = "pipe", friction_angle = 0.4}
-support.base = {boundary = "bottom", fixed = ["x", "y"]}
-stage = [{name = "storm", kind = "drag", until.time = 1, force = 4}]
-)";
+/// A body that a stage drives over clay; `box` the mesh and gravity, `fixed` the directions of its base.
+std::string case_text(const std::string& box, const char* rigid, const char* fixed, const char* kind)
+{
+  return fmt::format(R"({}
+material.clay = {{law = "mohr_coulomb", density = 900, young_modulus = 7e6, poisson_ratio = 0.25, cohesion = 2e3, friction_angle = 0}}
+body.clay = {{material = "clay", regions = ["box"]}}
+rigid.pipe = {{{}, diameter = 0.2, mass = 30}}
+contact.skin = {{body = "clay", rigid = "pipe", friction_angle = 0.4}}
+support.base = {{boundary = "bottom", fixed = [{}]}}
+stage = [{{name = "storm", kind = "{}", until.time = 1, force = 4}}]
+)",
+                     box, rigid, fixed, kind);
+}
 
-constexpr const char* around_axis = R"(geometry = "axisymmetric"
-gravity = [0, -10]
-mesh = {kind = "box", size = [1, 1], cells = [4, 4]}
-material.clay = {law = "mohr_coulomb", density = 900, young_modulus = 7e6, poisson_ratio = 0.25, cohesion = 2e3, friction_angle = 0}
-body.clay = {material = "clay", regions = ["box"]}
-rigid.ball = {shape = "circle", center = [0, 1.1], diameter = 0.2, mass = 30}
-contact.skin = {body = "clay", rigid = "ball", friction_angle = 0.4}
-support.base = {boundary = "bottom", fixed = ["x", "y"]}
-stage = [{name = "storm", kind = "push", until.time = 1, force = 4}]
-)";
-
-constexpr const char* in_space = R"(geometry = "space"
-gravity = [0, -10, 0]
-mesh = {kind = "box", size = [1, 1, 1], cells = [2, 2, 2]}
-material.clay = {law = "mohr_coulomb", density = 900, young_modulus = 7e6, poisson_ratio = 0.25, cohesion = 2e3, friction_angle = 0}
-body.clay = {material = "clay", regions = ["box"]}
-rigid.ball = {shape = "sphere", center = [0.5, 1.1, 0.5], diameter = 0.2, mass = 30}
-contact.skin = {body = "clay", rigid = "ball", friction_angle = 0.4}
-support.base = {boundary = "bottom", fixed = ["x", "y", "z"]}
-stage = [{name = "storm", kind = "drag", until.time = 1, force = 4}]
-)";
+const std::string square = "gravity = [0, -10]\nmesh = {kind = \"box\", size = [1, 1], cells = [4, 4]}";
+const std::string in_plane = case_text(square, R"(shape = "circle", center = [0.5, 1.1])", R"("x", "y")", "drag");
+const std::string around_axis =
+    case_text("geometry = \"axisymmetric\"\n" + square, R"(shape = "circle", center = [0, 1.1])", R"("x", "y")", "push");
+const std::string in_space =
+    case_text("geometry = \"space\"\ngravity = [0, -10, 0]\nmesh = {kind = \"box\", size = [1, 1, 1], cells = [2, 2, 2]}",
+              R"(shape = "sphere", center = [0.5, 1.1, 0.5])", R"("x", "y", "z")", "drag");
 
 /// A case whose only stage, or the motion of whose base, has the table.
-problem::Case with_table(const char* settings, char kind)
+problem::Case with_table(const std::string& settings, char kind)
 {
   problem::Case c = input::read_case_text("case.toml", settings);
   problem::StageSettings& stage = c.stage[0];

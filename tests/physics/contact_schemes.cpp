@@ -89,6 +89,13 @@ TEST(TwoSidedCorrection, makes_no_energy_in_a_block_that_rests)
   EXPECT_LT(coupled, 0.1 * published);
 }
 
+/// The mean distance at which soil touched the rigid body, by impulse.
+Real mean_gap(const Simulation<2>& run)
+{
+  const contact::ContactSums<2>& sums = run.problem.state.contact_sums[0];
+  return sums.impulse_times_gap / sums.impulse_sum;
+}
+
 TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
 {
   const auto gap_of = [](contact::Detection detection) {
@@ -96,8 +103,7 @@ TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
     c.contact[0].second.detection = detection;
     Simulation<2> run(c);
     take_steps(run, 400);
-    const contact::ContactSums<2>& sums = run.state().contact_sums[0];
-    return sums.impulse_times_gap / sums.impulse_sum;
+    return mean_gap(run);
   };
   const Real overlap = gap_of(contact::Detection::overlap);
   EXPECT_LT(gap_of(contact::Detection::gap), 0.8 * overlap);
@@ -115,13 +121,9 @@ TEST(ParticleRim, that_wears_lets_soil_that_is_sheared_nearer_to_a_pipe_and_make
     take_steps(run, 900);
     return run;
   };
-  const auto gap_of = [](const Simulation<2>& run) {
-    const contact::ContactSums<2>& sums = run.problem.state.contact_sums[0];
-    return sums.impulse_times_gap / sums.impulse_sum;
-  };
   Simulation<2> whole = run_with(contact::ParticleRim::whole), worn = run_with(contact::ParticleRim::worn);
   // Nearly all of a rim goes; soil that the pipe has just reached has most of it.
-  EXPECT_LT(gap_of(worn), 0.5 * gap_of(whole));
+  EXPECT_LT(mean_gap(worn), 0.5 * mean_gap(whole));
   EXPECT_LT(mpm::momentum_error(worn.state()), 1e-12);
   const problem::Totals<2>& t = worn.state().totals;
   const Real kinetic = mpm::sums_over(worn.state().particles[0]).kinetic;

@@ -101,11 +101,7 @@ std::optional<fs::path> absolute_path(const seccomp_notif& call, int folder, int
     const int number = argument < 0 ? AT_FDCWD : static_cast<int>(call.data.args[argument]);
     return fs::read_symlink(number == AT_FDCWD ? process(call) / "cwd" : process(call) / "fd" / std::to_string(number), error);
   };
-  if (path < 0) {
-    const fs::path file = place_of(folder);
-    return error ? std::nullopt : std::optional(file);
-  }
-  if (call.data.args[path] == 0) {  // utimensat of an open file
+  if (path < 0 || call.data.args[path] == 0) {  // an open file; utimensat names it by no path
     const fs::path file = place_of(folder);
     return error ? std::nullopt : std::optional(file);
   }
@@ -181,12 +177,13 @@ Verdict Judge::start(const seccomp_notif& call) const
   return allowed ? Verdict{} : refused(call, "started the program " + file->string());
 }
 
-/// Below /proc and /dev names are others for each process: what Landlock knows it judges itself, and of the rest nothing is allowed.
+/// Below /proc and /dev names are others for each process, but for the files in shared memory: what Landlock knows it judges itself, and of the rest nothing is allowed.
 Verdict Judge::change(const seccomp_notif& call, const fs::path& file, bool only_here) const
 {
   const fs::path path = real(file);
   const auto within = [&](const fs::path& folder) { return is_within(file.lexically_normal(), folder) || is_within(path, folder); };
-  if (within("/proc") || within("/dev")) return only_here ? refused(call, "changed " + file.string()) : Verdict{};
+  if (within("/proc") || (within("/dev") && !is_within(path, "/dev/shm")))
+    return only_here ? refused(call, "changed " + file.string()) : Verdict{};
   if (std::any_of(allowed_.folders.begin(), allowed_.folders.end(), [&](const fs::path& folder) { return is_within(path, folder); }))
     return {};
   // FLTK, which gmsh is made with, keeps settings of its own whatever the geometry is.

@@ -86,7 +86,8 @@ TEST_F(SandboxOfLaw, names_what_a_law_was_kept_from_and_ends_the_run)
                                               {15, "changed /dev/fd/"},
                                               {16, "changed /proc/"},
                                               {17, "changed /proc/"},
-                                              {18, makes}};
+                                              {18, makes},
+                                              {22, "written to /dev/shm/berm_reaching_law"}};
   for (const auto& [act, words] : acts) {
     const Ended ended = run(act);
     EXPECT_EQ(ended.status, 1) << act;
