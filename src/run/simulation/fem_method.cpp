@@ -33,13 +33,15 @@ fem::FemProblem build_for(const RunRequest& request, const io::ScratchFolder& sc
   const Real elements = min_elements(c);
   refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), words_of_count(elements, "elements"),
                         larger_elements);
+  refuse_without_memory_for_gmsh(c);
   return fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
 }
 
 }  // namespace
 
 FemMethod::FemMethod(const RunRequest& request, const io::ScratchFolder& scratch)
-    : problem_(build_for(request, scratch)),
+    : memory_for_mesh_(memory_in_use() + memory_of_gmsh(request.settings)),
+      problem_(build_for(request, scratch)),
       steps_(problem_.model, problem_.state),
       recorder_(problem_.model),
       frame_maker_(problem_.model)
@@ -205,7 +207,8 @@ void FemMethod::print_check(const Context& context)
   const fem::FemModel& model = problem_.model;
   fmt::print("  elements     {}\n  nodes        {}\n  contact      {} points\n", model.mesh.cell_count(), model.mesh.node_count(),
              model.contact.size());
-  fmt::print("  memory       about {:.0f} MiB at most\n", (memory_in_use() + steps_.memory_to_come()) / (1 << 20));
+  fmt::print("  memory       about {:.0f} MiB at most\n",
+             std::max(memory_for_mesh_, memory_in_use() + steps_.memory_to_come()) / (1 << 20));
   fmt::print("  time         about {:.2g} s an iteration with {} thread{}; a push or a drag takes some hundred iterations\n",
              measure_iteration(), context.threads(), context.threads() == 1 ? "" : "s");
 }

@@ -67,6 +67,7 @@ private:
   void refuse_lost_soil() const;
   bool is_last_stage() const;
 
+  Real memory_for_mesh_;  ///< bytes in use while gmsh makes the mesh, with its own
   fem::FemProblem problem_;
   fem::LoadSteps steps_;
   FemRecorder recorder_;

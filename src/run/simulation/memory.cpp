@@ -145,6 +145,14 @@ Real memory_of(const RunSize& size)
   return bytes + std::max(frames, mesh_file);
 }
 
+Real memory_of_gmsh(const problem::Case& c)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  if (bed == nullptr || bed->in_space()) return 0;
+  constexpr Real at_start = 50 * mebibyte, of_cell = 445;  // measured: docs/reliability.md
+  return at_start + of_cell * expected_cells(*bed);
+}
+
 Real memory_in_use()
 {
   return page_count(1);
@@ -177,6 +185,11 @@ void refuse_without_memory(Real bytes, Real in_use, const std::string& what, con
   if (needed > there)
     throw KeyError(fmt::format("mesh: {} need {} of memory at least, and there are {}; {}", what, words_of_memory(needed),
                                words_of_memory(there), advice));
+}
+
+void refuse_without_memory_for_gmsh(const problem::Case& c)
+{
+  refuse_without_memory(memory_of_gmsh(c), memory_in_use(), "gmsh and its mesh", "take larger cells");
 }
 
 template <int dim>

@@ -34,6 +34,10 @@ RunSize size_of(const problem::Problem<dim>& problem);
 template <int dim>
 Real memory_of(const RunSize& size);
 
+/// Bytes that gmsh takes beside the program while it makes the mesh of a bed in the plane. 0 of other meshes: berm makes them, or nobody knows how many cells a
+/// geometry gives.
+Real memory_of_gmsh(const problem::Case& c);
+
 /// Bytes that the program has of the machine's memory now.
 Real memory_in_use();
 
@@ -51,6 +55,9 @@ std::string words_of_count(Real count, const char* of);
 
 /// Throws KeyError where `what` ("5 cells"), which needs so many bytes beside those in use, would need more than there is. advice: what the user can do.
 void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice);
+
+/// The same for gmsh, as it makes the mesh.
+void refuse_without_memory_for_gmsh(const problem::Case& c);
 
 /// The same for a run of the material point method. in_use: what the program had before anything of the run was made.
 template <int dim>

@@ -70,6 +70,7 @@ problem::Problem<dim> build_for(const RunRequest& request, const io::ScratchFold
   const problem::Case c = case_to_run(request);
   const Real in_use = memory_in_use();
   refuse_without_memory<dim>(min_size<dim>(c), in_use);
+  refuse_without_memory_for_gmsh(c);
   mesh::Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
   refuse_without_memory<dim>(min_size(c, mesh), in_use);
   problem::Problem<dim> problem = build(c, std::move(mesh));
@@ -441,12 +442,13 @@ void MpmMethod<d>::print_check(const Context& context)
 {
   std::vector<Index> particles;
   for (const bodies::Particles<d>& of_body : state().particles) particles.push_back(of_body.size());
-  const Real memory = memory_before_ + memory_of<d>(size_of(problem_)), total = expected_time(model().stages);
+  const Real memory = memory_before_ + std::max(memory_of<d>(size_of(problem_)), memory_of_gmsh(case_)),
+             total = expected_time(model().stages);
   const Pace pace = measure_pace();
   fmt::print("  cells        {}\n  nodes        {}\n", model().mesh.cell_count(), model().mesh.node_count());
   for (std::size_t b = 0; b < model().bodies.size(); ++b)
     fmt::print("  particles    {} in body \"{}\"\n", particles[b], model().bodies[b].name);
-  fmt::print("  memory       about {:.0f} MiB at most, while frames are written\n", memory / (1 << 20));
+  fmt::print("  memory       about {:.0f} MiB at most\n", memory / (1 << 20));
   fmt::print("  time step    {:.4g} s\n", pace.dt);
   for (const problem::StageSettings& stage : model().stages)
     if (!(expected_time(stage) > 0))

@@ -2,11 +2,15 @@
 #include "simulation/memory.hpp"
 
 #include "core/error.hpp"
+#include "io/scratch_folder.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "mpm/step.hpp"
 #include "run_folder/frame_maker.hpp"
 
+#include <cstdlib>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 namespace berm::simulation::this_file {
 namespace {
@@ -97,6 +101,42 @@ TEST(Memory, that_is_in_use_counts_with_what_is_needed)
   EXPECT_NO_THROW(refuse_without_memory(there / 4, there / 4, "5 elements", "take larger elements"));
   EXPECT_THROW(refuse_without_memory(there / 4, there, "5 elements", "take larger elements"), KeyError);
   EXPECT_THROW(refuse_without_memory(2 * there, 0, "5 elements", "take larger elements"), KeyError);
+}
+
+TEST(Memory, of_gmsh_is_foretold_for_a_bed)
+{
+  problem::Case c;
+  mesh::SeabedMesh bed;
+  bed.length = 0.65;
+  bed.depth = 0.14;
+  bed.headroom = 0.03;
+  bed.near_size = 4e-4;
+  bed.near_left = -0.022;
+  bed.near_right = 0.064;
+  bed.near_depth = 0.026;
+  bed.near_height = 0.014;
+  bed.growth = 0.25;
+  c.mesh = bed;
+  // A process of its own, since a child begins with as much memory as its parent has.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto make_it_and_compare = [&c] {
+    {
+      const io::ScratchFolder scratch;
+      make_mesh<2>(c.mesh, ".", scratch.path().string());
+    }
+    rusage of_children{};
+    ::getrusage(RUSAGE_CHILDREN, &of_children);
+    const Real over_taken = memory_of_gmsh(c) / (1024. * static_cast<Real>(of_children.ru_maxrss));
+    fmt::print(stderr, "foretold over taken {}\n", over_taken);
+    std::exit(std::abs(over_taken - 1) < 0.1 ? 0 : 1);  // cells are foretold within 7 to 15 %, and half of it is the program
+  };
+  EXPECT_EXIT(make_it_and_compare(), testing::ExitedWithCode(0), "foretold over taken");
+
+  bed.near_size = 1e-7;
+  c.mesh = bed;
+  EXPECT_THROW(refuse_without_memory_for_gmsh(c), KeyError);
+  c.mesh = mesh::BoxMesh{};
+  EXPECT_EQ(memory_of_gmsh(c), 0);
 }
 
 TEST(Memory, that_was_in_use_is_known_when_it_has_been_given_back)
