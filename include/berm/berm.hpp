@@ -53,15 +53,24 @@ struct ParticleField {
 /// A rigid body now. In plane strain z is 0.
 struct RigidBodyNow {
   std::string name;
-  double centre[3];        ///< m
-  double displacement[3];  ///< since the start, m
-  double velocity[3];      ///< m/s
-  double force[3];         ///< of the soil on it in the last step, N/m or N
+  double centre[3];            ///< m
+  double displacement[3];      ///< since the start, m
+  double velocity[3];          ///< m/s
+  double angular_velocity[3];  ///< rad/s; in plane strain about z
+  double force[3];             ///< of the soil on it in the last step, N/m or N
+  double torque[3];            ///< the same about its centre, N or N m
+  /// Of the soil on it since the start, N s/m or N s (0 of finite elements); about the centre as it was then, N s or N m s. The difference of two readings over the time between them is
+  /// the mean force and torque.
+  double impulse[3], angular_impulse[3];
 };
 
-/// One run in the hands of its caller. A process has one at a time that has not ended: a second is a RunError. Until it ends, the calling thread flushes denormal
-/// numbers to zero, and with several threads it is bound to a processor (not where OMP_PROC_BIND=false). A run that is destroyed before its end leaves what a
-/// killed process does: resume() goes on from its last checkpoint.
+/// A freedom of a rigid body: displacement of its centre along an axis, rotation about z in plane strain, about an axis in space.
+enum class Freedom { x, y, z, rotation, rotation_x, rotation_y, rotation_z };
+
+/// One run in the hands of its caller. A process may have several of one thread each, whose functions are called by one thread at a time, and not from a law or a
+/// `message` of another; one of several threads must be alone until it ends, or there is a RunError. While a function works (with several threads: until the run
+/// ends) the calling thread flushes denormal numbers to zero, and with several threads it is bound to a processor (not where OMP_PROC_BIND=false). A run that is
+/// destroyed before its end leaves what a killed process does: resume() goes on from its last checkpoint.
 class Run {
 public:
   /// Reads and builds the case, and finds its start.
@@ -81,6 +90,18 @@ public:
   void finish();
   /// Ends the run where it is: results of what was computed and a checkpoint go to the folder, from which resume() continues.
   void stop();
+
+  /// A second run in the state that this one is in, which goes on by itself to the same bits. It has a folder of its own, "": nothing is kept; a folder that holds
+  /// a run is an InputError. Laws and messages go where those of this run go.
+  Run clone(const std::string& folder = "");
+
+  /// Drives a freedom of the body that the present stage drives otherwise than the stage says, from the next step on until another call or the end of the stage: by a
+  /// velocity (m/s; of a rotation rad/s), or a force (N/m, in space N; of a rotation a moment, N or N m). Of stages of kind "drive", in the material point method;
+  /// otherwise an InputError.
+  void drive_by_velocity(Freedom freedom, double velocity);
+  void drive_by_force(Freedom freedom, double force);
+  /// No step is longer than this from now on, s, more than 0; infinity: any that is stable. It is kept in checkpoints, as drives are.
+  void limit_time_step(double longest);
 
   /// Whether nothing is left to do: it came to its end, or was stopped.
   bool ended() const;

@@ -6,6 +6,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
+
 namespace py = pybind11;
 using namespace py::literals;
 
@@ -54,9 +57,9 @@ public:
       const py::gil_scoped_release free;
       return act();
     } catch (const std::exception&) {
-      if (!thrown_) throw;
+      if (!*thrown_) throw;
       std::exception_ptr thrown;
-      std::swap(thrown, thrown_);
+      std::swap(thrown, *thrown_);
       std::rethrow_exception(thrown);
     }
   }
@@ -94,7 +97,17 @@ public:
 
   berm::Run& run() { return *run_; }
 
+  std::unique_ptr<PythonRun> clone(const std::string& folder)
+  {
+    std::unique_ptr<PythonRun> other(new PythonRun);
+    other->thrown_ = thrown_;
+    other->run_ = freely([&] { return std::make_unique<berm::Run>(run_->clone(folder)); });
+    return other;
+  }
+
 private:
+  PythonRun() = default;
+
   /// A function of Python that is copied and dropped without the interpreter.
   class Callable {
   public:
@@ -113,7 +126,7 @@ private:
 
   std::function<int(berm_law_increment*)> law_of(py::function law)
   {
-    return [this, law = Callable(std::move(law))](berm_law_increment* increment) -> int {
+    return [thrown = thrown_, law = Callable(std::move(law))](berm_law_increment* increment) -> int {
       const py::gil_scoped_acquire held;
       try {
         const py::object answer =
@@ -122,14 +135,14 @@ private:
         if (answer.is_none()) return berm_law_done;
         return answer.cast<bool>() ? berm_law_done : berm_law_smaller;
       } catch (...) {
-        if (!thrown_) thrown_ = std::current_exception();
+        if (!*thrown) *thrown = std::current_exception();
         return berm_law_failed;
       }
     };
   }
 
   std::unique_ptr<berm::Run> run_;
-  std::exception_ptr thrown_;
+  std::shared_ptr<std::exception_ptr> thrown_ = std::make_shared<std::exception_ptr>();  ///< also of clones, whose laws are the same
 };
 
 /// Interrupts (Ctrl-C) are looked at between batches of steps, which take a fraction of a second.
@@ -174,6 +187,23 @@ py::dict particles(const py::object& self, const std::string& body)
   return fields;
 }
 
+berm::Freedom freedom_of(const std::string& name)
+{
+  const std::array<std::string, 7> names = {"x", "y", "z", "rotation", "rotation_x", "rotation_y", "rotation_z"};  // as berm::Freedom
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw berm::InputError("drive: there is no freedom \"" + name + "\": x, y, z, rotation, rotation_x, rotation_y, rotation_z");
+  return static_cast<berm::Freedom>(found - names.begin());
+}
+
+void drive(PythonRun& self, const std::map<std::string, double>& velocity, const std::map<std::string, double>& force)
+{
+  for (const auto& [name, value] : force)
+    if (velocity.count(name) > 0) throw berm::InputError("drive: " + name + " has a velocity and a force");
+  for (const auto& [name, value] : velocity) self.run().drive_by_velocity(freedom_of(name), value);
+  for (const auto& [name, value] : force) self.run().drive_by_force(freedom_of(name), value);
+}
+
 py::array_t<double> three(const double (&numbers)[3])
 {
   return py::array_t<double>(3, numbers);
@@ -183,7 +213,7 @@ py::array_t<double> three(const double (&numbers)[3])
 
 PYBIND11_MODULE(engine, module)
 {
-  module.doc() = "Steps a case inside this process: one run at a time, on arrays that lie in the run's own memory.";
+  module.doc() = "Steps cases inside this process, on arrays that lie in the runs' own memory.";
   const py::module_ errors = py::module_::import("berm.errors");
   static const py::object input_error = errors.attr("InputError"), run_error = errors.attr("RunError");
   py::register_exception_translator([](std::exception_ptr thrown) {
@@ -208,9 +238,21 @@ PYBIND11_MODULE(engine, module)
       .def_property_readonly(
           "velocity", [](const berm::RigidBodyNow& body) { return three(body.velocity); }, "m/s")
       .def_property_readonly(
-          "force", [](const berm::RigidBodyNow& body) { return three(body.force); }, "of the soil on it in the last step, N/m, in space N");
+          "angular_velocity", [](const berm::RigidBodyNow& body) { return three(body.angular_velocity); },
+          "rad/s; in plane strain the last of the three")
+      .def_property_readonly(
+          "force", [](const berm::RigidBodyNow& body) { return three(body.force); }, "of the soil on it in the last step, N/m, in space N")
+      .def_property_readonly(
+          "torque", [](const berm::RigidBodyNow& body) { return three(body.torque); }, "the same about its centre, N, in space N m")
+      .def_property_readonly(
+          "impulse", [](const berm::RigidBodyNow& body) { return three(body.impulse); },
+          "of the soil on it since the start, N s/m, in space N s: the difference of two readings over the time between them is the mean "
+          "force")
+      .def_property_readonly(
+          "angular_impulse", [](const berm::RigidBodyNow& body) { return three(body.angular_impulse); },
+          "the same of the torque, N s, in space N m s");
 
-  py::class_<PythonRun>(module, "Run", "One run in the hands of its caller; a process has one at a time that has not ended.")
+  py::class_<PythonRun>(module, "Run", "One run in the hands of its caller; a process may have several of one thread each.")
       .def(
           py::init<const std::string&, const py::dict&, const std::string&, bool, int, const py::dict&, const py::object&,
                    const std::string&>(),
@@ -234,6 +276,21 @@ PYBIND11_MODULE(engine, module)
       .def(
           "stop", [](PythonRun& self) { self.freely([&] { self.run().stop(); }); },
           "Ends the run with results and a checkpoint in its folder.")
+      .def(
+          "clone", [](PythonRun& self, const std::string& folder) { return self.clone(folder); }, "folder"_a = "",
+          "A second run in the state that this one is in, which goes on by itself to the same bits, in a folder of its own; without one "
+          "nothing is kept.")
+      .def("drive", &drive, py::kw_only(), "velocity"_a = std::map<std::string, double>(), "force"_a = std::map<std::string, double>(),
+           "Drives freedoms of the body that the present stage, of kind \"drive\", drives: x, y and rotation in plane strain; x, y, z, "
+           "rotation_x, "
+           "rotation_y and\n"
+           "rotation_z in space. velocity: m/s, rad/s. force: N/m, of a rotation N; in space N and N m. It stays until another call or the "
+           "end of the "
+           "stage.\n"
+           "Throws InputError.")
+      .def(
+          "limit_time_step", [](PythonRun& self, double longest) { self.run().limit_time_step(longest); }, "longest"_a,
+          "No step is longer than this from now on, s; math.inf: any that is stable.")
       .def_property_readonly("ended", [](PythonRun& self) { return self.run().ended(); })
       .def_property_readonly("finished", [](PythonRun& self) { return self.run().finished(); })
       .def_property_readonly("steps", [](PythonRun& self) { return self.run().steps(); })

@@ -118,8 +118,6 @@ def test_errors_are_those_of_the_package(case: Path, tmp_path: Path) -> None:
     with pytest.raises(TypeError, match="not a function: 3"):
         engine.Run(str(case), laws={"sand": 3})
     run = engine.Run(str(case), folder=str(tmp_path / "run"))
-    with pytest.raises(berm.RunError, match="one run at a time"):
-        engine.Run(str(case))
     with pytest.raises(berm.InputError, match="no body"):
         run.particles("snad")
     with pytest.raises(berm.InputError, match="0 or more"):
@@ -130,6 +128,47 @@ def test_errors_are_those_of_the_package(case: Path, tmp_path: Path) -> None:
     assert resumed.steps >= 50
     resumed.finish()
     assert resumed.finished
+
+
+def test_a_caller_drives_the_body_of_a_stage(case: Path, tmp_path: Path) -> None:
+    text = case.read_text()
+    begin, end = text.index('[[stage]]\nname = "drag"'), text.index("[output]")
+    stage = '[[stage]]\nname = "follow"\nkind = "drive"\ndrive.x.velocity = 0\nuntil.time = "10 ms"\n'
+    file = tmp_path / "driven.toml"
+    file.write_text(text[:begin] + text[end:] + stage)
+    run = engine.Run(str(file))
+    with pytest.raises(berm.InputError, match="is no drive"):
+        run.drive(velocity={"x": 1.0})
+    while run.stage != "follow":
+        run.step()
+    other = run.clone()
+    del run
+    gc.collect()
+    before, begin_time = other.rigid_bodies[0], other.time
+    other.drive(velocity={"x": 0.2})
+    other.limit_time_step(1e-5)
+    other.step(100)
+    after = other.rigid_bodies[0]
+    assert other.time_step == 1e-5
+    assert after.displacement[0] - before.displacement[0] == pytest.approx(0.2 * (other.time - begin_time), rel=1e-9)
+    assert (after.impulse - before.impulse)[0] < 0
+    assert after.angular_velocity[:2].tolist() == [0, 0] and after.torque[:2].tolist() == [0, 0], "about z alone in the plane"
+    with pytest.raises(berm.InputError, match='no freedom "u"'):
+        other.drive(velocity={"u": 1.0})
+    with pytest.raises(berm.InputError, match="a velocity and a force"):
+        other.drive(velocity={"x": 1.0}, force={"x": 1.0})
+
+
+def test_a_clone_keeps_the_laws_of_its_run(own_case: Path) -> None:
+    run = engine.Run(str(own_case), laws={"sand": elastic})
+    run.step(5)
+    other = run.clone()
+    run.step(5)
+    forces = run.rigid_bodies[0].force
+    del run
+    gc.collect()
+    other.step(5)
+    assert np.array_equal(other.rigid_bodies[0].force, forces)
 
 
 def test_other_threads_go_on_while_a_run_steps(case: Path) -> None:

@@ -12,7 +12,7 @@ TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOT = os.path.dirname(TESTS)
 BUILD = os.path.join(ROOT, "build", "release")
 SAMPLES = os.path.join(TESTS, "samples")
-TIME_LIMIT = 120  # s, of a run that takes a part of one
+TIME_LIMIT = 600  # s, of a run that takes a part of one
 
 
 def run_of(case, *changes):

@@ -117,13 +117,19 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
 }  // namespace
 
 template <int dim>
-void step(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
+void find_stable_time_step(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
 {
-  if (state.step % steps_between_time_steps == 0) {
-    update_inactive_cells(model, state, workspace);
-    state.dt = stable_time_step(model, state, workspace);
-    refuse_overlap(model, state);
-  }
+  if (state.stable_dt_holds) return;
+  update_inactive_cells(model, state, workspace);
+  state.stable_dt = stable_time_step(model, state, workspace);
+  refuse_overlap(model, state);
+  state.stable_dt_holds = true;
+}
+
+template <int dim>
+void take_step(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
+{
+  state.dt = std::min(state.stable_dt, state.max_dt);
   for (BodyGrid<dim>& grid : workspace.grids) grid.fixed = model.fixed_in[state.stage.index];
   hold_inactive_cells(model, state, workspace);
   drive_rigids(model, state, state.dt);
@@ -135,9 +141,22 @@ void step(const problem::Model<dim>& model, problem::State<dim>& state, Workspac
   move_rigids(state);
   state.time += state.dt;
   ++state.step;
+  state.stable_dt_holds = state.step % steps_between_time_steps != 0;
 }
 
-template void step(const problem::Model<2>&, problem::State<2>&, Workspace<2>&);
-template void step(const problem::Model<3>&, problem::State<3>&, Workspace<3>&);
+template <int dim>
+void step(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
+{
+  find_stable_time_step(model, state, workspace);
+  take_step(model, state, workspace);
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void find_stable_time_step(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);                                  \
+  template void take_step(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);                                              \
+  template void step(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
 
 }  // namespace berm::mpm

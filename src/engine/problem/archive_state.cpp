@@ -207,6 +207,9 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   k("step", state.step);
   if (k.reads() && (state.step < 0 || state.step > max_steps)) k.refuse(fmt::format("there is no step {}", state.step));
   k("dt", state.dt);
+  k("stable_dt", state.stable_dt);
+  k("stable_dt_holds", state.stable_dt_holds);
+  k("max_dt", state.max_dt);
   k.table("stage", [&] { archive(k, model, state.stage); });
   if (model.mpm.active_distance) k.table("active_soil", [&] { archive(k, state.active_soil, state.rigid_bodies.size()); });
   k.table("totals", [&] { archive(k, state.totals); });

@@ -242,6 +242,9 @@ struct State {
   Real time = 0;
   BigIndex step = 0;
   Real dt = 0;                                    ///< s, the time step in force
+  Real stable_dt = 0;                             ///< s, the longest that is stable, as it was found last
+  bool stable_dt_holds = false;                   ///< for the step to come; else it is found anew
+  Real max_dt = infinity;                         ///< s, which the caller allows
   std::vector<bodies::Particles<dim>> particles;  ///< by body
   std::vector<std::int32_t> numbered;             ///< by body: particles that have got a number so far
   std::vector<EarthworkState<dim>> earthworks;    ///< by Model::earthworks

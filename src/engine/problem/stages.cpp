@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/stages.hpp"
 
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 
 namespace berm::problem {
 template <int dim>
@@ -166,6 +169,38 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
     }
     now.drive[f].spring = drive.spring;
   }
+}
+
+namespace {
+
+Real least_inertia(Real inertia)
+{
+  return inertia;
+}
+Real least_inertia(const Vec<3>& inertia)
+{
+  return inertia.minCoeff();
+}
+
+}  // namespace
+
+template <int dim>
+void drive_otherwise(const Model<dim>& model, State<dim>& state, int freedom, bool by_force, Real value)
+{
+  const StageSettings& stage = model.stages[state.stage.index];
+  const auto refuse = [&](const char* why) { throw InputError(fmt::format("the stage \"{}\" {}", stage.name, why)); };
+  if (stage.kind != StageKind::drive) refuse("is no drive, and its body cannot be driven otherwise: kind = \"drive\" can");
+  if (has_load_history(stage)) refuse("has a load history, which drives its body");
+  if (!std::isfinite(value)) refuse("cannot drive its body by a number that is not finite");
+  bodies::Drive& drive = state.stage.drive[freedom];
+  if (drive.spring > 0) refuse("has a spring in this freedom");
+  const bodies::RigidBody<dim>& body = model.rigid_bodies[model.driven[state.stage.index]];
+  const bool turns = freedom >= dim;
+  if (by_force && !turns && !(body.mass > 0)) refuse("drives a body without a mass, which no force can move");
+  if (by_force && turns && !(least_inertia(body.inertia) > 0))
+    refuse("drives a body without a moment of inertia, which no moment can turn");
+  if (turns && !is_bounded(body.shape)) refuse("drives a half-plane, which cannot rotate");
+  drive = {by_force, value, value, 0};
 }
 
 template <int dim>
@@ -352,6 +387,7 @@ Real expected_time(const std::vector<StageSettings>& stages)
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template RigidTravel travel_of(const Model<dim>&, const State<dim>&, Index);                                                             \
   template Real drag_direction(const Model<dim>&, const State<dim>&);                                                                      \
+  template void drive_otherwise(const Model<dim>&, State<dim>&, int, bool, Real);                                                          \
   template bool lifts(const Model<dim>&, const State<dim>&);                                                                               \
   template bool force_reached(const Model<dim>&, const State<dim>&, Real);                                                                 \
   template Real beyond_force_limit(const Model<dim>&, const State<dim>&);                                                                  \

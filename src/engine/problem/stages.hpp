@@ -57,6 +57,11 @@ Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies
 template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state);
 
+/// Drives a freedom of the driven body otherwise than its stage says, from the next step on until another call or the end of the stage: by a velocity (m/s, rad/s)
+/// or a force (N/m, in space N; of a rotation a moment, N or N m), at once. Throws InputError where the stage is no drive, or a spring or a load history is in it.
+template <int dim>
+void drive_otherwise(const Model<dim>& model, State<dim>& state, int freedom, bool by_force, Real value);
+
 /// Whether the present stage lifts its body, by a velocity upwards or a force above the one that it began with: w and V then fall to their limits. Not by a
 /// load history.
 template <int dim>

@@ -41,6 +41,27 @@ simulation::RunRequest request_to_resume(const std::string& folder, const RunOpt
   return *std::move(request);
 }
 
+/// By its place among those of the geometry: two displacements and a rotation, or three of each.
+int place_of(Freedom freedom, int dim)
+{
+  const int k = static_cast<int>(freedom);
+  if (freedom == Freedom::x || freedom == Freedom::y) return k;
+  if (dim == 2 && freedom == Freedom::rotation) return 2;
+  if (dim == 3 && freedom == Freedom::z) return 2;
+  if (dim == 3 && freedom > Freedom::rotation) return k - 1;
+  throw InputError(dim == 2 ? "drive: is no freedom in plane strain: x, y and rotation are"
+                            : "drive: is no freedom in space: x, y, z and rotation_x, _y, _z are");
+}
+
+/// With its checkpoints; the lock is each folder's own.
+void copy_run(const fs::path& from, const fs::path& to)
+{
+  std::error_code error;
+  fs::create_directories(to, error);
+  if (!error) fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::copy_symlinks, error);
+  if (error) throw RunError(fmt::format("the run in {} cannot be copied to {}: {}", from.string(), to.string(), error.message()));
+}
+
 int threads_of(const RunOptions& options)
 {
   constexpr int most = 1024;
@@ -60,12 +81,35 @@ struct Run::Parts {
     return std::visit([&](const auto& open) { return act(*open); }, run);
   }
 
+  /// While it lives the run has the calling thread and the process's messages.
+  class AtWork {
+  public:
+    explicit AtWork(Parts& parts) : parts_(parts)
+    {
+      if (!parts_.context) return;
+      parts_.context->go_on();
+      parts_.visit([](auto& open) { open.take_over(); });
+    }
+    ~AtWork()
+    {
+      parts_.visit([](auto& open) { open.step_aside(); });
+      if (parts_.context) parts_.context->pause();
+    }
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+
+  private:
+    Parts& parts_;
+  };
+
   Parts(const RunOptions& options, const std::function<simulation::RunRequest(const io::ScratchFolder&)>& request)
       : keeps(!options.folder.empty()),
+        options(options),
         context(
             std::in_place, threads_of(options), [this] { return asked_to_stop; }, std::make_shared<MessageSink>(options.message)),
         run(simulation::open_run(request(scratch), *context))
   {
+    const AtWork at_work(*this);
     visit([](auto& open) { open.begin(); });
   }
 
@@ -73,6 +117,7 @@ struct Run::Parts {
   bool advance()
   {
     if (ended) return false;
+    const AtWork at_work(*this);
     try {
       if (visit([](auto& open) { return open.advance(); })) return true;
       finished = visit([this](auto& open) { return keeps ? open.end() : open.end_without_results(); });
@@ -96,7 +141,21 @@ struct Run::Parts {
     return visit([](const auto& open) { return open.run().rows(); });
   }
 
+  /// A drive of the caller's, or a limit of the time step: act(MpmMethod&).
+  template <class Act>
+  void change(const char* what, const Act& act)
+  {
+    if (ended) throw InputError(fmt::format("{}: the run has ended", what));
+    visit([&](auto& open) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(open.method())>, simulation::FemMethod>)
+        throw InputError(fmt::format("{}: is for method = \"mpm\": finite elements go from one equilibrium to the next", what));
+      else
+        act(open.method());
+    });
+  }
+
   bool keeps, asked_to_stop = false, ended = false, finished = false;
+  RunOptions options;
   io::ScratchFolder scratch;
   std::optional<simulation::Context> context;  ///< until the run ends: then another may begin
   simulation::AnyOpenRun run;
@@ -151,6 +210,43 @@ void Run::stop()
 {
   parts_->asked_to_stop = true;
   finish();
+}
+
+Run Run::clone(const std::string& folder)
+{
+  if (parts_->ended) throw InputError("clone: the run has ended");
+  if (!folder.empty() && simulation::has_begun(folder)) throw InputError(fmt::format("clone: {} holds a run: name another folder", folder));
+  {
+    const Parts::AtWork at_work(*parts_);
+    parts_->visit([](auto& open) { open.keep(); });
+  }
+  RunOptions options = parts_->options;
+  options.set.clear();
+  options.folder.clear();
+  options.replace = false;
+  auto parts = std::make_unique<Parts>(options, [&](const io::ScratchFolder& scratch) {
+    const fs::path copy = folder.empty() ? scratch.path() / "run" : fs::path(folder);
+    parts_->visit([&](auto& open) { copy_run(open.folder(), copy); });
+    return request_to_resume(copy.string(), options);
+  });
+  parts->keeps = !folder.empty();
+  return Run(std::move(parts));
+}
+
+void Run::drive_by_velocity(Freedom freedom, double velocity)
+{
+  parts_->change("drive", [&](auto& method) { method.drive(place_of(freedom, std::decay_t<decltype(method)>::dim), false, velocity); });
+}
+
+void Run::drive_by_force(Freedom freedom, double force)
+{
+  parts_->change("drive", [&](auto& method) { method.drive(place_of(freedom, std::decay_t<decltype(method)>::dim), true, force); });
+}
+
+void Run::limit_time_step(double longest)
+{
+  if (!(longest > 0)) throw InputError(fmt::format("limit_time_step: {} s: it must be more than 0", longest));
+  parts_->change("limit_time_step", [&](auto& method) { method.limit_time_step(longest); });
 }
 
 bool Run::ended() const
@@ -230,14 +326,27 @@ std::vector<RigidBodyNow> Run::rigid_bodies() const
     const auto& states = open.method().state().rigid_bodies;
     std::vector<RigidBodyNow> all;
     for (std::size_t r = 0; r < states.size(); ++r) {
-      RigidBodyNow now{model.rigid_bodies[r].name, {}, {}, {}, {}};
+      RigidBodyNow now{};
+      now.name = model.rigid_bodies[r].name;
+      const auto& all_sums = open.method().state().contact_sums;
+      const contact::ContactSums<dim> sums = r < all_sums.size() ? all_sums[r] : contact::ContactSums<dim>{};
       const Vec<dim> centre = center_now(model.rigid_bodies[r], states[r]);
       for (int d = 0; d < dim; ++d) {
         now.centre[d] = centre[d];
         now.displacement[d] = states[r].displacement[d];
         now.velocity[d] = states[r].velocity[d];
         now.force[d] = states[r].reaction[d];
+        now.impulse[d] = -sums.impulse[d];
       }
+      const auto about = [](double(&numbers)[3], const auto& angular, double sign) {
+        if constexpr (dim == 2)
+          numbers[2] = sign * angular;
+        else
+          for (int d = 0; d < 3; ++d) numbers[d] = sign * angular[d];
+      };
+      about(now.angular_velocity, states[r].angular_velocity, 1);
+      about(now.torque, states[r].torque, 1);
+      about(now.angular_impulse, sums.torque_impulse, -1);
       all.push_back(now);
     }
     return all;

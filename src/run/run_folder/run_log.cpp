@@ -112,25 +112,38 @@ private:
 RunLog::RunLog(const std::filesystem::path& file, bool resume, const std::shared_ptr<spdlog::sinks::sink>& instead)
     : has_terminal_(!instead && ::isatty(STDERR_FILENO) == 1),
       terminal_(std::make_shared<StderrSink>()),
-      file_(std::make_shared<LogFileSink>(file, resume)),
-      before_(spdlog::default_logger())
+      file_(std::make_shared<LogFileSink>(file, resume))
 {
   file_->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));
   terminal_->set_formatter(formatter("%^%*%$%v", "berm: "));
   file_only_ = std::make_shared<spdlog::logger>("file", file_);
   if (instead) instead_ = std::make_shared<spdlog::logger>("results", instead);
-  auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{instead ? instead : terminal_, file_});
-  both->flush_on(spdlog::level::info);
-  spdlog::set_default_logger(both);
+  own_ = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{instead ? instead : terminal_, file_});
+  own_->flush_on(spdlog::level::info);
+  take_over();
 }
 
 RunLog::~RunLog()
 {
   try {
     rewrite_line("");
-    spdlog::set_default_logger(before_);
+    step_aside();
   } catch (const std::bad_alloc&) {  // what is said from here on goes to this log, too
   }
+}
+
+void RunLog::take_over()
+{
+  if (before_) return;
+  before_ = spdlog::default_logger();
+  spdlog::set_default_logger(own_);
+}
+
+void RunLog::step_aside()
+{
+  if (!before_) return;
+  spdlog::set_default_logger(before_);
+  before_.reset();
 }
 
 void RunLog::rewrite_line(std::string_view line)

@@ -12,7 +12,7 @@ namespace berm::run_folder {
 class StderrSink;
 class LogFileSink;
 
-/// While it lives, spdlog's messages go to stderr ("warning: ..." in colour on a terminal) and, with their time, to the run's log file.
+/// While it lives, and has not stepped aside, spdlog's messages go to stderr ("warning: ..." in colour on a terminal) and, with their time, to the run's log file.
 /// On a terminal it also keeps one line that is rewritten in place, below the messages.
 class RunLog {
 public:
@@ -23,6 +23,9 @@ public:
   RunLog(const RunLog&) = delete;
   RunLog& operator=(const RunLog&) = delete;
 
+  /// Leaves spdlog's messages to whoever had them before, until take_over().
+  void step_aside();
+  void take_over();
   /// True where messages go to stderr and that is a terminal.
   bool has_terminal() const { return has_terminal_; }
   /// Shows the line in place of the one before, cut to the terminal's width; an empty one clears it. Never goes to the file.
@@ -38,7 +41,8 @@ private:
   bool has_terminal_;
   std::shared_ptr<StderrSink> terminal_;
   std::shared_ptr<LogFileSink> file_;
-  std::shared_ptr<spdlog::logger> file_only_, before_, instead_;
+  std::shared_ptr<spdlog::logger> own_, file_only_, instead_;
+  std::shared_ptr<spdlog::logger> before_;  ///< while this has stepped aside: none
 };
 
 }  // namespace berm::run_folder

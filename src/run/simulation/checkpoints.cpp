@@ -23,16 +23,19 @@ bool Checkpoints::due() const
   return asked_ || (wall_time_ > 0 && Clock::now() - last_ >= std::chrono::duration<Real>(wall_time_));
 }
 
-void Checkpoints::write(BigIndex step, const checkpoint::Contents& contents)
+bool Checkpoints::write(BigIndex step, const checkpoint::Contents& contents)
 {
   const Timer timer("write checkpoints");
+  bool written = false;
   try {
     folder_.write(step, contents);
+    written = true;
   } catch (const RunError& error) {
     spdlog::warn("no checkpoint of step {}: {}", step, error.what());
   }
   last_ = Clock::now();
   asked_ = false;
+  return written;
 }
 
 bool Checkpoints::read(const checkpoint::Contents& contents)

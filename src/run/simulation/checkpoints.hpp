@@ -20,8 +20,8 @@ public:
   /// One is to be written as soon as it can be.
   void ask() { asked_ = true; }
   bool due() const;
-  /// Where it cannot be written the run continues with a warning: the one before it is still there.
-  void write(BigIndex step, const checkpoint::Contents& contents);
+  /// Where it cannot be written the run continues with a warning: the one before it is still there. Returns whether it is written.
+  bool write(BigIndex step, const checkpoint::Contents& contents);
   /// Another rank writes it.
   void skip_checkpoint() { last_ = Clock::now(), asked_ = false; }
   /// Reads the last one that can be used and says which; the others are reported with what is wrong with them. False where there is none. Throws

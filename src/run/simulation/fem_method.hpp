@@ -47,6 +47,7 @@ public:
   bool stage_ended() const { return problem::stage_ended(model(), state()) || (trial_ && trial_->failed()); }
   bool next_stage();
   bool at_checkpoint_boundary() const { return true; }
+  void come_to_checkpoint_boundary() const {}
   void archive(Archive& k);
   /// One process has all.
   struct Whole {};

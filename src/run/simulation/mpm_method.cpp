@@ -351,7 +351,27 @@ void MpmMethod<d>::log_force_limit(const problem::StageSettings& stage)
 template <int d>
 bool MpmMethod<d>::at_checkpoint_boundary() const
 {
-  return state().step % mpm::steps_between_time_steps != 0;
+  return state().stable_dt_holds;
+}
+
+template <int d>
+void MpmMethod<d>::come_to_checkpoint_boundary()
+{
+  if (at_checkpoint_boundary()) return;
+  if (!model().earthworks.empty()) throw RunError("earthworks may be due now: step once more");
+  find_stable_time_step(problem_.model, problem_.state, *workspace_);
+}
+
+template <int d>
+void MpmMethod<d>::drive(int freedom, bool by_force, Real value)
+{
+  drive_otherwise(problem_.model, problem_.state, freedom, by_force, value);
+}
+
+template <int d>
+void MpmMethod<d>::limit_time_step(Real dt)
+{
+  problem_.state.max_dt = dt;
 }
 
 template <int d>

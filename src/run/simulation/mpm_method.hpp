@@ -58,6 +58,12 @@ public:
   bool next_stage();
   /// The time step is chosen by the velocities of the nodes in the step before, which are no part of the state: not where it is due.
   bool at_checkpoint_boundary() const;
+  /// Chooses it now. Throws RunError where earthworks, which come before it, may be due.
+  void come_to_checkpoint_boundary();
+  /// As problem::drive_otherwise.
+  void drive(int freedom, bool by_force, Real value);
+  /// No step is longer from now on, s.
+  void limit_time_step(Real dt);
   void archive(Archive& k);
   /// The state of all ranks, on the first of them, while this lives.
   mpm::WholeState<d> whole_state();

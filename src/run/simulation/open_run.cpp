@@ -68,6 +68,24 @@ bool OpenRun<Method>::advance()
 }
 
 template <class Method>
+void OpenRun<Method>::keep()
+{
+  run_.keep();
+}
+
+template <class Method>
+void OpenRun<Method>::step_aside()
+{
+  if (place_) place_->log().step_aside();
+}
+
+template <class Method>
+void OpenRun<Method>::take_over()
+{
+  if (place_) place_->log().take_over();
+}
+
+template <class Method>
 bool OpenRun<Method>::end_without_results()
 {
   run_.end();

@@ -24,12 +24,18 @@ public:
   void begin();
   /// One step, and the output that is due after it. Returns whether the run goes on.
   bool advance();
+  /// Writes a checkpoint of this moment into its folder.
+  void keep();
+  /// Leaves the process's messages to others, and takes them again.
+  void step_aside();
+  void take_over();
   /// After the last step: writes the results. Returns whether the run came to its end.
   bool end();
   /// The same of a run whose results nobody wants.
   bool end_without_results();
   bool to_the_end();
 
+  const std::filesystem::path& folder() const { return place_->folder().path(); }
   Method& method() { return method_; }
   const Run<Method>& run() const { return run_; }
 

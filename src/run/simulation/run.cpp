@@ -79,6 +79,14 @@ bool Run<Method>::advance()
 }
 
 template <class Method>
+void Run<Method>::keep()
+{
+  method_.come_to_checkpoint_boundary();
+  if (!write_checkpoint())
+    throw RunError(fmt::format("the state of step {} could not be written to {}", state().step, folder_.path().string()));
+}
+
+template <class Method>
 void Run<Method>::end()
 {
   if constexpr (!std::is_same_v<Method, FemMethod>) Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
@@ -128,12 +136,12 @@ void Run<Method>::step()
 }
 
 template <class Method>
-void Run<Method>::write_checkpoint()
+bool Run<Method>::write_checkpoint()
 {
   [[maybe_unused]] const auto whole = method_.whole_state();
-  if (!Ranks::of_run().is_first()) return checkpoints_.skip_checkpoint();
+  if (!Ranks::of_run().is_first()) return checkpoints_.skip_checkpoint(), true;
   history_bytes_ = history_->sync();  // a history that the disk does not take ends the run, a checkpoint does not
-  checkpoints_.write(state().step, [&](Archive& k) { archive(k); });
+  return checkpoints_.write(state().step, [&](Archive& k) { archive(k); });
 }
 
 /// All that a checkpoint holds. What must fit comes first.

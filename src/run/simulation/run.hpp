@@ -27,6 +27,8 @@ public:
   void begin();
   /// One step, and the output that is due after it. Returns whether the run goes on: it is neither finished nor asked to stop.
   bool advance();
+  /// Writes a checkpoint of this moment. Throws RunError where it cannot be written.
+  void keep();
   /// After the last step.
   void end();
   /// Writes what follows from the history and from the last frame; also of a run that failed after it began.
@@ -43,7 +45,7 @@ private:
   bool decides_now() const;
   void step();
   void step_of_method();
-  void write_checkpoint();
+  bool write_checkpoint();
   std::filesystem::path history_path() const { return folder_.file("history.csv"); }
   void archive(Archive& k);
   void archive_progress(Archive& k);

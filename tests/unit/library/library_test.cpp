@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // berm as a library, by nothing but its public header.
+#include "samples/error_of.hpp"
 #include "samples/program.hpp"
 #include "samples/small_cases.hpp"
 
@@ -69,18 +70,6 @@ double mass_of(const std::vector<ParticleField>& fields)
   return sum;
 }
 
-/// What the library throws, "" where it does not throw it.
-template <class Error, class Act>
-std::string error_of(const Act& act)
-{
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST_F(Library, steps_both_methods_to_the_bytes_of_the_program)
 {
   for (const std::string name : {"case", "fem"}) {
@@ -136,7 +125,7 @@ TEST_F(Library, shows_particles_where_they_lie)
   for (std::size_t b = 0; b < velocity.blocks; ++b)
     for (std::size_t lane = 0; lane < velocity.lanes; ++lane) fastest = std::max(fastest, std::abs(number(velocity, b, 1, lane)));
   EXPECT_GT(fastest, 0);
-  EXPECT_NE(error_of<InputError>([&] { run.particles("snad"); }).find("no body \"snad\""), std::string::npos);
+  EXPECT_NE(test::error_of<InputError>([&] { run.particles("snad"); }).find("no body \"snad\""), std::string::npos);
 }
 
 TEST_F(Library, shows_rigid_bodies_as_the_history_has_them)
@@ -182,13 +171,13 @@ TEST_F(Library, resumes_a_run_that_was_stopped_to_the_same_bytes)
     EXPECT_FALSE(run.finished());
     EXPECT_FALSE(run.step()) << "nothing is left to do";
   }
-  EXPECT_NE(error_of<InputError>([&] { OneRun(path("case.toml"), into("parts")); }).find("holds a run"), std::string::npos);
+  EXPECT_NE(test::error_of<InputError>([&] { OneRun(path("case.toml"), into("parts")); }).find("holds a run"), std::string::npos);
   OneRun run = OneRun::resume(path("parts"));
   EXPECT_GE(run.steps(), 300);
   run.finish();
   EXPECT_TRUE(run.finished());
   expect_same_run("whole", "parts");
-  EXPECT_NE(error_of<InputError>([&] { OneRun::resume(path("parts")); }).find("is finished"), std::string::npos);
+  EXPECT_NE(test::error_of<InputError>([&] { OneRun::resume(path("parts")); }).find("is finished"), std::string::npos);
 }
 
 /// E = 7 MPa and nu = 0.25 as a law of the program's own, which counts its calls.
@@ -244,14 +233,14 @@ TEST_F(Library, refuses_laws_that_nothing_asks_for_and_tells_of_those_that_fail)
   folder_.write("own.toml", case_with_law());
   RunOptions options;
   options.laws["clay"] = [](berm_law_increment*) { return int(berm_law_done); };
-  EXPECT_NE(error_of<InputError>([&] { OneRun(path("own.toml"), options); }).find("material.clay"), std::string::npos);
+  EXPECT_NE(test::error_of<InputError>([&] { OneRun(path("own.toml"), options); }).find("material.clay"), std::string::npos);
   options.laws.clear();
-  EXPECT_NE(error_of<InputError>([&] { OneRun(path("own.toml"), options); }).find("none.so"), std::string::npos)
+  EXPECT_NE(test::error_of<InputError>([&] { OneRun(path("own.toml"), options); }).find("none.so"), std::string::npos)
       << "the library of the case is missing";
   int calls = 0;
   options.laws["sand"] = [&](berm_law_increment* increment) { return calls > 20000 ? int(berm_law_failed) : elastic(increment, &calls); };
   OneRun run(path("own.toml"), options);
-  EXPECT_NE(error_of<RunError>([&] { run.finish(); }).find("says that it failed"), std::string::npos);
+  EXPECT_NE(test::error_of<RunError>([&] { run.finish(); }).find("says that it failed"), std::string::npos);
   EXPECT_TRUE(run.ended());
   EXPECT_FALSE(run.finished());
 }
@@ -261,21 +250,20 @@ TEST_F(Library, says_what_is_wrong_with_a_case)
   std::string text = test::small_case;
   text.replace(text.find("young_modulus"), 13, "young_modulos");
   folder_.write("wrong.toml", text);
-  const std::string error = error_of<InputError>([&] { OneRun(path("wrong.toml")); });
+  const std::string error = test::error_of<InputError>([&] { OneRun(path("wrong.toml")); });
   EXPECT_NE(error.find("wrong.toml:14"), std::string::npos) << error;
   EXPECT_NE(error.find("young_modulus"), std::string::npos) << error;
   RunOptions options;
   options.set = {"stage.drag.velocity=-"};
-  EXPECT_FALSE(error_of<InputError>([&] { OneRun(path("case.toml"), options); }).empty());
+  EXPECT_FALSE(test::error_of<InputError>([&] { OneRun(path("case.toml"), options); }).empty());
   for (const int threads : {-1, 1025}) {
     RunOptions wrong;
     wrong.threads = threads;
-    EXPECT_NE(error_of<InputError>([&] { OneRun(path("case.toml"), wrong); }).find("threads: " + std::to_string(threads)),
+    EXPECT_NE(test::error_of<InputError>([&] { OneRun(path("case.toml"), wrong); }).find("threads: " + std::to_string(threads)),
               std::string::npos);
   }
   OneRun run(path("case.toml"));
-  EXPECT_FALSE(error_of<InputError>([&] { run.step(-1); }).empty());
-  EXPECT_NE(error_of<RunError>([&] { OneRun(path("case.toml")); }).find("one run at a time"), std::string::npos);
+  EXPECT_FALSE(test::error_of<InputError>([&] { run.step(-1); }).empty());
 }
 
 TEST_F(Library, hands_messages_to_the_program)

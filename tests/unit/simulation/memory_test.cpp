@@ -103,7 +103,7 @@ TEST(Memory, that_is_in_use_counts_with_what_is_needed)
   EXPECT_THROW(refuse_without_memory(2 * there, 0, "5 elements", "take larger elements"), KeyError);
 }
 
-TEST(Memory, of_gmsh_is_foretold_for_a_bed)
+TEST(Memory, of_gmsh_is_estimated_for_a_bed)
 {
   problem::Case c;
   mesh::SeabedMesh bed;
@@ -127,10 +127,10 @@ TEST(Memory, of_gmsh_is_foretold_for_a_bed)
     rusage of_children{};
     ::getrusage(RUSAGE_CHILDREN, &of_children);
     const Real over_taken = memory_of_gmsh(c) / (1024. * static_cast<Real>(of_children.ru_maxrss));
-    fmt::print(stderr, "foretold over taken {}\n", over_taken);
-    std::exit(std::abs(over_taken - 1) < 0.1 ? 0 : 1);  // cells are foretold within 7 to 15 %, and half of it is the program
+    fmt::print(stderr, "estimated over taken {}\n", over_taken);
+    std::exit(std::abs(over_taken - 1) < 0.1 ? 0 : 1);  // cells are estimated within 7 to 15 %, and half of it is the program
   };
-  EXPECT_EXIT(make_it_and_compare(), testing::ExitedWithCode(0), "foretold over taken");
+  EXPECT_EXIT(make_it_and_compare(), testing::ExitedWithCode(0), "estimated over taken");
 
   bed.near_size = 1e-7;
   c.mesh = bed;
