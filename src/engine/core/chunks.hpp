@@ -82,7 +82,8 @@ Sum sum_of(const char* label, const Chunks& chunks, const Term& term, const Then
 {
   constexpr Index group = 16;  // entries
   const Timer timer(label);
-  static std::vector<Sum> parts;  // kept from call to call
+  static thread_local std::vector<Sum> kept;  // from call to call; problems may be stepped side by side
+  std::vector<Sum>& parts = kept;
   Ranks& ranks = Ranks::of_run();
   parts.reserve(static_cast<std::size_t>(chunks.all));
   if (ranks.divided())

@@ -34,7 +34,7 @@ void describe(Describe& d, ProfileOf<Law>& profile)
     d.value(Law::strength_key, profile.strength,
             {.meaning = "strength at these depths, instead of the key of the same name above", .unit = "Pa", .range = not_negative});
   if constexpr (Law::strength_key != nullptr)
-    d.value("ocr", profile.ocr, {.meaning = "overconsolidation ratio at these depths, for shansep", .range = positive});
+    d.value("ocr", profile.ocr, {.meaning = "overconsolidation ratio at these depths, for shansep", .range = {0, 1e4, true}});
   d.value("young_modulus", profile.young_modulus,
           {.meaning = "Young's modulus at these depths, instead of the key of the same name above", .unit = "Pa", .range = positive});
 }

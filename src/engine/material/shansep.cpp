@@ -13,9 +13,9 @@ void describe(Describe& d, Shansep& shansep)
           {.meaning = "S: undrained strength over vertical effective stress of the normally consolidated clay (0.2 to 0.35 of most)",
            .range = positive,
            .required = true});
-  d.value("exponent", shansep.exponent, {.meaning = "m, of the overconsolidation ratio (0.7 to 1)", .range = not_negative});
+  d.value("exponent", shansep.exponent, {.meaning = "m, of the overconsolidation ratio (0.7 to 1)", .range = {0, 2}});
   d.value("ocr", shansep.ocr,
-          {.meaning = "overconsolidation ratio, the same at all depths; left out with pop and profile.ocr: 1", .range = positive});
+          {.meaning = "overconsolidation ratio, the same at all depths; left out with pop and profile.ocr: 1", .range = {0, 1e4, true}});
   d.value("pop", shansep.pop,
           {.meaning = "pre-overburden pressure, instead of ocr: OCR = (sigma'_v0 + pop) / sigma'_v0", .unit = "Pa", .range = not_negative});
   d.value("surcharge", shansep.surcharge,

@@ -18,10 +18,10 @@ namespace {
 
 /// A node takes the largest damping of the regions that its cells belong to, so that a damping layer acts up to its border.
 template <int dim>
-NodeField<Real> nodal_damping(const mesh::Mesh<dim>& mesh, const bodies::BodySettings& body)
+NodeField<Real> nodal_damping(const mesh::Mesh<dim>& mesh, const std::string& name, const bodies::BodySettings& body)
 {
   std::vector<Real> of_region(mesh.region_names.size(), body.damping);
-  for (const auto& [region, damping] : body.region_damping) of_region[mesh.find_region(region)] = damping;
+  for (const auto& [region, damping] : body.region_damping) of_region[filled_region(mesh, name, region)] = damping;
   auto damping = NodeField<Real>::zeros(mesh.node_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (Index node : mesh.nodes[cell])
@@ -243,7 +243,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   for (const auto& [name, settings] : c.body) {
     const BodySoil soil = soil_of(c, settings);
     const material::Material& first = soil.materials.front();
-    model.bodies.push_back({name, soil, nodal_damping(model.mesh, settings), density(first) / inertia_density(first)});
+    model.bodies.push_back({name, soil, nodal_damping(model.mesh, name, settings), density(first) / inertia_density(first)});
   }
   if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<dim>& body) { return body.flows(); }))
     for (std::size_t k = 0; k < sets.roles.size(); ++k)

@@ -36,6 +36,13 @@ TEST(Build, names_the_regions_there_are_when_one_is_unknown)
   EXPECT_EQ(message_of(c), "body.bed.regions: the mesh has no region \"bed\"; it has box");
 }
 
+TEST(Build, names_the_region_of_a_damping_that_the_mesh_lacks)
+{
+  Case c = pipe_over_box({rest()});
+  c.body[0].second.region_damping = {{"layer", 0.1}};
+  EXPECT_EQ(message_of(c), "body.bed.regions: the mesh has no region \"layer\"; it has box");
+}
+
 TEST(Build, names_the_boundaries_there_are_when_one_is_unknown)
 {
   Case c = pipe_over_box({rest()});
