@@ -21,7 +21,7 @@ template <int dim>
 NodeField<Real> nodal_damping(const mesh::Mesh<dim>& mesh, const std::string& name, const bodies::BodySettings& body)
 {
   std::vector<Real> of_region(mesh.region_names.size(), body.damping);
-  for (const auto& [region, damping] : body.region_damping) of_region[filled_region(mesh, name, region)] = damping;
+  for (const auto& [region, damping] : body.region_damping) of_region[bodies::filled_region(mesh, name, region)] = damping;
   auto damping = NodeField<Real>::zeros(mesh.node_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (Index node : mesh.nodes[cell])
