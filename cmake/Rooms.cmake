@@ -32,7 +32,7 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT BERM_SANITIZE)
   endif()
 endif()
 set_property(GLOBAL PROPERTY BERM_ENGINE_ROOMS "")
-set(BERM_DISTRICTS engine case run pages studies)
+set(BERM_DISTRICTS engine case run pages studies pipeline)
 
 function(berm_compile_for unit target)
   if(NOT unit STREQUAL "baseline")

@@ -18,4 +18,13 @@ inline std::vector<Real> rough_numbers(Index count)
   return numbers;
 }
 
+/// Numbers between -1 and 1.
+inline std::vector<Real> small_numbers(Index count)
+{
+  std::mt19937 random(7);
+  std::vector<Real> numbers(static_cast<std::size_t>(count));
+  for (Real& x : numbers) x = std::uniform_real_distribution<Real>(-1, 1)(random);
+  return numbers;
+}
+
 }  // namespace berm

@@ -28,7 +28,7 @@ MOST_LETTERS = 140  # in a line of the Python package and its tests
 # clang-format lays code out a little differently in every version; the house uses the one of Debian 12.
 CLANG_FORMAT = "14."
 # Folders of src/ that hold rooms and are none; BERM_DISTRICTS of cmake/Rooms.cmake.
-DISTRICTS = "engine/|case/|run/|pages/|studies/"
+DISTRICTS = "engine/|case/|run/|pages/|studies/|pipeline/"
 
 
 class Skip(Exception):

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "beam/state.hpp"
+
+#include "beam/step.hpp"
+#include "samples/buckling_pipe.hpp"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace berm::beam::this_file {
+namespace {
+
+/// Keeps what is written, and gives it back.
+class Kept : public Archive {
+public:
+  bool reads() const override { return reading; }
+  void refuse(const std::string& why) const override { throw RunError(why); }
+  bool reading = false;
+
+protected:
+  void list(const std::string& path, std::vector<Real>& numbers) override { keep(reals_, path, numbers); }
+  void list(const std::string& path, std::vector<Index>& numbers) override { keep(indices_, path, numbers); }
+  void list(const std::string&, std::vector<BigIndex>&) override { FAIL() << "the state has none"; }
+  void list(const std::string&, std::string&) override { FAIL() << "the state has none"; }
+
+private:
+  template <class Values>
+  void keep(std::map<std::string, Values>& kept, const std::string& path, Values& values)
+  {
+    if (reading)
+      values = kept.at(path);
+    else
+      EXPECT_TRUE(kept.emplace(path, values).second) << path << " is kept twice";
+  }
+  std::map<std::string, std::vector<Real>> reals_;
+  std::map<std::string, std::vector<Index>> indices_;
+};
+
+Line hot_line()
+{
+  const test::HotPipe pipe;
+  Line line = test::bent_line(pipe, false, 0.4, 60, graded_nodes(1, 60, 1.1, 4, 300));
+  add_springs(line, Direction::axial, friction(pipe.resistance(), 1e-3), lengths_of_nodes(line));
+  add_springs(line, Direction::lateral, PlasticSpring{{{{0.005, 700}, {0.3, 1000}}}}, lengths_of_nodes(line));
+  line.axial_where_sideways = false;
+  line.damping[0] = 0.1;
+  return line;
+}
+
+void heat(const Line& line, int from, int to, State& state)
+{
+  Work work(line);
+  Loads loads = no_loads(line);
+  for (int i = from; i < to; ++i) {
+    // up and down, so that springs have been to both sides
+    std::fill(loads.constrained_force.begin(), loads.constrained_force.end(), 1.4e6 * std::sin(pi * i / 600));
+    loads.force[line.across(Plane::lateral, 3)] = 10 * i;
+    step(line, loads, 0.02, state, work);
+  }
+}
+
+void expect_same_bits(const std::vector<Real>& a, const std::vector<Real>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(Real)), 0);
+}
+
+// In the middle of a buckle, kept, put into a new state and gone on with new memory.
+TEST(State, that_was_kept_goes_on_with_the_same_bits)
+{
+  const Line line = hot_line();
+  State whole = state_of(line);
+  heat(line, 0, 300, whole);
+  Kept kept;
+  archive(kept, whole);
+  State again = state_of(line);
+  kept.reading = true;
+  archive(kept, again);
+  heat(line, 300, 600, whole);
+  heat(line, 300, 600, again);
+  EXPECT_GT(whole.displacement[line.across(Plane::lateral, 0)], 0.6);
+  expect_same_bits(whole.displacement, again.displacement);
+  expect_same_bits(whole.velocity, again.velocity);
+  expect_same_bits(whole.acceleration, again.acceleration);
+  expect_same_bits({whole.time, whole.totals.work_of_loads, whole.totals.work_of_heat, whole.totals.work_on_springs, whole.totals.damped},
+                   {again.time, again.totals.work_of_loads, again.totals.work_of_heat, again.totals.work_on_springs, again.totals.damped});
+  EXPECT_EQ(whole.sideways, again.sideways);
+  expect_same_bits(whole.mean_axial, again.mean_axial);
+}
+
+TEST(State, of_another_line_is_refused)
+{
+  const Line line = hot_line();
+  State state = state_of(line), shorter = state_of(straight_line({0, 1}, {}, {Plane::lateral}));
+  Kept kept;
+  archive(kept, shorter);
+  kept.reading = true;
+  EXPECT_THROW(archive(kept, state), RunError);
+}
+
+}  // namespace
+}  // namespace berm::beam::this_file
