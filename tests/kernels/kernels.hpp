@@ -17,5 +17,7 @@ void add_contact_kernels();
 void add_surface_kernels();
 /// Stress and consistent tangent of one point of the finite elements.
 void add_tangent_kernels();
+/// A step of a pipeline, and its matrix.
+void add_line_kernels();
 
 }  // namespace berm

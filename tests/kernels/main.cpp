@@ -13,6 +13,7 @@ int main(int count, char** words)
   berm::add_contact_kernels();
   berm::add_surface_kernels();
   berm::add_tangent_kernels();
+  berm::add_line_kernels();
   benchmark::Initialize(&count, words);
   if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;
   benchmark::RunSpecifiedBenchmarks();

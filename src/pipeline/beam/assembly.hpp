@@ -27,12 +27,12 @@ struct Work {
   Real largest_force = 0;  ///< N, of those that are in balance
 };
 
-/// Elements of the line (e), with the freedoms of both ends one after the other.
+/// The membrane of an element.
 struct ElementNow {
-  Real length, strain, force;  ///< m; of von Karman; N, tension positive
+  Real length, strain, force;  ///< m; von Karman's; N, tension positive
 };
 
-/// The membrane of an element at a displacement of all freedoms:
+/// At a displacement of all freedoms:
 ///
 ///   epsilon = (u_b - u_a)/L + 1/(2L) sum over planes of int v'^2 - v_0'^2 dx,   N = EA epsilon - P_0.
 ElementNow membrane(const Line& line, Index element, const std::vector<Real>& displacement, Real constrained_force);

@@ -23,40 +23,35 @@ void BandMatrix::set_unit(Index i)
 Index BandMatrix::factorize()
 {
   Index negative = 0;
-  for (Index i = 0; i < size_; ++i) {
-    const Index first = std::max(0, i - width_);
-    Real* const row = &entries_[position(i, 0)];  // L of the rows above; this one holds L D until its diagonal is known
-    for (Index j = first; j < i; ++j) {
-      const Real* const above = &entries_[position(j, 0)];
-      Real sum = row[j];
-      for (Index k = std::max(first, j - width_); k < j; ++k) sum -= row[k] * above[k];
-      row[j] = sum;
-    }
-    Real pivot = row[i];
-    for (Index j = first; j < i; ++j) {
-      const Real l = row[j] / diagonal(j);
-      pivot -= l * row[j];
-      row[j] = l;
-    }
-    row[i] = pivot;
+  for (Index j = 0; j < size_; ++j) {
+    Real* const column = &entries_[position(j, j)];
+    const Real pivot = column[0];
     if (pivot == 0 || !std::isfinite(pivot)) return none;
     negative += pivot < 0 ? 1 : 0;
+    const Index last = std::min(width_, size_ - 1 - j);
+    for (Index i = 1; i <= last; ++i) {  // L D of this column from the columns after it
+      const Real l = column[i] / pivot;
+      Real* const after = &entries_[position(j + i, j + i)];
+      for (Index k = i; k <= last; ++k) after[k - i] -= l * column[k];
+    }
+    for (Index i = 1; i <= last; ++i) column[i] /= pivot;
   }
   return negative;
 }
 
 void BandMatrix::solve(std::vector<Real>& values) const
 {
-  for (Index i = 0; i < size_; ++i) {
-    const Real* const row = &entries_[position(i, 0)];
-    Real sum = values[i];
-    for (Index j = std::max(0, i - width_); j < i; ++j) sum -= row[j] * values[j];
-    values[i] = sum;
+  for (Index j = 0; j < size_; ++j) {
+    const Real* const column = &entries_[position(j, j)];
+    const Index last = std::min(width_, size_ - 1 - j);
+    for (Index i = 1; i <= last; ++i) values[j + i] -= column[i] * values[j];
   }
-  for (Index i = 0; i < size_; ++i) values[i] /= diagonal(i);
-  for (Index i = size_ - 1; i >= 0; --i) {
-    const Real* const row = &entries_[position(i, 0)];
-    for (Index j = std::max(0, i - width_); j < i; ++j) values[j] -= row[j] * values[i];
+  for (Index j = size_ - 1; j >= 0; --j) {
+    const Real* const column = &entries_[position(j, j)];
+    const Index last = std::min(width_, size_ - 1 - j);
+    Real sum = values[j] / column[0];
+    for (Index i = 1; i <= last; ++i) sum -= column[i] * values[j + i];
+    values[j] = sum;
   }
 }
 

@@ -7,8 +7,8 @@
 
 namespace berm::beam {
 
-/// A symmetric matrix whose entries are zero beyond `width` from the diagonal, and its decomposition L D L^T in place, without pivoting. Rows of the lower half
-/// lie one after the other, each ends with its diagonal.
+/// A symmetric matrix whose entries are zero beyond `width` from the diagonal, and its decomposition L D L^T in place, without pivoting. Columns of the lower half
+/// lie one after the other, each begins with its diagonal.
 class BandMatrix {
 public:
   BandMatrix(Index size, Index width);
@@ -28,10 +28,7 @@ public:
   void solve(std::vector<Real>& values) const;
 
 private:
-  std::size_t position(Index i, Index j) const
-  {
-    return static_cast<std::size_t>(i) * (width_ + 1) + static_cast<std::size_t>(width_ + j - i);
-  }
+  std::size_t position(Index i, Index j) const { return static_cast<std::size_t>(j) * (width_ + 1) + static_cast<std::size_t>(i - j); }
 
   Index size_, width_;
   std::vector<Real> entries_;

@@ -11,19 +11,19 @@ namespace berm::beam::this_file {
 std::size_t requests = 0;  ///< for memory, of this program
 }
 
-// All of this program's.
-void* operator new(std::size_t size)
+// All of this program's. They are not inlined, for the compiler would say that new and free do not match.
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
   ++berm::beam::this_file::requests;
   void* const memory = std::malloc(size);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
-void operator delete(void* memory) noexcept
+[[gnu::noinline]] void operator delete(void* memory) noexcept
 {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }
@@ -177,6 +177,23 @@ TEST(Step, friction_along_the_line_is_off_where_it_slides_sideways)
   EXPECT_EQ(off.state.sideways[5], 1) << "in the buckle";
   EXPECT_EQ(off.state.sideways[off.line.nodes() - 5], 0) << "far from it";
   EXPECT_GT(off.state.displacement[off.crown()], everywhere.state.displacement[everywhere.crown()]);
+}
+
+// What holds such a line sideways is with the caller; here nothing does.
+TEST(Step, a_node_without_a_lateral_spring_slides_sideways_where_it_goes_so_five_times_as_far)
+{
+  for (const Real along : {0., 1., 3.}) {
+    Line line = straight_line({0, 1}, {0, 0, 100, 100, 0, 0.2}, {Plane::lateral});
+    line.section[0].axial_stiffness = 1e-6;
+    add_springs(line, Direction::axial, friction(1, 1e-6), lengths_of_nodes(line));
+    line.axial_where_sideways = false;
+    State state = state_of(line);
+    Work work(line);
+    Loads loads = no_loads(line);
+    for (Index i = 0; i < 2; ++i) loads.force[line.across(Plane::lateral, i)] = 100, loads.force[line.axial(i)] = along * 10;
+    for (int i = 0; i < 100; ++i) step(line, loads, 0.01, state, work);
+    EXPECT_EQ(state.sideways[1], along < 2) << along;
+  }
 }
 
 }  // namespace
