@@ -92,7 +92,8 @@ public:
   void stop();
 
   /// A second run in the state that this one is in, which goes on by itself to the same bits. It has a folder of its own, "": nothing is kept; a folder that holds
-  /// a run is an InputError. Laws and messages go where those of this run go.
+  /// is not empty is an InputError. Laws and messages go where those of this run go. A run with fills or excavations is cloned between them: where one may be due, at every
+  /// sixteenth step, this is a RunError.
   Run clone(const std::string& folder = "");
 
   /// Drives a freedom of the body that the present stage drives otherwise than the stage says, from the next step on until another call or the end of the stage: by a

@@ -9,6 +9,7 @@
 #include "structures/footing/footing.hpp"
 #include "structures/generic/generic.hpp"
 #include "structures/lateral/shaft.hpp"
+#include "structures/line/line.hpp"
 #include "structures/pile/pile.hpp"
 #include "structures/pipe/pipe.hpp"
 #include "structures/skirt/skirt.hpp"
@@ -62,8 +63,9 @@ const std::vector<const base::Structure*>& all_structures()
   static const footing::Footing footing;
   static const anchor::Anchor anchor;
   static const pipe::Pipe pipe;
+  static const line::Line line;
   static const generic::Generic generic;
-  static const std::vector<const base::Structure*> all = {&cone, &ball, &t_bar, &pile, &skirt, &footing, &anchor, &pipe, &generic};
+  static const std::vector<const base::Structure*> all = {&line, &cone, &ball, &t_bar, &pile, &skirt, &footing, &anchor, &pipe, &generic};
   return all;
 }
 

@@ -459,6 +459,8 @@ void describe(Describe& d, Case& c)
   d.optional_table(
       "safety", c.safety,
       {.meaning = "a trial of the factor of safety: whether the soil stands with less strength; berm safety makes such trials"});
+  d.optional_table("pipeline", c.pipeline,
+                   {.meaning = "the pipeline whose slices the case is: a line that bends, on soil that moves with it"});
   d.table("output", c.output, {.meaning = "what is written"});
   d.table("report", c.report, {.meaning = "what berm report says of the work that the run is part of; changes no result"});
 
@@ -492,6 +494,7 @@ void describe(Describe& d, Case& c)
   check_symmetry(d, c);
   check_fem(d, c);
   check_safety(d, c);
+  check_pipeline(d, c);
   check_output(d, c);
 }
 

@@ -9,6 +9,7 @@
 #include "contact/rigid_contact_settings.hpp"
 #include "material/material.hpp"
 #include "mesh/mesh_settings.hpp"
+#include "problem/pipeline_settings.hpp"
 #include "problem/stage.hpp"
 
 namespace berm::problem {
@@ -113,6 +114,7 @@ struct Case {
   FemSettings fem;
   std::vector<std::pair<std::string, WatchSettings>> watch;
   std::optional<SafetySettings> safety;
+  std::optional<PipelineSettings> pipeline;  ///< of which the case is a slice
   OutputSettings output;
   ReportSettings report;
 

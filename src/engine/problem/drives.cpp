@@ -75,6 +75,7 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
     for (int d = 0; d < dim; ++d) set(drives[d], *settings[d]);
     break;
   }
+  case StageKind::pipeline:  // stands still until the line moves it
   case StageKind::geostatic:
   case StageKind::free:
     break;

@@ -80,15 +80,22 @@ void describe(Describe& d, Until& until)
                "end it is true. `time` is then the most that it may take; left out: what waves and damping need"});
 }
 
+void describe(Describe& d, PipelineLoads& loads)
+{
+  d.value("temperature", loads.temperature, {.meaning = "rise of temperature since the line was laid", .unit = "K"});
+  d.value("pressure", loads.pressure, {.meaning = "rise of internal pressure since the line was laid", .unit = "Pa"});
+  d.value("weight", loads.weight, {.meaning = "submerged weight", .unit = "N/m", .range = positive});
+  d.value("lateral", loads.lateral, {.meaning = "load sideways, along x of the slices, such as that of a current", .unit = "N/m"});
+}
+
 void describe(Describe& d, StageSettings& stage)
 {
   d.value("name", stage.name, {.meaning = "name of the stage, for the history and for --set", .required = true});
-  d.choice(
-      "kind", stage.kind, {"geostatic", "push", "drag", "free", "drive", "sweep"},
-      {.meaning =
-           "find equilibrium; push down; drag sideways; let time pass; drive each degree of freedom as [stage.drive] says; or drag out "
-           "and back, several times",
-       .required = true});
+  d.choice("kind", stage.kind, {"geostatic", "push", "drag", "free", "drive", "sweep", "pipeline"},
+           {.meaning =
+                "find equilibrium; push down; drag sideways; let time pass; drive each degree of freedom as [stage.drive] says; drag out "
+                "and back, several times; or load the [pipeline], which drives its slices",
+            .required = true});
   d.choice(
       "role", stage.role, {"automatic", "touchdown", "lay", "flooded", "emptied", "operation", "breakout", "sweep"},
       {.meaning =
@@ -112,6 +119,8 @@ void describe(Describe& d, StageSettings& stage)
   d.table("drive", stage.drive,
           {.meaning = "degrees of freedom of the driven body, in a stage of kind drive; what is left out is fixed. Its rotations also in a "
                       "push or a drag"});
+  d.table("pipeline", stage.pipeline,
+          {.meaning = "in a stage of kind pipeline: the loads of the line once the ramp is over; what is left out stays as it was"});
   d.value("amplitude", stage.amplitude, {.meaning = "in a sweep: travel of each drag, out and back", .unit = "m", .range = positive});
   d.value("sweeps", stage.sweeps, {.meaning = "in a sweep: number of drags; two make a cycle", .range = {0, 10000}});
   d.value("pause", stage.pause,

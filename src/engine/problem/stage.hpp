@@ -13,7 +13,8 @@ enum class StageKind {
   drag,       ///< along x, by velocity or force
   free,       ///< time passes; rigid bodies rest, but for free ones
   drive,      ///< each degree of freedom as [stage.drive] says; what it leaves out is fixed
-  sweep       ///< drags out and back: short for that many drags (problem/sweeps.hpp), and none of them once a case is read
+  sweep,      ///< drags out and back: short for that many drags (problem/sweeps.hpp), and none of them once a case is read
+  pipeline    ///< the pipeline of the case drives its slices, under the loads that the stage names
 };
 
 /// What the vertical direction does while the body is dragged.
@@ -70,6 +71,14 @@ struct DriveSettings {
       point;  ///< m, where x, y and z act: a point that moves with the body, by its place before the first stage; empty: its centre
 };
 
+/// Loads of the pipeline when the stage's ramp is over; what is absent stays as it was.
+struct PipelineLoads {
+  std::optional<Real> temperature;  ///< K, rise since it was laid
+  std::optional<Real> pressure;     ///< Pa, rise of the internal pressure since it was laid
+  std::optional<Real> weight;       ///< N/m, submerged
+  std::optional<Real> lateral;      ///< N/m along the slices' x, such as that of a current
+};
+
 /// One stage of a run.
 struct StageSettings {
   std::string name;
@@ -84,6 +93,7 @@ struct StageSettings {
   /// s, time in which the drive goes from what it was to its value; 0 = at once. What a push or a drive does not name stands still at once.
   Real ramp = 0;
   DriveSettings drive;            ///< of a stage of kind drive
+  PipelineLoads pipeline;         ///< of a stage of kind pipeline
   std::optional<Real> amplitude;  ///< m, of a sweep: the travel of each drag
   int sweeps = 0;                 ///< of a sweep: how many drags, out and back in turn
   Real pause = 0;                 ///< s, of a sweep: how long the body rests between two of them, its vertical force held
@@ -108,7 +118,8 @@ constexpr Real automatic_time_scale = 0;
 /// Whether the stage drives a rigid body.
 inline bool drives(StageKind kind)
 {
-  return kind == StageKind::push || kind == StageKind::drag || kind == StageKind::drive || kind == StageKind::sweep;
+  return kind == StageKind::push || kind == StageKind::drag || kind == StageKind::drive || kind == StageKind::sweep ||
+         kind == StageKind::pipeline;
 }
 
 /// Whether the stage ends at equilibrium: a geostatic one that says so, or names no end.
@@ -148,6 +159,7 @@ Real speed_of(const StageSettings& stage);
 void describe(Describe& d, FreedomSettings& freedom);
 void describe(Describe& d, TurnSettings& turn);
 void describe(Describe& d, DriveSettings& drive);
+void describe(Describe& d, PipelineLoads& loads);
 void describe(Describe& d, Until& until);
 void describe(Describe& d, StageSettings& stage);
 

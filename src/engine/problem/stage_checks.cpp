@@ -178,7 +178,8 @@ void check_stages(Describe& d, const Case& c)
     const StageSettings& s = c.stage[k];
     const std::string path = fmt::format("stage[{}]", k);
     const bool drag = s.kind == StageKind::drag || s.kind == StageKind::sweep, drive = s.kind == StageKind::drive,
-               sweep = s.kind == StageKind::sweep, driven = drives(s.kind), short_form = driven && !drive;
+               sweep = s.kind == StageKind::sweep, line = s.kind == StageKind::pipeline, driven = drives(s.kind),
+               short_form = driven && !drive && !line;
     d.check(!s.name.empty() && s.name.size() <= max_stage_name && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
             fmt::format("must be a word without comma, dot or quotes, {} bytes at most", max_stage_name));
     d.check(!among(s.name, seen), path + ".name", "another stage has this name");

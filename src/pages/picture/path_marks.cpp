@@ -41,6 +41,7 @@ std::string stage_color(problem::StageKind kind)
   case problem::StageKind::sweep:
     return drag_color;
   case problem::StageKind::drive:
+  case problem::StageKind::pipeline:
     return "#2e7d32";
   case problem::StageKind::geostatic:
   case problem::StageKind::free:

@@ -122,6 +122,19 @@ std::string until_words(const problem::StageSettings& stage, int dimension, Real
   return fmt::format("{}", fmt::join(limits, " or "));
 }
 
+/// "the pipeline is brought to 80 K, 10 MPa"
+std::string pipeline_words(const problem::StageSettings& stage)
+{
+  constexpr Real megapascal = 1e6;
+  std::vector<std::string> loads;
+  const problem::PipelineLoads& to = stage.pipeline;
+  if (to.temperature) loads.push_back(fmt::format("{:.4g} K", *to.temperature));
+  if (to.pressure) loads.push_back(fmt::format("{:.4g} MPa", *to.pressure / megapascal));
+  if (to.weight) loads.push_back(fmt::format("{:.4g} N/m of weight", *to.weight));
+  if (to.lateral) loads.push_back(fmt::format("{:.4g} N/m sideways", *to.lateral));
+  return loads.empty() ? "the pipeline rests under its loads" : fmt::format("the pipeline is brought to {}", fmt::join(loads, ", "));
+}
+
 std::string drive_words(const problem::StageSettings& stage, int dimension)
 {
   switch (stage.kind) {
@@ -129,6 +142,8 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
     return "the soil finds its equilibrium";
   case problem::StageKind::free:
     return "time goes on";
+  case problem::StageKind::pipeline:
+    return pipeline_words(stage);
   case problem::StageKind::push:
     return rate_words(stage, dimension) + " down" + turn_words(stage, dimension);
   case problem::StageKind::drive:
@@ -142,7 +157,7 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
 
 std::string stage_words(const problem::StageSettings& stage, int dimension)
 {
-  constexpr std::array kinds{"geostatic", "push", "drag", "free", "drive", "sweep"};
+  constexpr std::array kinds{"geostatic", "push", "drag", "free", "drive", "sweep", "pipeline"};
   const std::string kind = kinds[static_cast<std::size_t>(stage.kind)];
   // The user's own name says more than the kind only where it is another word.
   const std::string called = stage.name == kind ? kind : fmt::format("{} ({})", kind, stage.name);

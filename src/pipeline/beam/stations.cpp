@@ -66,11 +66,11 @@ void Stations::add_impedances(const Line& line, Direction direction, const std::
   for (const Share& share : shares_) loads.impedance[line.freedom(direction, share.node)] += share.length * per_metre[share.station];
 }
 
-void Stations::velocities(const Line& line, Direction direction, const State& state, std::vector<Real>& of_stations) const
+void Stations::means(const Line& line, Direction direction, const std::vector<Real>& of_freedoms, std::vector<Real>& of_stations) const
 {
   std::fill(of_stations.begin(), of_stations.end(), 0.0);
   for (const Share& share : shares_)
-    of_stations[share.station] += share.length / lengths_[share.station] * state.velocity[line.freedom(direction, share.node)];
+    of_stations[share.station] += share.length / lengths_[share.station] * of_freedoms[line.freedom(direction, share.node)];
 }
 
 }  // namespace berm::beam

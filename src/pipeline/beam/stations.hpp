@@ -2,7 +2,6 @@
 #pragma once
 
 #include "beam/loads.hpp"
-#include "beam/state.hpp"
 
 namespace berm::beam {
 
@@ -24,8 +23,8 @@ public:
   void add_forces(const Line& line, Direction direction, const std::vector<Real>& per_metre, Loads& loads) const;
   /// Adds impedances (N s/m2, by station) to those of the nodes; against what velocity they act, Loads::velocity_then says.
   void add_impedances(const Line& line, Direction direction, const std::vector<Real>& per_metre, Loads& loads) const;
-  /// Mean velocities, m/s, by station.
-  void velocities(const Line& line, Direction direction, const State& state, std::vector<Real>& of_stations) const;
+  /// Means of velocities or displacements, by station, of those of the freedoms.
+  void means(const Line& line, Direction direction, const std::vector<Real>& of_freedoms, std::vector<Real>& of_stations) const;
 
 private:
   struct Share {

@@ -62,6 +62,18 @@ void copy_run(const fs::path& from, const fs::path& to)
   if (error) throw RunError(fmt::format("the run in {} cannot be copied to {}: {}", from.string(), to.string(), error.message()));
 }
 
+/// A clone begins in an empty folder, and not in that of its run, which is copied.
+void refuse_for_clone(const fs::path& folder, const fs::path& of_run)
+{
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_empty(folder, error))
+    throw InputError(fmt::format("clone: {} {}: name another folder", folder.string(),
+                                 simulation::has_begun(folder) ? "holds a run" : "is not an empty folder"));
+  const fs::path inner = fs::weakly_canonical(folder, error).lexically_relative(fs::weakly_canonical(of_run, error));
+  if (!inner.empty() && *inner.begin() != "..")
+    throw InputError(fmt::format("clone: {} lies in the folder of its run: name another one", folder.string()));
+}
+
 int threads_of(const RunOptions& options)
 {
   constexpr int most = 1024;
@@ -215,7 +227,7 @@ void Run::stop()
 Run Run::clone(const std::string& folder)
 {
   if (parts_->ended) throw InputError("clone: the run has ended");
-  if (!folder.empty() && simulation::has_begun(folder)) throw InputError(fmt::format("clone: {} holds a run: name another folder", folder));
+  if (!folder.empty()) refuse_for_clone(folder, parts_->visit([](auto& open) { return open.folder(); }));
   {
     const Parts::AtWork at_work(*parts_);
     parts_->visit([](auto& open) { open.keep(); });

@@ -231,13 +231,13 @@ mpm::WholeState<d> MpmMethod<d>::whole_state()
 }
 
 template <int d>
-void MpmMethod<d>::add_row(run_folder::HistoryFile& file)
+void MpmMethod<d>::add_row(run_folder::HistoryFile& file, const MoreColumns& more)
 {
   if (trial_) {
     trial_->note(places_.largest_movement(state()));
     recorder_.note_movement(trial_->movement());
   }
-  recorder_.add_row(model(), state(), *workspace_, file);
+  recorder_.add_row(model(), state(), *workspace_, file, more);
   cells_.observe(model(), state());
 }
 

@@ -49,7 +49,7 @@ public:
   bool soil_changed() const { return soil_changed_; }
   /// s between rows of the history.
   Real history_interval() const { return history_interval_; }
-  void add_row(run_folder::HistoryFile& file);
+  void add_row(run_folder::HistoryFile& file) { add_row(file, {}); }
   /// Of the whole problem, on the first rank.
   run_folder::Frame<d> make_frame();
   /// Whether a limit of the stage is reached, or the equilibrium that ends it.
@@ -73,6 +73,15 @@ public:
   run_folder::MpmCounts counts() const { return counts_; }
   /// Since the start.
   Real particle_steps() const { return static_cast<Real>(counts().particles * state().step); }
+
+protected:
+  const problem::Case& case_of_run() const { return case_; }
+  const problem::Problem<d>& problem() const { return problem_; }
+  problem::State<d>& state_now() { return problem_.state; }
+  mpm::Workspace<d>& workspace() { return *workspace_; }
+  /// Adds columns of its own to each row.
+  using MoreColumns = std::function<void(run_folder::Row&)>;
+  void add_row(run_folder::HistoryFile& file, const MoreColumns& more);
 
 private:
   /// Wall time of a step, s, measured on the first steps, for a quarter of a second at most; dt = the stable time step before them.

@@ -320,7 +320,7 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
 
 template <int dim>
 void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace,
-                               run_folder::HistoryFile& file)
+                               run_folder::HistoryFile& file, const std::function<void(run_folder::Row&)>& more)
 {
   Real kinetic = 0;
   std::vector<mpm::BodySums<dim>> sums;
@@ -359,6 +359,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   observe_motions(model, state);
   observe_heads(model, state);
   Recorder<dim>::observe_movement();
+  if (more) more(row_);
   file.add(row_);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, workspace); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;

@@ -19,9 +19,9 @@ public:
 
   /// What a row has of the steps before it; to be called after each.
   void observe_step(const problem::Model<dim>& model, const mpm::Workspace<dim>& workspace);
-  /// Throws RunError where a number is not finite that must be.
+  /// `more` adds the last columns. Throws RunError where a number is not finite that must be.
   void add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace,
-               run_folder::HistoryFile& file);
+               run_folder::HistoryFile& file, const std::function<void(run_folder::Row&)>& more = {});
 
   /// From now on displacements count from here.
   void zero_displacements(const problem::Model<dim>& model, const problem::State<dim>& state);

@@ -129,5 +129,6 @@ AnyOpenRun open_run(const RunRequest& request, Context& context)
 template class OpenRun<MpmMethod<2>>;
 template class OpenRun<MpmMethod<3>>;
 template class OpenRun<FemMethod>;
+template class OpenRun<PipelineMethod>;
 
 }  // namespace berm::simulation

@@ -3,6 +3,7 @@
 
 #include "simulation/fem_method.hpp"
 #include "simulation/mpm_method.hpp"
+#include "simulation/pipeline_method.hpp"
 #include "simulation/run.hpp"
 #include "simulation/run_place.hpp"
 
@@ -51,8 +52,8 @@ private:
   Run<Method> run_;
 };
 
-using AnyOpenRun =
-    std::variant<std::unique_ptr<OpenRun<MpmMethod<2>>>, std::unique_ptr<OpenRun<MpmMethod<3>>>, std::unique_ptr<OpenRun<FemMethod>>>;
+using AnyOpenRun = std::variant<std::unique_ptr<OpenRun<MpmMethod<2>>>, std::unique_ptr<OpenRun<MpmMethod<3>>>,
+                                std::unique_ptr<OpenRun<FemMethod>>, std::unique_ptr<OpenRun<PipelineMethod>>>;
 
 /// The run of a case by the method that it names. An error that names a key gets the line where that was written. Throws InputError and RunError.
 AnyOpenRun open_run(const RunRequest& request, Context& context);

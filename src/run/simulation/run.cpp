@@ -269,5 +269,6 @@ void Run<Method>::remove_checkpoints() const
 template class Run<MpmMethod<2>>;
 template class Run<MpmMethod<3>>;
 template class Run<FemMethod>;
+template class Run<PipelineMethod>;
 
 }  // namespace berm::simulation

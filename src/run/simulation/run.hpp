@@ -11,7 +11,7 @@
 
 namespace berm::simulation {
 
-/// The run of a problem by a method, MpmMethod<2>, MpmMethod<3> or FemMethod: steps, and what is written on the way. A method builds the problem, takes a
+/// The run of a problem by a method, MpmMethod<2>, MpmMethod<3>, FemMethod or PipelineMethod: steps, and what is written on the way. A method builds the problem, takes a
 /// step, adds a row, makes a frame, changes to the next stage, names its own part of a checkpoint and says what can be trusted; when each is done is said
 /// here, for all of them.
 template <class Method>

@@ -6,6 +6,7 @@
 #include "core/ranks.hpp"
 #include "simulation/fem_method.hpp"
 #include "simulation/mpm_method.hpp"
+#include "simulation/pipeline_method.hpp"
 #include "user_law/load.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ auto with_method(RunRequest request, const Act& act)
       throw InputError(
           fmt::format("{}: method = \"fem\" is for one process: start it without the MPI launcher", request.case_file.string()));
     if (request.settings.method == problem::Method::fem) return act(std::type_identity<FemMethod>(), request);
+    if (request.settings.pipeline) return act(std::type_identity<PipelineMethod>(), request);
     return request.settings.dimension() == 2 ? act(std::type_identity<MpmMethod<2>>(), request)
                                              : act(std::type_identity<MpmMethod<3>>(), request);
   } catch (const KeyError& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "beam/stations.hpp"
 
+#include "beam/state.hpp"
 #include "core/error.hpp"
 #include "samples/rough_numbers.hpp"
 
@@ -40,7 +41,7 @@ TEST(Stations, give_the_nodes_the_power_that_they_take)
     Loads loads = no_loads(line);
     stations.add_forces(line, direction, per_metre, loads);
     std::vector<Real> velocities(places.size());
-    stations.velocities(line, direction, state, velocities);
+    stations.means(line, direction, state.velocity, velocities);
     Real of_nodes = 0, of_stations = 0;
     for (Index i = 0; i < line.freedoms(); ++i) of_nodes += loads.force[i] * state.velocity[i];
     for (std::size_t k = 0; k < places.size(); ++k) of_stations += per_metre[k] * stations.lengths()[k] * velocities[k];
@@ -56,7 +57,7 @@ TEST(Stations, see_the_velocity_of_a_line_that_moves_as_one)
   State state = state_of(line);
   for (Index i = 0; i < line.nodes(); ++i) state.velocity[line.across(Plane::lateral, i)] = 0.3;
   std::vector<Real> velocities(places.size());
-  stations.velocities(line, Direction::lateral, state, velocities);
+  stations.means(line, Direction::lateral, state.velocity, velocities);
   for (const Real v : velocities) EXPECT_NEAR(v, 0.3, 1e-12);
   Loads loads = no_loads(line);
   stations.add_impedances(line, Direction::lateral, {2, 2, 2, 2, 2}, loads);

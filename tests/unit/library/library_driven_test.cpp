@@ -150,6 +150,12 @@ TEST_F(DrivenRun, has_clones_that_go_on_to_the_same_bits)
   run.step(20);
   EXPECT_NE(run.rigid_bodies()[0].impulse[0], other.rigid_bodies()[0].impulse[0]);
   EXPECT_NE(test::error_of<InputError>([&] { run.clone((folder_ / "clone0").string()); }).find("holds a run"), std::string::npos);
+  EXPECT_NE(test::error_of<InputError>([&] { run.clone(folder_.path().string()); }).find("not an empty folder"), std::string::npos);
+  RunOptions options;
+  options.folder = (folder_ / "own").string();
+  OneRun kept = run_of("still.toml", options);
+  EXPECT_NE(test::error_of<InputError>([&] { kept.clone((folder_ / "own/inner").string()); }).find("in the folder of its run"),
+            std::string::npos);
 }
 
 TEST_F(DrivenRun, may_have_others_beside_it)

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/input/read_case_pipeline_test.cpp
+#include "problem/pipeline_settings.hpp"
+
+#include "problem/case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace berm::problem {
+
+void describe(Describe& d, Imperfection& imperfection)
+{
+  d.value("amplitude", imperfection.amplitude,
+          {.meaning = "largest displacement sideways, along x of the slices", .unit = "m", .required = true});
+  d.value("length", imperfection.length, {.meaning = "length of the whole imperfection", .unit = "m", .range = positive, .required = true});
+}
+
+void describe(Describe& d, SliceSettings& slices)
+{
+  d.value("spacing", slices.spacing, {.meaning = "distance between slices", .unit = "m", .range = positive, .required = true});
+  d.value("to", slices.to,
+          {.meaning = "place of the last slice along the line; the first is at 0", .unit = "m", .range = positive, .required = true});
+}
+
+void describe(Describe& d, FarSoil& soil)
+{
+  d.value("friction", soil.friction, {.meaning = "lateral resistance over the submerged weight", .range = not_negative});
+  d.value("mobilisation", soil.mobilisation,
+          {.meaning = "displacement at which it is mobilised; 0: a hundredth of the diameter", .unit = "m", .range = not_negative});
+  d.value("axial_friction", soil.axial_friction,
+          {.meaning = "axial resistance over the submerged weight, under the slices, too", .range = not_negative});
+  d.value("axial_mobilisation", soil.axial_mobilisation,
+          {.meaning = "displacement at which it is mobilised", .unit = "m", .range = positive});
+  d.value(
+      "stiffness", soil.stiffness,
+      {.meaning = "vertical stiffness; absent: the submerged weight over a hundredth of the diameter", .unit = "N/m^2", .range = positive});
+}
+
+void describe(Describe& d, PipelineSettings& pipeline)
+{
+  d.value("wall", pipeline.wall,
+          {.meaning = "thickness of the steel wall; the outer diameter is that of the rigid body", .unit = "m", .range = positive});
+  d.value("young_modulus", pipeline.young_modulus, {.meaning = "of the wall", .unit = "Pa", .range = positive});
+  d.value("bending_stiffness", pipeline.bending_stiffness,
+          {.meaning = "EI, instead of wall and young_modulus: of a cable, an umbilical", .unit = "N m^2", .range = positive});
+  d.value("axial_stiffness", pipeline.axial_stiffness,
+          {.meaning = "EA, which goes with bending_stiffness", .unit = "N", .range = positive});
+  d.value("poisson_ratio", pipeline.poisson_ratio, {.meaning = "of the wall", .range = {0, 0.5}});
+  d.value("expansion", pipeline.expansion, {.meaning = "thermal expansion of length", .unit = "1/K", .range = not_negative});
+  d.value("submerged_weight", pipeline.submerged_weight,
+          {.meaning = "weight in water, as the line was laid", .unit = "N/m", .range = positive, .required = true});
+  d.value("mass", pipeline.mass,
+          {.meaning = "mass that moves sideways and upwards: pipe, content and the water that goes along; absent: that of the rigid body",
+           .unit = "kg/m",
+           .range = positive});
+  d.value("axial_mass", pipeline.axial_mass,
+          {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = positive});
+  d.value("lay_tension", pipeline.lay_tension,
+          {.meaning = "effective tension under which it was laid", .unit = "N", .range = not_negative});
+  d.choice("half", pipeline.half, {"symmetric", "antisymmetric"},
+           {.meaning = "what the other half of the line is, beyond x = 0: its mirror image, or turned by half a turn"});
+  d.value("length", pipeline.length, {.meaning = "from x = 0 to the far end", .unit = "m", .range = positive, .required = true});
+  d.choice("end", pipeline.end, {"anchored", "free"}, {.meaning = "whether the far end stays where it is or moves along the line"});
+  d.table("imperfection", pipeline.imperfection,
+          {.meaning = "the line's shape without stress: amplitude (1 + cos kx)/2 within its length, k = 2 pi/length; antisymmetric: "
+                      "amplitude (1 + cos kx) sin kx 4/(3 sqrt 3)",
+           .required = true});
+  d.table("slices", pipeline.slices, {.meaning = "where slices of soil are", .required = true});
+  d.table("far_soil", pipeline.far_soil, {.meaning = "springs beyond the last slice"});
+  d.value("vertical_damping", pipeline.vertical_damping,
+          {.meaning = "vertical force over momentum of the line: takes what the soil's reaction, one step late, would add",
+           .unit = "1/s",
+           .range = not_negative});
+}
+
+namespace {
+
+constexpr int max_slices = 1000;
+
+void check_line(Describe& d, const PipelineSettings& p)
+{
+  const bool steel = p.wall || p.young_modulus, stiff = p.bending_stiffness || p.axial_stiffness;
+  d.check(steel != stiff, "pipeline", "needs either wall and young_modulus, or bending_stiffness and axial_stiffness");
+  d.check(!steel || (p.wall && p.young_modulus), "pipeline", "needs both wall and young_modulus");
+  d.check(!stiff || (p.bending_stiffness && p.axial_stiffness), "pipeline", "needs both bending_stiffness and axial_stiffness");
+  const Real spacings = std::round(p.slices.to / p.slices.spacing);
+  d.check(spacings >= 3, "pipeline.slices.to",
+          "gives fewer than four slices: it is the place of the last one, at least three spacings from 0");
+  d.check(spacings < max_slices, "pipeline.slices.spacing", fmt::format("gives more than {} slices", max_slices));
+  d.check(std::abs(spacings * p.slices.spacing - p.slices.to) <= 1e-6 * p.slices.to, "pipeline.slices.to",
+          "must be a multiple of pipeline.slices.spacing");
+  d.check(p.length >= p.slices.to, "pipeline.length", "must reach to the last slice, pipeline.slices.to");
+  d.check(p.imperfection.length / 2 < p.length, "pipeline.imperfection.length", "must be less than twice pipeline.length");
+  d.check(p.imperfection.length >= 4 * p.slices.spacing, "pipeline.imperfection.length",
+          "must be four spacings of the slices at least, which carry its shape");
+  d.check(p.lay_tension == 0 || p.end == LineEnd::anchored, "pipeline.lay_tension",
+          "does not go with end = \"free\", where nothing holds it");
+  d.check(p.imperfection.amplitude != 0, "pipeline.imperfection.amplitude", "is 0: a straight line does not buckle");
+}
+
+/// The rigid body is the pipe in each slice.
+void check_slice(Describe& d, const Case& c, const PipelineSettings& p)
+{
+  d.check(c.method == Method::mpm && c.geometry == Geometry::plane_strain, "pipeline",
+          "has slices in plane strain: it needs method = \"mpm\" and geometry = \"plane_strain\"");
+  d.check(c.rigid.size() == 1, "pipeline", "needs one [rigid.NAME], the pipe in each slice");
+  d.check(c.gravity.size() == 2 && c.gravity[0] == 0 && c.gravity[1] < 0, "pipeline", "needs gravity along -y");
+  d.check(!c.safety, "pipeline", "does not go with a trial of the factor of safety");
+  if (c.rigid.size() != 1) return;
+  const auto& [name, rigid] = c.rigid.front();
+  const bodies::RigidShape<2> shape = bodies::make_shape<2>(rigid.shape);
+  d.check(std::holds_alternative<bodies::CircleSettings>(rigid.shape), "rigid." + name,
+          "is the pipe of a line, which is round: shape = \"circle\"");
+  d.check(rigid.rotation == bodies::Rotation::fixed, "rigid." + name + ".rotation", "is fixed in the slices of a pipeline");
+  for (const auto& [contact, settings] : c.contact)
+    d.check(settings.other_body.empty(), "contact." + contact, "between two soils does not go with [pipeline]");
+  d.check(rigid.mass > 0 || p.mass, "pipeline.mass", "is needed: the rigid body has no mass");
+  d.check(!p.wall || 2 * *p.wall < bodies::width_of<2>(shape), "pipeline.wall", "is more than half of the diameter");
+}
+
+bool loads_pipeline(const PipelineLoads& loads)
+{
+  return loads.temperature || loads.pressure || loads.weight || loads.lateral;
+}
+
+}  // namespace
+
+void check_pipeline(Describe& d, const Case& c)
+{
+  const auto is_of_line = [](const StageSettings& s) { return s.kind == StageKind::pipeline; };
+  const auto first = std::find_if(c.stage.begin(), c.stage.end(), is_of_line);
+  for (auto stage = c.stage.begin(); stage != c.stage.end(); ++stage) {
+    const std::string path = fmt::format("stage[{}]", stage - c.stage.begin());
+    d.check(is_of_line(*stage) || !loads_pipeline(stage->pipeline), path + ".pipeline", "is for kind = \"pipeline\"");
+    d.check(!is_of_line(*stage) || c.pipeline, path + ".kind", "loads the line of [pipeline], and there is none");
+    d.check(stage < first || is_of_line(*stage), path + ".kind",
+            "comes after a stage of kind \"pipeline\": the slices hang on the line from then on");
+    d.check(!is_of_line(*stage) || stage->until.time, path + ".until.time", "is needed: a stage of kind \"pipeline\" ends at a time");
+    d.check(!is_of_line(*stage) ||
+                (!stage->until.displacement && !stage->until.embedment && !stage->until.force && !stage->until.consolidation),
+            path + ".until", "of kind \"pipeline\" is a time");
+    d.check(!is_of_line(*stage) || !stage->until.time || stage->ramp <= *stage->until.time, path + ".ramp",
+            "of kind \"pipeline\" must end before the stage does, at until.time");
+    d.check(!is_of_line(*stage) || !has_load_history(*stage), path, "of kind \"pipeline\" has no load history: its loads go with the ramp");
+    d.check(!stage->pipeline.pressure || !c.pipeline || c.pipeline->wall, path + ".pipeline.pressure",
+            "needs the wall of the pipe: pipeline.wall and young_modulus");
+    d.check(!stage->pipeline.temperature || !c.pipeline || c.pipeline->expansion > 0, path + ".pipeline.temperature",
+            "needs pipeline.expansion");
+  }
+  if (!c.pipeline) return;
+  d.check(first != c.stage.end(), "pipeline", "no [[stage]] of kind \"pipeline\" loads it");
+  d.check(first != c.stage.begin(), "pipeline",
+          "must be laid first: stages before the first of kind \"pipeline\" push the pipe into the soil");
+  check_line(d, *c.pipeline);
+  check_slice(d, c, *c.pipeline);
+}
+
+}  // namespace berm::problem

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slices/coupled_line.hpp"
+
+#include "core/error.hpp"
+#include "core/for_each_task.hpp"
+#include "mpm/diagnose.hpp"
+#include "mpm/inactive.hpp"
+#include "mpm/step.hpp"
+#include "mpm/time_step.hpp"
+#include "problem/archive_state.hpp"
+#include "problem/stages.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+namespace berm::slices {
+namespace {
+
+/// Of all bodies, at the nodes that touch the pipe.
+Real contact_mass_of(const mpm::Workspace<2>& workspace)
+{
+  Real mass = 0;
+  for (const mpm::BodyGrid<2>& grid : workspace.grids)
+    for (const Index node : grid.nodes)
+      if (grid.contact_points[node] != 0) mass += grid.mass[node];
+  return mass;
+}
+
+void drive(const problem::Model<2>& model, problem::State<2>& state, Real sideways, Real upwards)
+{
+  drive_otherwise(model, state, 0, false, sideways);
+  drive_otherwise(model, state, 1, false, upwards);
+}
+
+}  // namespace
+
+CoupledLine::CoupledLine(const problem::Case& c, const problem::Model<2>& model)
+    : model_(model),
+      of_case_(c),
+      state_(beam::state_of(of_case_.line)),
+      work_(of_case_.line),
+      loads_(beam::no_loads(of_case_.line)),
+      from_(of_case_.laid()),
+      forces_(count()),
+      sideways_(count()),
+      upwards_(count()),
+      of_slices_(count()),
+      before_(of_case_.line.freedoms()),
+      moved_(of_case_.line.freedoms())
+{
+}
+
+void CoupledLine::make_others(const problem::State<2>& first)
+{
+  others_.clear();
+  workspaces_.clear();
+  for (std::size_t k = 1; k < count(); ++k) others_.push_back(std::make_unique<problem::State<2>>(first));
+}
+
+void CoupledLine::hang(const problem::State<2>& laid)
+{
+  hangs_ = true;
+  make_others(laid);
+  for (const auto& other : others_) workspaces_.push_back(std::make_unique<mpm::Workspace<2>>(model_, *other));
+  for (SliceForce& slice : forces_) slice = {-laid.contact_sums[0].impulse, laid.rigid_bodies[0].smooth_reaction};
+}
+
+void CoupledLine::begin_stage(const problem::State<2>& first)
+{
+  // Where the stage before has brought the loads; before the first of kind pipeline: as the line was laid.
+  from_ = of_case_.laid();
+  for (Index k = 0; k < first.stage.index; ++k) from_ = target_of(model_.stages[k].pipeline, from_);
+  for (const auto& other : others_) {
+    if (other->stage.index == first.stage.index) continue;  // copied when the first one had begun it
+    other->stage.index = first.stage.index;
+    problem::begin_stage(model_, *other);
+  }
+}
+
+LineLoads CoupledLine::loads_at(const problem::State<2>& first, Real time) const
+{
+  const problem::StageSettings& stage = model_.stages[first.stage.index];
+  if (stage.kind != problem::StageKind::pipeline) return of_case_.laid();
+  const Real since = time - first.stage.begin_time, part = stage.ramp > since ? since / stage.ramp : 1;
+  return between(from_, target_of(stage.pipeline, from_), part);
+}
+
+/// What acts on the line at the end of the step: weight, and what the soil carried in the step before.
+void CoupledLine::load_line(const LineLoads& now, Real dt)
+{
+  const beam::Line& line = of_case_.line;
+  std::fill(loads_.force.begin(), loads_.force.end(), 0.0);
+  std::fill(loads_.impedance.begin(), loads_.impedance.end(), 0.0);
+  std::fill(loads_.constrained_force.begin(), loads_.constrained_force.end(), of_case_.constrained_force(now));
+  loads_.velocity_then = state_.velocity;
+  for (Index e = 0; e < line.elements(); ++e) {
+    beam::add_load(line, beam::Plane::vertical, e, -now.weight, loads_);
+    beam::add_load(line, beam::Plane::lateral, e, now.lateral, loads_);
+  }
+  // Springs beyond the slices have no force where the laid line lies.
+  for (Index i = 0; i < line.nodes(); ++i)
+    loads_.force[line.across(beam::Plane::vertical, i)] += of_case_.settings.submerged_weight * of_case_.length_on_springs[i];
+  for (std::size_t k = 0; k < count(); ++k)
+    sideways_[k] = forces_[k].force[0], upwards_[k] = forces_[k].force[1],
+    of_slices_[k] = std::max(Real(0), 3 * forces_[k].contact_mass - of_case_.mass) / dt;
+  of_case_.stations.add_forces(line, beam::Direction::lateral, sideways_, loads_);
+  of_case_.stations.add_forces(line, beam::Direction::vertical, upwards_, loads_);
+  of_case_.stations.add_impedances(line, beam::Direction::lateral, of_slices_, loads_);
+  of_case_.stations.add_impedances(line, beam::Direction::vertical, of_slices_, loads_);
+}
+
+void CoupledLine::find_forces(std::size_t k, const problem::State<2>& state, const mpm::Workspace<2>& workspace, Real dt)
+{
+  SliceForce& slice = forces_[k];
+  const Vec<2> impulse = -state.contact_sums[0].impulse;
+  slice.force = (impulse - slice.impulse) / dt;
+  slice.impulse = impulse;
+  slice.contact_mass = contact_mass_of(workspace);
+}
+
+/// An error tells in which slice it is.
+template <class Act>
+void CoupledLine::for_slice(Index k, const Act& act) const
+{
+  try {
+    act();
+  } catch (const RunError& error) {
+    throw RunError(
+        fmt::format("slice {} of the pipeline, at x = {:.4g} m: {}", k, of_case_.places[static_cast<std::size_t>(k)], error.what()));
+  }
+}
+
+void CoupledLine::find_time_steps(problem::State<2>& first, mpm::Workspace<2>& workspace)
+{
+  if (first.stable_dt_holds) return;
+  for_each_task("time steps of slices", static_cast<Index>(count()), [&](Index k) {
+    for_slice(k, [&] {
+      if (k == 0)
+        find_stable_time_step(model_, first, workspace);
+      else
+        find_stable_time_step(model_, *others_[k - 1], *workspaces_[k - 1]);
+    });
+  });
+}
+
+/// Moves the line by a step of dt (s), or a half, quarter, ... of it where it finds no equilibrium. Returns the step.
+Real CoupledLine::step_line(const problem::State<2>& first, Real dt)
+{
+  constexpr int tries = 6;
+  const Timer timer("pipeline");
+  before_ = state_.displacement;
+  for (int k = 1;; ++k) try {
+      load_line(loads_at(first, first.time + dt), dt);
+      beam::step(of_case_.line, loads_, dt, state_, work_);
+      break;
+    } catch (const beam::NoEquilibrium&) {
+      if (k == tries) throw;
+      dt /= 2;
+    }
+  for (Index i = 0; i < of_case_.line.freedoms(); ++i) moved_[i] = (state_.displacement[i] - before_[i]) / dt;
+  of_case_.stations.means(of_case_.line, beam::Direction::lateral, moved_, sideways_);
+  of_case_.stations.means(of_case_.line, beam::Direction::vertical, moved_, upwards_);
+  return dt;
+}
+
+void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, const std::function<void()>& step_first)
+{
+  find_time_steps(first, workspace);
+  Real stable = std::min(first.stable_dt, first.max_dt);
+  for (const auto& other : others_) stable = std::min(stable, other->stable_dt);
+  const Real dt = step_line(first, stable);
+  for_each_task("slices", static_cast<Index>(count()), [&](Index k) {
+    problem::State<2>& state = k == 0 ? first : *others_[k - 1];
+    const mpm::Workspace<2>& work = k == 0 ? workspace : *workspaces_[k - 1];
+    const Real limit = std::exchange(state.max_dt, dt);
+    for_slice(k, [&] {
+      drive(model_, state, sideways_[k], upwards_[k]);
+      if (k == 0) return step_first();
+      take_step(model_, state, *workspaces_[k - 1]);
+      mpm::refuse_rigid_outside_mesh(model_, state);
+    });
+    state.max_dt = limit;
+    find_forces(static_cast<std::size_t>(k), state, work, dt);
+  });
+}
+
+void CoupledLine::archive(Archive& k, const problem::State<2>& first)
+{
+  k("hangs", hangs_);
+  if (!hangs_) return;
+  if (k.reads()) {
+    make_others(first);
+    begin_stage(first);
+  }
+  k.table("line", [&] { beam::archive(k, state_); });
+  for (std::size_t s = 0; s < count(); ++s)
+    k.table(fmt::format("slice_{}", s), [&] {
+      SliceForce& slice = forces_[s];
+      static_assert(sizeof(slice) == 5 * sizeof(Real));
+      k("impulse", slice.impulse);
+      k("force", slice.force);
+      k("contact_mass", slice.contact_mass);
+      if (s > 0) problem::archive(k, model_, *others_[s - 1]);
+    });
+  if (!k.reads()) return;
+  for (const auto& other : others_) {
+    mpm::set_inactive_cells(model_, *other);
+    workspaces_.push_back(std::make_unique<mpm::Workspace<2>>(model_, *other));
+  }
+}
+
+}  // namespace berm::slices

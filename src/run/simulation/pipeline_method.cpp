@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/library/library_pipeline_test.cpp
+#include "simulation/pipeline_method.hpp"
+
+#include "beam/answers.hpp"
+#include "core/error.hpp"
+#include "core/ranks.hpp"
+#include "io/atomic_file.hpp"
+#include "simulation/memory.hpp"
+#include "simulation/recorder.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace berm::simulation {
+namespace {
+
+constexpr run_folder::ColumnUnit kelvins{"K", "K"};
+constexpr std::size_t numbers_of_node = 9;  ///< of line.csv
+constexpr const char* head_of_shapes = "frame,time_s,stage,x_m,y_m,z_m,u_m,P_N,M_Nm,strain_max,strain_min\n";
+
+using beam::Plane;
+
+Real across(const slices::LineOfCase& of, const beam::State& state, Plane plane, Index node)
+{
+  return state.displacement[of.line.across(plane, node)];
+}
+
+/// Where the line has gone sideways most.
+Index crown_of(const slices::LineOfCase& of, const beam::State& state)
+{
+  Index crown = 0;
+  for (Index i = 1; i < of.line.nodes(); ++i)
+    if (std::abs(across(of, state, Plane::lateral, i)) > std::abs(across(of, state, Plane::lateral, crown))) crown = i;
+  return crown;
+}
+
+/// x of the first place beyond the crown at which the line crosses its axis, m; NaN where it does not.
+Real crossing_of(const slices::LineOfCase& of, const beam::State& state)
+{
+  for (Index i = crown_of(of, state); i + 1 < of.line.nodes(); ++i) {
+    const Real a = across(of, state, Plane::lateral, i), b = across(of, state, Plane::lateral, i + 1);
+    if (a != 0 && a * b <= 0) return of.line.x[i] + a / (a - b) * of.line.length(i);
+  }
+  return nan;
+}
+
+}  // namespace
+
+PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch)
+    : MpmMethod<2>(request, scratch),
+      folder_(request.folder),
+      line_(case_of_run(), model()),
+      last_impulses_(line_.count(), Vec<2>::Zero())
+{
+  if (Ranks::of_run().count() > 1) throw InputError("a [pipeline] is run by one process, with threads: start it without the launcher");
+  if (!model().earthworks.empty()) throw KeyError("pipeline: does not go with fills and excavations");
+  refuse_without_memory(memory_of_others(), memory_in_use(), fmt::format("{} slices", line_.count()),
+                        "take larger cells, fewer particles or fewer slices");
+}
+
+/// Bytes, at most: each has the particles and sums of the first; they share its mesh.
+Real PipelineMethod::memory_of_others() const
+{
+  return static_cast<Real>(line_.count() - 1) * memory_of<2>(size_of(problem()));
+}
+
+std::string PipelineMethod::size_words() const
+{
+  const slices::LineOfCase& of = line_.of_case();
+  return fmt::format("{}, {} slices every {:.4g} m, line of {} nodes", MpmMethod<2>::size_words(), line_.count(), of.places[1],
+                     of.line.nodes());
+}
+
+void PipelineMethod::print_check(const Context& context)
+{
+  const slices::LineOfCase& of = line_.of_case();
+  fmt::print("  pipeline     {} slices every {:.4g} m, line of {} nodes to {:.4g} m; what follows is of one slice, the others take {:.0f} "
+             "MiB more at most\n",
+             line_.count(), of.places[1], of.line.nodes(), of.line.x.back(), memory_of_others() / (1 << 20));
+  MpmMethod<2>::print_check(context);
+}
+
+void PipelineMethod::step()
+{
+  if (on_line())
+    line_.step(state_now(), workspace(), [&] { MpmMethod<2>::step(); });
+  else
+    MpmMethod<2>::step();
+}
+
+bool PipelineMethod::next_stage()
+{
+  if (!MpmMethod<2>::next_stage()) return false;
+  if (!on_line()) return true;
+  if (!line_.hangs()) {
+    line_.hang(state());
+    hung_at_ = state().step;
+    const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
+    constexpr Real allowed = 0.1;
+    if (!(std::abs(carried / weight - 1) < allowed))
+      spdlog::warn("the laid pipe presses on the soil with {:.4g} N/m, and the line weighs {:.4g} N/m: let the last stage before the line "
+                   "push with its weight",
+                   carried, weight);
+  }
+  line_.begin_stage(state());
+  return true;
+}
+
+void PipelineMethod::come_to_checkpoint_boundary()
+{
+  if (line_.hangs()) return line_.find_time_steps(state_now(), workspace());
+  MpmMethod<2>::come_to_checkpoint_boundary();
+}
+
+void PipelineMethod::drive(int freedom, bool by_force, Real value)
+{
+  if (on_line())
+    throw InputError(
+        fmt::format("the stage \"{}\" is one of a pipeline, whose line drives the pipe", model().stages[state().stage.index].name));
+  MpmMethod<2>::drive(freedom, by_force, value);
+}
+
+void PipelineMethod::archive(Archive& k)
+{
+  MpmMethod<2>::archive(k);
+  k.table("pipeline", [&] {
+    line_.archive(k, state());
+    k("hung_at", hung_at_);
+    k("last_row", last_row_);
+    k("largest_slope", largest_slope_);
+    k("largest_contact_mass", largest_contact_mass_);
+    for (std::size_t s = 0; s < last_impulses_.size(); ++s) k(fmt::format("last_impulse_{}", s), last_impulses_[s]);
+    k("shapes", shapes_);
+    k("stages", stages_);
+    if (!k.reads()) return;
+    if (shapes_.size() != stages_.size() * static_cast<std::size_t>(line_.of_case().line.nodes()) * numbers_of_node)
+      k.refuse("the shapes of the line are not whole");
+  });
+}
+
+void PipelineMethod::add_row(run_folder::HistoryFile& file)
+{
+  MpmMethod<2>::add_row(file, [&](run_folder::Row& row) {
+    add_line(row);
+    add_slices(row);
+  });
+  last_row_ = state().time;
+}
+
+void PipelineMethod::add_line(run_folder::Row& row)
+{
+  const slices::LineOfCase& of = line_.of_case();
+  const beam::State& now = line_.state();
+  const slices::LineLoads loads = line_.loads_at(state(), state().time);
+  const Index crown = crown_of(of, now),
+              last_of_slices = static_cast<Index>(std::lower_bound(of.line.x.begin(), of.line.x.end(), of.places.back() * (1 - 1e-9)) -
+                                                  of.line.x.begin());
+  Real moment = 0, stretched = 0, compressed = 0, contact_mass = 0;
+  for (Index i = 0; i < of.line.nodes(); ++i) moment = std::max(moment, std::abs(beam::moment(of.line, now, Plane::lateral, i)));
+  for (Index e = 0; e < of.line.elements(); ++e) {
+    const beam::FibreStrain strain = beam::longitudinal_strain(of.line, now, e);
+    stretched = std::max(stretched, strain.largest);
+    compressed = std::min(compressed, strain.smallest);
+  }
+  for (const slices::SliceForce& slice : line_.forces()) contact_mass = std::max(contact_mass, slice.contact_mass);
+  largest_slope_ = std::max(largest_slope_, beam::largest_slope(of.line, now));
+  largest_contact_mass_ = std::max(largest_contact_mass_, contact_mass / of.mass);
+  row.of("line");
+  row("T", loads.temperature, kelvins, "rise of temperature since the line was laid");
+  row("p", loads.pressure, run_folder::pascals, "rise of internal pressure since the line was laid");
+  row("P0", of.constrained_force(loads), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
+  row("P", -beam::effective_force(of.line, now, 0), run_folder::whole_newtons, "effective compression at x = 0");
+  row("x", of.line.x[crown], run_folder::metres, "place of the largest lateral displacement");
+  row("y", across(of, now, Plane::lateral, crown), run_folder::metres, "largest lateral displacement of the line, from its straight axis");
+  row("z", across(of, now, Plane::vertical, crown), run_folder::metres, "height of the line there, from where it was laid");
+  row("crossing", crossing_of(of, now), run_folder::metres, "place beyond it where the line crosses its axis");
+  row("M", moment, run_folder::whole_newton_metres, "largest lateral bending moment");
+  row("strain_max", stretched, run_folder::bare, "largest longitudinal strain");
+  row("strain_min", compressed, run_folder::bare, "smallest longitudinal strain: the largest in compression");
+  row("feed_in", -now.displacement[of.line.axial(last_of_slices)], run_folder::metres,
+      "axial displacement at the last slice towards x = 0");
+  row("contact_mass", contact_mass, run_folder::kilograms<2>, "largest mass of soil at the nodes that the pipe touches in a slice");
+}
+
+void PipelineMethod::add_slices(run_folder::Row& row)
+{
+  const Real time = state().time - last_row_;
+  for (std::size_t k = 0; k < line_.count(); ++k) {
+    const problem::State<2>& slice = k == 0 || !line_.hangs() ? state() : line_.slice(k);
+    const Vec<2> impulse = -slice.contact_sums[0].impulse;
+    const Vec<2> reaction = time > 0 ? Vec<2>((impulse - last_impulses_[k]) / time) : Vec<2>(Vec<2>::Zero());
+    last_impulses_[k] = impulse;
+    if (k == 0) continue;  // the main columns
+    row.of(fmt::format("slice_{}", k));
+    observe<2>(row, response_of<2>(model(), slice, 0, reaction));
+  }
+}
+
+void PipelineMethod::note_shape()
+{
+  const slices::LineOfCase& of = line_.of_case();
+  const beam::State& now = line_.state();
+  stages_.push_back(state().stage.index);
+  for (Index i = 0; i < of.line.nodes(); ++i) {
+    const Index e = std::min(i, of.line.elements() - 1);
+    const beam::FibreStrain strain = beam::longitudinal_strain(of.line, now, e);
+    shapes_.insert(shapes_.end(), {state().time, of.line.x[i], across(of, now, Plane::lateral, i), across(of, now, Plane::vertical, i),
+                                   now.displacement[of.line.axial(i)], -beam::effective_force(of.line, now, e),
+                                   beam::moment(of.line, now, Plane::lateral, i), strain.largest, strain.smallest});
+  }
+}
+
+run_folder::Frame<2> PipelineMethod::make_frame()
+{
+  note_shape();
+  std::string text = head_of_shapes;
+  const std::size_t nodes = static_cast<std::size_t>(line_.of_case().line.nodes());
+  for (std::size_t row = 0; row < shapes_.size() / numbers_of_node; ++row) {
+    const Real* n = &shapes_[row * numbers_of_node];
+    fmt::format_to(std::back_inserter(text), "{},{},{}", row / nodes, n[0], model().stages[stages_[row / nodes]].name);
+    for (std::size_t c = 1; c < numbers_of_node; ++c) fmt::format_to(std::back_inserter(text), ",{}", n[c]);
+    text += '\n';
+  }
+  io::write_atomically(folder_ / "line.csv", text);
+  return MpmMethod<2>::make_frame();
+}
+
+run_folder::Summary::Checks PipelineMethod::checks() const
+{
+  run_folder::Summary::Checks checks = MpmMethod<2>::checks();
+  checks.push_back({"line_slope", largest_slope_});
+  checks.push_back({"contact_mass_over_mass", largest_contact_mass_});
+  if (largest_slope_ > beam::largest_valid_slope)
+    spdlog::warn("the line has a slope of {:.2g}; its strain is meant for {} at most (docs/theory.md)", largest_slope_,
+                 beam::largest_valid_slope);
+  return checks;
+}
+
+Real PipelineMethod::particle_steps() const
+{
+  const BigIndex of_others = line_.hangs() ? static_cast<BigIndex>(line_.count() - 1) * (state().step - hung_at_) : 0;
+  return static_cast<Real>(counts().particles * (state().step + of_others));
+}
+
+}  // namespace berm::simulation

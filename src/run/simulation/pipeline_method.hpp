@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulation/mpm_method.hpp"
+#include "slices/coupled_line.hpp"
+
+namespace berm::simulation {
+
+/// A pipeline on slices of soil as a Run needs it: the first slice is a run of the material point method, which lays the pipe; in stages of kind pipeline all slices hang on the line.
+class PipelineMethod : public MpmMethod<2> {
+public:
+  PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch);
+
+  std::string size_words() const;
+  void print_check(const Context& context);
+
+  void step();
+  /// With columns of the line and of the other slices.
+  void add_row(run_folder::HistoryFile& file);
+  /// Of the first slice; and line.csv, with the shapes of the line so far.
+  run_folder::Frame<2> make_frame();
+  bool next_stage();
+  void come_to_checkpoint_boundary();
+  /// The line drives the slices: throws InputError in stages of kind pipeline.
+  void drive(int freedom, bool by_force, Real value);
+  void archive(Archive& k);
+
+  run_folder::Summary::Checks checks() const;
+  Real particle_steps() const;
+
+private:
+  Real memory_of_others() const;
+  void add_line(run_folder::Row& row);
+  void add_slices(run_folder::Row& row);
+  void note_shape();
+  bool on_line() const { return model().stages[state().stage.index].kind == problem::StageKind::pipeline; }
+
+  std::filesystem::path folder_;
+  slices::CoupledLine line_;
+  BigIndex hung_at_ = 0;               ///< step
+  Real last_row_ = 0;                  ///< s
+  std::vector<Vec<2>> last_impulses_;  ///< N s/m, of the soil on the pipe, by slice
+  Real largest_slope_ = 0;             ///< of all rows
+  Real largest_contact_mass_ = 0;      ///< over the line's mass, of all rows
+  std::vector<Real> shapes_;           ///< numbers of line.csv, by frame and node
+  std::vector<Index> stages_;          ///< by frame
+};
+
+}  // namespace berm::simulation

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a case of a pipeline must say, and what it is told where it does not.
+#include "samples/error_of.hpp"
+#include "samples/pipeline_case.hpp"
+
+#include "core/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::input::this_file {
+namespace {
+
+/// A change to the sample and what the refusal must say.
+struct Wrong {
+  std::vector<std::string> set;
+  std::string key, says;
+};
+
+TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
+{
+  const std::vector<Wrong> wrong = {
+      {{"pipeline.wall=\"15 mm\""}, "pipeline", "either wall and young_modulus, or bending_stiffness and axial_stiffness"},
+      {{"pipeline.bending_stiffness=\"-1 N m^2\""}, "pipeline.bending_stiffness", "more than 0"},
+      {{"pipeline.axial_stiffness=0"}, "pipeline.axial_stiffness", "more than 0"},
+      {{"pipeline.submerged_weight=\"0 N/m\""}, "pipeline.submerged_weight", "more than 0"},
+      {{"pipeline.submerged_weight=\"1.5 kN\""}, "pipeline.submerged_weight", "N/m"},
+      {{"pipeline.mass=\"-3 kg/m\""}, "pipeline.mass", "more than 0"},
+      {{"pipeline.lay_tension=\"-1 kN\""}, "pipeline.lay_tension", ""},
+      {{"pipeline.poisson_ratio=0.6"}, "pipeline.poisson_ratio", "0.5"},
+      {{"pipeline.expansion=-1e-5"}, "pipeline.expansion", ""},
+      {{"pipeline.half=\"whole\""}, "pipeline.half", "symmetric"},
+      {{"pipeline.end=\"pinned\""}, "pipeline.end", "anchored"},
+      {{"pipeline.length=\"2 m\""}, "pipeline.length", "to the last slice"},
+      {{"pipeline.length=\"inf m\""}, "pipeline.length", ""},
+      {{"pipeline.slices.to=\"2 m\""}, "pipeline.slices.to", "fewer than four slices"},
+      {{"pipeline.slices.spacing=0"}, "pipeline.slices.spacing", "more than 0"},
+      {{"pipeline.slices.spacing=\"1 mm\""}, "pipeline.slices.spacing", "more than 1000 slices"},
+      {{"pipeline.imperfection.amplitude=0"}, "pipeline.imperfection.amplitude", "does not buckle"},
+      {{"pipeline.imperfection.length=\"7 m\""}, "pipeline.imperfection.length", "less than twice"},
+      {{"pipeline.far_soil.friction=-1"}, "pipeline.far_soil.friction", ""},
+      {{"pipeline.far_soil.axial_mobilisation=0"}, "pipeline.far_soil.axial_mobilisation", "more than 0"},
+      {{"pipeline.vertical_damping=\"-1 1/s\""}, "pipeline.vertical_damping", ""},
+      {{"pipeline.slice.spacing=1"}, "pipeline.slice", "slices"},
+      {{"stage.current.pipeline.temperature=\"30 K\""}, "stage.current.pipeline.temperature", "needs pipeline.expansion"},
+      {{"stage.current.pipeline.pressure=\"10 MPa\""}, "stage.current.pipeline.pressure", "needs the wall"},
+      {{"stage.current.pipeline.weight=\"-1 N/m\""}, "stage.current.pipeline.weight", "more than 0"},
+      {{"stage.lay.pipeline.lateral=\"1 N/m\""}, "stage.lay.pipeline", "is for kind = \"pipeline\""},
+      {{"stage.lay.kind=\"pipeline\""}, "stage.lay.force", "only a push or a drag"},
+      {{"stage.current.kind=\"free\""}, "stage.current.pipeline", "is for kind"},
+      {{"stage.current.until.displacement=\"1 m\""}, "stage.current.until", "is a time"},
+      {{"stage.current.velocity=\"1 m/s\""}, "stage.current.velocity", "only a push or a drag"},
+      {{"stage.current.drive.x.velocity=\"1 m/s\""}, "stage.current.drive.x", "kind = \"drive\""},
+      {{"pipeline.slices.to=\"3.3 m\"", "pipeline.length=\"4 m\""}, "pipeline.slices.to", "multiple"},
+      {{"pipeline.imperfection.length=\"3 m\""}, "pipeline.imperfection.length", "four spacings"},
+      {{"pipeline.lay_tension=\"1 kN\""}, "pipeline.lay_tension", "free"},
+      {{"rigid.pipe.rotation=\"free\""}, "rigid.pipe.rotation", "fixed"},
+      {{"stage.current.ramp=\"3 s\""}, "stage.current.ramp", "before the stage does"},
+      {{"gravity=[1, -9.81]"}, "pipeline", "gravity along -y"},
+      {{"method=\"fem\""}, "", "mpm"},
+      {{"rigid.pipe.mass=0"}, "", "mass"},
+      {{"safety.factor=1.5"}, "pipeline", "factor of safety"},
+  };
+  for (const Wrong& one : wrong) {
+    const std::string error = test::error_of<InputError>([&] { test::line_case(one.set); });
+    EXPECT_TRUE(error.starts_with("line.toml:") || error.starts_with("--set ")) << one.set[0] << ": " << error;
+    EXPECT_NE(error.find(one.key), std::string::npos) << one.set[0] << ": " << error;
+    EXPECT_NE(error.find(one.says), std::string::npos) << one.set[0] << ": " << error;
+  }
+}
+
+TEST(ReadPipeline, keeps_what_it_says_and_has_defaults_for_the_rest)
+{
+  const problem::Case c = test::line_case();
+  ASSERT_TRUE(c.pipeline);
+  EXPECT_EQ(c.pipeline->slices.to, 3);
+  EXPECT_EQ(c.pipeline->half, problem::LineHalf::symmetric);
+  EXPECT_EQ(c.pipeline->far_soil.axial_mobilisation, 2e-3);
+  EXPECT_EQ(c.stage.back().kind, problem::StageKind::pipeline);
+  EXPECT_EQ(c.stage.back().pipeline.lateral, 1000);
+}
+
+}  // namespace
+}  // namespace berm::input::this_file

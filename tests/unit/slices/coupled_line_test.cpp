@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slices/coupled_line.hpp"
+
+#include "samples/pipeline_case.hpp"
+
+#include "core/threads.hpp"
+#include "mpm/step.hpp"
+#include "problem/stages.hpp"
+
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace berm::slices::this_file {
+namespace {
+
+/// A line on its slices, stepped without files.
+struct LineRun {
+  explicit LineRun(const problem::Case& c)
+      : problem(problem::build<2>(c, ".", ".")),
+        workspace(problem.model, problem.state),
+        line(c, problem.model)
+  {
+    while (problem.model.stages[problem.state.stage.index].kind != problem::StageKind::pipeline) {
+      mpm::step(problem.model, problem.state, workspace);
+      if (stage_ended(problem.model, problem.state)) next_stage();
+    }
+    line.hang(problem.state);
+    line.begin_stage(problem.state);
+  }
+  void next_stage()
+  {
+    ++problem.state.stage.index;
+    begin_stage(problem.model, problem.state);
+  }
+  void step()
+  {
+    line.step(problem.state, workspace, [&] { mpm::step(problem.model, problem.state, workspace); });
+  }
+  Vec<2> pipe(std::size_t k) const { return (k == 0 ? problem.state : line.slice(k)).rigid_bodies[0].displacement; }
+
+  problem::Problem<2> problem;
+  mpm::Workspace<2> workspace;
+  CoupledLine line;
+};
+
+TEST(CoupledLine, that_hardly_bends_moves_as_one_pipe_of_its_mass_under_the_same_force)
+{
+  LineRun run(test::line_case());
+  const Vec<2> laid = run.pipe(0);
+  while (!stage_ended(run.problem.model, run.problem.state)) run.step();
+
+  problem::Case c = test::line_case();
+  c.pipeline.reset();
+  problem::StageSettings& alone = c.stage.back();
+  alone.kind = problem::StageKind::drive;
+  alone.drive.x.force = *alone.pipeline.lateral;
+  alone.drive.y.force = -1500;
+  problem::Problem<2> problem = problem::build<2>(c, ".", ".");
+  mpm::Workspace<2> workspace(problem.model, problem.state);
+  for (;;) {
+    mpm::step(problem.model, problem.state, workspace);
+    if (!stage_ended(problem.model, problem.state)) continue;
+    if (problem.state.stage.index + 1 == static_cast<Index>(c.stage.size())) break;
+    ++problem.state.stage.index;
+    begin_stage(problem.model, problem.state);
+  }
+  const Vec<2> expected = problem.state.rigid_bodies[0].displacement - laid;
+  EXPECT_GT(expected[0], 0.1) << "it has broken out";
+  for (std::size_t k = 0; k < run.line.count(); ++k) {
+    EXPECT_NEAR((run.pipe(k) - laid)[0], expected[0], 0.005 * expected[0]) << "slice " << k << ": the soil's force is one step late";
+    EXPECT_NEAR((run.pipe(k) - laid)[1], expected[1], 0.005 * expected[0]) << "slice " << k;
+  }
+}
+
+TEST(CoupledLine, has_the_same_bits_on_threads)
+{
+  const auto moved = [](int count) {
+    const Threads threads(count);
+    LineRun run(test::line_case());
+    for (int k = 0; k < 200; ++k) run.step();
+    return std::pair{run.line.state().displacement, run.problem.state.totals.internal};
+  };
+  const auto one = moved(1);
+  EXPECT_EQ(one, moved(2));
+  EXPECT_GT(*std::max_element(one.first.begin(), one.first.end()), 0);
+}
+
+TEST(CoupledLine, moves_each_pipe_as_the_line_goes)
+{
+  LineRun run(test::line_case());
+  const Vec<2> laid = run.pipe(0);
+  for (int k = 0; k < 100; ++k) run.step();
+  const LineOfCase& of = run.line.of_case();
+  std::vector<Real> lateral(run.line.count()), vertical(run.line.count());
+  of.stations.means(of.line, beam::Direction::lateral, run.line.state().displacement, lateral);
+  of.stations.means(of.line, beam::Direction::vertical, run.line.state().displacement, vertical);
+  std::vector<Real> shape(run.line.count());
+  of.stations.means(of.line, beam::Direction::lateral, of.line.shape, shape);
+  for (std::size_t k = 0; k < run.line.count(); ++k) {
+    EXPECT_NEAR((run.pipe(k) - laid)[0], lateral[k] - shape[k], 1e-12) << "sums of a hundred steps";
+    EXPECT_NEAR((run.pipe(k) - laid)[1], vertical[k], 1e-12);
+  }
+}
+
+/// A line that bends within its slices, bent by 0.1 m at rest and pressed along.
+problem::Case soft_line()
+{
+  problem::Case c = test::line_case();
+  c.pipeline->bending_stiffness = 1e4;
+  c.pipeline->axial_stiffness = 1e6;
+  c.pipeline->expansion = 1e-4;
+  c.pipeline->imperfection = {0.1, 5};
+  c.stage.back().pipeline = {100, {}, {}, 1000};
+  return c;
+}
+
+TEST(CoupledLine, replays_each_slice_in_a_single_problem_to_the_bit)
+{
+  LineRun run(soft_line());
+  struct Alone {
+    problem::State<2> state;
+    mpm::Workspace<2> workspace;
+  };
+  std::vector<std::unique_ptr<Alone>> alone;
+  for (std::size_t k = 0; k < run.line.count(); ++k)
+    alone.push_back(std::unique_ptr<Alone>(new Alone{run.problem.state, mpm::Workspace<2>(run.problem.model, run.problem.state)}));
+  for (int step = 0; step < 400; ++step) {
+    run.step();
+    for (std::size_t k = 0; k < alone.size(); ++k) {
+      const bodies::RigidState<2>& driven = (k == 0 ? run.problem.state : run.line.slice(k)).rigid_bodies[0];
+      drive_otherwise(run.problem.model, alone[k]->state, 0, false, driven.velocity[0]);
+      drive_otherwise(run.problem.model, alone[k]->state, 1, false, driven.velocity[1]);
+      alone[k]->state.max_dt = run.problem.state.dt;
+      mpm::step(run.problem.model, alone[k]->state, alone[k]->workspace);
+    }
+  }
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    const problem::State<2>& slice = k == 0 ? run.problem.state : run.line.slice(k);
+    EXPECT_EQ(alone[k]->state.time, slice.time) << k;
+    EXPECT_EQ(alone[k]->state.rigid_bodies[0].displacement, slice.rigid_bodies[0].displacement) << k;
+    EXPECT_EQ(alone[k]->state.contact_sums[0].impulse, slice.contact_sums[0].impulse) << k;
+    EXPECT_EQ(alone[k]->state.totals.internal, slice.totals.internal) << k;
+    if (k > 0) {
+      EXPECT_NE(slice.rigid_bodies[0].displacement, run.pipe(k - 1)) << "no slice goes as another, " << k;
+    }
+  }
+}
+
+TEST(CoupledLine, lighter_than_the_soil_that_it_moves_does_not_shake)
+{
+  problem::Case c = test::line_case();
+  c.pipeline->mass = 20;
+  LineRun run(c);
+  Real fastest = 0, heaviest = 0;
+  while (run.problem.state.time - run.problem.state.stage.begin_time < 0.3) {
+    run.step();
+    for (std::size_t k = 0; k < run.line.count(); ++k) {
+      fastest = std::max(fastest, (k == 0 ? run.problem.state : run.line.slice(k)).rigid_bodies[0].velocity.norm());
+      heaviest = std::max(heaviest, run.line.forces()[k].contact_mass);
+    }
+  }
+  EXPECT_GT(heaviest, 2 * 20) << "a reaction that is a step late would not be stable";
+  EXPECT_LT(fastest, 0.3) << "300 N/m have not moved the pipe from its place";
+}
+
+}  // namespace
+}  // namespace berm::slices::this_file
