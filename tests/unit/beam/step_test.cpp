@@ -187,6 +187,7 @@ TEST(Step, a_node_without_a_lateral_spring_slides_sideways_where_it_goes_so_five
     line.section[0].axial_stiffness = 1e-6;
     add_springs(line, Direction::axial, friction(1, 1e-6), lengths_of_nodes(line));
     line.axial_where_sideways = false;
+    for (Index i = 0; i < 2; ++i) line.held[line.across(Plane::lateral, i) + 1] = 1;
     State state = state_of(line);
     Work work(line);
     Loads loads = no_loads(line);
