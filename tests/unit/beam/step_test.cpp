@@ -175,6 +175,7 @@ TEST(Step, friction_along_the_line_is_off_where_it_slides_sideways)
   everywhere.heat(800), off.heat(800);
   EXPECT_EQ(std::count(everywhere.state.sideways.begin(), everywhere.state.sideways.end(), 1), 0);
   EXPECT_EQ(off.state.sideways[5], 1) << "in the buckle";
+  EXPECT_EQ(off.state.springs[5].origin, off.state.displacement[off.line.axial(5)]) << "where friction begins anew";
   EXPECT_EQ(off.state.sideways[off.line.nodes() - 5], 0) << "far from it";
   EXPECT_GT(off.state.displacement[off.crown()], everywhere.state.displacement[everywhere.crown()]);
 }
