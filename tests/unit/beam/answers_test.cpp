@@ -15,7 +15,7 @@ struct Bent {
   Line line;
   State state;
 
-  Bent() : line(straight_line(graded_nodes(1, length, 1, 1, length), {EI, 1e9, 100, 100, 0, 0.2}, {Plane::lateral, Plane::vertical}))
+  Bent() : line(straight_line(graded_nodes(0.5, length, 1, 0.5, length), {EI, 1e9, 100, 100, 0, 0.2}, {Plane::lateral, Plane::vertical}))
   {
     hold(line, 0, EndCondition::clamped);
     state = state_of(line);
