@@ -4,10 +4,12 @@
 
 #include "record/panels.hpp"
 #include "text/html.hpp"
+#include "text/quantity_words.hpp"
 
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace berm::line {
 namespace {
@@ -105,6 +107,27 @@ std::string Line::in_words(const record::RunRecord& run, const base::DisplayUnit
                          100 * of("strain_min"));
   });
   return words.empty() ? "The line has not been loaded yet." : words;
+}
+
+std::string Line::other_results(const record::RunRecord& run, const std::string& id) const
+{
+  text::HtmlTable table(id + "-line", fmt::format("{}: the line at the end of each of its stages", run.name));
+  table.columns({{"stage"},
+                 {"y, m", true},
+                 {"z, mm", true},
+                 {"P, kN", true},
+                 {"M, kN m", true},
+                 {"largest strain, %", true},
+                 {"smallest strain, %", true},
+                 {"feed-in, m", true}});
+  for_loaded_stages(run, [&](const std::string& stage, const auto& of) {
+    std::vector<text::HtmlCell> row = {{text::html_text(stage)}};
+    for (const auto& [name, scale] :
+         {std::pair{"y", 1.}, {"z", 1e3}, {"P", 1e-3}, {"M", 1e-3}, {"strain_max", 100.}, {"strain_min", 100.}, {"feed_in", 1.}})
+      row.push_back({text::table_number(scale * of(name)), true});
+    table.row(row);
+  });
+  return table.empty() ? "" : table.html();
 }
 
 }  // namespace berm::line
