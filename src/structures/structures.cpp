@@ -65,7 +65,7 @@ const std::vector<const base::Structure*>& all_structures()
   static const pipe::Pipe pipe;
   static const line::Line line;
   static const generic::Generic generic;
-  static const std::vector<const base::Structure*> all = {&line, &cone, &ball, &t_bar, &pile, &skirt, &footing, &anchor, &pipe, &generic};
+  static const std::vector<const base::Structure*> all = {&cone, &ball, &t_bar, &pile, &skirt, &footing, &anchor, &line, &pipe, &generic};
   return all;
 }
 
