@@ -91,8 +91,8 @@ public:
   /// Ends the run where it is: results of what was computed and a checkpoint go to the folder, from which resume() continues.
   void stop();
 
-  /// A second run in the state that this one is in, which goes on by itself to the same bits. It has a folder of its own, "": nothing is kept; a folder that holds
-  /// is not empty is an InputError. Laws and messages go where those of this run go. A run with fills or excavations is cloned between them: where one may be due, at every
+  /// A second run in the state that this one is in, which goes on by itself to the same bits. It has a folder of its own, "": nothing is kept; a folder that is
+  /// not empty, or lies in that of this run, is an InputError. Laws and messages go where those of this run go. A run with fills or excavations is cloned between them: where one may be due, at every
   /// sixteenth step, this is a RunError.
   Run clone(const std::string& folder = "");
 

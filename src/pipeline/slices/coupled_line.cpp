@@ -63,7 +63,7 @@ void CoupledLine::hang(const problem::State<2>& laid)
   hangs_ = true;
   make_others(laid);
   for (const auto& other : others_) workspaces_.push_back(std::make_unique<mpm::Workspace<2>>(model_, *other));
-  for (SliceForce& slice : forces_) slice = {-laid.contact_sums[0].impulse, laid.rigid_bodies[0].smooth_reaction};
+  for (SliceForce& slice : forces_) slice.force = laid.rigid_bodies[0].smooth_reaction;
 }
 
 void CoupledLine::begin_stage(const problem::State<2>& first)
@@ -108,15 +108,6 @@ void CoupledLine::load_line(const LineLoads& now, Real dt)
   of_case_.stations.add_forces(line, beam::Direction::vertical, upwards_, loads_);
   of_case_.stations.add_impedances(line, beam::Direction::lateral, of_slices_, loads_);
   of_case_.stations.add_impedances(line, beam::Direction::vertical, of_slices_, loads_);
-}
-
-void CoupledLine::find_forces(std::size_t k, const problem::State<2>& state, const mpm::Workspace<2>& workspace, Real dt)
-{
-  SliceForce& slice = forces_[k];
-  const Vec<2> impulse = -state.contact_sums[0].impulse;
-  slice.force = (impulse - slice.impulse) / dt;
-  slice.impulse = impulse;
-  slice.contact_mass = contact_mass_of(workspace);
 }
 
 /// An error tells in which slice it is.
@@ -181,7 +172,7 @@ void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, c
       mpm::refuse_rigid_outside_mesh(model_, state);
     });
     state.max_dt = limit;
-    find_forces(static_cast<std::size_t>(k), state, work, dt);
+    forces_[static_cast<std::size_t>(k)] = {state.rigid_bodies[0].reaction, contact_mass_of(work)};
   });
 }
 
@@ -197,8 +188,7 @@ void CoupledLine::archive(Archive& k, const problem::State<2>& first)
   for (std::size_t s = 0; s < count(); ++s)
     k.table(fmt::format("slice_{}", s), [&] {
       SliceForce& slice = forces_[s];
-      static_assert(sizeof(slice) == 5 * sizeof(Real));
-      k("impulse", slice.impulse);
+      static_assert(sizeof(slice) == 3 * sizeof(Real));
       k("force", slice.force);
       k("contact_mass", slice.contact_mass);
       if (s > 0) problem::archive(k, model_, *others_[s - 1]);

@@ -12,9 +12,8 @@ namespace berm::slices {
 
 /// What a slice gives its part of the line.
 struct SliceForce {
-  Vec<2> impulse = Vec<2>::Zero();  ///< N s/m, of the soil on the pipe since the start of the run
-  Vec<2> force = Vec<2>::Zero();    ///< N/m, of the soil on the pipe, mean over the last step
-  Real contact_mass = 0;            ///< kg/m, of soil at the nodes that the pipe touches
+  Vec<2> force = Vec<2>::Zero();  ///< N/m, of the soil on the pipe in the last step; when it is hung, the mean of many
+  Real contact_mass = 0;          ///< kg/m, of soil at the nodes that the pipe touches
 };
 
 /// A line on slices of soil, all of one model. The first slice, at x = 0, is the caller's, in which the pipe was laid; the others are copies of its state at that moment. Each step the line is moved under the
@@ -50,7 +49,6 @@ public:
   void archive(Archive& k, const problem::State<2>& first);
 
 private:
-  void find_forces(std::size_t k, const problem::State<2>& state, const mpm::Workspace<2>& workspace, Real dt);
   void load_line(const LineLoads& now, Real dt);
   Real step_line(const problem::State<2>& first, Real dt);
   void make_others(const problem::State<2>& first);
