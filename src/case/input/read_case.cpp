@@ -41,7 +41,10 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
     read_surfaces(found.settings.rigid, folder);
     for (std::size_t k = 0; k < found.settings.stage.size(); ++k) read_load_history(found.settings, k, folder);
     for (std::size_t k = 0; k < found.settings.support.size(); ++k) read_motion(found.settings, k, folder);
-    found.places = Places(std::move(document), problem::expand_sweeps(found.settings));
+    const std::vector<std::size_t> repeated = problem::expand_repeats(found.settings);
+    std::vector<std::size_t> origins = problem::expand_sweeps(found.settings);
+    for (std::size_t& origin : origins) origin = repeated[origin];
+    found.places = Places(std::move(document), origins);
   } catch (const KeyError& error) {
     throw InputError(written.located(error.what()));
   }

@@ -7,14 +7,48 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 
 namespace berm::problem {
 
 void describe(Describe& d, Imperfection& imperfection)
 {
-  d.value("amplitude", imperfection.amplitude,
-          {.meaning = "largest displacement sideways, along x of the slices", .unit = "m", .required = true});
-  d.value("length", imperfection.length, {.meaning = "length of the whole imperfection", .unit = "m", .range = positive, .required = true});
+  d.value("amplitude", imperfection.amplitude, {.meaning = "largest displacement sideways, along x of the slices", .unit = "m"});
+  d.value("length", imperfection.length, {.meaning = "length of the whole imperfection", .unit = "m", .range = not_negative});
+}
+
+void describe(Describe& d, OtherSoil& soil)
+{
+  d.value("from", soil.from, {.meaning = "place of the first of these slices", .unit = "m", .range = not_negative});
+  d.value("to", soil.to, {.meaning = "place of the last of these slices", .unit = "m", .range = not_negative, .required = true});
+  d.value(
+      "set", soil.set,
+      {.meaning = "what is different there, of material and contact, as --set has it: \"material.clay.cohesion=3 kPa\"", .required = true});
+}
+
+void describe(Describe& d, Route& route)
+{
+  d.value("table", route.table, {.meaning = "CSV file, beside the case file, whose columns x_m and y_m are the route, from x = 0"});
+  d.value("x", route.x, {.meaning = "instead of a file: places along the line, ascending from 0", .unit = "m"});
+  d.value("y", route.y, {.meaning = "instead of a file: where the line lies there, along x of the slices", .unit = "m"});
+}
+
+void describe(Describe& d, LateralCurve& curve)
+{
+  d.value("table", curve.table,
+          {.meaning = "CSV file, beside the case file, whose columns u_m and H_N_m are the resistance sideways over displacement"});
+  d.value("u", curve.x, {.meaning = "instead of a file: displacements, ascending from above 0", .unit = "m"});
+  d.value("H", curve.y, {.meaning = "instead of a file: resistances at these displacements; constant after the last", .unit = "N/m"});
+}
+
+void describe(Describe& d, SpringsBeside& springs)
+{
+  d.value("travel", springs.travel,
+          {.meaning = "travel of the drag in a copy of the laid slice, whose H(u) the springs have",
+           .unit = "m",
+           .range = positive,
+           .required = true});
+  d.value("velocity", springs.velocity, {.meaning = "speed of this drag", .unit = "m/s", .range = positive});
 }
 
 void describe(Describe& d, SliceSettings& slices)
@@ -22,6 +56,9 @@ void describe(Describe& d, SliceSettings& slices)
   d.value("spacing", slices.spacing, {.meaning = "distance between slices", .unit = "m", .range = positive, .required = true});
   d.value("to", slices.to,
           {.meaning = "place of the last slice along the line; the first is at 0", .unit = "m", .range = positive, .required = true});
+  d.choice("asleep", slices.asleep, {"never", "until_it_slides", "always"},
+           {.meaning = "when a slice is no soil but a spring of the far soil: until this spring has 40 % of its resistance sideways, which "
+                       "saves time; always: a line on springs alone"});
 }
 
 void describe(Describe& d, FarSoil& soil)
@@ -31,11 +68,24 @@ void describe(Describe& d, FarSoil& soil)
           {.meaning = "displacement at which it is mobilised; 0: a hundredth of the diameter", .unit = "m", .range = not_negative});
   d.value("axial_friction", soil.axial_friction,
           {.meaning = "axial resistance over the submerged weight, under the slices, too", .range = not_negative});
+  d.value("axial_angle", soil.axial_angle,
+          {.meaning =
+               "angle of friction between pipe and soil along the line, instead of axial_friction: on the force V that a slice has, times "
+               "the wedging factor of its embedment",
+           .unit = "rad",
+           .range = {0, 89.9 * degree}});
+  d.value("axial_strength", soil.axial_strength,
+          {.meaning = "shear strength between pipe and soil along the line, instead of axial_friction: on the buried part of the perimeter",
+           .unit = "Pa",
+           .range = not_negative});
   d.value("axial_mobilisation", soil.axial_mobilisation,
           {.meaning = "displacement at which it is mobilised", .unit = "m", .range = positive});
   d.value(
       "stiffness", soil.stiffness,
       {.meaning = "vertical stiffness; absent: the submerged weight over a hundredth of the diameter", .unit = "N/m^2", .range = positive});
+  d.optional_table("lateral", soil.lateral, {.meaning = "resistance sideways over displacement, instead of friction and mobilisation"});
+  d.value("macro_element", soil.macro_element,
+          {.meaning = "file of berm macro-element, beside the case file, instead of the other keys: resistance in all directions"});
 }
 
 void describe(Describe& d, PipelineSettings& pipeline)
@@ -59,16 +109,24 @@ void describe(Describe& d, PipelineSettings& pipeline)
           {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = positive});
   d.value("lay_tension", pipeline.lay_tension,
           {.meaning = "effective tension under which it was laid", .unit = "N", .range = not_negative});
-  d.choice("half", pipeline.half, {"symmetric", "antisymmetric"},
-           {.meaning = "what the other half of the line is, beyond x = 0: its mirror image, or turned by half a turn"});
+  d.choice("half", pipeline.half, {"symmetric", "antisymmetric", "none"},
+           {.meaning =
+                "what the other half of the line is, beyond x = 0: its mirror image, or turned by half a turn; none: x = 0 is a free "
+                "end of the line"});
   d.value("length", pipeline.length, {.meaning = "from x = 0 to the far end", .unit = "m", .range = positive, .required = true});
-  d.choice("end", pipeline.end, {"anchored", "free"}, {.meaning = "whether the far end stays where it is or moves along the line"});
+  d.choice("end", pipeline.end, {"anchored", "free", "spring"},
+           {.meaning = "whether the far end stays where it is or moves along the line, freely or against a spring"});
+  d.value("end_stiffness", pipeline.end_stiffness,
+          {.meaning = "of the spring of the far end, along the line", .unit = "N/m", .range = positive});
   d.table("imperfection", pipeline.imperfection,
           {.meaning = "the line's shape without stress: amplitude (1 + cos kx)/2 within its length, k = 2 pi/length; antisymmetric: "
-                      "amplitude (1 + cos kx) sin kx 4/(3 sqrt 3)",
-           .required = true});
+                      "amplitude (1 + cos kx) sin kx 4/(3 sqrt 3)"});
+  d.optional_table("route", pipeline.route, {.meaning = "the line's shape without stress, instead of an imperfection"});
   d.table("slices", pipeline.slices, {.meaning = "where slices of soil are", .required = true});
+  d.array("soil", pipeline.soil, {.meaning = "slices of other soil than that of the case, each laid by itself"});
   d.table("far_soil", pipeline.far_soil, {.meaning = "springs beyond the last slice"});
+  d.optional_table("springs", pipeline.springs,
+                   {.meaning = "a second line, on springs of the same soil, computed beside: what a design with springs would find"});
   d.value("vertical_damping", pipeline.vertical_damping,
           {.meaning = "vertical force over momentum of the line: takes what the soil's reaction, one step late, would add",
            .unit = "1/s",
@@ -78,6 +136,32 @@ void describe(Describe& d, PipelineSettings& pipeline)
 namespace {
 
 constexpr int max_slices = 1000;
+
+void check_points(Describe& d, const GivenPoints& points, const std::string& key, const char* x, const char* y)
+{
+  if (points.empty()) return;
+  d.check(points.table.empty() || (points.x.empty() && points.y.empty()), key, "is either a table or numbers");
+  d.check(points.x.size() == points.y.size(), key + "." + y, fmt::format("needs as many numbers as {}", x));
+  d.check(std::adjacent_find(points.x.begin(), points.x.end(), std::greater_equal<>()) == points.x.end(), key + "." + x, "must ascend");
+}
+
+/// Imperfection or route.
+void check_shape(Describe& d, const PipelineSettings& p)
+{
+  const Imperfection& shape = p.imperfection;
+  check_points(d, p.route, "pipeline.route", "x", "y");
+  check_points(d, p.far_soil.lateral, "pipeline.far_soil.lateral", "u", "H");
+  d.check(p.route.empty() || shape.amplitude == 0, "pipeline.route", "does not go with pipeline.imperfection");
+  d.check(p.route.x.empty() || p.route.x.front() == 0, "pipeline.route.x", "must begin at 0");
+  if (shape.amplitude == 0)
+    return d.check(!p.route.empty() || p.half == LineHalf::none, "pipeline.imperfection.amplitude",
+                   "is 0: a straight line does not buckle");
+  d.check(p.half != LineHalf::none, "pipeline.imperfection",
+          "is around x = 0, where a line with half = \"none\" ends: give it a pipeline.route");
+  d.check(shape.length / 2 < p.length, "pipeline.imperfection.length", "must be less than twice pipeline.length");
+  d.check(shape.length >= 4 * p.slices.spacing, "pipeline.imperfection.length",
+          "must be four spacings of the slices at least, which carry its shape");
+}
 
 void check_line(Describe& d, const PipelineSettings& p)
 {
@@ -92,12 +176,29 @@ void check_line(Describe& d, const PipelineSettings& p)
   d.check(std::abs(spacings * p.slices.spacing - p.slices.to) <= 1e-6 * p.slices.to, "pipeline.slices.to",
           "must be a multiple of pipeline.slices.spacing");
   d.check(p.length >= p.slices.to, "pipeline.length", "must reach to the last slice, pipeline.slices.to");
-  d.check(p.imperfection.length / 2 < p.length, "pipeline.imperfection.length", "must be less than twice pipeline.length");
-  d.check(p.imperfection.length >= 4 * p.slices.spacing, "pipeline.imperfection.length",
-          "must be four spacings of the slices at least, which carry its shape");
-  d.check(p.lay_tension == 0 || p.end == LineEnd::anchored, "pipeline.lay_tension",
-          "does not go with end = \"free\", where nothing holds it");
-  d.check(p.imperfection.amplitude != 0, "pipeline.imperfection.amplitude", "is 0: a straight line does not buckle");
+  d.check(p.lay_tension == 0 || (p.end == LineEnd::anchored && p.half != LineHalf::none), "pipeline.lay_tension",
+          "needs ends that hold it: end = \"anchored\", and not half = \"none\"");
+  d.check((p.end == LineEnd::spring) == p.end_stiffness.has_value(), "pipeline.end_stiffness",
+          "is needed with end = \"spring\", and with nothing else");
+  check_shape(d, p);
+}
+
+void check_soil(Describe& d, const PipelineSettings& p)
+{
+  const FarSoil& far = p.far_soil;
+  d.check(far.lateral.table.empty() || far.macro_element.empty(), "pipeline.far_soil.lateral", "does not go with macro_element");
+  d.check(!(far.axial_angle || far.axial_strength) || far.macro_element.empty(), "pipeline.far_soil",
+          "macro_element has its own axial resistance");
+  for (std::size_t k = 0; k < p.soil.size(); ++k) {
+    const std::string path = fmt::format("pipeline.soil[{}]", k);
+    d.check(p.soil[k].from <= p.soil[k].to, path + ".to", "is before `from`");
+    d.check(p.soil[k].to <= p.slices.to * (1 + 1e-9), path + ".to", "is beyond the last slice, pipeline.slices.to");
+    d.check(p.soil[k].from > 0, path + ".from", "must be above 0: the slice at x = 0 is the case itself");
+    d.check(k == 0 || p.soil[k].from > p.soil[k - 1].to, path + ".from", "must be beyond the slices before");
+    for (const std::string& set : p.soil[k].set)
+      d.check(set.starts_with("material.") || set.starts_with("contact."), path + ".set",
+              "changes keys of material and contact only, not \"" + set + "\"");
+  }
 }
 
 /// The rigid body is the pipe in each slice.
@@ -122,7 +223,7 @@ void check_slice(Describe& d, const Case& c, const PipelineSettings& p)
 
 bool loads_pipeline(const PipelineLoads& loads)
 {
-  return loads.temperature || loads.pressure || loads.weight || loads.lateral;
+  return loads.temperature || loads.far_temperature || loads.pressure || loads.weight || loads.lateral || loads.pull;
 }
 
 }  // namespace
@@ -146,10 +247,13 @@ void check_pipeline(Describe& d, const Case& c)
     d.check(!is_of_line(*stage) || !has_load_history(*stage), path, "of kind \"pipeline\" has no load history: its loads go with the ramp");
     d.check(!stage->pipeline.pressure || !c.pipeline || c.pipeline->wall, path + ".pipeline.pressure",
             "needs the wall of the pipe: pipeline.wall and young_modulus");
-    d.check(!stage->pipeline.temperature || !c.pipeline || c.pipeline->expansion > 0, path + ".pipeline.temperature",
-            "needs pipeline.expansion");
+    d.check(!stage->pipeline.pull || !c.pipeline || c.pipeline->end != LineEnd::anchored, path + ".pipeline.pull",
+            "is at the far end, which is anchored: pipeline.end = \"free\"");
+    d.check((!stage->pipeline.temperature && !stage->pipeline.far_temperature) || !c.pipeline || c.pipeline->expansion > 0,
+            path + ".pipeline.temperature", "needs pipeline.expansion");
   }
   if (!c.pipeline) return;
+  check_soil(d, *c.pipeline);
   d.check(first != c.stage.end(), "pipeline", "no [[stage]] of kind \"pipeline\" loads it");
   d.check(first != c.stage.begin(), "pipeline",
           "must be laid first: stages before the first of kind \"pipeline\" push the pipe into the soil");

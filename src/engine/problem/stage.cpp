@@ -83,9 +83,12 @@ void describe(Describe& d, Until& until)
 void describe(Describe& d, PipelineLoads& loads)
 {
   d.value("temperature", loads.temperature, {.meaning = "rise of temperature since the line was laid", .unit = "K"});
+  d.value("far_temperature", loads.far_temperature,
+          {.meaning = "the same at the far end of the line, linear between; left out: as at x = 0", .unit = "K"});
   d.value("pressure", loads.pressure, {.meaning = "rise of internal pressure since the line was laid", .unit = "Pa"});
   d.value("weight", loads.weight, {.meaning = "submerged weight", .unit = "N/m", .range = positive});
   d.value("lateral", loads.lateral, {.meaning = "load sideways, along x of the slices, such as that of a current", .unit = "N/m"});
+  d.value("pull", loads.pull, {.meaning = "effective tension at the far end, where nothing anchors it", .unit = "N"});
 }
 
 void describe(Describe& d, StageSettings& stage)
@@ -121,6 +124,11 @@ void describe(Describe& d, StageSettings& stage)
                       "push or a drag"});
   d.table("pipeline", stage.pipeline,
           {.meaning = "in a stage of kind pipeline: the loads of the line once the ramp is over; what is left out stays as it was"});
+  d.value(
+      "repeat", stage.repeat,
+      {.meaning = "how often the stages from `repeat_from` to this one run, one after the other; later ones are called NAME_2, NAME_3, ...",
+       .range = {1, 1000}});
+  d.value("repeat_from", stage.repeat_from, {.meaning = "the first of the stages that are repeated; left out: this one"});
   d.value("amplitude", stage.amplitude, {.meaning = "in a sweep: travel of each drag, out and back", .unit = "m", .range = positive});
   d.value("sweeps", stage.sweeps, {.meaning = "in a sweep: number of drags; two make a cycle", .range = {0, 10000}});
   d.value("pause", stage.pause,

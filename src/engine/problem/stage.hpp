@@ -73,10 +73,12 @@ struct DriveSettings {
 
 /// Loads of the pipeline when the stage's ramp is over; what is absent stays as it was.
 struct PipelineLoads {
-  std::optional<Real> temperature;  ///< K, rise since it was laid
-  std::optional<Real> pressure;     ///< Pa, rise of the internal pressure since it was laid
-  std::optional<Real> weight;       ///< N/m, submerged
-  std::optional<Real> lateral;      ///< N/m along the slices' x, such as that of a current
+  std::optional<Real> temperature;      ///< K, rise since it was laid
+  std::optional<Real> far_temperature;  ///< K, the same at the far end, linear between; absent: that of `temperature`
+  std::optional<Real> pressure;         ///< Pa, rise of the internal pressure since it was laid
+  std::optional<Real> weight;           ///< N/m, submerged
+  std::optional<Real> lateral;          ///< N/m along the slices' x, such as that of a current
+  std::optional<Real> pull;             ///< N, effective tension at the far end
 };
 
 /// One stage of a run.
@@ -94,6 +96,8 @@ struct StageSettings {
   Real ramp = 0;
   DriveSettings drive;            ///< of a stage of kind drive
   PipelineLoads pipeline;         ///< of a stage of kind pipeline
+  int repeat = 1;                 ///< how often the stages from `repeat_from` to this one run; 1 once a case is read
+  std::string repeat_from;        ///< an earlier stage, or this one
   std::optional<Real> amplitude;  ///< m, of a sweep: the travel of each drag
   int sweeps = 0;                 ///< of a sweep: how many drags, out and back in turn
   Real pause = 0;                 ///< s, of a sweep: how long the body rests between two of them, its vertical force held

@@ -37,14 +37,28 @@ std::vector<StageSettings> drags_of(const StageSettings& sweep)
   return drags;
 }
 
-void rename(std::vector<std::string>& names, const std::string& sweep, const std::vector<StageSettings>& drags)
+/// Of a list of stages: those stand for that one.
+void rename(std::vector<std::string>& names, const std::string& stage, const std::vector<std::string>& stand_for_it)
 {
-  const auto found = std::find(names.begin(), names.end(), sweep);
+  const auto found = std::find(names.begin(), names.end(), stage);
   if (found == names.end()) return;
-  const auto at = names.erase(found);
-  std::vector<std::string> of_drags;
-  for (const StageSettings& drag : drags) of_drags.push_back(drag.name);
-  names.insert(at, of_drags.begin(), of_drags.end());
+  names.insert(names.erase(found), stand_for_it.begin(), stand_for_it.end());
+}
+
+void rename_in_loads(Case& c, const std::string& stage, const std::vector<std::string>& stand_for_it)
+{
+  for (auto& [name, support] : c.support) rename(support.stages, stage, stand_for_it);
+  for (auto& [name, traction] : c.traction) rename(traction.stages, stage, stand_for_it);
+}
+
+/// The first of the stages that the stage of this number repeats.
+std::size_t first_of_repeat(const Case& c, std::size_t last)
+{
+  const StageSettings& stage = c.stage[last];
+  if (stage.repeat_from.empty()) return last;
+  for (std::size_t k = 0; k <= last; ++k)
+    if (c.stage[k].name == stage.repeat_from) return k;
+  throw KeyError(fmt::format("stage[{}].repeat_from: \"{}\" is no stage before it", last, stage.repeat_from));
 }
 
 }  // namespace
@@ -69,10 +83,50 @@ std::vector<std::size_t> expand_sweeps(Case& c)
           throw KeyError(fmt::format("stage[{}].name: the drags of \"{}\" are called {}, as another stage is: give one another name", k,
                                      stage.name, drag.name));
     }
-    for (auto& [name, support] : c.support) rename(support.stages, stage.name, drags);
-    for (auto& [name, traction] : c.traction) rename(traction.stages, stage.name, drags);
+    std::vector<std::string> names;
+    for (const StageSettings& drag : drags) names.push_back(drag.name);
+    rename_in_loads(c, stage.name, names);
     all.insert(all.end(), drags.begin(), drags.end());
     origins.insert(origins.end(), drags.size(), k);
+  }
+  c.stage = std::move(all);
+  return origins;
+}
+
+std::vector<std::size_t> expand_repeats(Case& c)
+{
+  std::vector<StageSettings> all;
+  std::vector<std::size_t> origins;
+  std::size_t free_from = 0;  // not yet in a repetition
+  for (std::size_t last = 0; last < c.stage.size(); ++last) {
+    const StageSettings& stage = c.stage[last];
+    all.push_back(stage);
+    origins.push_back(last);
+    if (stage.repeat == 1) {
+      if (!stage.repeat_from.empty()) throw KeyError(fmt::format("stage[{}].repeat_from: repeats nothing without `repeat`", last));
+      continue;
+    }
+    const std::size_t first = first_of_repeat(c, last);
+    if (first < free_from) throw KeyError(fmt::format("stage[{}].repeat_from: \"{}\" is repeated already", last, c.stage[first].name));
+    free_from = last + 1;
+    all.back().repeat = 1;
+    all.back().repeat_from.clear();
+    const std::vector<StageSettings> once(all.end() - static_cast<std::ptrdiff_t>(last + 1 - first), all.end());
+    for (int time = 2; time <= stage.repeat; ++time)
+      for (std::size_t k = first; k <= last; ++k) {
+        all.push_back(once[k - first]);
+        all.back().name = fmt::format("{}_{}", once[k - first].name, time);
+        origins.push_back(k);
+        for (const StageSettings& other : c.stage)
+          if (other.name == all.back().name)
+            throw KeyError(fmt::format("stage[{}].name: its repetition would be called {}, as another stage is: give one another name", k,
+                                       all.back().name));
+      }
+    for (const StageSettings& repeated : once) {
+      std::vector<std::string> names = {repeated.name};
+      for (int time = 2; time <= stage.repeat; ++time) names.push_back(fmt::format("{}_{}", repeated.name, time));
+      rename_in_loads(c, repeated.name, names);
+    }
   }
   c.stage = std::move(all);
   return origins;

@@ -101,8 +101,9 @@ void assemble(const Line& line, const State& state, const Loads& loads, const Ti
     const Spring& spring = line.springs[s];
     if (!acts(line, state, spring)) continue;
     const SpringForce now = force_of(line.laws[spring.law], state.springs[s], work.displacement[spring.freedom]);
-    work.residual[spring.freedom] += spring.length * now.force;
-    work.tangent.add(spring.freedom, spring.freedom, spring.length * now.stiffness);
+    const Real length = spring.length * state.spring_factor[s];
+    work.residual[spring.freedom] += length * now.force;
+    work.tangent.add(spring.freedom, spring.freedom, length * now.stiffness);
   }
   for (Index i = 0; i < line.freedoms(); ++i) {
     const Real velocity = work.predicted_velocity[i] + terms.velocity * (work.displacement[i] - work.predicted[i]);

@@ -71,8 +71,8 @@ void add_work(const Line& line, const Loads& loads, const TimeTerms& terms, Real
     if (!acts(line, state, spring)) continue;
     const Real u = state.displacement[spring.freedom], change = work.displacement[spring.freedom] - state.displacement[spring.freedom];
     const SpringLaw& law = line.laws[spring.law];
-    totals.work_on_springs +=
-        spring.length * (force_of(law, state.springs[s], u).force + force_of(law, state.springs[s], u + change).force) / 2 * change;
+    totals.work_on_springs += spring.length * state.spring_factor[s] *
+                              (force_of(law, state.springs[s], u).force + force_of(law, state.springs[s], u + change).force) / 2 * change;
   }
   for (int plane = 0; plane < static_cast<int>(line.planes.size()); ++plane)
     if (line.damping[plane] > 0)

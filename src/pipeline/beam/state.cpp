@@ -11,6 +11,7 @@ State state_of(const Line& line)
   state.acceleration = state.force = state.velocity;
   state.constrained_force.assign(line.elements(), 0);
   for (const Spring& spring : line.springs) state.springs.push_back({spring.origin, 0, 0, 0});
+  state.spring_factor.assign(line.springs.size(), 1);
   state.mean_axial.assign(line.nodes(), 0);
   state.mean_lateral = state.mean_axial;
   state.sideways.assign(line.nodes(), 0);
@@ -35,6 +36,7 @@ void archive(Archive& k, State& state)
     k.fixed("slip", slip);
     k.fixed("forward", forward);
     k.fixed("backward", backward);
+    k.fixed("factor", state.spring_factor);
   });
   for (std::size_t s = 0; s < state.springs.size(); ++s) state.springs[s] = {origin[s], slip[s], forward[s], backward[s]};
   k.fixed("mean_axial", state.mean_axial);

@@ -49,11 +49,9 @@ Stations::Stations(const Line& line, std::vector<Real> places)
     }
 }
 
-std::vector<Real> Stations::lengths_of_nodes(const Line& line) const
+void Stations::add_to_nodes(const std::vector<Real>& of_stations, std::vector<Real>& of_nodes) const
 {
-  std::vector<Real> lengths(line.nodes(), 0);
-  for (const Share& share : shares_) lengths[share.node] += share.length;
-  return lengths;
+  for (const Share& share : shares_) of_nodes[share.node] += share.length * of_stations[share.station];
 }
 
 void Stations::add_forces(const Line& line, Direction direction, const std::vector<Real>& per_metre, Loads& loads) const

@@ -16,8 +16,8 @@ public:
   Index count() const { return static_cast<Index>(lengths_.size()); }
   /// int phi dx of each, m.
   const std::vector<Real>& lengths() const { return lengths_; }
-  /// int phi psi dx summed over the stations, by node: the length of the line that it has from them, m.
-  std::vector<Real> lengths_of_nodes(const Line& line) const;
+  /// Adds int f psi dx of f = sum over stations of f_k phi_k to each node: with f_k = 1 the length of the line that it has from them, m.
+  void add_to_nodes(const std::vector<Real>& of_stations, std::vector<Real>& of_nodes) const;
 
   /// Adds the forces (N/m, by station) to the loads.
   void add_forces(const Line& line, Direction direction, const std::vector<Real>& per_metre, Loads& loads) const;

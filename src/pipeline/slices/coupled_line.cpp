@@ -36,8 +36,8 @@ void drive(const problem::Model<2>& model, problem::State<2>& state, Real sidewa
 }  // namespace
 
 CoupledLine::CoupledLine(const problem::Case& c, const problem::Model<2>& model)
-    : model_(model),
-      of_case_(c),
+    : of_case_(c),
+      soils_(count(), Soil{&model, nullptr}),
       state_(beam::state_of(of_case_.line)),
       work_(of_case_.line),
       loads_(beam::no_loads(of_case_.line)),
@@ -47,40 +47,57 @@ CoupledLine::CoupledLine(const problem::Case& c, const problem::Model<2>& model)
       upwards_(count()),
       of_slices_(count()),
       before_(of_case_.line.freedoms()),
-      moved_(of_case_.line.freedoms())
+      moved_(of_case_.line.freedoms()),
+      on_springs_(of_case_.length_beyond),
+      along_(static_cast<std::size_t>(of_case_.line.nodes()))
 {
+  put_to_sleep();
 }
 
 void CoupledLine::make_others(const problem::State<2>& first)
 {
   others_.clear();
   workspaces_.clear();
-  for (std::size_t k = 1; k < count(); ++k) others_.push_back(std::make_unique<problem::State<2>>(first));
+  for (std::size_t k = 1; k < count(); ++k) {
+    others_.push_back(std::make_unique<problem::State<2>>(soils_[k].laid == nullptr ? first : *soils_[k].laid));
+    problem::State<2>& other = *others_.back();
+    other.time = first.time;  // laying may have taken another time there
+    other.step = first.step;
+    other.stage.begin_time = first.stage.begin_time;
+    other.stable_dt_holds = first.stable_dt_holds;
+  }
+}
+
+void CoupledLine::make_workspaces()
+{
+  for (std::size_t k = 1; k < count(); ++k) workspaces_.push_back(std::make_unique<mpm::Workspace<2>>(model_of(k), *others_[k - 1]));
 }
 
 void CoupledLine::hang(const problem::State<2>& laid)
 {
   hangs_ = true;
+  laid_embedment_ = travel_of(model_of(0), laid, 0).w;
   make_others(laid);
-  for (const auto& other : others_) workspaces_.push_back(std::make_unique<mpm::Workspace<2>>(model_, *other));
-  for (SliceForce& slice : forces_) slice.force = laid.rigid_bodies[0].smooth_reaction;
+  make_workspaces();
+  for (std::size_t k = 0; k < count(); ++k) forces_[k].force = (k == 0 ? laid : *others_[k - 1]).rigid_bodies[0].smooth_reaction;
 }
 
 void CoupledLine::begin_stage(const problem::State<2>& first)
 {
   // Where the stage before has brought the loads; before the first of kind pipeline: as the line was laid.
   from_ = of_case_.laid();
-  for (Index k = 0; k < first.stage.index; ++k) from_ = target_of(model_.stages[k].pipeline, from_);
-  for (const auto& other : others_) {
-    if (other->stage.index == first.stage.index) continue;  // copied when the first one had begun it
-    other->stage.index = first.stage.index;
-    problem::begin_stage(model_, *other);
+  for (Index k = 0; k < first.stage.index; ++k) from_ = target_of(model_of(0).stages[k].pipeline, from_);
+  for (std::size_t k = 1; k < count(); ++k) {
+    problem::State<2>& other = *others_[k - 1];
+    if (other.stage.index == first.stage.index) continue;  // copied when the first one had begun it
+    other.stage.index = first.stage.index;
+    problem::begin_stage(model_of(k), other);
   }
 }
 
 LineLoads CoupledLine::loads_at(const problem::State<2>& first, Real time) const
 {
-  const problem::StageSettings& stage = model_.stages[first.stage.index];
+  const problem::StageSettings& stage = model_of(0).stages[first.stage.index];
   if (stage.kind != problem::StageKind::pipeline) return of_case_.laid();
   const Real since = time - first.stage.begin_time, part = stage.ramp > since ? since / stage.ramp : 1;
   return between(from_, target_of(stage.pipeline, from_), part);
@@ -92,18 +109,21 @@ void CoupledLine::load_line(const LineLoads& now, Real dt)
   const beam::Line& line = of_case_.line;
   std::fill(loads_.force.begin(), loads_.force.end(), 0.0);
   std::fill(loads_.impedance.begin(), loads_.impedance.end(), 0.0);
-  std::fill(loads_.constrained_force.begin(), loads_.constrained_force.end(), of_case_.constrained_force(now));
   loads_.velocity_then = state_.velocity;
   for (Index e = 0; e < line.elements(); ++e) {
+    loads_.constrained_force[e] = of_case_.constrained_force(now, (line.x[e] + line.x[e + 1]) / 2);
     beam::add_load(line, beam::Plane::vertical, e, -now.weight, loads_);
     beam::add_load(line, beam::Plane::lateral, e, now.lateral, loads_);
   }
-  // Springs beyond the slices have no force where the laid line lies.
+  loads_.force[line.axial(line.nodes() - 1)] += now.pull;
+  // Springs across the line have no force where it was laid.
   for (Index i = 0; i < line.nodes(); ++i)
-    loads_.force[line.across(beam::Plane::vertical, i)] += of_case_.settings.submerged_weight * of_case_.length_on_springs[i];
-  for (std::size_t k = 0; k < count(); ++k)
-    sideways_[k] = forces_[k].force[0], upwards_[k] = forces_[k].force[1],
-    of_slices_[k] = std::max(Real(0), 3 * forces_[k].contact_mass - of_case_.mass) / dt;
+    loads_.force[line.across(beam::Plane::vertical, i)] += of_case_.settings.submerged_weight * on_springs_[i];
+  for (std::size_t k = 0; k < count(); ++k) {
+    const SliceForce soil = asleep(k) ? SliceForce() : forces_[k];
+    sideways_[k] = soil.force[0], upwards_[k] = soil.force[1];
+    of_slices_[k] = std::max(Real(0), 3 * soil.contact_mass - of_case_.mass) / dt;
+  }
   of_case_.stations.add_forces(line, beam::Direction::lateral, sideways_, loads_);
   of_case_.stations.add_forces(line, beam::Direction::vertical, upwards_, loads_);
   of_case_.stations.add_impedances(line, beam::Direction::lateral, of_slices_, loads_);
@@ -125,14 +145,17 @@ void CoupledLine::for_slice(Index k, const Act& act) const
 void CoupledLine::find_time_steps(problem::State<2>& first, mpm::Workspace<2>& workspace)
 {
   if (first.stable_dt_holds) return;
+  wake();
   for_each_task("time steps of slices", static_cast<Index>(count()), [&](Index k) {
+    if (!own(k) || (k > 0 && asleep(static_cast<std::size_t>(k)))) return;  // the first one's is the clock of all
     for_slice(k, [&] {
       if (k == 0)
-        find_stable_time_step(model_, first, workspace);
+        find_stable_time_step(model_of(0), first, workspace);
       else
-        find_stable_time_step(model_, *others_[k - 1], *workspaces_[k - 1]);
+        find_stable_time_step(model_of(k), *others_[k - 1], *workspaces_[k - 1]);
     });
   });
+  share_time_steps(first);
 }
 
 /// Moves the line by a step of dt (s), or a half, quarter, ... of it where it finds no equilibrium. Returns the step.
@@ -158,22 +181,28 @@ Real CoupledLine::step_line(const problem::State<2>& first, Real dt)
 void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, const std::function<void()>& step_first)
 {
   find_time_steps(first, workspace);
+  share_springs(first);
   Real stable = std::min(first.stable_dt, first.max_dt);
-  for (const auto& other : others_) stable = std::min(stable, other->stable_dt);
+  for (std::size_t k = 1; k < count(); ++k)
+    if (!asleep(k)) stable = std::min(stable, others_[k - 1]->stable_dt);
   const Real dt = step_line(first, stable);
+  if (of_case_.may_sleep()) find_reactions_of_springs();
   for_each_task("slices", static_cast<Index>(count()), [&](Index k) {
     problem::State<2>& state = k == 0 ? first : *others_[k - 1];
+    if (asleep(static_cast<std::size_t>(k))) return let_sleep(k, dt, state);
+    if (!own(k)) return let_time_pass(dt, state);
     const mpm::Workspace<2>& work = k == 0 ? workspace : *workspaces_[k - 1];
     const Real limit = std::exchange(state.max_dt, dt);
     for_slice(k, [&] {
-      drive(model_, state, sideways_[k], upwards_[k]);
+      drive(model_of(k), state, sideways_[k], upwards_[k]);
       if (k == 0) return step_first();
-      take_step(model_, state, *workspaces_[k - 1]);
-      mpm::refuse_rigid_outside_mesh(model_, state);
+      take_step(model_of(k), state, *workspaces_[k - 1]);
+      mpm::refuse_rigid_outside_mesh(model_of(k), state);
     });
     state.max_dt = limit;
     forces_[static_cast<std::size_t>(k)] = {state.rigid_bodies[0].reaction, contact_mass_of(work)};
   });
+  share_slices(first);
 }
 
 void CoupledLine::archive(Archive& k, const problem::State<2>& first)
@@ -185,19 +214,19 @@ void CoupledLine::archive(Archive& k, const problem::State<2>& first)
     begin_stage(first);
   }
   k.table("line", [&] { beam::archive(k, state_); });
+  k.fixed("asleep", asleep_);
+  k("laid_embedment", laid_embedment_);
   for (std::size_t s = 0; s < count(); ++s)
     k.table(fmt::format("slice_{}", s), [&] {
       SliceForce& slice = forces_[s];
       static_assert(sizeof(slice) == 3 * sizeof(Real));
       k("force", slice.force);
       k("contact_mass", slice.contact_mass);
-      if (s > 0) problem::archive(k, model_, *others_[s - 1]);
+      if (s > 0) problem::archive(k, model_of(s), *others_[s - 1]);
     });
   if (!k.reads()) return;
-  for (const auto& other : others_) {
-    mpm::set_inactive_cells(model_, *other);
-    workspaces_.push_back(std::make_unique<mpm::Workspace<2>>(model_, *other));
-  }
+  for (std::size_t s = 1; s < count(); ++s) mpm::set_inactive_cells(model_of(s), *others_[s - 1]);
+  make_workspaces();
 }
 
 }  // namespace berm::slices

@@ -16,16 +16,19 @@ struct SliceForce {
   Real contact_mass = 0;          ///< kg/m, of soil at the nodes that the pipe touches
 };
 
-/// A line on slices of soil, all of one model. The first slice, at x = 0, is the caller's, in which the pipe was laid; the others are copies of its state at that moment. Each step the line is moved under the
+/// A line on slices of soil, all of one model. The first slice, at x = 0, is the caller's, in which the pipe was laid; the others are copies of its state at that moment, or have soil of their own. Each step the line is moved under the
 /// forces of the soil in the step before (beam/step.hpp), and then each slice's pipe by the line's mean velocity there:
 ///
 ///   F = H - C (v - v_then),  C = max(0, 3 m_c - m)/dt,
 ///
-/// with the mass m_c of the soil that moves with the pipe in a step and the mass m of the line: a reaction that is a step late is stable while m_c < m, and with C at any m_c.
+/// with the mass m_c of the soil that moves with the pipe in a step and the mass m of the line: a reaction that is a step late is stable while m_c < m, and with C at any m_c. Of several
+/// ranks each has the whole line and steps the soil of every n-th slice; after a step they tell each other its forces.
 class CoupledLine {
 public:
   CoupledLine(const problem::Case& c, const problem::Model<2>& model);
 
+  /// Gives slice k > 0 a soil of its own, in which the pipe is laid before the slices are hung. Both must outlive this.
+  void give_soil(std::size_t k, const problem::Model<2>& model, const problem::State<2>& laid) { soils_[k] = {&model, &laid}; }
   /// Hangs the slices on the line: copies the first one, laid.
   void hang(const problem::State<2>& laid);
   bool hangs() const { return hangs_; }
@@ -41,33 +44,61 @@ public:
   const std::vector<SliceForce>& forces() const { return forces_; }
   /// At a time (s) in the stage that the first slice is in.
   LineLoads loads_at(const problem::State<2>& first, Real time) const;
+  /// Whether a slice is springs of the far soil, and its own soil waits as the pipe was laid in it.
+  bool asleep(std::size_t k) const { return asleep_[k] != 0; }
   /// Slice k > 0.
   const problem::State<2>& slice(std::size_t k) const { return *others_[k - 1]; }
   std::size_t count() const { return of_case_.places.size(); }
 
   /// Without the first slice, which must have been read before.
   void archive(Archive& k, const problem::State<2>& first);
+  /// The soil of the slices k > 0 that a rank steps.
+  void archive_of_rank(Archive& k, int rank);
 
 private:
+  void put_to_sleep();
+  void wake();
+  void share_springs(const problem::State<2>& first);
+  void find_reactions_of_springs();
+  void let_time_pass(Real dt, problem::State<2>& state) const;
+  void let_sleep(Index k, Real dt, problem::State<2>& state) const;
   void load_line(const LineLoads& now, Real dt);
   Real step_line(const problem::State<2>& first, Real dt);
+  /// What a slice is a copy of; without a state of its own the first one.
+  struct Soil {
+    const problem::Model<2>* model;
+    const problem::State<2>* laid;
+  };
+
+  const problem::Model<2>& model_of(std::size_t k) const { return *soils_[k].model; }
   void make_others(const problem::State<2>& first);
+  void make_workspaces();
+  /// Whether this rank steps the soil of a slice.
+  bool own(Index k) const;
+  void share_time_steps(problem::State<2>& first);
+  void share_slices(problem::State<2>& first);
   template <class Act>
   void for_slice(Index k, const Act& act) const;
 
-  const problem::Model<2>& model_;
   LineOfCase of_case_;
+  std::vector<Soil> soils_;  ///< by slice
   beam::State state_;
   beam::Work work_;
   beam::Loads loads_;
   LineLoads from_;  ///< when the stage began
   bool hangs_ = false;
+  std::vector<Index> asleep_;  ///< by slice
+  Real laid_embedment_ = 0;    ///< m, of the pipe
   std::vector<SliceForce> forces_;
   std::vector<std::unique_ptr<problem::State<2>>> others_;
   std::vector<std::unique_ptr<mpm::Workspace<2>>> workspaces_;
   // By slice, of a step.
   std::vector<Real> sideways_, upwards_, of_slices_;
   std::vector<Real> before_, moved_;  ///< by freedom
+  // Of ranks: what this one and all tell, and where each one's bytes begin.
+  std::vector<Real> told_, told_by_all_;
+  std::vector<std::size_t> first_of_rank_;
+  std::vector<Real> on_springs_, along_;  ///< by node: m of the line on springs across it, N of resistance along it
 };
 
 }  // namespace berm::slices

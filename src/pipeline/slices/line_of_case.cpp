@@ -2,6 +2,7 @@
 #include "slices/line_of_case.hpp"
 
 #include "core/error.hpp"
+#include "structures/formulas/axial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,20 +47,28 @@ beam::Section section_of_case(const problem::Case& c)
   return section;
 }
 
-Real compression(const problem::PipelineSettings& p, const beam::Section& section, Real diameter, const LineLoads& loads)
+Real compression(const problem::PipelineSettings& p, const beam::Section& section, Real diameter, Real temperature, Real pressure)
 {
-  if (p.wall) return beam::constrained_force(pipe_of(p, diameter), loads.temperature, loads.pressure, p.lay_tension);
-  return section.axial_stiffness * p.expansion * loads.temperature - p.lay_tension;
+  if (p.wall) return beam::constrained_force(pipe_of(p, diameter), temperature, pressure, p.lay_tension);
+  return section.axial_stiffness * p.expansion * temperature - p.lay_tension;
+}
+
+LineLoads laid_loads(const problem::PipelineSettings& p)
+{
+  LineLoads loads;
+  loads.weight = p.submerged_weight;
+  return loads;
 }
 
 /// The largest compression that the stages can bring, N.
 Real largest_compression(const problem::Case& c, const beam::Section& section)
 {
-  LineLoads now{0, 0, c.pipeline->submerged_weight, 0};
+  LineLoads now = laid_loads(*c.pipeline);
   Real largest = 0;
   for (const problem::StageSettings& stage : c.stage) {
     now = target_of(stage.pipeline, now);
-    largest = std::max(largest, compression(*c.pipeline, section, diameter_of(c), now));
+    largest =
+        std::max(largest, compression(*c.pipeline, section, diameter_of(c), std::max(now.temperature, now.far_temperature), now.pressure));
   }
   return largest;
 }
@@ -92,8 +101,28 @@ std::vector<Real> nodes_of(const problem::Case& c, const std::vector<Real>& plac
   return nodes;
 }
 
+/// Through the points, with the slope of the chord between the two beside each; straight on beyond the last.
+void give_route(beam::Line& line, const problem::Route& route)
+{
+  const std::vector<Real>&x = route.x, &y = route.y;
+  const std::size_t last = x.size() - 1;
+  const auto chord = [&](std::size_t a, std::size_t b) { return (y[b] - y[a]) / (x[b] - x[a]); };
+  const auto slope_at = [&](std::size_t k) { return chord(k == 0 ? 0 : k - 1, std::min(k + 1, last)); };
+  const auto at = [&](Real place) {  // displacement and slope
+    if (place >= x[last]) return std::pair(y[last] + slope_at(last) * (place - x[last]), slope_at(last));
+    const std::size_t b = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), place) - x.begin()), a = b - 1;
+    const Real h = x[b] - x[a], s = (place - x[a]) / h, m = slope_at(a) * h, n = slope_at(b) * h, dy = y[b] - y[a];
+    return std::pair(y[a] + s * (m + s * (3 * dy - 2 * m - n + s * (m + n - 2 * dy))),
+                     (m + s * (2 * (3 * dy - 2 * m - n) + 3 * s * (m + n - 2 * dy))) / h);
+  };
+  beam::set_shape(
+      line, beam::Plane::lateral, [&](Real place) { return at(place).first; }, [&](Real place) { return at(place).second; });
+}
+
 void give_shape(beam::Line& line, const problem::PipelineSettings& p)
 {
+  if (!p.route.x.empty()) return give_route(line, p.route);
+  if (p.imperfection.amplitude == 0) return;
   const Real a = p.imperfection.amplitude, k = 2 * pi / p.imperfection.length, half = p.imperfection.length / 2;
   const Real b = a * 4 / (3 * std::sqrt(3.0));  // (1 + cos) sin has its largest, 3 sqrt(3)/4, at 60 degrees
   if (p.half == problem::LineHalf::symmetric)
@@ -106,23 +135,59 @@ void give_shape(beam::Line& line, const problem::PipelineSettings& p)
         [&](Real x) { return x < half ? b * k * (std::cos(k * x) + std::cos(2 * k * x)) : 0; });
 }
 
+/// Sideways, beyond the slices. Nothing where there is no resistance.
+std::optional<beam::PlasticSpring> lateral_spring(const problem::PipelineSettings& p, Real diameter)
+{
+  const problem::FarSoil& soil = p.far_soil;
+  beam::PlasticSpring spring;
+  for (std::size_t k = 0; k < soil.lateral.x.size(); ++k) spring.backbone.points.push_back({soil.lateral.x[k], soil.lateral.y[k]});
+  if (!spring.backbone.points.empty()) return spring;
+  if (!(soil.friction > 0)) return {};
+  return beam::friction(soil.friction * p.submerged_weight, soil.mobilisation > 0 ? soil.mobilisation : diameter / 100);
+}
+
+Real vertical_stiffness_of(const problem::PipelineSettings& p, Real diameter)
+{
+  return p.far_soil.stiffness.value_or(p.submerged_weight / (diameter / 100));
+}
+
+/// Springs: along the line everywhere, across it beyond the slices and where these may be asleep.
+void add_soil(beam::Line& line, const problem::Case& c)
+{
+  const problem::PipelineSettings& p = *c.pipeline;
+  const problem::FarSoil& soil = p.far_soil;
+  const std::vector<Real> all = beam::lengths_of_nodes(line),
+                          across = p.slices.asleep == problem::SliceSleep::never ? beam::lengths_of_nodes(line, p.slices.to) : all;
+  if (const std::optional<beam::PlasticSpring> spring = lateral_spring(p, diameter_of(c)))
+    beam::add_springs(line, beam::Direction::lateral, *spring, across);
+  // That of an interface is found once the pipe is laid: a factor of the weight.
+  const Real along = soil.axial_angle || soil.axial_strength ? 1 : soil.axial_friction;
+  if (along > 0) beam::add_springs(line, beam::Direction::axial, beam::friction(along * p.submerged_weight, soil.axial_mobilisation), all);
+  beam::add_springs(line, beam::Direction::vertical, beam::LinearSpring{vertical_stiffness_of(p, diameter_of(c))}, across);
+  if (p.end_stiffness) {
+    std::vector<Real> end(static_cast<std::size_t>(line.nodes()), 0);
+    end.back() = 1;
+    beam::add_springs(line, beam::Direction::axial, beam::LinearSpring{*p.end_stiffness}, end);
+  }
+}
+
 beam::Line line_of(const problem::Case& c, const std::vector<Real>& places)
 {
   const problem::PipelineSettings& p = *c.pipeline;
   beam::Line line = beam::straight_line(nodes_of(c, places), section_of_case(c), {beam::Plane::lateral, beam::Plane::vertical});
   give_shape(line, p);
-  beam::hold(line, 0, p.half == problem::LineHalf::symmetric ? beam::EndCondition::symmetric : beam::EndCondition::antisymmetric);
+  switch (p.half) {
+  case problem::LineHalf::symmetric:
+    beam::hold(line, 0, beam::EndCondition::symmetric);
+    break;
+  case problem::LineHalf::antisymmetric:
+    beam::hold(line, 0, beam::EndCondition::antisymmetric);
+    break;
+  case problem::LineHalf::none:
+    break;
+  }
   if (p.end == problem::LineEnd::anchored) beam::hold(line, line.nodes() - 1, beam::EndCondition::clamped);
-  const Real settled = diameter_of(c) / 100;
-  const std::vector<Real> beyond = beam::lengths_of_nodes(line, p.slices.to), all = beam::lengths_of_nodes(line);
-  const auto sliding = [&](Real friction, Real mobilisation) { return beam::friction(friction * p.submerged_weight, mobilisation); };
-  if (p.far_soil.friction > 0)
-    beam::add_springs(line, beam::Direction::lateral,
-                      sliding(p.far_soil.friction, p.far_soil.mobilisation > 0 ? p.far_soil.mobilisation : settled), beyond);
-  if (p.far_soil.axial_friction > 0)
-    beam::add_springs(line, beam::Direction::axial, sliding(p.far_soil.axial_friction, p.far_soil.axial_mobilisation), all);
-  beam::add_springs(line, beam::Direction::vertical, beam::LinearSpring{p.far_soil.stiffness.value_or(p.submerged_weight / settled)},
-                    beyond);
+  add_soil(line, c);
   line.axial_where_sideways = false;
   line.damping[1] = p.vertical_damping;
   return line;
@@ -136,26 +201,60 @@ LineOfCase::LineOfCase(const problem::Case& c)
       stations(line, places),
       diameter(diameter_of(c)),
       mass(mass_of(c)),
-      length_on_springs(beam::lengths_of_nodes(line, c.pipeline->slices.to)),
+      length_of_nodes(beam::lengths_of_nodes(line)),
+      length_beyond(beam::lengths_of_nodes(line, c.pipeline->slices.to)),
+      lateral(lateral_spring(*c.pipeline, diameter)),
+      vertical_stiffness(vertical_stiffness_of(*c.pipeline, diameter)),
       settings(*c.pipeline)
 {
 }
 
-Real LineOfCase::constrained_force(const LineLoads& loads) const
+Real LineOfCase::constrained_force(const LineLoads& loads, Real x) const
 {
-  return compression(settings, line.section.front(), diameter, loads);
+  const Real temperature = std::lerp(loads.temperature, loads.far_temperature, x / line.x.back());
+  return compression(settings, line.section.front(), diameter, temperature, loads.pressure);
+}
+
+Real LineOfCase::mobilised(Real displacement) const
+{
+  if (!lateral) return 1;
+  Real largest = 0;
+  for (const beam::CurvePoint& point : lateral->backbone.points) largest = std::max(largest, point.force);
+  return lateral->backbone.force(std::abs(displacement)) / largest;
+}
+
+LineLoads LineOfCase::laid() const
+{
+  return laid_loads(settings);
+}
+
+Real LineOfCase::axial_resistance(Real embedment, Real force) const
+{
+  const problem::FarSoil& soil = settings.far_soil;
+  Real resistance = 0;
+  if (soil.axial_angle) resistance += formulas::axial_drained(diameter, embedment, *soil.axial_angle, std::max(force, Real(0))).value;
+  if (soil.axial_strength) resistance += formulas::axial_undrained(diameter, embedment, *soil.axial_strength).value;
+  return resistance;
 }
 
 LineLoads target_of(const problem::PipelineLoads& stage, const LineLoads& before)
 {
-  return {stage.temperature.value_or(before.temperature), stage.pressure.value_or(before.pressure), stage.weight.value_or(before.weight),
-          stage.lateral.value_or(before.lateral)};
+  LineLoads now = before;
+  // Without a temperature of its own the far end has that of x = 0.
+  if (stage.temperature) now.temperature = now.far_temperature = *stage.temperature;
+  now.far_temperature = stage.far_temperature.value_or(now.far_temperature);
+  now.pressure = stage.pressure.value_or(before.pressure);
+  now.weight = stage.weight.value_or(before.weight);
+  now.lateral = stage.lateral.value_or(before.lateral);
+  now.pull = stage.pull.value_or(before.pull);
+  return now;
 }
 
 LineLoads between(const LineLoads& from, const LineLoads& to, Real part)
 {
-  return {std::lerp(from.temperature, to.temperature, part), std::lerp(from.pressure, to.pressure, part),
-          std::lerp(from.weight, to.weight, part), std::lerp(from.lateral, to.lateral, part)};
+  const auto mix = [&](Real LineLoads::*load) { return std::lerp(from.*load, to.*load, part); };
+  return {mix(&LineLoads::temperature), mix(&LineLoads::far_temperature), mix(&LineLoads::pressure),
+          mix(&LineLoads::weight),      mix(&LineLoads::lateral),         mix(&LineLoads::pull)};
 }
 
 }  // namespace berm::slices

@@ -8,10 +8,12 @@ namespace berm::slices {
 
 /// Loads of the whole line at a time: what a stage of kind pipeline names.
 struct LineLoads {
-  Real temperature = 0;  ///< K, rise since it was laid
-  Real pressure = 0;     ///< Pa, rise since it was laid
-  Real weight = 0;       ///< N/m, submerged
-  Real lateral = 0;      ///< N/m
+  Real temperature = 0;      ///< K, rise since it was laid, at x = 0
+  Real far_temperature = 0;  ///< K, at the far end; linear between
+  Real pressure = 0;         ///< Pa, rise since it was laid
+  Real weight = 0;           ///< N/m, submerged
+  Real lateral = 0;          ///< N/m
+  Real pull = 0;             ///< N, effective tension at the far end
 };
 
 /// What a case says of its line, as numbers that do not change.
@@ -21,15 +23,26 @@ struct LineOfCase {
   beam::Line line;
   std::vector<Real> places;  ///< m, x of the slices
   beam::Stations stations;
-  Real diameter;                        ///< m
-  Real mass;                            ///< kg/m, that moves sideways
-  std::vector<Real> length_on_springs;  ///< m, by node: the part of the line beyond the slices
+  Real diameter;                               ///< m
+  Real mass;                                   ///< kg/m, that moves sideways
+  std::vector<Real> length_of_nodes;           ///< m, by node
+  std::vector<Real> length_beyond;             ///< m, by node: the part of the line beyond the slices
+  std::optional<beam::PlasticSpring> lateral;  ///< the far soil sideways
+  Real vertical_stiffness;                     ///< of the far soil, N/m2
   problem::PipelineSettings settings;
 
-  /// The effective compression of a length that cannot get longer (beam/pipe_section.hpp), N.
-  Real constrained_force(const LineLoads& loads) const;
+  /// The effective compression of a length that cannot get longer (beam/pipe_section.hpp), N, at a place x (m).
+  Real constrained_force(const LineLoads& loads, Real x) const;
   /// As it was laid.
-  LineLoads laid() const { return {0, 0, settings.submerged_weight, 0}; }
+  LineLoads laid() const;
+  /// Whether slices can be springs: these are then at the nodes under them, too.
+  bool may_sleep() const { return settings.slices.asleep != problem::SliceSleep::never; }
+  /// The share of its largest resistance that the far soil has at a displacement sideways from where the line was laid, m; 1 where it has none.
+  Real mobilised(Real displacement) const;
+  /// Whether the resistance along the line is that of an interface, which follows the force and embedment in each slice.
+  bool has_interface() const { return settings.far_soil.axial_angle || settings.far_soil.axial_strength; }
+  /// N/m: at an embedment of the pipe (m) under this force on the soil (N/m); upwards there is none.
+  Real axial_resistance(Real embedment, Real force) const;
 };
 
 /// Where the loads go that are in force, in a stage.

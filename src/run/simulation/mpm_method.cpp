@@ -151,7 +151,7 @@ void MpmMethod<d>::begin(bool)
 {
   refuse_other_problem();
   mpm::set_inactive_cells(model(), problem_.state);
-  mpm::divide(model(), problem_.state);
+  if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
   workspace_.emplace(model(), state());
   if (model().update_stress_first)
     spdlog::warn(
@@ -504,7 +504,7 @@ Real MpmMethod<d>::expected_wall_time()
 template <int d>
 typename MpmMethod<d>::Pace MpmMethod<d>::measure_pace()
 {
-  mpm::divide(model(), problem_.state);
+  if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
   mpm::Workspace<d>& workspace = workspace_.emplace(model(), state());
   const Real dt = stable_time_step(model(), problem_.state, workspace), total = expected_time(model().stages);
   const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();

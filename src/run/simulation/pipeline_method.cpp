@@ -5,9 +5,12 @@
 #include "beam/answers.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
+#include "input/read_case.hpp"
+#include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/recorder.hpp"
+#include "simulation/run_of_ranks.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -45,6 +48,16 @@ Real crossing_of(const slices::LineOfCase& of, const beam::State& state)
   return nan;
 }
 
+/// Up to the first stage of kind pipeline.
+void lay(MpmMethod<2>& soil)
+{
+  soil.begin(true);
+  while (soil.model().stages[soil.state().stage.index].kind != problem::StageKind::pipeline) {
+    soil.step();
+    if (soil.stage_ended()) soil.next_stage();
+  }
+}
+
 }  // namespace
 
 PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch)
@@ -53,10 +66,35 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
       line_(case_of_run(), model()),
       last_impulses_(line_.count(), Vec<2>::Zero())
 {
-  if (Ranks::of_run().count() > 1) throw InputError("a [pipeline] is run by one process, with threads: start it without the launcher");
   if (!model().earthworks.empty()) throw KeyError("pipeline: does not go with fills and excavations");
+  make_soils(request, scratch);
   refuse_without_memory(memory_of_others(), memory_in_use(), fmt::format("{} slices", line_.count()),
                         "take larger cells, fewer particles or fewer slices");
+}
+
+/// A problem of its own for each other soil.
+void PipelineMethod::make_soils(const RunRequest& request, const io::ScratchFolder& scratch)
+{
+  const std::vector<problem::OtherSoil>& others = line_.of_case().settings.soil;
+  const std::vector<Real>& places = line_.of_case().places;
+  for (std::size_t j = 0; j < others.size(); ++j) {
+    RunRequest changed = request;
+    try {
+      changed.settings = input::read_case_text(request.case_file.string(), input::resolved_toml(request.settings), others[j].set);
+      soils_.push_back(std::make_unique<MpmMethod<2>>(changed, scratch));
+    } catch (const InputError& error) {
+      throw KeyError(fmt::format("pipeline.soil[{}].set: {}", j, error.what()));
+    }
+    const Real little = 1e-9 * places.back();
+    std::size_t count = 0;
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      if (places[k] < others[j].from - little || places[k] > others[j].to + little) continue;
+      line_.give_soil(k, soils_.back()->model(), soils_.back()->state());
+      ++count;
+    }
+    if (count == 0)
+      throw KeyError(fmt::format("pipeline.soil[{}]: no slice lies between {:.4g} and {:.4g} m", j, others[j].from, others[j].to));
+  }
 }
 
 /// Bytes, at most: each has the particles and sums of the first; they share its mesh.
@@ -94,6 +132,7 @@ bool PipelineMethod::next_stage()
   if (!MpmMethod<2>::next_stage()) return false;
   if (!on_line()) return true;
   if (!line_.hangs()) {
+    for (const auto& soil : soils_) lay(*soil);
     line_.hang(state());
     hung_at_ = state().step;
     const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
@@ -169,7 +208,7 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row.of("line");
   row("T", loads.temperature, kelvins, "rise of temperature since the line was laid");
   row("p", loads.pressure, run_folder::pascals, "rise of internal pressure since the line was laid");
-  row("P0", of.constrained_force(loads), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
+  row("P0", of.constrained_force(loads, 0), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
   row("P", -beam::effective_force(of.line, now, 0), run_folder::whole_newtons, "effective compression at x = 0");
   row("x", of.line.x[crown], run_folder::metres, "place of the largest lateral displacement");
   row("y", across(of, now, Plane::lateral, crown), run_folder::metres, "largest lateral displacement of the line, from its straight axis");
@@ -214,6 +253,12 @@ void PipelineMethod::note_shape()
 run_folder::Frame<2> PipelineMethod::make_frame()
 {
   note_shape();
+  if (Ranks::of_run().is_first()) write_shapes();
+  return MpmMethod<2>::make_frame();
+}
+
+void PipelineMethod::write_shapes() const
+{
   std::string text = head_of_shapes;
   const std::size_t nodes = static_cast<std::size_t>(line_.of_case().line.nodes());
   for (std::size_t row = 0; row < shapes_.size() / numbers_of_node; ++row) {
@@ -223,7 +268,12 @@ run_folder::Frame<2> PipelineMethod::make_frame()
     text += '\n';
   }
   io::write_atomically(folder_ / "line.csv", text);
-  return MpmMethod<2>::make_frame();
+}
+
+mpm::WholeState<2> PipelineMethod::whole_state()
+{
+  if (line_.hangs()) gather_on_first_rank([&](Archive& k, int rank) { line_.archive_of_rank(k, rank); });
+  return MpmMethod<2>::whole_state();
 }
 
 run_folder::Summary::Checks PipelineMethod::checks() const

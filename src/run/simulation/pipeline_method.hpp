@@ -24,26 +24,31 @@ public:
   /// The line drives the slices: throws InputError in stages of kind pipeline.
   void drive(int freedom, bool by_force, Real value);
   void archive(Archive& k);
+  /// Of all slices, on the first rank.
+  mpm::WholeState<2> whole_state();
 
   run_folder::Summary::Checks checks() const;
   Real particle_steps() const;
 
 private:
   Real memory_of_others() const;
+  void make_soils(const RunRequest& request, const io::ScratchFolder& scratch);
   void add_line(run_folder::Row& row);
   void add_slices(run_folder::Row& row);
   void note_shape();
+  void write_shapes() const;
   bool on_line() const { return model().stages[state().stage.index].kind == problem::StageKind::pipeline; }
 
   std::filesystem::path folder_;
   slices::CoupledLine line_;
-  BigIndex hung_at_ = 0;               ///< step
-  Real last_row_ = 0;                  ///< s
-  std::vector<Vec<2>> last_impulses_;  ///< N s/m, of the soil on the pipe, by slice
-  Real largest_slope_ = 0;             ///< of all rows
-  Real largest_contact_mass_ = 0;      ///< over the line's mass, of all rows
-  std::vector<Real> shapes_;           ///< numbers of line.csv, by frame and node
-  std::vector<Index> stages_;          ///< by frame
+  std::vector<std::unique_ptr<MpmMethod<2>>> soils_;  ///< the slices of other soil, as the pipe is laid there
+  BigIndex hung_at_ = 0;                              ///< step
+  Real last_row_ = 0;                                 ///< s
+  std::vector<Vec<2>> last_impulses_;                 ///< N s/m, of the soil on the pipe, by slice
+  Real largest_slope_ = 0;                            ///< of all rows
+  Real largest_contact_mass_ = 0;                     ///< over the line's mass, of all rows
+  std::vector<Real> shapes_;                          ///< numbers of line.csv, by frame and node
+  std::vector<Index> stages_;                         ///< by frame
 };
 
 }  // namespace berm::simulation

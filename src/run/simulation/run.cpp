@@ -70,10 +70,10 @@ bool Run<Method>::advance()
 {
   step();
   if (!decides_now()) return true;
-  const bool asked_to_stop = Ranks::of_run().any(context_.asked_to_stop());
+  const bool asked_to_stop = on_any_rank(context_.asked_to_stop());
   if (asked_to_stop) checkpoints_.ask();
   if (finished_) return false;
-  if (!method_.at_checkpoint_boundary() || !Ranks::of_run().any(checkpoints_.due())) return true;
+  if (!method_.at_checkpoint_boundary() || !on_any_rank(checkpoints_.due())) return true;
   write_checkpoint();
   return !asked_to_stop;
 }

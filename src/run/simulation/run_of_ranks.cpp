@@ -129,6 +129,13 @@ private:
   std::size_t read_ = 0;
 };
 
+/// Long messages are counted in pages.
+void fill_page(std::vector<std::byte>& bytes)
+{
+  constexpr std::size_t page = 4096;
+  bytes.resize((bytes.size() + page - 1) / page * page);
+}
+
 }  // namespace
 
 void join_ranks()
@@ -162,12 +169,17 @@ int leave_ranks(int status, const std::string& why)
   return status;
 }
 
+bool on_any_rank(bool of_rank)
+{
+  Ranks& ranks = Ranks::of_run();
+  return ranks.count() == 1 ? of_rank : ranks.messenger()->largest(of_rank ? 1 : 0) > 0;
+}
+
 bool ends_on_any_rank_with(bool of_rank)
 {
   Ranks& ranks = Ranks::of_run();
-  if (ranks.count() == 1) return of_rank;
-  ends_with_others = true;
-  return ranks.messenger()->largest(of_rank ? 1 : 0) > 0;
+  if (ranks.count() > 1) ends_with_others = true;
+  return on_any_rank(of_rank);
 }
 
 void on_first_rank(const std::function<void()>& act)
@@ -201,14 +213,31 @@ bool broadcast(bool has_it, const std::function<void(Archive&)>& visit)
   if (ranks.is_first() && has_it) {
     Bytes written(own, false);
     visit(written);
-    constexpr std::size_t page = 4096;  // long messages are counted in pages
-    own.resize((own.size() + page - 1) / page * page);
+    fill_page(own);
   }
   ranks.gather_from_all(own, all);
   if (ranks.is_first() || all.empty()) return !all.empty();
   Bytes read(all, true);
   visit(read);
   return true;
+}
+
+void gather_on_first_rank(const std::function<void(Archive&, int)>& visit)
+{
+  Ranks& ranks = Ranks::of_run();
+  if (ranks.count() == 1) return;
+  for (int rank = 1; rank < ranks.count(); ++rank) {
+    std::vector<std::byte> own, all;
+    if (ranks.rank() == rank) {
+      Bytes written(own, false);
+      visit(written, rank);
+      fill_page(own);
+    }
+    ranks.gather_from_all(own, all);
+    if (!ranks.is_first()) continue;
+    Bytes read(all, true);
+    visit(read, rank);
+  }
 }
 
 }  // namespace berm::simulation

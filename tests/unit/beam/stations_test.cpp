@@ -23,7 +23,8 @@ TEST(Stations, share_the_line_between_the_first_and_the_last)
   const Stations stations(line, places);
   const std::vector<Real> expected = {1.2, 1.3, 2.3, 4.95, 2.75};
   for (std::size_t k = 0; k < places.size(); ++k) EXPECT_NEAR(stations.lengths()[k], expected[k], 1e-12);
-  const std::vector<Real> of_nodes = stations.lengths_of_nodes(line);
+  std::vector<Real> of_nodes(static_cast<std::size_t>(line.nodes()), 0);
+  stations.add_to_nodes(std::vector<Real>(places.size(), 1), of_nodes);
   EXPECT_NEAR(std::accumulate(of_nodes.begin(), of_nodes.end(), 0.), 12.5, 1e-12);
   EXPECT_NEAR(of_nodes[4], 2.5, 1e-12) << "a node between two stations has its whole length from them";
   EXPECT_EQ(of_nodes[8], 0);

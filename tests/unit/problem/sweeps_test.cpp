@@ -56,6 +56,51 @@ TEST(sweeps, stand_still_between_two_of_them_where_they_pause)
   EXPECT_EQ(c.stage[2].vertical_force, 300) << "V is held";
 }
 
+/// "lay", and then "heat" and "cool" so many times.
+Case heated(int times)
+{
+  Case c;
+  for (const char* name : {"lay", "heat", "cool"}) {
+    c.stage.emplace_back();
+    c.stage.back().name = name;
+  }
+  c.stage.back().repeat = times;
+  c.stage.back().repeat_from = "heat";
+  return c;
+}
+
+TEST(repeats, write_stages_behind_themselves)
+{
+  Case c = heated(3);
+  SupportSettings support;
+  support.stages = {"cool", "lay"};
+  c.support = {{"wall", support}};
+  const std::vector<std::size_t> origins = expand_repeats(c);
+  const std::vector<std::string> names = {"lay", "heat", "cool", "heat_2", "cool_2", "heat_3", "cool_3"};
+  ASSERT_EQ(c.stage.size(), names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    EXPECT_EQ(c.stage[k].name, names[k]);
+    EXPECT_EQ(c.stage[k].repeat, 1);
+  }
+  EXPECT_EQ(origins, (std::vector<std::size_t>{0, 1, 2, 1, 2, 1, 2}));
+  EXPECT_EQ(c.support[0].second.stages, (std::vector<std::string>{"cool", "cool_2", "cool_3", "lay"}));
+}
+
+TEST(repeats, that_are_not_clear_are_refused)
+{
+  Case c = heated(3);
+  c.stage.back().repeat_from = "melt";
+  EXPECT_THROW(expand_repeats(c), KeyError);
+  c = heated(1);
+  EXPECT_THROW(expand_repeats(c), KeyError) << "from, but not how often";
+  c = heated(2);
+  c.stage[1].repeat = 2;
+  EXPECT_THROW(expand_repeats(c), KeyError) << "within another";
+  c = heated(2);
+  c.stage[0].name = "heat_2";
+  EXPECT_THROW(expand_repeats(c), KeyError) << "the name is taken";
+}
+
 TEST(sweeps, that_supports_name_are_all_their_drags)
 {
   Case c = swept(2, 0);

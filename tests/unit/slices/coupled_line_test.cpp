@@ -115,7 +115,7 @@ problem::Case soft_line()
   c.pipeline->axial_stiffness = 1e6;
   c.pipeline->expansion = 1e-4;
   c.pipeline->imperfection = {0.1, 5};
-  c.stage.back().pipeline = {100, {}, {}, 1000};
+  c.stage.back().pipeline.temperature = 100;
   return c;
 }
 
@@ -149,6 +149,73 @@ TEST(CoupledLine, replays_each_slice_in_a_single_problem_to_the_bit)
       EXPECT_NE(slice.rigid_bodies[0].displacement, run.pipe(k - 1)) << "no slice goes as another, " << k;
     }
   }
+}
+
+/// Pushed sideways by 300 N/m, on springs that resist to 600.
+problem::Case sleepy_line(problem::SliceSleep asleep)
+{
+  problem::Case c = test::line_case();
+  c.pipeline->slices.asleep = asleep;
+  c.pipeline->far_soil.friction = 0.4;
+  c.pipeline->far_soil.mobilisation = 5e-3;
+  return c;
+}
+
+TEST(CoupledLine, wakes_slices_before_their_springs_slide)
+{
+  LineRun run(sleepy_line(problem::SliceSleep::until_it_slides));
+  EXPECT_FALSE(run.line.asleep(0)) << "the first is where the crown is";
+  for (std::size_t k = 1; k < run.line.count(); ++k) EXPECT_TRUE(run.line.asleep(k));
+  const BigIndex laid = run.line.slice(1).step;
+  while (run.line.asleep(1)) run.step();
+  const Real lateral = run.line.loads_at(run.problem.state, run.problem.state.time).lateral;
+  EXPECT_GT(lateral, 0.2 * 600);
+  EXPECT_LT(lateral, 0.6 * 600);
+  EXPECT_EQ(run.line.slice(1).totals.external, run.line.slice(2).totals.external) << "no soil has moved";
+  EXPECT_GT(run.line.slice(1).step, laid);
+  while (!stage_ended(run.problem.model, run.problem.state)) run.step();
+  // The springs have lost it less than they may move, and what they carried when they gave way.
+  LineRun awake(sleepy_line(problem::SliceSleep::never));
+  while (!stage_ended(awake.problem.model, awake.problem.state)) awake.step();
+  EXPECT_GT(awake.pipe(1)[0], 0.1) << "it has broken out";
+  EXPECT_NEAR(run.pipe(1)[0], awake.pipe(1)[0], 0.02 * awake.pipe(1)[0] + 5e-3);
+}
+
+TEST(CoupledLine, lies_on_springs_alone_where_no_slice_wakes)
+{
+  problem::Case c = sleepy_line(problem::SliceSleep::always);
+  c.stage.back().pipeline.lateral = 300;
+  LineRun run(c);
+  const Real internal = run.problem.state.totals.internal, x = run.pipe(0)[0];
+  while (!stage_ended(run.problem.model, run.problem.state)) run.step();
+  EXPECT_EQ(run.problem.state.totals.internal, internal) << "no soil is stepped";
+  // Elastic springs of 600 N/m over 5 mm; the load came up in a second, many times their period of 0.3 s.
+  for (std::size_t k = 0; k < run.line.count(); ++k) EXPECT_NEAR(run.pipe(k)[0] - x, 2.5e-3, 0.2 * 2.5e-3) << k;
+}
+
+TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
+{
+  problem::Case stiff = test::line_case({"material.clay.cohesion=\"4 kPa\""});
+  LineRun other(stiff);
+  const Real deep = LineRun(test::line_case()).pipe(0)[1], shallow = other.pipe(0)[1];
+  ASSERT_GT(shallow, 0.7 * deep) << "half as deep";
+  problem::Problem<2> problem = built(test::line_case());
+  mpm::Workspace<2> workspace(problem.model, problem.state);
+  CoupledLine line(test::line_case(), problem.model);
+  for (std::size_t k = 2; k < line.count(); ++k) line.give_soil(k, other.problem.model, other.problem.state);
+  while (problem.model.stages[problem.state.stage.index].kind != problem::StageKind::pipeline) {
+    mpm::step(problem.model, problem.state, workspace);
+    if (!stage_ended(problem.model, problem.state)) continue;
+    ++problem.state.stage.index;
+    begin_stage(problem.model, problem.state);
+  }
+  line.hang(problem.state);
+  line.begin_stage(problem.state);
+  EXPECT_EQ(line.slice(1).rigid_bodies[0].displacement[1], deep);
+  EXPECT_EQ(line.slice(2).rigid_bodies[0].displacement[1], shallow);
+  while (!stage_ended(problem.model, problem.state))
+    line.step(problem.state, workspace, [&] { mpm::step(problem.model, problem.state, workspace); });
+  EXPECT_GT(-line.forces()[2].force[0], -1.1 * line.forces()[1].force[0]) << "stronger soil resists more";
 }
 
 TEST(CoupledLine, lighter_than_the_soil_that_it_moves_does_not_shake)

@@ -18,10 +18,11 @@ problem::Case heated()
   p.young_modulus = 206e9;
   p.expansion = 1.17e-5;
   p.length = 1000;
-  p.slices = {8, 64};
+  p.slices.spacing = 8, p.slices.to = 64;
   p.imperfection = {0.4, 60};
   p.far_soil = {};
-  c.stage.back().pipeline = {30, 10e6, {}, {}};
+  c.stage.back().pipeline = {};
+  c.stage.back().pipeline.temperature = 30, c.stage.back().pipeline.pressure = 10e6;
   return c;
 }
 
@@ -35,8 +36,8 @@ TEST(LineOfCase, has_the_stiffness_and_the_compression_of_its_wall)
   EXPECT_EQ(section.mass, 330);
   LineLoads hot = of.laid();
   hot.temperature = 30, hot.pressure = 10e6;
-  EXPECT_NEAR(of.constrained_force(hot), 206e9 * area * 1.17e-5 * 30 + 0.4 * 10e6 * pi / 4 * inner * inner, 1) << "1 - 2 nu = 0.4";
-  EXPECT_EQ(of.constrained_force(of.laid()), 0);
+  EXPECT_NEAR(of.constrained_force(hot, 0), 206e9 * area * 1.17e-5 * 30 + 0.4 * 10e6 * pi / 4 * inner * inner, 1) << "1 - 2 nu = 0.4";
+  EXPECT_EQ(of.constrained_force(of.laid(), 0), 0);
 }
 
 TEST(LineOfCase, has_a_node_at_each_slice_and_elements_that_resolve_the_buckle)
@@ -46,7 +47,8 @@ TEST(LineOfCase, has_a_node_at_each_slice_and_elements_that_resolve_the_buckle)
   for (const Real place : of.places)
     EXPECT_TRUE(std::find_if(of.line.x.begin(), of.line.x.end(), [&](Real x) { return std::abs(x - place) < 1e-9; }) != of.line.x.end())
         << place;
-  const Real P = of.constrained_force({30, 10e6, 1500, 0}), longest = pi * std::sqrt(of.line.section.front().bending_stiffness / P) / 4;
+  const Real P = of.constrained_force(target_of(heated().stage.back().pipeline, of.laid()), 0),
+             longest = pi * std::sqrt(of.line.section.front().bending_stiffness / P) / 4;
   for (Index e = 0; e < of.line.elements(); ++e) EXPECT_LE(of.line.length(e), longest * (1 + 1e-9)) << e;
   EXPECT_GE(of.line.x.back(), 1000);
 }
@@ -74,20 +76,82 @@ TEST(LineOfCase, carries_its_weight_on_slices_and_springs)
   const LineOfCase of(heated());
   Real on_slices = 0, on_springs = 0;
   for (const Real length : of.stations.lengths()) on_slices += length;
-  for (const Real length : of.length_on_springs) on_springs += length;
+  for (const Real length : of.length_beyond) on_springs += length;
   EXPECT_NEAR(on_slices, 64, 1e-9);
   EXPECT_NEAR(on_slices + on_springs, of.line.x.back(), 1e-9);
 }
 
 TEST(LineOfCase, goes_from_load_to_load_and_keeps_what_a_stage_does_not_name)
 {
-  const LineLoads laid{0, 0, 1500, 0}, hot = target_of({30, {}, {}, {}}, laid), empty = target_of({{}, {}, 900, {}}, hot);
+  problem::PipelineLoads heat, flow, unload;
+  heat.temperature = 30, flow.far_temperature = 10, unload.weight = 900;
+  LineLoads laid;
+  laid.weight = 1500;
+  const LineLoads hot = target_of(heat, laid), empty = target_of(unload, hot), colder = target_of(flow, hot);
   EXPECT_EQ(hot.temperature, 30);
   EXPECT_EQ(hot.weight, 1500);
   EXPECT_EQ(empty.temperature, 30);
   EXPECT_EQ(empty.weight, 900);
   EXPECT_EQ(between(hot, empty, 0.25).weight, 1350);
   EXPECT_EQ(between(hot, empty, 1).weight, 900);
+  EXPECT_EQ(hot.far_temperature, 30) << "as hot as at x = 0";
+  EXPECT_EQ(colder.temperature, 30);
+  EXPECT_EQ(colder.far_temperature, 10);
+  EXPECT_EQ(target_of(heat, colder).far_temperature, 30) << "a new temperature is that of the whole line";
+}
+
+TEST(LineOfCase, is_compressed_by_the_temperature_of_each_place)
+{
+  const LineOfCase of(heated());
+  LineLoads hot = of.laid();
+  hot.temperature = 30, hot.far_temperature = 10;
+  const Real at_end = of.constrained_force(hot, of.line.x.back());
+  EXPECT_NEAR(of.constrained_force(hot, 0), 3 * at_end, 1e-6 * at_end);
+  EXPECT_NEAR(of.constrained_force(hot, of.line.x.back() / 2), 2 * at_end, 1e-6 * at_end);
+}
+
+// A parabola is its own spline of chords but for the first and the last piece.
+TEST(LineOfCase, lies_on_its_route)
+{
+  problem::Case c = heated();
+  c.pipeline->imperfection = {};
+  for (int k = 0; k <= 20; ++k) {
+    c.pipeline->route.x.push_back(50 * k);
+    c.pipeline->route.y.push_back(1e-5 * 50 * 50 * k * k);
+  }
+  const LineOfCase of(c);
+  for (Index i = 0; i < of.line.nodes(); ++i) {
+    const Real x = of.line.x[i];
+    if (x < 50 || x > 950) continue;
+    const Index at = of.line.across(beam::Plane::lateral, i);
+    EXPECT_NEAR(of.line.shape[at], 1e-5 * x * x, 1e-9) << x;
+    EXPECT_NEAR(of.line.shape[at + 1], 2e-5 * x, 1e-9) << x;
+  }
+}
+
+TEST(LineOfCase, has_the_resistance_along_it_of_its_interface)
+{
+  problem::Case c = heated();
+  c.pipeline->far_soil.axial_angle = 0.4;
+  EXPECT_NEAR(LineOfCase(c).axial_resistance(0.2, 1000), 4 / pi * std::tan(0.4) * 1000, 1e-9) << "wedged, buried to half";
+  EXPECT_EQ(LineOfCase(c).axial_resistance(0.2, -1000), 0) << "lifted";
+  c.pipeline->far_soil.axial_angle.reset();
+  c.pipeline->far_soil.axial_strength = 2000;
+  EXPECT_NEAR(LineOfCase(c).axial_resistance(0.2, 1000), 2000 * 0.4 * pi / 2, 1e-9) << "half of the perimeter";
+}
+
+TEST(LineOfCase, may_begin_and_end_free_or_on_a_spring)
+{
+  problem::Case c = heated();
+  c.pipeline->half = problem::LineHalf::none;
+  c.pipeline->imperfection = {};
+  c.pipeline->end = problem::LineEnd::spring;
+  c.pipeline->end_stiffness = 1e6;
+  const LineOfCase of(c);
+  EXPECT_EQ(std::count(of.line.held.begin(), of.line.held.end(), 1), 0);
+  const beam::Spring& end = of.line.springs.back();
+  EXPECT_EQ(end.freedom, of.line.axial(of.line.nodes() - 1));
+  EXPECT_EQ(std::get<beam::LinearSpring>(of.line.laws[end.law]).stiffness * end.length, 1e6);
 }
 
 }  // namespace

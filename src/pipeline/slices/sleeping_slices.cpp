@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/slices/coupled_line_test.cpp
+#include "mpm/time_step.hpp"
+#include "problem/stages.hpp"
+#include "slices/coupled_line.hpp"
+
+#include <algorithm>
+
+namespace berm::slices {
+
+/// As the case has it: all, all but the first, or none.
+void CoupledLine::put_to_sleep()
+{
+  const problem::SliceSleep when = of_case_.settings.slices.asleep;
+  asleep_.assign(count(), when != problem::SliceSleep::never);
+  asleep_.front() = when == problem::SliceSleep::always;
+}
+
+/// Slices become soil where their spring has much of its resistance, or carries much more or less than the weight.
+void CoupledLine::wake()
+{
+  constexpr Real enough = 0.4;
+  if (of_case_.settings.slices.asleep != problem::SliceSleep::until_it_slides) return;
+  for (Index i = 0; i < of_case_.line.freedoms(); ++i) moved_[i] = state_.displacement[i] - of_case_.line.shape[i];
+  of_case_.stations.means(of_case_.line, beam::Direction::lateral, moved_, sideways_);
+  of_case_.stations.means(of_case_.line, beam::Direction::vertical, moved_, upwards_);
+  for (std::size_t k = 1; k < count(); ++k) {
+    if (!asleep(k) || (of_case_.mobilised(sideways_[k]) < enough &&
+                       of_case_.vertical_stiffness * std::abs(upwards_[k]) < enough * of_case_.settings.submerged_weight))
+      continue;
+    asleep_[k] = 0;
+  }
+}
+
+/// Gives the springs at the nodes the length that is not on soil, and those along the line their resistance.
+void CoupledLine::share_springs(const problem::State<2>& first)
+{
+  const beam::Line& line = of_case_.line;
+  if (!of_case_.may_sleep() && !of_case_.has_interface()) return;
+  on_springs_ = of_case_.length_beyond;
+  for (std::size_t k = 0; k < count(); ++k) of_slices_[k] = static_cast<Real>(asleep_[k]);
+  of_case_.stations.add_to_nodes(of_slices_, on_springs_);
+  const Real weight = of_case_.settings.submerged_weight, as_laid = of_case_.axial_resistance(laid_embedment_, weight);
+  for (std::size_t k = 0; k < count(); ++k) {
+    const problem::State<2>& slice = k == 0 ? first : *others_[k - 1];
+    of_slices_[k] =
+        asleep(k) ? as_laid : of_case_.axial_resistance(travel_of(model_of(k), slice, 0).w, slice.rigid_bodies[0].smooth_reaction[1]);
+  }
+  for (Index i = 0; i < line.nodes(); ++i) along_[i] = as_laid * of_case_.length_beyond[i];
+  of_case_.stations.add_to_nodes(of_slices_, along_);
+  for (std::size_t s = 0; s < line.springs.size(); ++s) {
+    const beam::Spring& spring = line.springs[s];
+    const bool axial = spring.freedom == line.axial(spring.node);
+    if (!axial && of_case_.may_sleep()) state_.spring_factor[s] = on_springs_[spring.node] / spring.length;
+    if (axial && of_case_.has_interface() && std::holds_alternative<beam::PlasticSpring>(line.laws[spring.law]))
+      state_.spring_factor[s] = along_[spring.node] / (weight * spring.length);
+  }
+}
+
+/// Of the springs on the line sideways, by slice, in a vector by freedom.
+void CoupledLine::find_reactions_of_springs()
+{
+  const beam::Line& line = of_case_.line;
+  std::fill(before_.begin(), before_.end(), 0.0);
+  for (std::size_t s = 0; s < line.springs.size(); ++s) {
+    const Index freedom = line.springs[s].freedom;
+    if (freedom != line.across(beam::Plane::lateral, line.springs[s].node)) continue;
+    before_[freedom] -= force_of(line.laws[line.springs[s].law], state_.springs[s], state_.displacement[freedom]).force;
+  }
+  of_case_.stations.means(line, beam::Direction::lateral, before_, of_slices_);
+}
+
+/// Of a slice whose soil is not stepped here.
+void CoupledLine::let_time_pass(Real dt, problem::State<2>& state) const
+{
+  state.dt = dt;
+  state.time += dt;
+  ++state.step;
+  state.stable_dt_holds = state.step % mpm::steps_between_time_steps != 0;
+}
+
+/// A step of a slice that is asleep. Where it never wakes its pipe goes with the line.
+void CoupledLine::let_sleep(Index k, Real dt, problem::State<2>& state) const
+{
+  const Vec<2> velocity(sideways_[k], upwards_[k]), on_pipe(of_slices_[k], of_case_.settings.submerged_weight);
+  state.contact_sums[0].impulse -= dt * on_pipe;
+  if (of_case_.settings.slices.asleep == problem::SliceSleep::always) state.rigid_bodies[0].displacement += dt * velocity;
+  let_time_pass(dt, state);
+}
+
+}  // namespace berm::slices
