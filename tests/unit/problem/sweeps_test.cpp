@@ -72,7 +72,7 @@ Case heated(int times)
 TEST(repeats, write_stages_behind_themselves)
 {
   Case c = heated(3);
-  SupportSettings support;
+  boundary::SupportSettings support;
   support.stages = {"cool", "lay"};
   c.support = {{"wall", support}};
   const std::vector<std::size_t> origins = expand_repeats(c);

@@ -167,11 +167,16 @@ TEST(CoupledLine, wakes_slices_before_their_springs_slide)
   EXPECT_FALSE(run.line.asleep(0)) << "the first is where the crown is";
   for (std::size_t k = 1; k < run.line.count(); ++k) EXPECT_TRUE(run.line.asleep(k));
   const BigIndex laid = run.line.slice(1).step;
-  while (run.line.asleep(1)) run.step();
+  const Real internal = run.line.slice(1).totals.internal;
+  for (;;) {
+    run.step();
+    if (!run.line.asleep(1)) break;
+    ASSERT_EQ(run.line.slice(1).totals.internal, internal) << "its soil waits";
+  }
   const Real lateral = run.line.loads_at(run.problem.state, run.problem.state.time).lateral;
   EXPECT_GT(lateral, 0.2 * 600);
   EXPECT_LT(lateral, 0.6 * 600);
-  EXPECT_EQ(run.line.slice(1).totals.external, run.line.slice(2).totals.external) << "no soil has moved";
+  EXPECT_NE(run.line.slice(1).totals.internal, internal);
   EXPECT_GT(run.line.slice(1).step, laid);
   while (!stage_ended(run.problem.model, run.problem.state)) run.step();
   // The springs have lost it less than they may move, and what they carried when they gave way.
@@ -215,7 +220,9 @@ TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
   EXPECT_EQ(line.slice(2).rigid_bodies[0].displacement[1], shallow);
   while (!stage_ended(problem.model, problem.state))
     line.step(problem.state, workspace, [&] { mpm::step(problem.model, problem.state, workspace); });
-  EXPECT_GT(-line.forces()[2].force[0], -1.1 * line.forces()[1].force[0]) << "stronger soil resists more";
+  // The line hardly bends: all pipes go as far, in soils that push back with forces of their own.
+  EXPECT_NEAR(line.slice(2).rigid_bodies[0].displacement[0], line.slice(1).rigid_bodies[0].displacement[0], 1e-3);
+  EXPECT_GT(std::abs(line.slice(2).contact_sums[0].impulse[0] / line.slice(1).contact_sums[0].impulse[0] - 1), 0.01);
 }
 
 TEST(CoupledLine, lighter_than_the_soil_that_it_moves_does_not_shake)
