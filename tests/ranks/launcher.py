@@ -48,6 +48,14 @@ def variables_of(process):
         return {}
 
 
+def is_program(process, program):
+    """What a program starts has its variables, too."""
+    try:
+        return os.path.samefile(f"/proc/{process}/exe", program)
+    except OSError:  # it has ended
+        return False
+
+
 def send(number, process):
     try:
         os.kill(process, number)
@@ -105,7 +113,7 @@ class Launcher:
         found = {}
         for name in filter(str.isdigit, os.listdir("/proc")):
             variables = variables_of(name)
-            if variables.get(MARK) == f"{os.getpid()}.{process.number}".encode():
+            if variables.get(MARK) == f"{os.getpid()}.{process.number}".encode() and is_program(name, self.program):
                 named = [variables[rank] for rank in (b"OMPI_COMM_WORLD_RANK", b"PMIX_RANK", b"PMI_RANK") if rank in variables]
                 found[int(named[0]) if named else 0] = int(name)
         return found
