@@ -144,7 +144,7 @@ void CoupledLine::for_slice(Index k, const Act& act) const
 
 void CoupledLine::find_time_steps(problem::State<2>& first, mpm::Workspace<2>& workspace)
 {
-  if (first.stable_dt_holds) return;
+  if (first.stable_dt_holds || asleep(0)) return;
   wake();
   for_each_task("time steps of slices", static_cast<Index>(count()), [&](Index k) {
     if (!own(k) || (k > 0 && asleep(static_cast<std::size_t>(k)))) return;  // the first one's is the clock of all
@@ -178,14 +178,22 @@ Real CoupledLine::step_line(const problem::State<2>& first, Real dt)
   return dt;
 }
 
+/// The shortest of all slices that are soil; of a line on springs a part of its stage.
+Real CoupledLine::time_step(const problem::State<2>& first) const
+{
+  constexpr Real longest = 0.01, parts = 500;  // s
+  if (asleep(0)) return std::min(longest, *model_of(0).stages[first.stage.index].until.time / parts);
+  Real stable = first.stable_dt;
+  for (std::size_t k = 1; k < count(); ++k)
+    if (!asleep(k)) stable = std::min(stable, others_[k - 1]->stable_dt);
+  return stable;
+}
+
 void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, const std::function<void()>& step_first)
 {
   find_time_steps(first, workspace);
   share_springs(first);
-  Real stable = std::min(first.stable_dt, first.max_dt);
-  for (std::size_t k = 1; k < count(); ++k)
-    if (!asleep(k)) stable = std::min(stable, others_[k - 1]->stable_dt);
-  const Real dt = step_line(first, stable);
+  const Real dt = step_line(first, std::min(time_step(first), first.max_dt));
   if (of_case_.may_sleep()) find_reactions_of_springs();
   for_each_task("slices", static_cast<Index>(count()), [&](Index k) {
     problem::State<2>& state = k == 0 ? first : *others_[k - 1];

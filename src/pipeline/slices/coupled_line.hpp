@@ -63,6 +63,7 @@ private:
   void let_time_pass(Real dt, problem::State<2>& state) const;
   void let_sleep(Index k, Real dt, problem::State<2>& state) const;
   void load_line(const LineLoads& now, Real dt);
+  Real time_step(const problem::State<2>& first) const;
   Real step_line(const problem::State<2>& first, Real dt);
   /// What a slice is a copy of; without a state of its own the first one.
   struct Soil {

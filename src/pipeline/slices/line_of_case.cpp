@@ -96,6 +96,10 @@ std::vector<Real> nodes_of(const problem::Case& c, const std::vector<Real>& plac
                                "than {}: shorten the line, or look at its stiffness and loads",
                                size, P, max_nodes));
   std::vector<Real> nodes = beam::graded_nodes(size, p.slices.to, growth, std::max(size, longest), p.length);
+  // The line ends where it does, without a stump.
+  nodes.back() = p.length;
+  if (Real& before_last = nodes[nodes.size() - 2]; before_last > p.slices.to * (1 + 1e-9))
+    before_last = (nodes[nodes.size() - 3] + p.length) / 2;
   const auto within = static_cast<std::size_t>(std::lround(p.slices.to / size));
   for (std::size_t k = 0; k <= within && k < nodes.size(); ++k) nodes[k] = p.slices.to * static_cast<Real>(k) / static_cast<Real>(within);
   return nodes;

@@ -462,7 +462,7 @@ void MpmMethod<d>::print_check(const Context& context)
 {
   std::vector<Index> particles;
   for (const bodies::Particles<d>& of_body : state().particles) particles.push_back(of_body.size());
-  const Real memory = memory_before_ + std::max(memory_of<d>(size_of(problem_)), memory_of_gmsh(case_)),
+  const Real memory = memory_before_ + std::max(memory_of<d>(size_of(problem_)) + memory_of_slices_, memory_of_gmsh(case_)),
              total = expected_time(model().stages);
   const Pace pace = measure_pace();
   fmt::print("  cells        {}\n  nodes        {}\n", model().mesh.cell_count(), model().mesh.node_count());
@@ -476,7 +476,7 @@ void MpmMethod<d>::print_check(const Context& context)
   print_load_histories();
   fmt::print("  steps        about {:.0f}, {} rows of history\n", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
   fmt::print("  time         about {} with {} ({:.3g} million particle-steps/s)\n",
-             run_folder::words_of_duration(total / pace.dt * pace.seconds_a_step), words_of_workers(context),
+             run_folder::words_of_duration(expected_steps_time() / pace.dt * pace.seconds_a_step), words_of_workers(context),
              static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
 }
 
@@ -498,7 +498,17 @@ Real MpmMethod<d>::expected_wall_time()
   const Real total = expected_time(model().stages);
   if (!(total > 0)) return nan;
   const Pace pace = measure_pace();
-  return total / pace.dt * pace.seconds_a_step;
+  return expected_steps_time() / pace.dt * pace.seconds_a_step;
+}
+
+/// The time that all stages are expected to take, s, as often as there are problems to step.
+template <int d>
+Real MpmMethod<d>::expected_steps_time() const
+{
+  Real sum = 0;
+  for (const problem::StageSettings& stage : model().stages)
+    sum += expected_time(stage) * (stage.kind == problem::StageKind::pipeline ? slices_ : 1);
+  return sum;
 }
 
 template <int d>

@@ -82,6 +82,8 @@ protected:
   /// Adds columns of its own to each row.
   using MoreColumns = std::function<void(run_folder::Row&)>;
   void add_row(run_folder::HistoryFile& file, const MoreColumns& more);
+  /// In stages of kind pipeline so many problems like this one are stepped, which take so much memory beside it, bytes.
+  void expect_slices(std::size_t count, Real memory) { slices_ = static_cast<Real>(count), memory_of_slices_ = memory; }
 
 private:
   /// Wall time of a step, s, measured on the first steps, for a quarter of a second at most; dt = the stable time step before them.
@@ -89,6 +91,7 @@ private:
     Real dt, seconds_a_step;
   };
   Pace measure_pace();
+  Real expected_steps_time() const;
   void refuse_other_problem() const;
   void divide_anew();
   bool change_soil();
@@ -103,7 +106,8 @@ private:
   Real stopped_over_work() const;
   void warn_of(const mpm::SoilCondition& soil) const;
 
-  Real memory_before_;  ///< bytes in use before the problem was built
+  Real memory_before_;                      ///< bytes in use before the problem was built
+  Real slices_ = 1, memory_of_slices_ = 0;  ///< expect_slices
   problem::Case case_;
   problem::Problem<d> problem_;
   run_folder::MpmCounts counts_;

@@ -70,6 +70,8 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
   make_soils(request, scratch);
   refuse_without_memory(memory_of_others(), memory_in_use(), fmt::format("{} slices", line_.count()),
                         "take larger cells, fewer particles or fewer slices");
+  const bool springs = line_.of_case().settings.slices.asleep == problem::SliceSleep::always;
+  expect_slices(springs ? 0 : line_.count(), memory_of_others());
 }
 
 /// A problem of its own for each other soil.
@@ -113,9 +115,12 @@ std::string PipelineMethod::size_words() const
 void PipelineMethod::print_check(const Context& context)
 {
   const slices::LineOfCase& of = line_.of_case();
-  fmt::print("  pipeline     {} slices every {:.4g} m, line of {} nodes to {:.4g} m; what follows is of one slice, the others take {:.0f} "
-             "MiB more at most\n",
-             line_.count(), of.places[1], of.line.nodes(), of.line.x.back(), memory_of_others() / (1 << 20));
+  fmt::print("  pipeline     {} slices every {:.4g} m{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice\n",
+             line_.count(), of.places[1],
+             of.settings.slices.asleep == problem::SliceSleep::always ? ", asleep"
+             : of.may_sleep()                                         ? ", asleep until they slide"
+                                                                      : "",
+             of.line.nodes(), of.line.x.back());
   MpmMethod<2>::print_check(context);
 }
 
