@@ -194,6 +194,7 @@ void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, c
   find_time_steps(first, workspace);
   share_springs(first);
   const Real dt = step_line(first, std::min(time_step(first), first.max_dt));
+  slice_steps_ += std::count(asleep_.begin(), asleep_.end(), 0);
   if (of_case_.may_sleep()) find_reactions_of_springs();
   for_each_task("slices", static_cast<Index>(count()), [&](Index k) {
     problem::State<2>& state = k == 0 ? first : *others_[k - 1];
@@ -223,6 +224,7 @@ void CoupledLine::archive(Archive& k, const problem::State<2>& first)
   }
   k.table("line", [&] { beam::archive(k, state_); });
   k.fixed("asleep", asleep_);
+  k("slice_steps", slice_steps_);
   k("laid_embedment", laid_embedment_);
   for (std::size_t s = 0; s < count(); ++s)
     k.table(fmt::format("slice_{}", s), [&] {

@@ -48,10 +48,14 @@ public:
   bool asleep(std::size_t k) const { return asleep_[k] != 0; }
   /// Slice k > 0.
   const problem::State<2>& slice(std::size_t k) const { return *others_[k - 1]; }
+  /// Steps of soil, of all slices together.
+  BigIndex slice_steps() const { return slice_steps_; }
   std::size_t count() const { return of_case_.places.size(); }
 
   /// Without the first slice, which must have been read before.
   void archive(Archive& k, const problem::State<2>& first);
+  /// The rank that steps the soil of slice k.
+  static int rank_of(std::size_t k);
   /// The soil of the slices k > 0 that a rank steps.
   void archive_of_rank(Archive& k, int rank);
 
@@ -89,7 +93,8 @@ private:
   LineLoads from_;  ///< when the stage began
   bool hangs_ = false;
   std::vector<Index> asleep_;  ///< by slice
-  Real laid_embedment_ = 0;    ///< m, of the pipe
+  BigIndex slice_steps_ = 0;
+  Real laid_embedment_ = 0;  ///< m, of the pipe
   std::vector<SliceForce> forces_;
   std::vector<std::unique_ptr<problem::State<2>>> others_;
   std::vector<std::unique_ptr<mpm::Workspace<2>>> workspaces_;

@@ -33,12 +33,12 @@ void hear(const Told& told, problem::State<2>& slice, SliceForce& force)
   force = {told.reaction, told.contact_mass};
 }
 
-int rank_of(std::size_t k)
+}  // namespace
+
+int CoupledLine::rank_of(std::size_t k)
 {
   return static_cast<int>(k % static_cast<std::size_t>(Ranks::of_run().count()));
 }
-
-}  // namespace
 
 bool CoupledLine::own(Index k) const
 {

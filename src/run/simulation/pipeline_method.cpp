@@ -20,6 +20,7 @@ namespace {
 
 constexpr run_folder::ColumnUnit kelvins{"K", "K"};
 constexpr std::size_t numbers_of_node = 9;  ///< of line.csv
+constexpr Real columns_of_diameter = 10;    ///< of berms.csv
 constexpr const char* head_of_shapes = "frame,time_s,stage,x_m,y_m,z_m,u_m,P_N,M_Nm,strain_max,strain_min\n";
 
 using beam::Plane;
@@ -64,7 +65,9 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
     : MpmMethod<2>(request, scratch),
       folder_(request.folder),
       line_(case_of_run(), model()),
-      last_impulses_(line_.count(), Vec<2>::Zero())
+      last_impulses_(line_.count(), Vec<2>::Zero()),
+      columns_(model(), line_.of_case().diameter / columns_of_diameter),
+      level_(columns_.heights(state()))
 {
   if (!model().earthworks.empty()) throw KeyError("pipeline: does not go with fills and excavations");
   make_soils(request, scratch);
@@ -177,6 +180,8 @@ void PipelineMethod::archive(Archive& k)
     for (std::size_t s = 0; s < last_impulses_.size(); ++s) k(fmt::format("last_impulse_{}", s), last_impulses_[s]);
     k("shapes", shapes_);
     k("stages", stages_);
+    k("berms", berms_);
+    k("first_frame_of_berms", first_frame_of_berms_);
     if (!k.reads()) return;
     if (shapes_.size() != stages_.size() * static_cast<std::size_t>(line_.of_case().line.nodes()) * numbers_of_node)
       k.refuse("the shapes of the line are not whole");
@@ -258,8 +263,51 @@ void PipelineMethod::note_shape()
 run_folder::Frame<2> PipelineMethod::make_frame()
 {
   note_shape();
-  if (Ranks::of_run().is_first()) write_shapes();
+  note_berms();
+  if (Ranks::of_run().is_first()) {
+    write_shapes();
+    write_berms();
+  }
   return MpmMethod<2>::make_frame();
+}
+
+/// Of the slices that this rank has; the first has all then.
+void PipelineMethod::note_berms()
+{
+  if (!line_.hangs()) {
+    first_frame_of_berms_ = static_cast<Index>(stages_.size());
+    return;
+  }
+  const std::size_t size = level_.size(), begin = berms_.size();
+  for (std::size_t k = 0; k < line_.count(); ++k) {
+    const std::vector<Real> now = columns_.heights(k == 0 ? state() : line_.slice(k));
+    for (std::size_t c = 0; c < size; ++c) berms_.push_back(now[c] - level_[c]);
+  }
+  gather_on_first_rank([&](Archive& k, int rank) {
+    for (std::size_t s = 0; s < line_.count(); ++s) {
+      if (slices::CoupledLine::rank_of(s) != rank) continue;
+      const auto at = berms_.begin() + static_cast<std::ptrdiff_t>(begin + s * size);
+      std::vector<Real> of_slice(at, at + static_cast<std::ptrdiff_t>(size));
+      k.fixed(fmt::format("slice_{}", s), of_slice);
+      std::copy(of_slice.begin(), of_slice.end(), at);
+    }
+  });
+}
+
+void PipelineMethod::write_berms() const
+{
+  if (berms_.empty()) return;
+  std::string text = "frame,slice,x_m";
+  for (const Real y : columns_.middles()) fmt::format_to(std::back_inserter(text), ",rise_m_at_{:.3f}_m", y);
+  text += '\n';
+  const std::size_t size = level_.size(), slices = line_.count();
+  for (std::size_t row = 0; row < berms_.size() / size; ++row) {
+    fmt::format_to(std::back_inserter(text), "{},{},{:.6g}", first_frame_of_berms_ + static_cast<Index>(row / slices), row % slices,
+                   line_.of_case().places[row % slices]);
+    for (std::size_t c = 0; c < size; ++c) fmt::format_to(std::back_inserter(text), ",{:.4f}", berms_[row * size + c]);
+    text += '\n';
+  }
+  io::write_atomically(folder_ / "berms.csv", text);
 }
 
 void PipelineMethod::write_shapes() const
@@ -294,8 +342,8 @@ run_folder::Summary::Checks PipelineMethod::checks() const
 
 Real PipelineMethod::particle_steps() const
 {
-  const BigIndex of_others = line_.hangs() ? static_cast<BigIndex>(line_.count() - 1) * (state().step - hung_at_) : 0;
-  return static_cast<Real>(counts().particles * (state().step + of_others));
+  const BigIndex before = line_.hangs() ? hung_at_ : state().step;
+  return static_cast<Real>(counts().particles * (before + line_.slice_steps()));
 }
 
 }  // namespace berm::simulation

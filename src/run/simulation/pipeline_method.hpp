@@ -3,6 +3,7 @@
 
 #include "simulation/mpm_method.hpp"
 #include "slices/coupled_line.hpp"
+#include "slices/soil_columns.hpp"
 
 namespace berm::simulation {
 
@@ -17,7 +18,7 @@ public:
   void step();
   /// With columns of the line and of the other slices.
   void add_row(run_folder::HistoryFile& file);
-  /// Of the first slice; and line.csv, with the shapes of the line so far.
+  /// Of the first slice; and line.csv and berms.csv, with the shapes of the line and of the beds of its slices so far.
   run_folder::Frame<2> make_frame();
   bool next_stage();
   void come_to_checkpoint_boundary();
@@ -36,7 +37,9 @@ private:
   void add_line(run_folder::Row& row);
   void add_slices(run_folder::Row& row);
   void note_shape();
+  void note_berms();
   void write_shapes() const;
+  void write_berms() const;
   bool on_line() const { return model().stages[state().stage.index].kind == problem::StageKind::pipeline; }
 
   std::filesystem::path folder_;
@@ -49,6 +52,9 @@ private:
   Real largest_contact_mass_ = 0;                     ///< over the line's mass, of all rows
   std::vector<Real> shapes_;                          ///< numbers of line.csv, by frame and node
   std::vector<Index> stages_;                         ///< by frame
+  slices::SoilColumns columns_;                       ///< of the soil of a slice
+  std::vector<Real> level_, berms_;  ///< m: their heights before the first step, and how far they have risen, by frame, slice and column
+  Index first_frame_of_berms_ = 0;   ///< once the slices hang
 };
 
 }  // namespace berm::simulation
