@@ -2,11 +2,14 @@
 // Tests: tests/unit/envelope/envelope_test.cpp
 #include "envelope/envelope_report.hpp"
 
+#include "core/error.hpp"
+#include "envelope/foundation.hpp"
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 namespace berm::envelope {
 namespace {
@@ -74,6 +77,16 @@ void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow
   io::write_atomically(folder / "envelope.csv", envelope_csv(rows, embedded_body(c).arm.has_value(), c.force_dimension()));
   io::write_atomically(folder / "summary.json", summary_json(c, rows));
   draw_envelope(c, rows, folder);
+  const base::EmbeddedBody body = embedded_body(c);
+  const bool open = std::any_of(rows.begin(), rows.end(), [](const EnvelopeRow& row) { return row.state != "finished"; });
+  if (body.arm && !open) try {
+      const Foundation foundation = fit_foundation(rows, body.width);
+      io::write_atomically(folder / "redwin.txt", foundation_properties(foundation, c.force_dimension()));
+      io::write_atomically(folder / "redwin.c", redwin_code);
+      io::write_atomically(folder / "redwin.so", redwin_library);
+    } catch (const RunError& error) {
+      spdlog::warn("{}", error.what());
+    }
 }
 
 std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow>& rows)

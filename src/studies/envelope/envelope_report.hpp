@@ -7,7 +7,7 @@
 
 namespace berm::envelope {
 
-/// Writes FOLDER/envelope.csv, summary.json and envelope.png.
+/// Writes FOLDER/envelope.csv, summary.json and envelope.png; of a footing whose probes are all done also its macro-element, redwin.txt, .c and .so, or warns why there is none.
 void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder);
 
 /// The table for people: a line for each probe's end and the extremes beside what is published.

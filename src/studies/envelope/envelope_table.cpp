@@ -12,12 +12,12 @@ namespace berm::envelope {
 namespace {
 
 constexpr std::size_t max_path_points = 100;
-constexpr Real last_part = 0.25;     // of the travel, over which growth is told
+constexpr Real first_part = 0.1;     // of what the end meets, up to which soil is elastic
 constexpr Real largest_half = 0.05;  // of the travel of a footing, which may be as short as what noise is averaged over
 
-/// V, H, M and w of a stage over its travel, from where it began: the row before its first.
+/// V, H, M and w of a stage over its travel, from where it began: the row before its first; of a footing its displacements since then.
 struct StagePath {
-  record::TravelCurve V, H, w, M;
+  record::TravelCurve V, H, w, M, since_w, since_u, since_theta;
 };
 
 /// Columns of a history from the row before the first of a stage.
@@ -44,7 +44,7 @@ StagePath path_of(const StageRows& rows)
   const std::vector<Real> u = rows["u"], w = rows["w"];
   std::vector<Real> travel;
   for (std::size_t k = 0; k < u.size(); ++k) travel.push_back(std::hypot(u[k] - u[0], w[k] - w[0]));
-  return {{travel, rows["V"]}, {travel, rows["H"]}, {travel, w}, {{}, {}}};
+  return {{travel, rows["V"]}, {travel, rows["H"]}, {travel, w}, {{}, {}}, {{}, {}}, {{}, {}}, {{}, {}}};
 }
 
 /// The same of the middle of the flat base of a footing, at `arm` below the centre that the history is about. In the history w is that of the lowest corner.
@@ -53,15 +53,16 @@ StagePath path_of_base(const StageRows& rows, const base::EmbeddedBody& body, co
 {
   const bool plane = c.dimension() == 2, small_strain = c.method == problem::Method::fem;
   const std::vector<Real> V = rows["V"], H = rows["H"], moment = rows[plane ? "M" : "Mz"], angle = rows[plane ? "angle" : "anglez"];
-  std::vector<Real> u = rows["u"], w = rows["w"], M, travel;
+  std::vector<Real> u = rows["u"], w = rows["w"], M, travel, since[3];
   for (std::size_t k = 0; k < u.size(); ++k) {
     const Real theta = -angle[k], arm = *body.arm;
     u[k] -= arm * std::sin(theta);
     w[k] -= body.width / 2 * std::abs(std::sin(theta));
     M.push_back(moment[k] + (small_strain ? arm * H[k] : arm * (H[k] * std::cos(theta) + V[k] * std::sin(theta))));
-    travel.push_back(std::hypot(u[k] - u[0], w[k] - w[0], body.width * (angle[k] - angle[0])));
+    since[0].push_back(w[k] - w[0]), since[1].push_back(u[k] - u[0]), since[2].push_back(angle[0] - angle[k]);
+    travel.push_back(std::hypot(since[0][k], since[1][k], body.width * since[2][k]));
   }
-  return {{travel, V}, {travel, H}, {travel, w}, {travel, M}};
+  return {{travel, V}, {travel, H}, {travel, w}, {travel, M}, {travel, since[0]}, {travel, since[1]}, {travel, since[2]}};
 }
 
 std::string cell(Real value)
@@ -87,10 +88,20 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, co
     const Real flat = probe.turn == 0 ? p.H : p.H * std::cos(turn) + p.M / body.width * std::sin(turn);
     return p.V * std::sin(angle) + flat * std::cos(angle);
   };
+  result.travel = path.V.end();
   result.end = at(path.V.end());
   result.growth = 1 - resistance(at((1 - last_part) * path.V.end())) / resistance(result.end);
   if (history.has("unbalance")) result.unbalance = history["unbalance"].back();
   if (history.has("overstress")) result.overstress = history["overstress"].back();
+  for (const Real s : path.since_w.travel()) {
+    const EnvelopePoint load = at(s), before = at(0);
+    if (s == 0 || resistance(load) - resistance(before) < first_part * resistance(result.end)) continue;
+    result.first = {path.since_w.at(s, 0),
+                    path.since_u.at(s, 0),
+                    path.since_theta.at(s, 0),
+                    {load.V - before.V, load.H - before.H, load.w - before.w, load.M - before.M}};
+    break;
+  }
   if (probe.kind == ProbeKind::swipe) {
     const std::vector<Real>& travel = path.V.travel();
     const std::size_t every = 1 + travel.size() / max_path_points;

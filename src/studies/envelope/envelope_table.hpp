@@ -13,6 +13,15 @@ struct EnvelopePoint {
   Real M = nan;         ///< N (in space N m), of a footing about the middle of its base, clockwise where H goes to the right
 };
 
+/// How a footing moved at first, until it met a tenth of what it met along its motion at the end, and by how much its load grew: elastic soil.
+struct FirstMotion {
+  Real w, u, theta;  ///< m, rad
+  EnvelopePoint load;
+};
+
+/// The last part of the travel, over which growth is told.
+inline constexpr Real last_part = 0.25;
+
 /// What a probe found.
 struct ProbeResult {
   EnvelopePoint end;
@@ -20,6 +29,8 @@ struct ProbeResult {
       end.V;  ///< of the resistance V sin a + H cos a along the motion, a below the horizontal (of a footing with (H cos b + M/D sin b) instead of H, b towards rotation), in the last quarter of the travel, over its last
   Real unbalance = end.V, overstress = end.V;  ///< of the last increment; NaN where the method has none
   std::vector<EnvelopePoint> path;             ///< of a swipe: its rows, at most 100
+  Real travel = nan;                           ///< m
+  std::optional<FirstMotion> first = {};       ///< of a footing
 };
 
 /// The result of a probe of this body from its run's history. Those of the material point method are freed from noise over +-0.01 D of travel, of a footing +-0.05 of its travel at most (TravelCurve::at), which is that

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What the drivers share: a check that counts and names what failed. */
+#ifndef BERM_CHECK_H
+#define BERM_CHECK_H
+
+#include <math.h>
+#include <stdio.h>
+
+static int failures = 0;
+
+#define CHECK(what)                                                    \
+  do {                                                                 \
+    if (!(what)) {                                                     \
+      ++failures;                                                      \
+      fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #what); \
+    }                                                                  \
+  } while (0)
+
+#define CHECK_NEAR(a, b, tolerance)                                                                     \
+  do {                                                                                                  \
+    const double a_ = (a), b_ = (b);                                                                    \
+    if (!(fabs(a_ - b_) <= (tolerance))) {                                                              \
+      ++failures;                                                                                       \
+      fprintf(stderr, "%s:%d: %s is %.17g, not %.17g within %g\n", __FILE__, __LINE__, #a, a_, b_, (double)(tolerance)); \
+    }                                                                                                   \
+  } while (0)
+
+#endif
