@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/interfaces/slice.c
+#include <berm/berm.hpp>
+#include <berm/slice.h>
+
+#include <cmath>
+#include <fmt/format.h>
+
+/// A run of the case, and the stage that its caller drives.
+struct berm_slice {
+  berm::Run run;
+  std::string stage;
+};
+
+namespace berm {
+namespace {
+
+thread_local std::string last_message;
+
+/// Does what may throw, and gives the code.
+template <class Act>
+int code_of(const Act& act)
+{
+  try {
+    act();
+    return BERM_SLICE_OK;
+  } catch (const InputError& error) {
+    last_message = error.what();
+    return BERM_SLICE_INPUT;
+  } catch (const std::exception& error) {
+    last_message = error.what();
+    return BERM_SLICE_FAILED;
+  }
+}
+
+void need(const void* pointer, const char* what)
+{
+  if (pointer == nullptr) throw InputError(fmt::format("{} is null", what));
+}
+
+RigidBodyNow body_of(const berm_slice& slice)
+{
+  return slice.run.rigid_bodies()[0];
+}
+
+void take_step(berm_slice& slice, const double velocity[3], double dt, double force[3])
+{
+  Run& run = slice.run;
+  if (slice.stage.empty()) throw InputError("the slice is not laid: call berm_slice_lay first");
+  if (!(dt > 0 && std::isfinite(dt))) throw InputError(fmt::format("dt: {} s: it must be more than 0", dt));
+  constexpr Freedom freedoms[] = {Freedom::x, Freedom::y, Freedom::rotation};
+  for (int k = 0; k < 3; ++k)
+    if (!std::isnan(velocity[k])) run.drive_by_velocity(freedoms[k], velocity[k]);
+  const RigidBodyNow before = body_of(slice);
+  const double from = run.time(), to = from + dt;
+  while (run.time() < to) {
+    run.limit_time_step(to - run.time());
+    if (!run.step() || run.stage() != slice.stage)
+      throw RunError(fmt::format("stage {} ended at {:.6g} s: a longer until.time lets its caller drive on", slice.stage, run.time()));
+  }
+  const RigidBodyNow after = body_of(slice);
+  for (int d = 0; d < 2; ++d) force[d] = (after.impulse[d] - before.impulse[d]) / (to - from);
+  force[2] = (after.angular_impulse[2] - before.angular_impulse[2]) / (to - from);
+}
+
+}  // namespace
+}  // namespace berm
+
+int berm_slice_open(const char* case_file, int count, const char* const* set, berm_slice** slice)
+{
+  return berm::code_of([&] {
+    berm::need(case_file, "case_file");
+    berm::need(slice, "slice");
+    berm::RunOptions options;
+    for (int k = 0; k < count; ++k) options.set.emplace_back(set[k]);
+    berm::Run run(case_file, options);
+    if (run.dimension() != 2 || run.rigid_bodies().size() != 1)
+      throw berm::InputError(fmt::format("{}: a slice is in plane strain and has one rigid body", case_file));
+    *slice = new berm_slice{std::move(run), ""};
+  });
+}
+
+int berm_slice_lay(berm_slice* slice, const char* stage)
+{
+  return berm::code_of([&] {
+    berm::need(slice, "slice");
+    berm::need(stage, "stage");
+    while (slice->run.stage() != stage)
+      if (!slice->run.step()) throw berm::InputError(fmt::format("the case ends without a stage \"{}\"", stage));
+    slice->stage = stage;
+  });
+}
+
+int berm_slice_step(berm_slice* slice, const double velocity[3], double dt, double force[3])
+{
+  return berm::code_of([&] {
+    berm::need(slice, "slice");
+    berm::need(velocity, "velocity");
+    berm::need(force, "force");
+    berm::take_step(*slice, velocity, dt, force);
+  });
+}
+
+int berm_slice_now(const berm_slice* slice, double* time, double centre[2])
+{
+  return berm::code_of([&] {
+    berm::need(slice, "slice");
+    if (time != nullptr) *time = slice->run.time();
+    const berm::RigidBodyNow body = berm::body_of(*slice);
+    for (int d = 0; d < 2 && centre != nullptr; ++d) centre[d] = body.centre[d];
+  });
+}
+
+int berm_slice_clone(berm_slice* slice, berm_slice** copy)
+{
+  return berm::code_of([&] {
+    berm::need(slice, "slice");
+    berm::need(copy, "copy");
+    *copy = new berm_slice{slice->run.clone(), slice->stage};
+  });
+}
+
+void berm_slice_close(berm_slice* slice)
+{
+  delete slice;
+}
+
+const char* berm_slice_message()
+{
+  return berm::last_message.c_str();
+}
