@@ -34,6 +34,8 @@ export interface RunData {
   /** How sure the curves of charts are, where the run was asked. */
   bands: BandData[];
   film: FilmData | null;
+  /** Only of the run of a pipeline; null: nothing is there yet, or it is damaged. */
+  line?: LineData | null;
 }
 
 export interface Measure {
@@ -138,6 +140,42 @@ export interface SurfaceData {
   lower: [number, number, number];
   step: number;
   position: string;
+}
+
+/** The line of a pipeline from x = 0 on, frame by frame. */
+export interface LineData {
+  /** Whether the other half is the mirror image; else it is turned by half a turn. */
+  symmetric: boolean;
+  /** m; 0: not known. */
+  diameter: number;
+  /** N/m, submerged, as the line was laid. */
+  weight: number;
+  /** m, up to which x the line moves sideways; all slices lie within. */
+  region: number;
+  /** m, x of the slices. That at x = 0 has the columns u_m, ... of the history, the others slice_1_u_m, ... */
+  slices: number[];
+  /** What of the run is left out, for a caption; null: nothing. */
+  note: string | null;
+  frames: { time: number; stage: string }[];
+  /** The last frames of the stages that load the line. */
+  ends: { name: string; frame: number }[];
+  /** m, of the nodes. */
+  x: number[];
+  /** m, from the straight axis. */
+  y: LineQuantity;
+  /** N, effective compression. */
+  P: LineQuantity;
+  /** N m, lateral bending moment. */
+  M: LineQuantity;
+  strain_max: LineQuantity;
+  strain_min: LineQuantity;
+}
+
+/** A quantity by frame and node: value = low + step * code (16 bits); its block has planes [low][high] as those of a film's places. */
+export interface LineQuantity {
+  low: number;
+  step: number;
+  block: string;
 }
 
 export interface FrameData {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bytes of a film's blocks become arrays by frame. Planes of low and high bytes, and changes from frame to frame, are what compresses well.
 
-/** Codes x, y (in space x, y, z) of all points, one array per frame; throws where the number of bytes is wrong. */
-export function decode_places(bytes: Uint8Array, frames: number, count: number, axes: 2 | 3 = 2): Uint16Array[] {
+/** Codes x, y (in space x, y, z; of a quantity of a line one) of all points, one array per frame; throws where the number of bytes is wrong. */
+export function decode_places(bytes: Uint8Array, frames: number, count: number, axes: 1 | 2 | 3 = 2): Uint16Array[] {
   const n = frames * count;
   expect_bytes(bytes, 2 * axes * n);
   const places = Array.from({ length: frames }, () => new Uint16Array(axes * count));

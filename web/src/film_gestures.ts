@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mouse, fingers and keys on the picture.
 
-export interface Gestures {
-  /** px of the page: the soil follows the pointer. */
-  drag(right: number, down: number): void;
-  /** Zooms about a point, in px of the page from the element's corner; null: about the middle. */
-  zoom(factor: number, about: { x: number; y: number } | null): void;
+/** Goes through a film by keys. */
+export interface KeyPlayer {
   play(): void;
   step(frames: number): void;
   first(): void;
   last(): void;
+}
+
+export interface Gestures extends KeyPlayer {
+  /** px of the page: the soil follows the pointer. */
+  drag(right: number, down: number): void;
+  /** Zooms about a point, in px of the page from the element's corner; null: about the middle. */
+  zoom(factor: number, about: { x: number; y: number } | null): void;
   region(): void;
   /** With Shift held, and by two fingers; without it these are drags. */
   pan?(right: number, down: number): void;
@@ -38,13 +42,29 @@ export function listen(stage: HTMLElement, gestures: Gestures): void {
     },
     { passive: false },
   );
+  listen_to_keys(stage, (event) => key_action(event, gestures));
+}
+
+/** Does what a key stands for while the stage is chosen. */
+export function listen_to_keys(stage: HTMLElement, action_of: (event: KeyboardEvent) => (() => void) | undefined): void {
   stage.addEventListener("keydown", (event) => {
     if (event.target !== stage || event.ctrlKey || event.metaKey || event.altKey) return;
-    const action = key_action(event, gestures);
+    const action = action_of(event);
     if (action === undefined) return;
     event.preventDefault();
     action();
   });
+}
+
+/** Keys that go through a film. */
+export function player_keys(player: KeyPlayer): Record<string, () => void> {
+  return {
+    " ": () => player.play(),
+    ArrowLeft: () => player.step(-1),
+    ArrowRight: () => player.step(1),
+    Home: () => player.first(),
+    End: () => player.last(),
+  };
 }
 
 function key_action(event: KeyboardEvent, gestures: Gestures): (() => void) | undefined {
@@ -54,11 +74,7 @@ function key_action(event: KeyboardEvent, gestures: Gestures): (() => void) | un
     if (pan !== undefined) return () => gestures.drag(KEY_PAN * pan[0], KEY_PAN * pan[1]);
   }
   const actions: Record<string, () => void> = {
-    " ": () => gestures.play(),
-    ArrowLeft: () => gestures.step(-1),
-    ArrowRight: () => gestures.step(1),
-    Home: () => gestures.first(),
-    End: () => gestures.last(),
+    ...player_keys(gestures),
     "+": () => gestures.zoom(ZOOM_STEP, null),
     "=": () => gestures.zoom(ZOOM_STEP, null),
     "-": () => gestures.zoom(1 / ZOOM_STEP, null),

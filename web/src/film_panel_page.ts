@@ -6,16 +6,14 @@ import { BAR_HEIGHT, type ColourBar, draw_colour_bar } from "./film_colour_bar";
 import type { Range } from "./film_colours";
 import { button, choice, icon, make, set_options } from "./film_elements";
 import { digits, type Unit } from "./film_numbers";
-import { frame_text, readings, sentence } from "./film_reading";
+import { readings, sentence } from "./film_reading";
 import type { FilmedRun } from "./film_together";
+import { type Player, Transport } from "./film_transport";
 
 /** What the reader asks of a panel. */
-export interface Wishes {
+export interface Wishes extends Player {
   run(index: number): void;
   field(name: FieldData["name"]): void;
-  move(at: number): void;
-  step(frames: number): void;
-  play(): void;
   zoom(factor: number): void;
   region(): void;
   whole_bed(): void;
@@ -28,9 +26,7 @@ export class PanelPage {
   readonly element = make("figure", "film-panel");
   private run: ReturnType<typeof choice>;
   private field: ReturnType<typeof choice>;
-  private play: HTMLButtonElement;
-  private slider = make("input", "film-frame");
-  private frame = make("output", "film-frame-text");
+  private transport: Transport;
   private readings = make("dl", "film-readings");
   private left_out = make("p", "film-left-out quiet");
   private values: HTMLElement[] = [];
@@ -44,11 +40,7 @@ export class PanelPage {
   constructor(stage: HTMLElement, note: HTMLElement, wishes: Wishes) {
     this.run = choice("film-run", "Run", (value) => wishes.run(Number(value)));
     this.field = choice("film-field", "Colours", (value) => wishes.field(value as FieldData["name"]));
-    this.play = button("film-play", icon("play"), "Play", () => wishes.play());
-    this.slider.type = "range";
-    this.slider.min = "0";
-    this.slider.step = "1";
-    this.slider.addEventListener("input", () => wishes.move(this.slider.valueAsNumber));
+    this.transport = new Transport(wishes);
     this.bar.setAttribute("role", "img");
     for (const [input, label] of [[this.from, "from"], [this.to, "to"]] as const) {
       input.type = "number";
@@ -65,11 +57,7 @@ export class PanelPage {
     this.element.append(
       make("div", "film-head", this.run.label, this.field.label),
       stage,
-      make("div", "film-transport",
-        this.play,
-        button("film-back", icon("back"), "One frame back", () => wishes.step(-1)),
-        button("film-forward", icon("forward"), "One frame forward", () => wishes.step(1)),
-        this.slider, this.frame),
+      this.transport.element,
       this.readings,
       this.left_out,
       this.colours,
@@ -86,10 +74,9 @@ export class PanelPage {
   set_runs(runs: FilmedRun[], chosen: number): void {
     set_options(this.run.select, runs.map((run, i) => [String(i), run.title && run.title !== run.name ? `${run.name}: ${run.title}` : run.name]), String(chosen));
     const run = runs[chosen];
-    this.slider.max = String(run.film.frames.length - 1);
+    this.transport.set_frames(run.film.frames.length - 1, run.name);
     this.left_out.textContent = run.film.note ?? "";
     this.left_out.hidden = run.film.note === null;
-    this.slider.setAttribute("aria-label", `Frame of ${run.name}`);
     const rows = readings(run, 0).map(([name]) => ({ name: make("dt", "", name), value: make("dd", "") }));
     this.values = rows.map((row) => row.value);
     this.readings.replaceChildren(...rows.map((row) => make("div", "", row.name, row.value)));
@@ -109,15 +96,11 @@ export class PanelPage {
   }
 
   show_playing(playing: boolean): void {
-    this.play.replaceChildren(icon(playing ? "pause" : "play"));
-    this.play.title = playing ? "Pause" : "Play";
-    this.play.setAttribute("aria-label", this.play.title);
+    this.transport.show_playing(playing);
   }
 
   show_moment(run: FilmedRun, at: number): void {
-    this.slider.value = String(Math.round(at));
-    this.slider.setAttribute("aria-valuetext", sentence(run, null, at));
-    this.frame.value = frame_text(run, at);
+    this.transport.show(at, run.film.frames.length - 1, sentence(run, null, at));
     readings(run, at).forEach(([, value], i) => {
       if (this.values[i].textContent !== value) this.values[i].textContent = value;
     });

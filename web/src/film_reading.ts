@@ -3,6 +3,7 @@
 import type { FieldData, FrameData } from "./data";
 import type { FilmedRun } from "./film_together";
 import { digits, display_unit } from "./film_numbers";
+import { frame_text } from "./film_transport";
 
 /** A moment between two frames. */
 export interface Moment {
@@ -37,16 +38,10 @@ export function readings(run: FilmedRun, at: number): [name: string, value: stri
   return shown;
 }
 
-/** The frame's number, or those of the two that the moment lies between. */
-export function frame_text(run: FilmedRun, at: number): string {
-  const near = Math.abs(at - Math.round(at)) < 1e-3;
-  return `frame ${near ? Math.round(at) : `${Math.floor(at)}\u2013${Math.ceil(at)}`} of ${run.film.frames.length - 1}`;
-}
-
 /** All in one sentence, for those who hear the page and for the caption of a saved picture. */
 export function sentence(run: FilmedRun, field: FieldData | null, at: number): string {
   const numbers = readings(run, at).map(([name, value]) => (name === "stage" ? `stage ${value}` : `${name} = ${value}`));
-  return `${run.name}: ${field === null ? "soil" : field.label}, ${frame_text(run, at)}, ${numbers.join(", ")}`;
+  return `${run.name}: ${field === null ? "soil" : field.label}, ${frame_text(at, run.film.frames.length - 1)}, ${numbers.join(", ")}`;
 }
 
 function stage_at(run: FilmedRun, at: number): string {

@@ -48,14 +48,14 @@ export function travels(run: FilmedRun): number[] {
 }
 
 /** Between two numbers of a list. */
-function between(values: number[], at: number): number {
+export function between(values: number[], at: number): number {
   const frame = Math.min(Math.floor(at), values.length - 1);
   const next = Math.min(frame + 1, values.length - 1);
   return values[frame] + (at - frame) * (values[next] - values[frame]);
 }
 
 /** Where numbers by frame first reach a value, between frames; `from` or `to` outside of what they reach there. */
-function where(values: number[], value: number, from = 0, to = values.length - 1): number {
+export function where(values: number[], value: number, from = 0, to = values.length - 1): number {
   if (values[from] >= value) return from;
   let largest = values[from];
   for (let frame = from + 1; frame <= to; frame++) {

@@ -11,15 +11,15 @@ import { FilmPanel } from "./film_panel";
 import { FilmParts } from "./film_soil";
 import { FilmCurves, type FilmMoment } from "./film_curves";
 import { save_film } from "./film_gif";
-import { common_region, embedment_at, type FilmedRun, first_pair, frame_of_drag, type Join, joins_of, JOINS, partner } from "./film_together";
-
-const SPEEDS = [1, 2, 5, 10, 20, 40];
+import { common_region, embedment_at, type FilmedRun, first_pair, frame_of_drag, type Join, joins_of, JOINS, partner, where } from "./film_together";
+import { speed_choice } from "./film_transport";
 
 /** Fills the section with the moving soil; `moved` hears what the panels show. */
-export function show_films(section: HTMLElement, data: PageData, moved: (moments: FilmMoment[]) => void = () => {}): void {
+export function show_films(section: HTMLElement, data: PageData, moved: (moments: FilmMoment[]) => void): Films | null {
   const runs = data.runs.filter((run): run is FilmedRun => run.film !== null && run.film.frames.length > 0);
-  if (runs.length === 0) section.append(make("p", "film-none quiet", "These runs hold no film of the soil."));
-  else new Films(section, runs, new FilmCurves(data), moved);
+  if (runs.length > 0) return new Films(section, runs, new FilmCurves(data), moved);
+  section.append(make("p", "film-none quiet", "These runs hold no film of the soil."));
+  return null;
 }
 
 /** s, between two frames. */
@@ -29,7 +29,7 @@ function time_at(run: FilmedRun, at: number): number {
   return frames[frame].time + (at - frame) * (frames[next].time - frames[frame].time);
 }
 
-class Films {
+export class Films {
   private runs: FilmedRun[] = [];
   private parts: FilmParts[] = [];
   private panels: FilmPanel[];
@@ -71,6 +71,12 @@ class Films {
     this.wake(section);
   }
 
+  /** Goes to the moment of a run that a panel shows. */
+  follow({ run, time }: FilmMoment): void {
+    const panel = this.panels.find((one) => one.run.name === run.name);
+    if (panel !== undefined) this.move(panel, where(panel.run.film.frames.map((frame) => frame.time), time));
+  }
+
   private make_panel(run: number, place: number): FilmPanel {
     const me = () => this.panels[place];
     return new FilmPanel(this.runs[run], this.parts[run], {
@@ -88,9 +94,7 @@ class Films {
   }
 
   private make_bar(): HTMLElement {
-    const speed = choice("film-speed", "Speed", (value) => (this.speed = Number(value)));
-    set_options(speed.select, SPEEDS.map((frames) => [String(frames), `${frames} frame${frames === 1 ? "" : "s"}/s`]), String(this.speed));
-    const bar = make("div", "film-bar-of-all", speed.label);
+    const bar = make("div", "film-bar-of-all", speed_choice("film-speed", this.speed, (speed) => (this.speed = speed)));
     if (this.panels.length === 2) {
       set_options(this.together.select, Object.entries(JOINS), this.join);
       bar.append(tick_box("film-linked", "Linked", true, (on) => this.link(on)), this.together.label, this.same);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is seen without scrolling: H(u) and V(w) of the first run, beside its last picture of the soil.
+// What is seen without scrolling: H(u) and V(w) of the first run, of a pipeline the line at the ends of its stages, beside its last picture of the soil.
 import { ChartView } from "./charts/chart_view";
 import { drag_plans, push_plans } from "./charts/path_charts";
 import type { Settings } from "./charts/scene";
 import { follow_size } from "./charts/follow_size";
 import type { PageData } from "./data";
+import { make } from "./film_elements";
+import { PlanChart } from "./line_plan";
+import { is_line_run, type LineRun, read_line } from "./line_shapes";
+import { stage_ends, words_of_end } from "./line_stages";
 
 /** Puts the two charts before what the place holds and gives them; none where the page has no such place or the run no such curve. */
 export function show_first_look(place: HTMLElement | null, data: PageData): ChartView[] {
@@ -15,9 +19,25 @@ export function show_first_look(place: HTMLElement | null, data: PageData): Char
   const views = plans
     .filter((plan) => plan.traces.length > 0)
     .map((plan) => new ChartView({ ...plan, id: `look_${plan.id}` }, settings, lead.runs));
-  place.prepend(...views.map((view) => view.figure));
+  place.prepend(...views.map((view) => view.figure), ...lead.runs.filter(is_line_run).map(ends_of_line));
   for (const view of views) view.show(settings);
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((view) => view.draw()));
   return views;
+}
+
+function ends_of_line(run: LineRun): HTMLElement {
+  const figure = make("figure", "line_of_look");
+  void read_line(run.line).then((shapes) => {
+    const ends = stage_ends(run), plan = new PlanChart(run, shapes, ends, null);
+    figure.append(make("h4", "", "The line in plan at the ends of its stages"), plan.element, ...ends.map((end) => words_of_end(run, end)));
+    let width = 0;
+    new ResizeObserver(() => {
+      if (figure.clientWidth === width || figure.clientWidth === 0) return;
+      width = figure.clientWidth;
+      plan.lay_out(width);
+      plan.show(null);
+    }).observe(figure);
+  }, () => figure.remove());  // the section of the line says what is wrong
+  return figure;
 }

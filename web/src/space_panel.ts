@@ -13,6 +13,7 @@ import { compose, save_picture } from "./film_picture";
 import { moment_at, sentence } from "./film_reading";
 import type { Values } from "./film_soil";
 import type { FilmedRun } from "./film_together";
+import { speed_choice } from "./film_transport";
 import { axes_of, closer, type OrbitCamera, seeing, shifted, turned, VIEWS } from "./space_camera";
 import { CutControls, kept_by } from "./space_cuts";
 import { draw_marks } from "./space_marks";
@@ -23,7 +24,6 @@ import { SpaceStage } from "./space_stage";
 /** A run in space whose film holds all of it. */
 type SpaceRun = RunData & { film: SpaceData };
 
-const SPEEDS = [1, 2, 5, 10, 20];
 /** Radians for one px of the page. */
 const TURN = 0.008;
 const BODIES: Record<Bodies, string> = { solid: "solid", clear: "see-through", hidden: "hidden" };
@@ -133,8 +133,6 @@ class SpacePanel {
       this.request_draw();
     });
     set_options(bodies.select, Object.entries(BODIES), this.bodies);
-    const speed = choice("space-speed", "Speed", (value) => (this.speed = Number(value)));
-    set_options(speed.select, SPEEDS.map((frames) => [String(frames), `${frames} frame${frames === 1 ? "" : "s"}/s`]), String(this.speed));
     const surface = tick_box("space-surface", "Only the soil's surface", false, (on) => {
       this.only_surface = on;
       this.request_draw();
@@ -143,7 +141,7 @@ class SpacePanel {
       this.cut_bodies = on;
       this.request_draw();
     });
-    const group = make("div", "space-tools", ...views, bodies.label, surface, cut_bodies, speed.label, this.cuts.element);
+    const group = make("div", "space-tools", ...views, bodies.label, surface, cut_bodies, speed_choice("space-speed", this.speed, (speed) => (this.speed = speed)), this.cuts.element);
     group.setAttribute("role", "group");
     group.setAttribute("aria-label", "View, cuts and bodies");
     return group;

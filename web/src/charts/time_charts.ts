@@ -65,7 +65,8 @@ export function quiet_plans(runs: RunData[]): Plan[] {
 export function water_plans(runs: RunData[]): Plan[] {
   const time = quantity_of_column(runs, "time_s");
   const marks = runs.length === 1 ? stage_marks(runs[0]) : [];
-  const watched = column_names(runs).filter((name) => / p$/.test(label_of(runs, name)));
+  const is_in_a_pipe = (name: string) => runs.some((run) => run.line !== undefined && name === "line_p_Pa");
+  const watched = column_names(runs).filter((name) => / p$/.test(label_of(runs, name)) && !is_in_a_pipe(name));
   const pressures = watched.map((name): [string, string] => [name, `Excess pore pressure at ${label_of(runs, name).replace(/ p$/, "")}`]);
   const normal = column_names(runs).filter((name) => label_of(runs, name) === "N eff").map((name): [string, string] => [name, "Effective normal force on the body"]);
   return [...pressures, ...normal, ["p_max_Pa", "Largest excess pore pressure"], ["U", "Degree of consolidation U, of each stage"]].map(([name, title]) =>

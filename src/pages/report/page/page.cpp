@@ -3,6 +3,7 @@
 
 #include "io/sha256.hpp"
 #include "report/animation/film.hpp"
+#include "report/animation/line_film.hpp"
 #include "report/origin/origin_section.hpp"
 #include "report/page/page_files.hpp"
 #include "report/quality/quality_section.hpp"
@@ -118,22 +119,28 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"published", published_json(runs, expected)}};
   std::string blocks;
   std::size_t left = max_film_bytes;
+  const bool with_line =
+      std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.settings.pipeline.has_value(); });
   for (std::size_t k = runs.size(); k-- > 0;) {  // the smaller runs first: what they leave is the larger ones'
-    Film film = make_film(runs[k], fmt::format("film-{}", k), left / (k + 1));
-    runs[k].faults.insert(runs[k].faults.end(), film.faults.begin(), film.faults.end());
     Json run = run_data(runs[k]);
     run["of_test"] = is_of_a_test(runs[k], expected);
-    run["film"] = film.json;
+    const auto add = [&](const char* name, const Film& film) {
+      runs[k].faults.insert(runs[k].faults.end(), film.faults.begin(), film.faults.end());
+      run[name] = film.json;
+      for (const FilmBlock& block : film.blocks) {
+        blocks += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", block.id, block.base64);
+        left -= std::min(left, block.base64.size());
+      }
+    };
+    if (runs[k].settings.pipeline) add("line", make_line_film(runs[k], fmt::format("line-{}", k)));
+    add("film", make_film(runs[k], fmt::format("film-{}", k), left / (k + 1)));
     data["runs"].insert(data["runs"].begin(), run);
-    for (const FilmBlock& block : film.blocks) {
-      blocks += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", block.id, block.base64);
-      left -= std::min(left, block.base64.size());
-    }
   }
 
   const std::string what_is_expected = expectations_section(runs, expected), what_is_claimed = claims_section(runs, expected);
   std::vector<std::pair<std::string, std::string>> sections = {
       {"answer", "Answer"}, {"model", "Model"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
+  if (with_line) sections.insert(sections.begin() + 1, {"line", "Line"});
   if (!what_is_expected.empty()) sections.emplace_back("expected", "Expected");
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
   sections.emplace_back("record", "Record");
@@ -143,8 +150,11 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style,
                       style_of_foot(document_foot(runs.front())));
   const std::vector<Judgement> judgements = judgements_of(runs);
-  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, judgements, first_look(runs.front())) +
-          setup_section(runs);
+  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, judgements, first_look(runs.front()));
+  if (with_line)
+    page += text::html_section("line", "The line in plan, moving",
+                               "<noscript><p>The moving line needs scripts, which this browser does not run.</p></noscript>\n");
+  page += setup_section(runs);
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/line_film.hpp"
+
+#include "core/error.hpp"
+#include "report/animation/film_frames.hpp"
+#include "report/animation/film_quantization.hpp"
+#include "structures/base/driven_body.hpp"
+#include "structures/line/line_shapes.hpp"
+#include "text/base64_zlib.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using line::LineShape;
+using line::LineShapes;
+
+constexpr Index max_frames_of_line = 400;                   // but for the ends of stages
+constexpr Real parts_of_region = 400, parts_of_line = 400;  // nodes are kept where they are farther apart than such a part
+constexpr std::pair<const char*, std::vector<Real> LineShape::*> quantities_of_line[] = {{"y", &LineShape::y},
+                                                                                         {"P", &LineShape::P},
+                                                                                         {"M", &LineShape::M},
+                                                                                         {"strain_max", &LineShape::strain_max},
+                                                                                         {"strain_min", &LineShape::strain_min}};
+
+/// x of the slices, as many as the history tells of.
+std::vector<Real> places_of_slices(const record::RunRecord& run)
+{
+  Index last = 0;
+  while (run.history.has(fmt::format("slice_{}_u_m", last + 1))) ++last;
+  std::vector<Real> places;
+  for (Index k = 0; k <= last; ++k) places.push_back(last == 0 ? 0 : run.settings.pipeline->slices.to * k / last);
+  return places;
+}
+
+/// How far from x = 0 the line moves sideways, by more than a hundredth of the most; not less than to the last slice, and some more.
+Real moved_region(const LineShapes& shapes, Real last_slice)
+{
+  constexpr Real small = 0.01, more = 1.1;
+  Real most = 0, region = last_slice;
+  for (const LineShape& shape : shapes.frames)
+    for (const Real y : shape.y) most = std::max(most, std::abs(y));
+  for (const LineShape& shape : shapes.frames)
+    for (std::size_t k = 0; k < shapes.x.size(); ++k)
+      if (std::abs(shape.y[k]) > small * most) region = std::max(region, shapes.x[k]);
+  return std::min(more * region, shapes.x.back());
+}
+
+/// Nodes that a page can tell apart; the first and the last among them.
+std::vector<std::size_t> kept_nodes(const std::vector<Real>& x, Real region)
+{
+  std::vector<std::size_t> kept{0};
+  for (std::size_t k = 1; k < x.size(); ++k) {
+    const Real apart = x[kept.back()] < region ? region / parts_of_region : x.back() / parts_of_line;
+    if (x[k] - x[kept.back()] >= apart || k + 1 == x.size()) kept.push_back(k);
+  }
+  return kept;
+}
+
+/// The numbers of a quantity at the nodes and frames that are kept, as a block; its range.
+Json block_of(Film& film, const std::string& id, const std::vector<std::vector<Real>>& values)
+{
+  std::vector<const std::vector<Real>*> frames;
+  for (const std::vector<Real>& frame : values) frames.push_back(&frame);
+  const auto [low, high] = ends_of(frames);
+  const Real step = high > low ? (high - low) / max_code : 1;
+  film.blocks.push_back({id, text::packed(axis_bytes(frames, low, step))});
+  return {{"low", low}, {"step", step}, {"block", id}};
+}
+
+/// The last frames (of those kept) of the stages that load the line.
+Json ends_of_stages(const record::RunRecord& run, const std::vector<std::string>& stages)
+{
+  Json ends = Json::array();
+  for (const problem::StageSettings& stage : run.settings.stage) {
+    const auto last = std::find(stages.rbegin(), stages.rend(), stage.name);
+    if (stage.kind != problem::StageKind::pipeline || last == stages.rend()) continue;
+    ends.push_back({{"name", stage.name}, {"frame", std::distance(last, stages.rend()) - 1}});
+  }
+  return ends;
+}
+
+Film film_of_shapes(const record::RunRecord& run, const LineShapes& shapes, const std::string& prefix)
+{
+  std::vector<std::string> all_stages, stages;
+  for (const LineShape& shape : shapes.frames) all_stages.push_back(shape.stage);
+  const Index count = static_cast<Index>(shapes.frames.size()), step = (count + max_frames_of_line - 1) / max_frames_of_line;
+  const std::vector<Index> frames = kept_frames(all_stages, step);
+  const std::vector<Real> places = places_of_slices(run);
+  const Real region = moved_region(shapes, places.back());
+  const std::vector<std::size_t> nodes = kept_nodes(shapes.x, region);
+  const problem::PipelineSettings& line = *run.settings.pipeline;
+
+  std::vector<std::string> left_out;
+  if (step > 1) left_out.push_back(kept_words(step));
+  if (nodes.size() < shapes.x.size()) left_out.push_back(fmt::format("{} of {} nodes", nodes.size(), shapes.x.size()));
+  Film film;
+  film.json = {{"symmetric", line.half == problem::LineHalf::symmetric},
+               {"diameter", base::body_scale(run).width},
+               {"weight", line.submerged_weight},
+               {"region", region},
+               {"slices", places},
+               {"note", left_out.empty() ? Json() : Json(fmt::format("{}", fmt::join(left_out, ", ")))},
+               {"frames", Json::array()},
+               {"x", Json::array()}};
+  for (const std::size_t node : nodes) film.json["x"].push_back(shapes.x[node]);
+  for (const Index frame : frames) {
+    film.json["frames"].push_back({{"time", shapes.frames[frame].time}, {"stage", all_stages[frame]}});
+    stages.push_back(all_stages[frame]);
+  }
+  film.json["ends"] = ends_of_stages(run, stages);
+  for (const auto& [name, member] : quantities_of_line) {
+    std::vector<std::vector<Real>> values;
+    for (const Index frame : frames) {
+      std::vector<Real>& of_frame = values.emplace_back();
+      for (const std::size_t node : nodes) of_frame.push_back((shapes.frames[frame].*member)[node]);
+    }
+    film.json[name] = block_of(film, fmt::format("{}-{}", prefix, name), values);
+  }
+  return film;
+}
+
+}  // namespace
+
+Film make_line_film(const record::RunRecord& run, const std::string& prefix)
+{
+  try {
+    const LineShapes shapes = line::read_line_shapes(run.folder / "line.csv");
+    if (!shapes.frames.empty()) return film_of_shapes(run, shapes, prefix);
+    if (run.history.rows() == 0) return {};
+    return {nullptr, {}, {"there is no film of the line: line.csv is missing"}};
+  } catch (const RunError& error) {
+    return {nullptr, {}, {fmt::format("there is no film of the line: {}", error.what())}};
+  }
+}
+
+}  // namespace berm::report
