@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,7 +15,7 @@ if TYPE_CHECKING:
 def macro_element(file: str | Path) -> MacroElement:
     """The macro-element of a macro_element.json (or of the folder that holds it), with the pipe at the seabed.
 
-    It is the C code that stands beside the file, as an object with start(u, w, V) and step(du, dw).
+    It is the C code that stands beside the file, as an object with start(w=, V=) and step(x=, u=, w=); copy.copy() gives one to try a step.
     Throws InputError where the file is no such one.
     """
     from .engine import MacroElement
@@ -27,8 +26,7 @@ def macro_element(file: str | Path) -> MacroElement:
     if not path.is_file():
         raise InputError(f"{path}: there is no such file")
     try:
-        parameters = {name: entry["value"] for name, entry in json.loads(path.read_text())["parameters"].items()}
-        w, V = parameters.pop("backbone_w"), parameters.pop("backbone_V")
-        return MacroElement(parameters, w, V)
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise InputError(f"{path}: not a macro_element.json of this version of berm: {error}") from error
+        text = path.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: {error}") from error
+    return MacroElement(text, str(path))

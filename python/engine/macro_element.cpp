@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // berm.engine.MacroElement: the C code of the macro-element, the same that berm macro-element writes.
-#include "macro_element/members.hpp"
+#include "macro_element/parameters.hpp"
 
-#include <algorithm>
+#include <array>
+#include <optional>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -11,8 +12,7 @@ using namespace py::literals;
 
 namespace {
 
-using Parameters = berm_macro_element_parameters;
-using Pair = std::array<double, 2>;
+using Three = std::array<double, 3>;
 
 void ask(int error)
 {
@@ -22,63 +22,60 @@ void ask(int error)
 /// A pipe on the seabed with its state.
 class MacroElement {
 public:
-  explicit MacroElement(const std::map<std::string, double>& numbers, const std::vector<double>& w, const std::vector<double>& V)
+  MacroElement(const std::string& text, const std::string& name) : parameters_(berm::macro_element::parameters_in(text, name))
   {
-    parameters_.version = BERM_MACRO_ELEMENT_VERSION;
-    for (const auto& [name, member, unit] : berm::macro_element::members) {
-      if (!numbers.contains(name)) throw py::key_error(std::string("no parameter ") + name);
-      parameters_.*member = numbers.at(name);
-    }
-    if (numbers.size() != std::size(berm::macro_element::members))
-      throw py::value_error("a parameter that the macro-element does not have");
-    if (w.size() != V.size() || w.size() > BERM_MACRO_ELEMENT_MAX_POINTS) throw py::value_error("backbone: as many w as V, 32 at most");
-    std::copy(w.begin(), w.end(), parameters_.backbone_w);
-    std::copy(V.begin(), V.end(), parameters_.backbone_V);
-    parameters_.backbone_points = static_cast<int>(w.size());
-    ask(berm_macro_element_check(&parameters_));
-    start(0, 0, 0);
+    start(0, 0, 0, 0);
   }
-  void start(double u, double w, double V) { ask(berm_macro_element_start(&parameters_, u, w, V, &state_)); }
-  Pair step(double du, double dw)
+  void start(double x, double u, double w, double V)
   {
-    const double by[2] = {du, dw};
-    double K[2][2];
-    Pair F{};
-    ask(berm_macro_element_step(&parameters_, &state_, by, F.data(), K));
-    stiffness_ = {{{K[0][0], K[0][1]}, {K[1][0], K[1][1]}}};
+    const double displacement[3] = {x, u, w};
+    ask(berm_macro_element_start(&parameters_, displacement, V, &state_));
+  }
+  /// What is not given stays.
+  Three step(std::optional<double> x, std::optional<double> u, std::optional<double> w)
+  {
+    const double displacement[3] = {x.value_or(state_.x), u.value_or(state_.u), w.value_or(state_.w)};
+    double K[3][3];
+    Three F{};
+    ask(berm_macro_element_step(&parameters_, &state_, displacement, &state_, F.data(), K));
+    for (std::size_t i = 0; i < 3; ++i) stiffness_[i] = std::to_array(K[i]);
     return F;
   }
   const berm_macro_element_state& state() const { return state_; }
-  const std::array<Pair, 2>& stiffness() const { return stiffness_; }
+  const std::array<Three, 3>& stiffness() const { return stiffness_; }
 
 private:
-  Parameters parameters_{};
+  berm_macro_element_parameters parameters_;
   berm_macro_element_state state_{};
-  std::array<Pair, 2> stiffness_{};
+  std::array<Three, 3> stiffness_{};
 };
 
 }  // namespace
 
 void add_macro_element(py::module_& module)
 {
-  py::class_<MacroElement>(module, "MacroElement",
-                           "A macro-element of a pipe on the seabed with its state; read one with berm.macro_element().")
-      .def(py::init<const std::map<std::string, double>&, const std::vector<double>&, const std::vector<double>&>(), "parameters"_a,
-           "backbone_w"_a = std::vector<double>(), "backbone_V"_a = std::vector<double>(),
-           "parameters: all by name, SI units; V0 over the plastic embedment as points (m, N/m) or none. The pipe touches the seabed. "
-           "Throws "
-           "ValueError and KeyError.")
-      .def("start", &MacroElement::start, "u"_a = 0., "w"_a = 0., "V"_a = 0.,
-           "A pipe pushed straight down to w (m) into undisturbed soil, where V (N/m, 0 to V0) acts on it.")
-      .def("step", &MacroElement::step, "du"_a, "dw"_a,
-           "Moves the pipe by du and dw (m, w downwards). Returns H and V, N/m. The state stays as it was with a ValueError.")
-      .def_property_readonly("stiffness", &MacroElement::stiffness, "[[dH/du, dH/dw], [dV/du, dV/dw]] of the last step, N/m^2")
-      .def_property_readonly(
-          "u", [](const MacroElement& self) { return self.state().u; }, "m")
-      .def_property_readonly(
-          "w", [](const MacroElement& self) { return self.state().w; }, "m")
-      .def_property_readonly(
-          "H", [](const MacroElement& self) { return self.state().H; }, "N/m")
-      .def_property_readonly(
-          "V", [](const MacroElement& self) { return self.state().V; }, "N/m");
+  py::class_<MacroElement> element(module, "MacroElement",
+                                   "A macro-element of a pipe on the seabed with its state; read one with berm.macro_element().");
+  element
+      .def(py::init<const std::string&, const std::string&>(), "text"_a, "name"_a = "macro_element.json",
+           "text: what a macro_element.json holds; name: what messages call it. The pipe touches the seabed. Throws InputError.")
+      .def("start", &MacroElement::start, py::kw_only(), "x"_a = 0., "u"_a = 0., "w"_a = 0., "V"_a = 0.,
+           "A pipe at x and u that was pushed straight down to w (m) into undisturbed soil, where V (N/m, 0 to V0) acts on it.")
+      .def("step", &MacroElement::step, py::kw_only(), "x"_a = py::none(), "u"_a = py::none(), "w"_a = py::none(),
+           "Moves the pipe to x along it, u across it and w downwards (m); what is not given stays. Returns T, H and V, N/m. With a "
+           "ValueError the state stays as it was.")
+      .def("__copy__", [](const MacroElement& self) { return self; })
+      .def_property_readonly("stiffness", &MacroElement::stiffness,
+                             "derivatives of T, H and V (rows) by x, u and w in the last step, N/m^2");
+  const auto number = [&](const char* name, double berm_macro_element_state::*member, const char* unit) {
+    element.def_property_readonly(
+        name, [member](const MacroElement& self) { return self.state().*member; }, unit);
+  };
+  using State = berm_macro_element_state;
+  number("x", &State::x, "m");
+  number("u", &State::u, "m");
+  number("w", &State::w, "m");
+  number("T", &State::T, "N/m");
+  number("H", &State::H, "N/m");
+  number("V", &State::V, "N/m");
 }

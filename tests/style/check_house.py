@@ -241,7 +241,7 @@ def test_files(tree):
             yield f"{path}: there is no tests/unit/{room}/{stem}_test.cpp, and its second line is not '// Tests: FILE'"
         elif not os.path.exists(os.path.join(tree.root, told.group(1))):
             yield f"{path}: its test {told.group(1)} does not exist"
-    sources = {room_of(path) + "/" + os.path.splitext(os.path.basename(path))[0] for path in tree.ending(CPP, "src/")}
+    sources = {room_of(path) + "/" + os.path.splitext(os.path.basename(path))[0] for path in tree.ending((*CPP, ".c"), "src/")}
     for path in tree.ending(".cpp", "tests/unit/"):
         stem = re.sub(r"_test$", "", os.path.splitext(path)[0])[len("tests/unit/") :]
         if not path.endswith("_test.cpp") or not any(stem == source or stem.startswith(source + "_") for source in sources):

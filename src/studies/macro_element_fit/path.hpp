@@ -3,7 +3,7 @@
 
 #include "record/run_record.hpp"
 
-namespace berm::macro_element {
+namespace berm::macro_element_fit {
 
 /// Where the pipe of a run was, and how the soil answered; means over some rows of its history.
 struct PathPoint {
@@ -17,6 +17,7 @@ struct Path {
   std::string name;
   std::filesystem::path run;
   Real diameter = nan;               ///< m
+  Real friction = 0;                 ///< coefficient of the interface between pipe and soil
   std::vector<std::string> spoiled;  ///< why its answer is not to be used; empty where nothing says so
   std::vector<PathPoint> points;
   std::vector<PathPoint> push;  ///< those of the first push that is driven by velocity, where V is the resistance of fresh soil
@@ -31,4 +32,4 @@ Path path_of(const record::RunRecord& run);
 /// Those of run folders and of the runs of studies. Throws RunError as above, and where a folder is neither.
 std::vector<Path> paths_in(const std::vector<std::string>& folders);
 
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element_fit

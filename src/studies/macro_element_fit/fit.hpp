@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "macro_element/macro_element.h"
-#include "macro_element/path.hpp"
+#include "macro_element/parameters.hpp"
+#include "macro_element_fit/path.hpp"
 
-namespace berm::macro_element {
+namespace berm::macro_element_fit {
 
-using Parameters = berm_macro_element_parameters;
+using macro_element::Parameters;
 
 /// What the macro-element does on a path: its numbers at the points of the path.
 struct Response {
@@ -30,7 +30,8 @@ Misfit misfit_of(const Path& path, const Response& response);
 
 /// Parameters that fit these paths best: least squares of H over the largest H, of V over the largest V and of w over the diameter, each path with the
 /// same weight (Levenberg-Marquardt from several beginnings). V0(w) is what fresh soil answered the pushes. Throws RunError where there is no push by
-/// velocity into fresh soil, no drag, or where paths have different diameters.
+/// velocity into fresh soil, no drag, or where paths have different diameters. Nothing in a plane across the pipe tells what is along it: its friction is the first path's, its mobilisation the best
+/// estimate of DNV-RP-F114.
 Parameters fit(const std::vector<Path>& paths);
 
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element_fit

@@ -2,22 +2,23 @@
 /* The macro-element of a pipe on the seabed. What it is, and its units and signs: macro_element.h. */
 #include "macro_element.h"
 
+#include <float.h>
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
 
 /* A number with its derivatives by the displacement of the step. */
 typedef struct {
-  double v, d[2];
+  double v, d[3];
 } number;
 
-/* What the state holds, as numbers. */
+/* What the state holds, in its order. */
 typedef struct {
-  number x, R, left_x, left_R;
+  number at, R, left_at, left_R;
 } side_numbers;
 typedef struct {
-  number u, w, u_p, w_p, disturbed, mobilised, H, V;
+  number x, u, w, u_p, w_p, disturbed, mobilised;
   side_numbers side[2];
+  number T, H, V;
 } numbers;
 
 /* An attempt to find the plastic displacement: A = |du_p|, B = dw_p, and what they leave of both conditions, with derivatives. */
@@ -37,7 +38,10 @@ typedef struct {
 } misfit;
 
 /* Closer to the tip the direction of flow is taken as straight down: the jump is less than what an increment may leave. */
-static const double increment_over_D = 0.004, least_w_over_D = 0.01, least_V0 = 1e-3, near_tip = 1e-14, largest_flow_zero = 0.95;
+static const double increment_over_D = 0.004, least_w_over_D = 0.01, least_V0 = 1e-3, near_tip = 1e-14;
+/* Over D, and over k_v D: less is none. */
+static const double least_slid = 1e-12, least_friction = 1e-14;
+#define LARGEST_FLOW_ZERO 0.95
 enum { max_iterations = 200 };
 
 static double larger(double a, double b)
@@ -52,7 +56,7 @@ static double smaller(double a, double b)
 
 static number constant(double v)
 {
-  number a = {0, {0, 0}};
+  number a = {0, {0, 0, 0}};
   a.v = v;
   return a;
 }
@@ -60,9 +64,9 @@ static number constant(double v)
 /* a + f b */
 static number sum(number a, double f, number b)
 {
+  int k;
   a.v += f * b.v;
-  a.d[0] += f * b.d[0];
-  a.d[1] += f * b.d[1];
+  for (k = 0; k < 3; ++k) a.d[k] += f * b.d[k];
   return a;
 }
 
@@ -86,11 +90,16 @@ static double backbone(const berm_macro_element_parameters* p, double w_p, doubl
     *slope = (p->backbone_V[k] - p->backbone_V[k - 1]) / (p->backbone_w[k] - p->backbone_w[k - 1]);
     return p->backbone_V[k - 1] + *slope * (w_p - p->backbone_w[k - 1]);
   }
-  {
-    const double V = p->backbone_factor * pow(w_p / p->diameter, p->backbone_power);
-    *slope = V * p->backbone_power / w_p;
-    return V;
-  }
+  const double V = p->backbone_factor * pow(w_p / p->diameter, p->backbone_power);
+  *slope = V * p->backbone_power / w_p;
+  return V;
+}
+
+/* The largest s^b1 (1 - s)^b2. */
+static double top_of(const berm_macro_element_parameters* p)
+{
+  const double s = p->surface_b1 / (p->surface_b1 + p->surface_b2);
+  return pow(s, p->surface_b1) * pow(1 - s, p->surface_b2);
 }
 
 /* y(v) and its slope. */
@@ -275,7 +284,7 @@ static void take_flow(const berm_macro_element_parameters* p, numbers* s, double
   int k;
   disturbed.v = D * depth.v / all;
   mobilised.v = (m + sign * A.v / l) / x;
-  for (k = 0; k < 2; ++k) {
+  for (k = 0; k < 3; ++k) {
     disturbed.d[k] = (s->disturbed.d[k] + A.d[k]) * depth.v / all + D * (depth.d[k] * fresh.v - depth.v * fresh.d[k]) / (all * all);
     mobilised.d[k] = s->mobilised.d[k] / x + (sign - m) * A.d[k] / (l * x * x);
   }
@@ -285,8 +294,8 @@ static void take_flow(const berm_macro_element_parameters* p, numbers* s, double
   s->w_p = sum(s->w_p, 1, B);
 }
 
-/* H of the yield surface, and s->V, after s->u and s->w have moved; returns an error. */
-static int move_surface(const berm_macro_element_parameters* p, numbers* s, double top, number* H)
+/* H of the yield surface, s->V and how far the pipe slid across, after s->u and s->w have moved; returns an error. */
+static int move_surface(const berm_macro_element_parameters* p, numbers* s, double top, number* H, number* slid)
 {
   const double kv = p->vertical_stiffness, kh = p->horizontal_stiffness, least = least_w_over_D * p->diameter;
   double dV0, center, v;
@@ -301,9 +310,10 @@ static int move_surface(const berm_macro_element_parameters* p, numbers* s, doub
   if (t.lifted) {
     const double depth = larger(s->w_p.v, least), gap = (parting - t.V) / kv;
     contact.v = larger(0, 1 - gap / depth);
-    for (k = 0; k < 2 && contact.v > 0; ++k)
+    for (k = 0; k < 3 && contact.v > 0; ++k)
       contact.d[k] = (V_trial.d[k] + p->uplift_ratio * dV0 * s->w_p.d[k]) / (kv * depth) + (s->w_p.v > least ? gap / (depth * depth) * s->w_p.d[k] : 0);
   }
+  *slid = constant(0);
   t.contact = contact.v;
   /* The middle of what is elastic, which earlier motion has moved, decides on the sign. */
   v = t.lifted ? -p->uplift_ratio : smaller(t.V / V0, 1);
@@ -314,9 +324,9 @@ static int move_surface(const berm_macro_element_parameters* p, numbers* s, doub
   if (t.sign * s->H.v > 0) {
     const double ratio = t.sign * s->H.v / V0;
     zero.v += p->flow_climb * ratio;
-    for (k = 0; k < 2; ++k) zero.d[k] = p->flow_climb * (t.sign * s->H.d[k] - ratio * dV0 * s->w_p.d[k]) / V0;
+    for (k = 0; k < 3; ++k) zero.d[k] = p->flow_climb * (t.sign * s->H.d[k] - ratio * dV0 * s->w_p.d[k]) / V0;
   }
-  if (zero.v > largest_flow_zero) zero = constant(largest_flow_zero);
+  if (zero.v > LARGEST_FLOW_ZERO) zero = constant(LARGEST_FLOW_ZERO);
   t.flow_zero = zero.v;
   if (t.V > V0 || misfit_of(p, &t, 0, 0, v).r > 0) {
     attempt a;
@@ -324,17 +334,18 @@ static int move_surface(const berm_macro_element_parameters* p, numbers* s, doub
     if (!return_to_surface(p, &t, &a)) return BERM_MACRO_ELEMENT_NO_SOLUTION;
     A.v = a.A;
     B.v = a.B;
-    for (k = 0; k < 2; ++k)
+    for (k = 0; k < 3; ++k)
       derive_flow(&a, t.sign * H_trial.d[k], V_trial.d[k], s->w_p.d[k], s->disturbed.d[k], s->mobilised.d[k], contact.d[k], zero.d[k], &A.d[k], &B.d[k]);
     take_flow(p, s, t.sign, A, B);
     H_trial = sum(H_trial, -t.sign * kh, A);
     V_trial = sum(V_trial, -kv, B);
+    *slid = A;
   }
   *H = H_trial;
   s->V = V_trial;
   if (t.lifted) {
     s->V.v = parting * contact.v;
-    for (k = 0; k < 2; ++k) s->V.d[k] = parting * contact.d[k] - p->uplift_ratio * dV0 * s->w_p.d[k] * contact.v;
+    for (k = 0; k < 3; ++k) s->V.d[k] = parting * contact.d[k] - p->uplift_ratio * dV0 * s->w_p.d[k] * contact.v;
   }
   return BERM_MACRO_ELEMENT_OK;
 }
@@ -345,21 +356,21 @@ static number move_berm(const berm_macro_element_parameters* p, side_numbers* b,
   const double k_h = p->horizontal_stiffness, per_length = 1 / p->berm_length, ramp = p->berm_reach / 2;
   number force, e;
   int k;
-  if (b->left_R.v > 0 && x.v >= b->left_x.v - ramp) { /* it is reached, and moves on with the pipe */
+  if (b->left_R.v > 0 && x.v >= b->left_at.v - ramp) { /* it is reached, and moves on with the pipe */
     b->R = sum(b->R, 1, b->left_R);
-    b->x = sum(b->x, -1 / k_h, b->left_R);
+    b->at = sum(b->at, -1 / k_h, b->left_R);
     b->left_R = constant(0);
   }
-  e = sum(x, -1, b->x);
+  e = sum(x, -1, b->at);
   if (e.v <= 0) { /* out of touch */
     if (b->R.v > 0 && -e.v > p->berm_reach) {
       if (!(b->left_R.v > 0)) {
-        b->left_x = sum(b->x, 1 / k_h, b->R);
+        b->left_at = sum(b->at, 1 / k_h, b->R);
         b->left_R = b->R;
       }
       b->R = constant(0);
     }
-    if (!(b->R.v > 0)) b->x = x;
+    if (!(b->R.v > 0)) b->at = x;
     e = constant(0);
   } else if (k_h * e.v > b->R.v) { /* it grows */
     const number depth = w.v > 0 ? w : constant(0);
@@ -367,20 +378,70 @@ static number move_berm(const berm_macro_element_parameters* p, side_numbers* b,
     const double root = sqrt(f * f + 4 * a * c);
     number moved;
     moved.v = 2 * c / (f + root);
-    for (k = 0; k < 2; ++k)
+    for (k = 0; k < 3; ++k)
       moved.d[k] = (k_h * e.d[k] - b->R.d[k] - (p->berm_rate * depth.d[k] - a * e.d[k]) * moved.v) / root;
     e = sum(e, -1, moved);
-    b->x = sum(b->x, 1, moved);
+    b->at = sum(b->at, 1, moved);
     b->R = sum(constant(0), k_h, e);
   }
   force = sum(constant(0), k_h, e);
   if (b->left_R.v > 0) {
-    const double part = (x.v - b->left_x.v + p->berm_reach) / ramp;
+    const double part = (x.v - b->left_at.v + p->berm_reach) / ramp;
     if (part > 0)
-      for (k = 0; k < 2; ++k) force.d[k] += part * b->left_R.d[k] + b->left_R.v / ramp * (x.d[k] - b->left_x.d[k]);
+      for (k = 0; k < 3; ++k) force.d[k] += part * b->left_R.d[k] + b->left_R.v / ramp * (x.d[k] - b->left_at.d[k]);
     force.v += larger(part, 0) * b->left_R.v;
   }
   return force;
+}
+
+/* zeta: the normal force around the contact over V. */
+static number wedging(double diameter, number w)
+{
+  const double z = smaller(larger(w.v / diameter, 0), 0.5);
+  double zeta = 1 + 2 * z / 3, slope = w.v > 0 && z < 0.5 ? 2 / (3 * diameter) : 0; /* its beginning */
+  number result;
+  int k;
+  if (z > 1e-6) {
+    const double b = acos(1 - 2 * z), sin_b = sin(b), cos_b = 1 - 2 * z, around = b + sin_b * cos_b;
+    zeta = 2 * sin_b / around;
+    if (z < 0.5) slope = 4 * cos_b * (b - sin_b * cos_b) / (around * around * sin_b * diameter);
+  }
+  result.v = zeta;
+  for (k = 0; k < 3; ++k) result.d[k] = slope * w.d[k];
+  return result;
+}
+
+/* T after the pipe has moved along by dx while it slid across by A. With c = |T + R dx/l|/R and a sliding B along, c - B/l = B/sqrt(A^2 + B^2) = T/R. */
+static number move_along(const berm_macro_element_parameters* p, const numbers* s, number dx, number A)
+{
+  const number zeta = wedging(p->diameter, s->w);
+  const double l = p->axial_mobilisation, R = p->axial_friction * zeta.v * s->V.v, tried = R > 0 ? s->T.v / R + dx.v / l : 0;
+  const double sign = tried < 0 ? -1 : 1, c = fabs(tried);
+  double part = smaller(c, 1), part_c = c < 1, part_A = 0; /* |T|/R and its derivatives */
+  number T = constant(0);
+  int k;
+  if (!(R > least_friction * p->vertical_stiffness * p->diameter)) return T;
+  if (A.v > least_slid * p->diameter) {
+    double B = larger(0, l * (c - 1)), rest = 0, h = A.v;
+    for (k = 0; k < max_iterations; ++k) { /* the left side is steeper than its slope says: B comes from below */
+      double next;
+      h = hypot(A.v, B);
+      rest = (A.v / h) * (A.v / h) / h;
+      next = B + (c - B / l - B / h) / (1 / l + rest);
+      if (!(next > B)) break;
+      B = next;
+    }
+    part = B / h;
+    part_c = rest / (1 / l + rest);
+    part_A = -part * A.v / (h * h) / (1 + l * rest);
+  }
+  T.v = sign * R * part;
+  for (k = 0; k < 3; ++k) {
+    const double R_k = p->axial_friction * (zeta.d[k] * s->V.v + zeta.v * s->V.d[k]);
+    const double c_k = sign * (s->T.d[k] / R - s->T.v / R * R_k / R + dx.d[k] / l);
+    T.d[k] = sign * (R_k * part + R * (part_c * c_k + part_A * A.d[k]));
+  }
+  return T;
 }
 
 static int is_number(double x)
@@ -395,114 +456,140 @@ const char* berm_macro_element_error(int code)
   return code >= 0 && code < (int)(sizeof words / sizeof *words) ? words[code] : "unknown error";
 }
 
-int berm_macro_element_check(const berm_macro_element_parameters* p)
+#define MEMBER(name, unit, least, most) {#name, unit, offsetof(berm_macro_element_parameters, name), least, most}
+#define ABOVE_0 DBL_MIN
+#define BELOW_1 (1 - DBL_EPSILON)
+#define ANY DBL_MAX
+const berm_macro_element_member berm_macro_element_members[BERM_MACRO_ELEMENT_MEMBERS] = {
+    MEMBER(diameter, "m", ABOVE_0, ANY),
+    MEMBER(vertical_stiffness, "N/m^2", ABOVE_0, ANY), MEMBER(horizontal_stiffness, "N/m^2", ABOVE_0, ANY),
+    MEMBER(backbone_factor, "N/m", 0, ANY),            MEMBER(backbone_power, "1", 0, ANY),
+    MEMBER(peak_ratio, "1", ABOVE_0, ANY),             MEMBER(surface_beta, "1", 0, ANY),
+    MEMBER(surface_b1, "1", ABOVE_0, BELOW_1),         MEMBER(surface_b2, "1", ABOVE_0, BELOW_1),
+    MEMBER(uplift_ratio, "1", 0, ANY),                 MEMBER(flow_slope, "1", ABOVE_0, ANY),
+    MEMBER(flow_zero, "1", -ANY, LARGEST_FLOW_ZERO),   MEMBER(flow_climb, "1", 0, ANY),
+    MEMBER(first_yield, "1", 0.5, 1),                  MEMBER(mobilisation_length, "m", ABOVE_0, ANY),
+    MEMBER(residual_ratio, "1", ABOVE_0, 1),           MEMBER(softening_length, "m", ABOVE_0, ANY),
+    MEMBER(berm_rate, "N/m^3", 0, ANY),                MEMBER(berm_length, "m", ABOVE_0, ANY),
+    MEMBER(berm_reach, "m", ABOVE_0, ANY),
+    MEMBER(axial_friction, "1", 0, ANY),               MEMBER(axial_mobilisation, "m", ABOVE_0, ANY),
+};
+
+/* The name of the first parameter that makes no sense, or null. */
+static const char* wrong_parameter(const berm_macro_element_parameters* p)
 {
+  const int n = p->backbone_points;
   int k;
-  if (p == NULL) return BERM_MACRO_ELEMENT_NULL;
-  if (p->version != BERM_MACRO_ELEMENT_VERSION) return BERM_MACRO_ELEMENT_OTHER_VERSION;
-  {
-    const double positive[] = {p->diameter,   p->vertical_stiffness, p->horizontal_stiffness, p->peak_ratio,  p->surface_b1,  p->surface_b2,
-                               p->flow_slope, p->first_yield,        p->mobilisation_length,  p->residual_ratio, p->softening_length,
-                               p->berm_length, p->berm_reach};
-    const double not_negative[] = {p->surface_beta, p->uplift_ratio, p->flow_climb, p->berm_rate};
-    for (k = 0; k < (int)(sizeof positive / sizeof *positive); ++k)
-      if (!(positive[k] > 0) || !is_number(positive[k])) return BERM_MACRO_ELEMENT_PARAMETERS;
-    for (k = 0; k < (int)(sizeof not_negative / sizeof *not_negative); ++k)
-      if (!(not_negative[k] >= 0) || !is_number(not_negative[k])) return BERM_MACRO_ELEMENT_PARAMETERS;
+  for (k = 0; k < BERM_MACRO_ELEMENT_MEMBERS; ++k) {
+    const berm_macro_element_member* m = &berm_macro_element_members[k];
+    double value;
+    memcpy(&value, (const char*)p + m->offset, sizeof value);
+    if (!(value >= m->least && value <= m->most)) return m->name;
   }
-  if (p->surface_b1 >= 1 || p->surface_b2 >= 1 || p->uplift_ratio > p->surface_beta || !is_number(p->flow_zero) || p->flow_zero > largest_flow_zero ||
-      p->first_yield < 0.5 || p->first_yield > 1 || p->residual_ratio > 1)
-    return BERM_MACRO_ELEMENT_PARAMETERS;
-  if (p->backbone_points < 0 || p->backbone_points > BERM_MACRO_ELEMENT_MAX_POINTS) return BERM_MACRO_ELEMENT_PARAMETERS;
-  if (p->backbone_points == 0 && !(p->backbone_factor > 0 && is_number(p->backbone_factor) && p->backbone_power > 0 && is_number(p->backbone_power)))
-    return BERM_MACRO_ELEMENT_PARAMETERS;
-  for (k = 0; k < p->backbone_points; ++k) {
-    const double w = p->backbone_w[k] - (k > 0 ? p->backbone_w[k - 1] : 0), V = p->backbone_V[k] - (k > 0 ? p->backbone_V[k - 1] : 0);
-    if (!(w > 0 && V >= 0 && is_number(w) && is_number(V)) || !(p->backbone_V[0] > 0)) return BERM_MACRO_ELEMENT_PARAMETERS;
+  if (p->uplift_ratio > p->surface_beta) return "uplift_ratio";
+  if (n < 0 || n > BERM_MACRO_ELEMENT_MAX_POINTS) return "backbone_points";
+  if (n == 0 && !(p->backbone_factor > 0)) return "backbone_factor";
+  if (n == 0 && !(p->backbone_power > 0)) return "backbone_power";
+  for (k = 0; k < n; ++k) {
+    if (!(p->backbone_w[k] > (k > 0 ? p->backbone_w[k - 1] : 0) && is_number(p->backbone_w[k]))) return "backbone_w";
+    if (!(p->backbone_V[k] >= (k > 0 ? p->backbone_V[k - 1] : DBL_MIN) && is_number(p->backbone_V[k]))) return "backbone_V";
   }
-  return BERM_MACRO_ELEMENT_OK;
+  return NULL;
 }
 
-int berm_macro_element_start(const berm_macro_element_parameters* p, double u, double w, double V, berm_macro_element_state* state)
+int berm_macro_element_check(const berm_macro_element_parameters* p, const char** wrong)
 {
-  const int error = berm_macro_element_check(p);
-  double slope, w_p;
+  if (p == NULL) return BERM_MACRO_ELEMENT_NULL;
+  if (p->version != BERM_MACRO_ELEMENT_VERSION) return BERM_MACRO_ELEMENT_OTHER_VERSION;
+  const char* name = wrong_parameter(p);
+  if (name == NULL) return BERM_MACRO_ELEMENT_OK;
+  if (wrong != NULL) *wrong = name;
+  return BERM_MACRO_ELEMENT_PARAMETERS;
+}
+
+int berm_macro_element_start(const berm_macro_element_parameters* p, const double displacement[3], double V, berm_macro_element_state* state)
+{
+  const int error = berm_macro_element_check(p, NULL);
   if (error != BERM_MACRO_ELEMENT_OK) return error;
-  if (state == NULL) return BERM_MACRO_ELEMENT_NULL;
-  w_p = larger(w - V / p->vertical_stiffness, 0);
-  if (!is_number(u) || !is_number(w) || !(V >= 0 && V <= (1 + 1e-9) * backbone(p, w_p, &slope)) || (w < 0 && V > 0)) return BERM_MACRO_ELEMENT_INPUT;
+  if (displacement == NULL || state == NULL) return BERM_MACRO_ELEMENT_NULL;
+  const double w = displacement[2], w_p = larger(w - V / p->vertical_stiffness, 0);
+  double slope;
+  if (!is_number(displacement[0]) || !is_number(displacement[1]) || !is_number(w) ||
+      !(V >= 0 && V <= (1 + 1e-9) * backbone(p, w_p, &slope)) || (w < 0 && V > 0))
+    return BERM_MACRO_ELEMENT_INPUT;
   memset(state, 0, sizeof *state);
   state->version = BERM_MACRO_ELEMENT_VERSION;
-  state->u = state->u_p = u;
+  state->x = displacement[0];
+  state->u = state->u_p = state->berm[0].at = displacement[1];
+  state->berm[1].at = -displacement[1];
   state->w = w;
   state->w_p = w_p;
   state->V = V;
-  state->berm[0].x = u;
-  state->berm[1].x = -u;
   return BERM_MACRO_ELEMENT_OK;
 }
 
-int berm_macro_element_step(const berm_macro_element_parameters* p, berm_macro_element_state* state, const double du[2], double F[2], double K[2][2])
+/* Between the numbers of a state and those with derivatives, which are zero at first. */
+#define FIRST offsetof(berm_macro_element_state, x)
+static numbers numbers_of(const berm_macro_element_state* state)
 {
-  const int error = berm_macro_element_check(p);
   numbers s;
-  double top, count;
-  int k, n, side;
+  size_t k;
+  memset(&s, 0, sizeof s);
+  for (k = 0; k < BERM_MACRO_ELEMENT_NUMBERS; ++k) memcpy((char*)&s + k * sizeof(number), (const char*)state + FIRST + k * sizeof(double), sizeof(double));
+  return s;
+}
+
+static void take_numbers(const numbers* s, berm_macro_element_state* state)
+{
+  size_t k;
+  state->version = BERM_MACRO_ELEMENT_VERSION;
+  for (k = 0; k < BERM_MACRO_ELEMENT_NUMBERS; ++k) memcpy((char*)state + FIRST + k * sizeof(double), (const char*)s + k * sizeof(number), sizeof(double));
+}
+
+/* Surface, berms and friction, after s->u and s->w have moved, and the pipe along by dx; returns an error. */
+static int move_by_increment(const berm_macro_element_parameters* p, numbers* s, double top, number dx)
+{
+  number H, slid;
+  int side;
+  if (move_surface(p, s, top, &H, &slid) != BERM_MACRO_ELEMENT_OK) return BERM_MACRO_ELEMENT_NO_SOLUTION;
+  for (side = 0; side < 2; ++side) {
+    const double sign = side == 0 ? 1 : -1;
+    H = sum(H, sign, move_berm(p, &s->side[side], sum(constant(0), sign, s->u), s->w));
+  }
+  s->H = H;
+  s->T = move_along(p, s, dx, slid);
+  return BERM_MACRO_ELEMENT_OK;
+}
+
+int berm_macro_element_step(const berm_macro_element_parameters* p, const berm_macro_element_state* before, const double displacement[3],
+                            berm_macro_element_state* after, double F[3], double K[3][3])
+{
+  const int error = berm_macro_element_check(p, NULL);
+  int k;
   if (error != BERM_MACRO_ELEMENT_OK) return error;
-  if (state == NULL || du == NULL || F == NULL) return BERM_MACRO_ELEMENT_NULL;
-  if (state->version != BERM_MACRO_ELEMENT_VERSION) return BERM_MACRO_ELEMENT_OTHER_VERSION;
-  count = ceil(larger(fabs(du[0]), fabs(du[1])) / (increment_over_D * p->diameter));
-  if (!(count <= 100 / increment_over_D)) return BERM_MACRO_ELEMENT_INPUT;
-  n = (int)larger(count, 1);
-  {
-    const double b1 = p->surface_b1, b2 = p->surface_b2;
-    top = pow(b1 / (b1 + b2), b1) * pow(b2 / (b1 + b2), b2);
+  if (before == NULL || displacement == NULL || after == NULL || F == NULL) return BERM_MACRO_ELEMENT_NULL;
+  if (before->version != BERM_MACRO_ELEMENT_VERSION) return BERM_MACRO_ELEMENT_OTHER_VERSION;
+  const double top = top_of(p), by[3] = {displacement[0] - before->x, displacement[1] - before->u, displacement[2] - before->w};
+  for (k = 0; k < 3; ++k)
+    if (!(fabs(by[k]) <= 100 * p->diameter)) return BERM_MACRO_ELEMENT_INPUT;
+  const int n = (int)larger(ceil(larger(fabs(by[1]), fabs(by[2])) / (increment_over_D * p->diameter)), 1);
+  numbers s = numbers_of(before);
+  for (k = 1; k <= n; ++k) {
+    const double part = (double)k / n;
+    number dx = constant(by[0] / n);
+    dx.d[0] = 1.0 / n;
+    s.x.v = k == n ? displacement[0] : before->x + part * by[0];
+    s.u.v = k == n ? displacement[1] : before->u + part * by[1];
+    s.w.v = k == n ? displacement[2] : before->w + part * by[2];
+    s.u.d[1] = s.w.d[2] = part;
+    if (move_by_increment(p, &s, top, dx) != BERM_MACRO_ELEMENT_OK) return BERM_MACRO_ELEMENT_NO_SOLUTION;
   }
-  s.u = constant(state->u);
-  s.w = constant(state->w);
-  s.u_p = constant(state->u_p);
-  s.w_p = constant(state->w_p);
-  s.disturbed = constant(state->disturbed);
-  s.mobilised = constant(state->mobilised);
-  s.H = constant(state->H);
-  s.V = constant(state->V);
-  for (side = 0; side < 2; ++side) {
-    s.side[side].x = constant(state->berm[side].x);
-    s.side[side].R = constant(state->berm[side].R);
-    s.side[side].left_x = constant(state->berm[side].left_x);
-    s.side[side].left_R = constant(state->berm[side].left_R);
-  }
-  for (k = 0; k < n; ++k) {
-    number H;
-    s.u.v += du[0] / n;
-    s.u.d[0] += 1.0 / n;
-    s.w.v += du[1] / n;
-    s.w.d[1] += 1.0 / n;
-    if (move_surface(p, &s, top, &H) != BERM_MACRO_ELEMENT_OK) return BERM_MACRO_ELEMENT_NO_SOLUTION;
-    for (side = 0; side < 2; ++side) {
-      const double sign = side == 0 ? 1 : -1;
-      H = sum(H, sign, move_berm(p, &s.side[side], sum(constant(0), sign, s.u), s.w));
-    }
-    s.H = H;
-  }
-  if (!is_number(s.H.v) || !is_number(s.V.v)) return BERM_MACRO_ELEMENT_INPUT;
-  state->u = s.u.v;
-  state->w = s.w.v;
-  state->u_p = s.u_p.v;
-  state->w_p = s.w_p.v;
-  state->disturbed = s.disturbed.v;
-  state->mobilised = s.mobilised.v;
-  state->H = F[0] = s.H.v;
-  state->V = F[1] = s.V.v;
-  for (side = 0; side < 2; ++side) {
-    state->berm[side].x = s.side[side].x.v;
-    state->berm[side].R = s.side[side].R.v;
-    state->berm[side].left_x = s.side[side].left_x.v;
-    state->berm[side].left_R = s.side[side].left_R.v;
-  }
-  for (k = 0; K != NULL && k < 2; ++k) {
-    K[0][k] = s.H.d[k];
-    K[1][k] = s.V.d[k];
+  if (!is_number(s.T.v + s.H.v + s.V.v)) return BERM_MACRO_ELEMENT_INPUT;
+  take_numbers(&s, after);
+  for (k = 0; k < 3; ++k) {
+    const number* force = k == 0 ? &s.T : k == 1 ? &s.H : &s.V;
+    F[k] = force->v;
+    if (K != NULL) memcpy(K[k], force->d, sizeof force->d);
   }
   return BERM_MACRO_ELEMENT_OK;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "macro_element/path.hpp"
+#include "macro_element_fit/path.hpp"
 
 #include "core/error.hpp"
 #include "samples/made_run.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm::macro_element::this_file {
+namespace berm::macro_element_fit::this_file {
 namespace {
 
 /// Pushed, and dragged under a force that is held.
@@ -47,4 +47,4 @@ TEST(Path, refuses_a_run_that_has_not_come_to_its_end_and_folders_without_runs)
 }
 
 }  // namespace
-}  // namespace berm::macro_element::this_file
+}  // namespace berm::macro_element_fit::this_file

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
-#include "sample_parameters.hpp"
+#include "samples/macro_element_parameters.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace berm::macro_element::this_file {
+namespace berm::macro_element_fit::this_file {
 namespace {
 
 /// What the macro-element itself does: pushed to 0.1 m, unloaded to V (N/m), dragged by `way` (m), and back where it is to return.
@@ -31,14 +31,14 @@ Path made_path(const Parameters& p, Real V, Real way, bool back)
 
 TEST(Follow, meets_the_force_that_is_given)
 {
-  const Parameters p = sample_parameters();
+  const Parameters p = macro_element::sample_parameters();
   const Path path = made_path(p, 2000, 0.5, true);
   for (std::size_t k = 25; k < path.points.size(); ++k) EXPECT_NEAR(path.points[k].V, 2000, 1e-2) << "1e-7 of V and k_v D/1000";
 }
 
 TEST(Misfit, of_a_path_and_itself_is_none)
 {
-  const Parameters p = sample_parameters();
+  const Parameters p = macro_element::sample_parameters();
   const Path path = made_path(p, 2000, 0.5, false);
   Response same = follow(p, path);
   const Misfit none = misfit_of(path, same);
@@ -53,7 +53,7 @@ TEST(Misfit, of_a_path_and_itself_is_none)
 
 TEST(Fit, finds_again_what_made_the_paths)
 {
-  Parameters p = sample_parameters();
+  Parameters p = macro_element::sample_parameters();
   p.uplift_ratio = 0;
   const std::vector<Path> paths = {made_path(p, 1500, 0.5, true), made_path(p, 3500, 0.5, false)};
   const Parameters found = fit(paths);
@@ -68,7 +68,7 @@ TEST(Fit, finds_again_what_made_the_paths)
 
 TEST(Fit, refuses_paths_that_do_not_determine_it)
 {
-  const Parameters p = sample_parameters();
+  const Parameters p = macro_element::sample_parameters();
   Path no_push = made_path(p, 1500, 0.5, false);
   no_push.push.clear();
   EXPECT_THROW(fit({no_push}), RunError);
@@ -81,4 +81,4 @@ TEST(Fit, refuses_paths_that_do_not_determine_it)
 }
 
 }  // namespace
-}  // namespace berm::macro_element::this_file
+}  // namespace berm::macro_element_fit::this_file

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "macro_element/files.hpp"
+#include "macro_element_fit/files.hpp"
 
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
-#include "sample_parameters.hpp"
+#include "samples/macro_element_parameters.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -11,14 +11,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::macro_element::this_file {
+namespace berm::macro_element_fit::this_file {
 namespace {
 
 namespace fs = std::filesystem;
 
 Parameters with_points()
 {
-  Parameters p = sample_parameters();
+  Parameters p = macro_element::sample_parameters();
   p.backbone_factor = p.backbone_power = 0;
   p.backbone_points = 2;
   p.backbone_w[0] = 0.01, p.backbone_w[1] = 0.1;
@@ -36,11 +36,13 @@ TEST(MacroElementFiles, the_c_code_compiles_as_c99_by_itself_and_steps_to_the_bi
 int main(void)
 {
   berm_macro_element_state s;
-  const double du[2] = {0.003, 0.0005};
-  double F[2], K[2][2];
-  int k, error = berm_macro_element_start(&berm_macro_element_fitted, 0, 0.05, 1000, &s);
-  for (k = 0; k < 50 && !error; ++k) error = berm_macro_element_step(&berm_macro_element_fitted, &s, du, F, K);
-  printf("%d %a %a %a", error, F[0], F[1], K[0][1]);
+  double d[3] = {0, 0, 0.05}, F[3], K[3][3];
+  int k, error = berm_macro_element_start(&berm_macro_element_fitted, d, 1000, &s);
+  for (k = 0; k < 50 && !error; ++k) {
+    d[0] += 0.001, d[1] += 0.003, d[2] += 0.0005;
+    error = berm_macro_element_step(&berm_macro_element_fitted, &s, d, &s, F, K);
+  }
+  printf("%d %a %a %a %a", error, F[0], F[1], F[2], K[1][2]);
   return 0;
 }
 )");
@@ -50,19 +52,22 @@ int main(void)
       folder.path().string());
   ASSERT_EQ(std::system(command.c_str()), 0);
   berm_macro_element_state s;
-  const double du[2] = {0.003, 0.0005};
-  double F[2], K[2][2];
-  int error = berm_macro_element_start(&p, 0, 0.05, 1000, &s);
-  for (int k = 0; k < 50 && error == 0; ++k) error = berm_macro_element_step(&p, &s, du, F, K);
+  double d[3] = {0, 0, 0.05}, F[3], K[3][3];
+  int error = berm_macro_element_start(&p, d, 1000, &s);
+  for (int k = 0; k < 50 && error == 0; ++k) {
+    d[0] += 0.001, d[1] += 0.003, d[2] += 0.0005;
+    error = berm_macro_element_step(&p, &s, d, &s, F, K);
+  }
   std::ifstream out(folder.path() / "out");
   int its_error = -1;
-  std::string H, V, K01;
-  out >> its_error >> H >> V >> K01;
+  std::string T, H, V, K12;
+  out >> its_error >> T >> H >> V >> K12;
   EXPECT_EQ(error, 0);
   EXPECT_EQ(its_error, 0);
-  EXPECT_DOUBLE_EQ(std::strtod(H.c_str(), nullptr), F[0]);
-  EXPECT_DOUBLE_EQ(std::strtod(V.c_str(), nullptr), F[1]);
-  EXPECT_NEAR(std::strtod(K01.c_str(), nullptr), K[0][1], 1e-9 * p.vertical_stiffness);
+  EXPECT_DOUBLE_EQ(std::strtod(T.c_str(), nullptr), F[0]);
+  EXPECT_DOUBLE_EQ(std::strtod(H.c_str(), nullptr), F[1]);
+  EXPECT_DOUBLE_EQ(std::strtod(V.c_str(), nullptr), F[2]);
+  EXPECT_NEAR(std::strtod(K12.c_str(), nullptr), K[1][2], 1e-9 * p.vertical_stiffness);
 }
 
 TEST(MacroElementFiles, json_has_each_parameter_with_its_unit_and_each_run_with_its_misfit)
@@ -108,4 +113,4 @@ TEST(MacroElementFiles, the_table_names_each_run_and_whether_it_was_fitted)
 }
 
 }  // namespace
-}  // namespace berm::macro_element::this_file
+}  // namespace berm::macro_element_fit::this_file

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "macro_element/files.hpp"
+#include "macro_element_fit/files.hpp"
 
 #include "io/atomic_file.hpp"
 #include "io/revision.hpp"
-#include "macro_element/members.hpp"
+#include "macro_element/parameters.hpp"
 #include "plot/figure.hpp"
 #include "structures/base/spoiled.hpp"
 
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::macro_element {
+namespace berm::macro_element_fit {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -78,12 +78,7 @@ std::string json_of(const Parameters& p, const std::vector<Comparison>& comparis
   Json all;
   all["written_by"] = "berm " + io::version_words();
   all["model"] = "macro-element of a pipe on the seabed, plane strain, per metre of pipe";
-  all["version"] = p.version;
-  Json& parameters = all["parameters"];
-  for (const Member& m : members) parameters[m.name] = {{"value", p.*m.member}, {"unit", m.unit}};
-  const auto points = [&](const double* values) { return std::vector<double>(values, values + p.backbone_points); };
-  parameters["backbone_w"] = {{"value", points(p.backbone_w)}, {"unit", "m"}};
-  parameters["backbone_V"] = {{"value", points(p.backbone_V)}, {"unit", "N/m"}};
+  all.update(macro_element::json_of(p));
   for (const Comparison& c : comparisons) {
     Json run = {{"name", c.path.name},
                 {"folder", c.path.run.string()},
@@ -110,7 +105,8 @@ std::string code_of(const Parameters& p, const std::vector<Comparison>& comparis
   text +=
       fmt::format("\n/* Fitted by berm {}.{} */\nconst berm_macro_element_parameters berm_macro_element_fitted = {{\n  .version = {},\n",
                   io::version_words(), spoiled, p.version);
-  for (const Member& m : members) text += fmt::format("  .{} = {:.17g},\n", m.name, p.*m.member);
+  for (const berm_macro_element_member& m : berm_macro_element_members)
+    text += fmt::format("  .{} = {:.17g},\n", m.name, macro_element::value_of(p, m));
   text += fmt::format("  .backbone_points = {},\n", p.backbone_points);
   for (const auto& [name, values] : {std::pair{"backbone_w", p.backbone_w}, std::pair{"backbone_V", p.backbone_V}}) {
     text += fmt::format("  .{} = {{", name);
@@ -148,4 +144,4 @@ std::vector<std::string> write_files(const std::filesystem::path& folder, const 
   return names;
 }
 
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element_fit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "macro_element/fit.hpp"
+#include "macro_element/parameters.hpp"
 
 namespace berm::macro_element {
 
@@ -30,6 +30,8 @@ inline Parameters sample_parameters()
   p.berm_rate = 2e4;
   p.berm_length = 0.5;
   p.berm_reach = 0.1;
+  p.axial_friction = 0.5;
+  p.axial_mobilisation = 0.004;
   return p;
 }
 

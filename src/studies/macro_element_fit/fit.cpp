@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "macro_element/fit.hpp"
+#include "macro_element_fit/fit.hpp"
 
 #include "core/error.hpp"
 #include "core/for_each_task.hpp"
+#include "structures/formulas/axial.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
-namespace berm::macro_element {
+namespace berm::macro_element_fit {
 namespace {
 
 using Vector = Eigen::VectorXd;
@@ -27,21 +28,20 @@ bool is_dragged(const Path& path)
 /// The largest vertical step, and the part of V0 to which a given V is met.
 constexpr Real max_step_over_D = 0.05, same_V = 1e-7;
 
-/// Moves the pipe by du, and so far in w that V acts on it. Where no w gives this V, the nearest is left.
-void step_to_force(const Parameters& p, berm_macro_element_state& state, Real du, Real V, const std::string& name)
+/// Moves the pipe to u, and so far in w that V acts on it. Where no w gives this V, the nearest is left.
+void step_to_force(const Parameters& p, berm_macro_element_state& state, Real u, Real V, const std::string& name)
 {
   Real low = -100 * p.diameter, high = 100 * p.diameter, dw = 0;
-  berm_macro_element_state next = state;
+  berm_macro_element_state next{};
   for (int k = 0; k < 80; ++k) {
-    next = state;
-    const double by[2] = {du, dw};
-    double F[2], K[2][2];
-    if (const int error = berm_macro_element_step(&p, &next, by, F, K); error != BERM_MACRO_ELEMENT_OK)
+    const double to[3] = {state.x, u, state.w + dw};
+    double F[3], K[3][3];
+    if (const int error = berm_macro_element_step(&p, &state, to, &next, F, K); error != BERM_MACRO_ELEMENT_OK)
       throw RunError(fmt::format("{}: {}", name, berm_macro_element_error(error)));
-    const Real left = V - F[1];
+    const Real left = V - F[2];
     if (std::abs(left) <= same_V * (std::abs(V) + p.vertical_stiffness * 1e-3 * p.diameter)) break;
     (left > 0 ? low : high) = dw;
-    const Real step = K[1][1] > 1e-6 * p.vertical_stiffness ? left / K[1][1] : (left > 0 ? 1 : -1) * max_step_over_D * p.diameter;
+    const Real step = K[2][2] > 1e-6 * p.vertical_stiffness ? left / K[2][2] : (left > 0 ? 1 : -1) * max_step_over_D * p.diameter;
     Real tried = dw + std::clamp<Real>(step, -max_step_over_D * p.diameter, max_step_over_D * p.diameter);
     if (!(tried > low && tried < high)) tried = (low + high) / 2;
     if (high - low < 1e-14 * p.diameter) break;
@@ -109,6 +109,8 @@ public:
     base_.version = BERM_MACRO_ELEMENT_VERSION;
     base_.diameter = D;
     base_.uplift_ratio = lift > 0.01 * V ? lift / V : 0;
+    base_.axial_friction = paths[0].friction;
+    base_.axial_mobilisation = formulas::f114_axial_breakout_displacement(D).best.value;
     using P = Parameters;
     unknowns_ = {
         {&P::vertical_stiffness, 0, any, V / D, 40},
@@ -207,16 +209,17 @@ Response follow(const Parameters& p, const Path& path)
   const PathPoint& first = path.points[0];
   const bool from_above = first.w < 0.05 * p.diameter;
   const Real w = from_above ? 0 : first.w, V = from_above ? 0 : std::max<Real>(first.V, 0);
-  if (const int error = berm_macro_element_start(&p, first.u, w, V, &state); error != BERM_MACRO_ELEMENT_OK)
+  const double begin[3] = {0, first.u, w};
+  if (const int error = berm_macro_element_start(&p, begin, V, &state); error != BERM_MACRO_ELEMENT_OK)
     throw RunError(fmt::format("{}: the macro-element cannot begin with V = {:.4g} N/m at w = {:.4g} m: {}", path.name, V, w,
                                berm_macro_element_error(error)));
   Response response;
   for (const PathPoint& point : path.points) {
-    const double by[2] = {point.u - state.u, point.w - state.w};
-    double F[2];
+    const double to[3] = {0, point.u, point.w};
+    double F[3];
     if (point.by_force)
-      step_to_force(p, state, by[0], point.V, path.name);
-    else if (const int error = berm_macro_element_step(&p, &state, by, F, nullptr); error != BERM_MACRO_ELEMENT_OK)
+      step_to_force(p, state, point.u, point.V, path.name);
+    else if (const int error = berm_macro_element_step(&p, &state, to, &state, F, nullptr); error != BERM_MACRO_ELEMENT_OK)
       throw RunError(fmt::format("{}: {}", path.name, berm_macro_element_error(error)));
     response.w.push_back(state.w);
     response.H.push_back(state.H);
@@ -275,4 +278,4 @@ Parameters fit(const std::vector<Path>& paths)
   return problem.parameters(found[std::min_element(left.begin(), left.end()) - left.begin()]);
 }
 
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element_fit

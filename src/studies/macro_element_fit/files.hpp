@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "macro_element/fit.hpp"
+#include "macro_element_fit/fit.hpp"
 
-namespace berm::macro_element {
+namespace berm::macro_element_fit {
 
 /// The C code of the macro-element, as it is compiled into berm.
 extern const char* const code_h;
@@ -34,4 +34,4 @@ std::string table_of(const std::vector<Comparison>& comparisons);
 std::vector<std::string> write_files(const std::filesystem::path& folder, const Parameters& parameters,
                                      const std::vector<Comparison>& comparisons);
 
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element_fit

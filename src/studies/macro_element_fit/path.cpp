@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "macro_element/path.hpp"
+#include "macro_element_fit/path.hpp"
 
 #include "core/error.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/base/soil_words.hpp"
 #include "structures/structures.hpp"
 #include "study/study_rows.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm::macro_element {
+namespace berm::macro_element_fit {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,6 +62,7 @@ Path path_of(const record::RunRecord& run)
   path.name = run.name;
   path.run = run.folder;
   path.diameter = base::body_scale(run).width;
+  if (const contact::ContactSettings* contact = base::contact_of_body(run.settings)) path.friction = std::tan(contact->friction_angle);
   if (run.summary) path.spoiled = run.summary->spoiled;
   Index moving = 0;
   for (Index row = 0; row < history.rows(); ++row) moving += history["w_m"][row] > 0;
@@ -104,4 +106,4 @@ std::vector<Path> paths_in(const std::vector<std::string>& folders)
   return paths;
 }
 
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element_fit
