@@ -8,6 +8,7 @@
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "mpm/body_sums.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -232,8 +233,25 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row("contact_mass", contact_mass, run_folder::kilograms<2>, "largest mass of soil at the nodes that the pipe touches in a slice");
 }
 
+/// The largest error of the balance of energy in the other slices, over the work done there so far.
+Real PipelineMethod::energy_error_of_slices() const
+{
+  Real largest = 0;
+  for (std::size_t k = 1; k < line_.count(); ++k) {
+    if (!line_.hangs() || line_.asleep(k) || slices::CoupledLine::rank_of(k) != Ranks::of_run().rank()) continue;
+    const problem::State<2>& slice = line_.slice(k);
+    const problem::Totals<2>& t = slice.totals;
+    Real kinetic = 0;
+    for (const bodies::Particles<2>& particles : slice.particles) kinetic += mpm::sums_over(particles).kinetic;
+    const Real error = kinetic + t.internal + t.damping + t.filter + t.friction - t.external;
+    largest = std::max(largest, std::abs(error) / std::max(std::abs(t.external), std::abs(t.internal)));
+  }
+  return Ranks::of_run().count() > 1 ? Ranks::of_run().messenger()->largest(largest) : largest;
+}
+
 void PipelineMethod::add_slices(run_folder::Row& row)
 {
+  energy_error_of_slices_ = energy_error_of_slices();
   const Real time = state().time - last_row_;
   for (std::size_t k = 0; k < line_.count(); ++k) {
     const problem::State<2>& slice = k == 0 || !line_.hangs() ? state() : line_.slice(k);
@@ -332,6 +350,7 @@ mpm::WholeState<2> PipelineMethod::whole_state()
 run_folder::Summary::Checks PipelineMethod::checks() const
 {
   run_folder::Summary::Checks checks = MpmMethod<2>::checks();
+  checks.push_back({"energy_error_of_slices", energy_error_of_slices_});
   checks.push_back({"line_slope", largest_slope_});
   checks.push_back({"contact_mass_over_mass", largest_contact_mass_});
   if (largest_slope_ > beam::largest_valid_slope)

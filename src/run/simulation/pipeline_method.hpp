@@ -36,6 +36,7 @@ private:
   void make_soils(const RunRequest& request, const io::ScratchFolder& scratch);
   void add_line(run_folder::Row& row);
   void add_slices(run_folder::Row& row);
+  Real energy_error_of_slices() const;
   void note_shape();
   void note_berms();
   void write_shapes() const;
@@ -49,6 +50,7 @@ private:
   Real last_row_ = 0;                                 ///< s
   std::vector<Vec<2>> last_impulses_;                 ///< N s/m, of the soil on the pipe, by slice
   Real largest_slope_ = 0;                            ///< of all rows
+  Real energy_error_of_slices_ = 0;                   ///< in the last row
   Real largest_contact_mass_ = 0;                     ///< over the line's mass, of all rows
   std::vector<Real> shapes_;                          ///< numbers of line.csv, by frame and node
   std::vector<Index> stages_;                         ///< by frame
