@@ -7,7 +7,9 @@
 #include <berm/berm.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace berm::this_file {
 namespace {
@@ -19,12 +21,13 @@ protected:
   PipelineRun() { folder_.write("line.toml", test::small_line_case); }
 
   /// The line for a tenth of a second, far soil at rest.
-  OneRun run_of(const std::string& name) const
+  OneRun run_of(const std::string& name, const std::vector<std::string>& more = {}) const
   {
     RunOptions options;
     options.folder = (folder_ / name).string();
     options.set = {"stage.current.until.time=\"0.1 s\"", "stage.current.ramp=\"0.05 s\"",  "stage.lay.until.time=\"0.6 s\"",
                    "mpm.active_distance=\"0.3 m\"",      "output.history_time=\"0.02 s\"", "output.frame_time=\"0.03 s\""};
+    options.set.insert(options.set.end(), more.begin(), more.end());
     return OneRun((folder_ / "line.toml").string(), options);
   }
   static void to_the_line(OneRun& run)
@@ -38,16 +41,20 @@ protected:
 
 TEST_F(PipelineRun, goes_on_to_the_same_bytes_after_it_was_stopped_and_as_a_clone)
 {
-  run_of("whole").finish();
+  // One slice wakes after the stop, and another has a soil of its own.
+  const std::vector<std::string> more = {"pipeline.slices.asleep=\"until_it_slides\"",
+                                         "pipeline.far_soil={friction=0.9, axial_angle=\"20 deg\"}",
+                                         "pipeline.soil=[{from=\"2 m\", to=\"2 m\", set=[\"material.clay.cohesion=3 kPa\"]}]"};
+  run_of("whole", more).finish();
   {
-    OneRun parts = run_of("parts");
+    OneRun parts = run_of("parts", more);
     to_the_line(parts);
     OneRun clone = parts.clone((folder_ / "clone").string());
     clone.finish();
     parts.stop();
   }
   OneRun::resume((folder_ / "parts").string()).finish();
-  for (const std::string name : {"history.csv", "line.csv"}) {
+  for (const std::string name : {"history.csv", "line.csv", "berms.csv"}) {
     ASSERT_FALSE(folder_.read("whole/" + name).empty()) << name;
     EXPECT_EQ(folder_.read("whole/" + name), folder_.read("parts/" + name)) << name;
     EXPECT_EQ(folder_.read("whole/" + name), folder_.read("clone/" + name)) << name;
@@ -67,6 +74,36 @@ TEST_F(PipelineRun, has_columns_of_its_line_and_of_each_slice_and_answers_for_ea
   EXPECT_EQ(shape.substr(0, shape.find('\n')), "frame,time_s,stage,x_m,y_m,z_m,u_m,P_N,M_Nm,strain_max,strain_min");
   for (const char* name : {"current.y", "current.P", "current.M", "current.feed_in", "line_slope", "contact_mass_over_mass"})
     EXPECT_NE(summary.find(name), std::string::npos) << name;
+}
+
+TEST_F(PipelineRun, lays_its_pipe_in_each_soil)
+{
+  OneRun run = run_of("soils", {"pipeline.soil=[{from=\"2 m\", to=\"3 m\", set=[\"material.clay.cohesion=4 kPa\"]}]"});
+  to_the_line(run);
+  run.finish();
+  const std::string rows = folder_.read("soils/history.csv");
+  const std::string head = rows.substr(0, rows.find('\n')), last = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+  const auto deep = [&](const std::string& column) {
+    std::istringstream names(head), values(last);
+    std::string name, value;
+    while (std::getline(names, name, ',') && std::getline(values, value, ','))
+      if (name == column) return std::stod(value);
+    return std::nan("");
+  };
+  EXPECT_LT(deep("slice_2_w_m"), 0.75 * deep("slice_1_w_m")) << "twice the strength, half the depth, some of it elastic";
+  EXPECT_NEAR(deep("slice_3_w_m"), deep("slice_2_w_m"), 1e-3) << "the same soil; the line hardly bends";
+}
+
+TEST_F(PipelineRun, refuses_soil_where_no_slice_lies_or_that_makes_no_sense)
+{
+  EXPECT_NE(test::error_of<InputError>([&] {
+              run_of("nowhere", {"pipeline.soil=[{from=\"1.2 m\", to=\"1.6 m\", set=[\"material.clay.cohesion=4 kPa\"]}]"});
+            }).find("no slice lies between"),
+            std::string::npos);
+  EXPECT_NE(test::error_of<InputError>([&] {
+              run_of("wrong", {"pipeline.soil=[{from=\"1 m\", to=\"1 m\", set=[\"material.clay.cohesin=4 kPa\"]}]"});
+            }).find("cohesion"),
+            std::string::npos);
 }
 
 TEST_F(PipelineRun, is_driven_by_its_line_alone)
