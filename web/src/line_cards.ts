@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A card for each slice: H(u), V over the weight and sinkage over u, at one scale in all; the largest of all slices is marked.
-import type { RunData } from "./data";
 import { svg_element } from "./element";
 import { make } from "./film_elements";
 import { digits, display_unit, type Unit } from "./film_numbers";
 import { ChartArea, drawing, roomy } from "./line_drawing";
 import { card_id } from "./line_plan";
 import { column_at, type LineRun } from "./line_shapes";
-import { stage_ends, warmth_of } from "./line_stages";
+import { type StageEnd, warmth_of } from "./line_stages";
 
 /** px of the page */
 const margin = { left: 42, right: 10, top: 20, bottom: 6 };
@@ -55,7 +54,7 @@ export class SliceCards {
   private rows: number[];
 
   /** `picked`: the reader points at the card of a slice. */
-  constructor(private readonly run: LineRun, picked: (slice: number | null) => void) {
+  constructor(private readonly run: LineRun, private readonly ends: StageEnd[], picked: (slice: number | null) => void) {
     const loading = new Set(run.line.ends.map((end) => end.name));
     this.rows = run.stage.flatMap((stage, row) => (loading.has(stage) ? [row] : []));
     this.u = this.in_unit(this.of_all("u_m"), (largest) => display_unit("m", largest));
@@ -167,13 +166,13 @@ export class SliceCards {
 
   /** A curve for each stage, in the colour of its warmth. */
   private curves(area: ChartArea, u: (number | null)[], values: (number | null)[]): SVGPathElement[] {
-    const ends = stage_ends(this.run), made: SVGPathElement[] = [];
+    const made: SVGPathElement[] = [];
     let x: number[] = [], y: number[] = [];
     this.rows.forEach((row, i) => {
       const stage = this.run.stage[row], another = i + 1 === this.rows.length || this.run.stage[this.rows[i + 1]] !== stage;
       if (u[i] !== null && values[i] !== null) x.push(u[i]!), y.push(values[i]!);
       if (!another || x.length === 0) return;
-      made.push(area.path({ look: `line_end ${warmth_of(ends, stage)}`, x, y }));
+      made.push(area.path({ look: `line_end ${warmth_of(this.ends, stage)}`, x, y }));
       [x, y] = [[x[x.length - 1]], [y[y.length - 1]]];
     });
     return made;
@@ -186,7 +185,7 @@ export function column_of(slice: number, column: string): string {
 }
 
 /** Whether there is something to show in cards. */
-export function has_cards(run: RunData & { line: LineRun["line"] }): boolean {
+export function has_cards(run: LineRun): boolean {
   return run.line.slices.length > 1 && run.line.ends.length > 0;
 }
 

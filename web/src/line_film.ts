@@ -126,6 +126,7 @@ export class LineFilm implements Player, KeyPlayer {
     this.clock.pause();
     const mine = ++this.loading;
     this.run = run;
+    this.charts = [];
     this.at = this.last_frame;
     this.transport.set_frames(this.last_frame, run.name);
     this.note.textContent = caption(run);
@@ -144,8 +145,8 @@ export class LineFilm implements Player, KeyPlayer {
       plan.highlight(slice);
       this.cards?.highlight(slice);
     };
-    this.cards = has_cards(run) ? new SliceCards(run, picked) : null;
     this.ends = stage_ends(run);
+    this.cards = has_cards(run) ? new SliceCards(run, this.ends, picked) : null;
     const plan = new PlanChart(run, shapes, this.ends, this.cards === null ? null : picked);
     this.charts = [plan, ...charts_below_plan(run, shapes, this.ends)];
     this.stage.replaceChildren(...this.charts.map((chart) => chart.element));

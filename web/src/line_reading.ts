@@ -6,7 +6,7 @@ import { column_at, type LineRun, time_at } from "./line_shapes";
 
 /** Names, columns of the history and units; those that are zero all the time are left out. */
 const numbers_of_line: [name: string, column: string, unit: string, factor: number][] = [
-  ["T", "line_T_K", "K", 1], ["pressure", "line_p_Pa", "MPa", 1e6], ["P\u2080", "line_P0_N", "kN", 1e3], ["P at x = 0", "line_P_N", "kN", 1e3],
+  ["\u0394T", "line_T_K", "K", 1], ["pressure", "line_p_Pa", "MPa", 1e6], ["P\u2080", "line_P0_N", "kN", 1e3], ["P at x = 0", "line_P_N", "kN", 1e3],
   ["largest y", "line_y_m", "m", 1], ["at x", "line_x_m", "m", 1], ["largest M", "line_M_Nm", "kN m", 1e3],
   ["largest strain", "line_strain_max", "%", 0.01], ["smallest strain", "line_strain_min", "%", 0.01],
 ];
