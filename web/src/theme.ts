@@ -11,7 +11,7 @@ export function is_dark(): boolean {
   return page_colour("--scheme") === "dark";
 }
 
-/** A colour of page.css as it is now. */
+/** A colour of base.css as it is now. */
 export function page_colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }

@@ -248,6 +248,8 @@ test("print_is_light_with_all_details_open", async () => {
     if ((await page.locator(hidden).count()) > 0) assert.equal(await page.locator(hidden).first().isVisible(), false, hidden);
   assert.equal(await page.locator("#curves canvas").first().isVisible(), false, "on paper charts are lines and letters");
   assert.equal(await page.locator("#curves .chart_print svg path").first().isVisible(), true);
+  const look = await page.evaluate(() => [getComputedStyle(document.body).fontSize, getComputedStyle(document.querySelector("main")!).paddingLeft]);
+  assert.deepEqual(look, ["12px", "0px"], "letters of 9 pt over all of the paper");
   await page.setViewportSize({ width: 688, height: 990 });  // A4 less its margins
   const beyond = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.equal(beyond, 0, `the print is ${beyond} px wider than the paper`);
