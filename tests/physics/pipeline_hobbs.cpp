@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Buckles of a hot pipe on a plane with friction against the solutions of Hobbs (1984), whose friction resists the displacement and not the motion.
 #include "samples/buckling_pipe.hpp"
+#include "structures/formulas/hobbs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,17 +9,17 @@ namespace berm::this_file {
 namespace {
 
 using namespace beam;
-using test::HobbsBuckle;
+using formulas::HobbsBuckle, formulas::HobbsMode;
 
 struct Mode {
-  int number;
+  HobbsMode shape;
   bool antisymmetric, at_wall;  ///< a wall on one side keeps the lobes beside the first from growing
 };
 
 /// Where the iteration begins: waves of about Hobbs' length that shorten the line by as much as is fed in, and the line slid towards them so far that friction along it is in balance.
 void guess_buckle(const Line& line, const Mode& mode, const HobbsBuckle& hobbs, const test::HotPipe& pipe, Real P, State& state)
 {
-  const Real end = hobbs.half_length, k = mode.at_wall ? pi / hobbs.length : std::sqrt(P / pipe.EI), missing = hobbs.constrained_force - P;
+  const Real end = hobbs.half_length, k = mode.at_wall ? pi / hobbs.lobe : std::sqrt(P / pipe.EI), missing = hobbs.constrained_force - P;
   const auto wave = [&](Real x) {
     const Real s = mode.antisymmetric ? std::sin(k * x) : std::cos(k * x);
     return x < end ? (mode.at_wall ? s * s : s * std::pow(std::cos(pi / 2 * x / end), 2)) : 0;
@@ -62,7 +63,8 @@ TEST_P(HobbsModes, of_a_hot_pipe_have_the_compression_amplitude_and_moment_of_th
   // Friction would lock in the swing of the first seconds.
   line.damping[0] = mode.at_wall ? 3 : 1;
   constexpr Real first_P = 684e3, last_P = 380e3, dt = 0.02;
-  const HobbsBuckle first = test::hobbs_buckle(mode.number, pipe, first_P), last = test::hobbs_buckle(mode.number, pipe, last_P);
+  const formulas::HotLine plane{pipe.EI, pipe.EA, pipe.resistance(), pipe.resistance()};
+  const HobbsBuckle first = hobbs_buckle(mode.shape, plane, first_P), last = hobbs_buckle(mode.shape, plane, last_P);
   State state = state_of(line);
   Work work(line);
   Loads loads = no_loads(line);
@@ -75,7 +77,7 @@ TEST_P(HobbsModes, of_a_hot_pipe_have_the_compression_amplitude_and_moment_of_th
     step(line, loads, dt, state, work);
   }
   const Real P = -effective_force(line, state, 0);
-  const HobbsBuckle hobbs = test::hobbs_buckle(mode.number, pipe, P);
+  const HobbsBuckle hobbs = hobbs_buckle(mode.shape, plane, P);
   const test::Crown crown = test::crown_of(line, state);
   EXPECT_NEAR(P, last_P, 0.02 * last_P);
   EXPECT_NEAR(loads.constrained_force[0], hobbs.constrained_force, 0.02 * hobbs.constrained_force);
@@ -84,8 +86,9 @@ TEST_P(HobbsModes, of_a_hot_pipe_have_the_compression_amplitude_and_moment_of_th
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HobbsModes,
-                         testing::Values(Mode{1, false, true}, Mode{2, true, true}, Mode{3, false, false}, Mode{4, true, false}),
-                         [](const auto& mode) { return "mode_" + std::to_string(mode.param.number); });
+                         testing::Values(Mode{HobbsMode::one, false, true}, Mode{HobbsMode::two, true, true},
+                                         Mode{HobbsMode::three, false, false}, Mode{HobbsMode::four, true, false}),
+                         [](const auto& mode) { return "mode_" + std::to_string(static_cast<int>(mode.param.shape) + 1); });
 
 /// The largest displacement, its moment and the mean compression without the wave of a line between crests a half wave 2a apart, from EI v'''' + P v'' = -w, v'(0) = v'''(0) = 0, v(a) = v''(a) = 0, with a stress-free wave y0 cos(pi x/2a).
 /// Hobbs' mode without end is the wave with v'(a) = 0.

@@ -61,17 +61,6 @@ TEST(PulledEnd, moves_five_percent_further_where_friction_resists_the_displaceme
   EXPECT_NEAR(pulled.moment, 0.5, 0.005);
 }
 
-TEST(SimilarBuckles, with_friction_against_the_displacement_are_those_of_hobbs)
-{
-  // y k4 k1^2 and M k5 k1 of modes 3 and 4
-  const test::SimilarShape three = SimilarShapes(SimilarKind::symmetric, 0).shape(),
-                           four = SimilarShapes(SimilarKind::antisymmetric, 0).shape();
-  EXPECT_NEAR(three.ordinate, 1.032e-2 * 34.06 * 34.06, 0.01 * 12);
-  EXPECT_NEAR(three.curvature, 0.1434 * 34.06, 0.01 * 5);
-  EXPECT_NEAR(four.ordinate, 1.047e-2 * 28.20 * 28.20, 0.01 * 8);
-  EXPECT_NEAR(four.curvature, 0.1483 * 28.20, 0.01 * 4.2);
-}
-
 /// A buckle of a heated line that has grown from a small imperfection under Coulomb's friction.
 struct GrownBuckle {
   Real ordinate, curvature;  ///< amplitude over w EI/P^2, moment over w EI/P

@@ -19,24 +19,6 @@ struct HotPipe {
   beam::Section section() const { return {EI, EA, mass, mass, weight, 0.2}; }
 };
 
-/// Hobbs' solution (1984) of a buckle of one of his modes 1 to 4, for a compression P in it.
-struct HobbsBuckle {
-  Real length, half_length;  ///< m, of a wave; from the middle to the end of the last one
-  Real amplitude, moment;    ///< m, N m
-  Real constrained_force;    ///< N, P_0 far from it
-};
-inline HobbsBuckle hobbs_buckle(int mode, const HotPipe& pipe, Real P)
-{
-  constexpr Real k[4][5] = {{80.76, 6.391e-5, 0.5, 2.407e-3, 0.06938},
-                            {39.478, 1.743e-4, 1, 5.532e-3, 0.1088},
-                            {34.06, 1.668e-4, 1.294, 1.032e-2, 0.1434},
-                            {28.20, 2.144e-4, 1.608, 1.047e-2, 0.1483}};
-  const Real* const c = k[mode - 1];
-  const Real w = pipe.resistance(), L = std::sqrt(c[0] * pipe.EI / P);
-  const Real feed = std::sqrt(1 + c[1] * pipe.EA * w * std::pow(L, 5) / (pipe.EI * pipe.EI)) - 1;
-  return {L, c[2] * L, c[3] * w * std::pow(L, 4) / pipe.EI, c[4] * w * L * L, P + c[2] * w * L * feed};
-}
-
 /// A line with a stress-free wave in the plane: one bump at x = 0, or with `antisymmetric` one to each side; half of it is there. The other end is anchored.
 inline beam::Line bent_line(const HotPipe& pipe, bool antisymmetric, Real amplitude, Real wave, std::vector<Real> nodes)
 {
