@@ -18,13 +18,13 @@ const room = 0.06;
 interface Kind {
   column: string;
   symbol: string;
-  unit: (largest: number) => Unit;
+  unit: (largest: number, run: LineRun) => Unit;
   downwards?: boolean;
 }
 /** What a card shows over u. */
 const kinds: Kind[] = [
   { column: "H_N_m", symbol: "H", unit: (largest) => display_unit("N/m", largest) },
-  { column: "V_N_m", symbol: "V/W", unit: () => ({ name: "", factor: 1 }) },
+  { column: "V_N_m", symbol: "V/W", unit: (_, run) => ({ name: "", factor: run.line.weight }) },
   { column: "w_m", symbol: "w", unit: (largest) => display_unit("m", largest), downwards: true },
 ];
 
@@ -50,16 +50,16 @@ export class SliceCards {
   private u: { unit: Unit; values: (number | null)[][] };
   private areas: ChartArea[] = [];
   private time = 0;
-  /** Rows in which stages load the line, and where each begins. */
+  /** Rows in which stages load the line. */
   private rows: number[];
 
   /** `picked`: the reader points at the card of a slice. */
   constructor(private readonly run: LineRun, private readonly ends: StageEnd[], picked: (slice: number | null) => void) {
     const loading = new Set(run.line.ends.map((end) => end.name));
     this.rows = run.stage.flatMap((stage, row) => (loading.has(stage) ? [row] : []));
-    this.u = this.in_unit(this.of_all("u_m"), (largest) => display_unit("m", largest));
+    this.u = this.in_unit("u_m", (largest) => display_unit("m", largest));
     this.series = kinds.map((kind) => {
-      const { unit, values } = this.in_unit(this.of_all(kind.column, kind.symbol === "V/W" ? run.line.weight : 1), kind.unit);
+      const { unit, values } = this.in_unit(kind.column, kind.unit);
       return { kind, unit, values, largest: this.largest_of(values) };
     });
     this.cards = run.line.slices.map((x, k) => this.make_card(x, k, picked));
@@ -80,7 +80,7 @@ export class SliceCards {
     this.cards.forEach(({ dots }, k) => {
       const u = this.at(k, "u_m", this.u.unit.factor);
       this.series.forEach(({ kind, unit }, i) => {
-        const value = this.at(k, kind.column, unit.factor * (kind.symbol === "V/W" ? this.run.line.weight : 1));
+        const value = this.at(k, kind.column, unit.factor);
         const shown = u !== null && value !== null;
         dots[i].setAttribute("visibility", shown ? "visible" : "hidden");
         if (!shown) return;
@@ -99,16 +99,11 @@ export class SliceCards {
     return value === null ? null : value / factor;
   }
 
-  private of_all(column: string, divisor = 1): (number | null)[][] {
-    return this.run.line.slices.map((_, k) => {
-      const values = this.run.columns[column_of(k, column)];
-      return this.rows.map((row) => (values?.[row] == null ? null : values[row]! / divisor));
-    });
-  }
-
-  private in_unit(values: (number | null)[][], unit_of: (largest: number) => Unit): { unit: Unit; values: (number | null)[][] } {
-    const unit = unit_of(Math.max(0, ...finite(values).map(Math.abs)));
-    return { unit, values: values.map((list) => list.map((value) => (value === null ? null : value / unit.factor))) };
+  /** A column of all slices, in the unit that goes with its largest number. */
+  private in_unit(column: string, unit_of: Kind["unit"]): { unit: Unit; values: (number | null)[][] } {
+    const all = this.run.line.slices.map((_, k) => this.rows.map((row) => this.run.columns[column_of(k, column)]?.[row] ?? null));
+    const [low, high] = ends_of(all), unit = unit_of(Math.max(0, -low, high), this.run);
+    return { unit, values: all.map((list) => list.map((value) => (value === null ? null : value / unit.factor))) };
   }
 
   private largest_of(values: (number | null)[][]): Series["largest"] {
@@ -180,7 +175,7 @@ export class SliceCards {
 }
 
 /** A column of a slice; that at x = 0 has those of the run. */
-export function column_of(slice: number, column: string): string {
+function column_of(slice: number, column: string): string {
   return slice === 0 ? column : `slice_${slice}_${column}`;
 }
 
@@ -189,11 +184,9 @@ export function has_cards(run: LineRun): boolean {
   return run.line.slices.length > 1 && run.line.ends.length > 0;
 }
 
-function finite(values: (number | null)[][]): number[] {
-  return values.flat().flatMap((value) => (value === null ? [] : value));
-}
-
-function ends_of(values: (number | null)[][]): [number, number] {
-  const all = finite(values);
-  return all.reduce<[number, number]>(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
+/** The lowest and the highest; infinity and -infinity of none. */
+function ends_of(values: (number | null)[][]): [low: number, high: number] {
+  let low = Infinity, high = -Infinity;
+  for (const value of values.flat()) if (value !== null) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  return [low, high];
 }
