@@ -137,9 +137,11 @@ namespace {
 
 constexpr int max_slices = 1000;
 
-void check_points(Describe& d, const GivenPoints& points, const std::string& key, const char* x, const char* y)
+void check_points(Describe& d, const GivenPoints& points, const std::string& key, const char* x, const char* y, std::size_t least)
 {
   if (points.empty()) return;
+  d.check(!points.table.empty() || points.x.size() >= least, key + "." + x,
+          fmt::format("has {} numbers, and needs {} at least", points.x.size(), least));
   d.check(points.table.empty() || (points.x.empty() && points.y.empty()), key, "is either a table or numbers");
   d.check(points.x.size() == points.y.size(), key + "." + y, fmt::format("needs as many numbers as {}", x));
   d.check(std::adjacent_find(points.x.begin(), points.x.end(), std::greater_equal<>()) == points.x.end(), key + "." + x, "must ascend");
@@ -149,10 +151,12 @@ void check_points(Describe& d, const GivenPoints& points, const std::string& key
 void check_shape(Describe& d, const PipelineSettings& p)
 {
   const Imperfection& shape = p.imperfection;
-  check_points(d, p.route, "pipeline.route", "x", "y");
-  check_points(d, p.far_soil.lateral, "pipeline.far_soil.lateral", "u", "H");
+  check_points(d, p.route, "pipeline.route", "x", "y", 2);
+  check_points(d, p.far_soil.lateral, "pipeline.far_soil.lateral", "u", "H", 1);
   d.check(p.route.empty() || shape.amplitude == 0, "pipeline.route", "does not go with pipeline.imperfection");
   d.check(p.route.x.empty() || p.route.x.front() == 0, "pipeline.route.x", "must begin at 0");
+  d.check(p.half != LineHalf::antisymmetric || p.route.y.empty() || p.route.y.front() == 0, "pipeline.route.y",
+          "must begin at 0 where the other half is this one turned around");
   if (shape.amplitude == 0)
     return d.check(!p.route.empty() || p.half == LineHalf::none, "pipeline.imperfection.amplitude",
                    "is 0: a straight line does not buckle");
@@ -183,12 +187,18 @@ void check_line(Describe& d, const PipelineSettings& p)
   check_shape(d, p);
 }
 
-void check_soil(Describe& d, const PipelineSettings& p)
+void check_soil(Describe& d, const Case& c, const PipelineSettings& p)
 {
   const FarSoil& far = p.far_soil;
-  d.check(far.lateral.table.empty() || far.macro_element.empty(), "pipeline.far_soil.lateral", "does not go with macro_element");
+  d.check(far.lateral.empty() || far.macro_element.empty(), "pipeline.far_soil.lateral", "does not go with macro_element");
   d.check(!(far.axial_angle || far.axial_strength) || far.macro_element.empty(), "pipeline.far_soil",
           "macro_element has its own axial resistance");
+  d.check(p.slices.asleep == SliceSleep::never || far.friction > 0 || !far.lateral.empty() || !far.macro_element.empty(),
+          "pipeline.slices.asleep", "needs a resistance sideways of the springs: pipeline.far_soil.friction");
+  d.check(p.soil.empty() || (c.traction.empty() &&
+                             std::none_of(c.support.begin(), c.support.end(), [](const auto& s) { return s.second.head.has_value(); })),
+          "pipeline.soil", "does not go with tractions and heads, whose times would be others where laying takes longer");
+  d.check(p.soil.empty() || p.slices.asleep != SliceSleep::always, "pipeline.soil", "does not go with slices that are always asleep");
   for (std::size_t k = 0; k < p.soil.size(); ++k) {
     const std::string path = fmt::format("pipeline.soil[{}]", k);
     d.check(p.soil[k].from <= p.soil[k].to, path + ".to", "is before `from`");
@@ -248,12 +258,12 @@ void check_pipeline(Describe& d, const Case& c)
     d.check(!stage->pipeline.pressure || !c.pipeline || c.pipeline->wall, path + ".pipeline.pressure",
             "needs the wall of the pipe: pipeline.wall and young_modulus");
     d.check(!stage->pipeline.pull || !c.pipeline || c.pipeline->end != LineEnd::anchored, path + ".pipeline.pull",
-            "is at the far end, which is anchored: pipeline.end = \"free\"");
+            "is at the far end, which is anchored: pipeline.end = \"free\" or \"spring\"");
     d.check((!stage->pipeline.temperature && !stage->pipeline.far_temperature) || !c.pipeline || c.pipeline->expansion > 0,
             path + ".pipeline.temperature", "needs pipeline.expansion");
   }
   if (!c.pipeline) return;
-  check_soil(d, *c.pipeline);
+  check_soil(d, c, *c.pipeline);
   d.check(first != c.stage.end(), "pipeline", "no [[stage]] of kind \"pipeline\" loads it");
   d.check(first != c.stage.begin(), "pipeline",
           "must be laid first: stages before the first of kind \"pipeline\" push the pipe into the soil");

@@ -47,7 +47,10 @@ void rename(std::vector<std::string>& names, const std::string& stage, const std
 
 void rename_in_loads(Case& c, const std::string& stage, const std::vector<std::string>& stand_for_it)
 {
-  for (auto& [name, support] : c.support) rename(support.stages, stage, stand_for_it);
+  for (auto& [name, support] : c.support) {
+    rename(support.stages, stage, stand_for_it);
+    if (support.motion) rename(support.motion->stages, stage, stand_for_it);
+  }
   for (auto& [name, traction] : c.traction) rename(traction.stages, stage, stand_for_it);
 }
 
@@ -111,12 +114,19 @@ std::vector<std::size_t> expand_repeats(Case& c)
     free_from = last + 1;
     all.back().repeat = 1;
     all.back().repeat_from.clear();
+    for (std::size_t k = first; k <= last; ++k)
+      if (c.stage[k].kind == StageKind::sweep)
+        throw KeyError(
+            fmt::format("stage[{}].repeat: \"{}\" is a sweep, which has its number of drags: give it more", last, c.stage[k].name));
     const std::vector<StageSettings> once(all.end() - static_cast<std::ptrdiff_t>(last + 1 - first), all.end());
     for (int time = 2; time <= stage.repeat; ++time)
       for (std::size_t k = first; k <= last; ++k) {
         all.push_back(once[k - first]);
         all.back().name = fmt::format("{}_{}", once[k - first].name, time);
         origins.push_back(k);
+        if (all.back().name.size() > max_stage_name)
+          throw KeyError(
+              fmt::format("stage[{}].name: its repetition would be called {}, of more than {} bytes", k, all.back().name, max_stage_name));
         for (const StageSettings& other : c.stage)
           if (other.name == all.back().name)
             throw KeyError(fmt::format("stage[{}].name: its repetition would be called {}, as another stage is: give one another name", k,

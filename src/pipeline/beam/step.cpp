@@ -89,7 +89,8 @@ void find_sideways(const Line& line, const Work& work, State& state)
   }
   for (std::size_t s = 0; s < line.springs.size(); ++s) {
     const Spring& spring = line.springs[s];
-    if (spring.freedom != line.across(Plane::lateral, spring.node) || std::holds_alternative<OneSidedSpring>(line.laws[spring.law]))
+    if (state.spring_factor[s] == 0 || spring.freedom != line.across(Plane::lateral, spring.node) ||
+        std::holds_alternative<OneSidedSpring>(line.laws[spring.law]))
       continue;
     state.sideways[spring.node] = force_of(line.laws[spring.law], state.springs[s], work.displacement[spring.freedom]).slides;
   }

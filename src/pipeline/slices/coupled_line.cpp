@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/for_each_task.hpp"
+#include "core/ranks.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/inactive.hpp"
 #include "mpm/step.hpp"
@@ -27,6 +28,18 @@ Real contact_mass_of(const mpm::Workspace<2>& workspace)
   return mass;
 }
 
+/// Of ranks one may fail where others do not: what failed is told to all before any of them throws.
+template <class Act>
+void noting(std::string& fault, const Act& act)
+{
+  if (Ranks::of_run().count() == 1) return act();
+  try {
+    act();
+  } catch (const RunError& error) {
+    fault = error.what();
+  }
+}
+
 void drive(const problem::Model<2>& model, problem::State<2>& state, Real sideways, Real upwards)
 {
   drive_otherwise(model, state, 0, false, sideways);
@@ -45,9 +58,14 @@ CoupledLine::CoupledLine(const problem::Case& c, const problem::Model<2>& model)
       forces_(count()),
       sideways_(count()),
       upwards_(count()),
-      of_slices_(count()),
+      impedances_(count()),
+      spring_parts_(count()),
+      resistances_(count()),
+      springs_sideways_(count()),
+      springs_upwards_(count()),
       before_(of_case_.line.freedoms()),
       moved_(of_case_.line.freedoms()),
+      spring_forces_(of_case_.line.freedoms()),
       on_springs_(of_case_.length_beyond),
       along_(static_cast<std::size_t>(of_case_.line.nodes()))
 {
@@ -112,22 +130,24 @@ void CoupledLine::load_line(const LineLoads& now, Real dt)
   loads_.velocity_then = state_.velocity;
   for (Index e = 0; e < line.elements(); ++e) {
     loads_.constrained_force[e] = of_case_.constrained_force(now, (line.x[e] + line.x[e + 1]) / 2);
-    beam::add_load(line, beam::Plane::vertical, e, -now.weight, loads_);
-    beam::add_load(line, beam::Plane::lateral, e, now.lateral, loads_);
   }
   loads_.force[line.axial(line.nodes() - 1)] += now.pull;
   // Springs across the line have no force where it was laid.
-  for (Index i = 0; i < line.nodes(); ++i)
-    loads_.force[line.across(beam::Plane::vertical, i)] += of_case_.settings.submerged_weight * on_springs_[i];
+  // Loads go to nodes as reactions of the soil do, so that a line that is carried all along is not bent at its ends.
+  for (Index i = 0; i < line.nodes(); ++i) {
+    loads_.force[line.across(beam::Plane::lateral, i)] += now.lateral * of_case_.length_of_nodes[i];
+    loads_.force[line.across(beam::Plane::vertical, i)] +=
+        of_case_.settings.submerged_weight * on_springs_[i] - now.weight * of_case_.length_of_nodes[i];
+  }
   for (std::size_t k = 0; k < count(); ++k) {
     const SliceForce soil = asleep(k) ? SliceForce() : forces_[k];
     sideways_[k] = soil.force[0], upwards_[k] = soil.force[1];
-    of_slices_[k] = std::max(Real(0), 3 * soil.contact_mass - of_case_.mass) / dt;
+    impedances_[k] = std::max(Real(0), 3 * soil.contact_mass - of_case_.mass) / dt;
   }
   of_case_.stations.add_forces(line, beam::Direction::lateral, sideways_, loads_);
   of_case_.stations.add_forces(line, beam::Direction::vertical, upwards_, loads_);
-  of_case_.stations.add_impedances(line, beam::Direction::lateral, of_slices_, loads_);
-  of_case_.stations.add_impedances(line, beam::Direction::vertical, of_slices_, loads_);
+  of_case_.stations.add_impedances(line, beam::Direction::lateral, impedances_, loads_);
+  of_case_.stations.add_impedances(line, beam::Direction::vertical, impedances_, loads_);
 }
 
 /// An error tells in which slice it is.
@@ -146,16 +166,19 @@ void CoupledLine::find_time_steps(problem::State<2>& first, mpm::Workspace<2>& w
 {
   if (first.stable_dt_holds || asleep(0)) return;
   wake();
-  for_each_task("time steps of slices", static_cast<Index>(count()), [&](Index k) {
-    if (!own(k) || (k > 0 && asleep(static_cast<std::size_t>(k)))) return;  // the first one's is the clock of all
-    for_slice(k, [&] {
-      if (k == 0)
-        find_stable_time_step(model_of(0), first, workspace);
-      else
-        find_stable_time_step(model_of(k), *others_[k - 1], *workspaces_[k - 1]);
+  std::string fault;
+  noting(fault, [&] {
+    for_each_task("time steps of slices", static_cast<Index>(count()), [&](Index k) {
+      if (!own(k) || (k > 0 && asleep(static_cast<std::size_t>(k)))) return;  // the first one's is the clock of all
+      for_slice(k, [&] {
+        if (k == 0)
+          find_stable_time_step(model_of(0), first, workspace);
+        else
+          find_stable_time_step(model_of(k), *others_[k - 1], *workspaces_[k - 1]);
+      });
     });
   });
-  share_time_steps(first);
+  share_time_steps(first, fault);
 }
 
 /// Moves the line by a step of dt (s), or a half, quarter, ... of it where it finds no equilibrium. Returns the step.
@@ -192,26 +215,29 @@ Real CoupledLine::time_step(const problem::State<2>& first) const
 void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, const std::function<void()>& step_first)
 {
   find_time_steps(first, workspace);
-  share_springs(first);
+  scale_springs(first);
   const Real dt = step_line(first, std::min(time_step(first), first.max_dt));
   slice_steps_ += std::count(asleep_.begin(), asleep_.end(), 0);
   if (of_case_.may_sleep()) find_reactions_of_springs();
-  for_each_task("slices", static_cast<Index>(count()), [&](Index k) {
-    problem::State<2>& state = k == 0 ? first : *others_[k - 1];
-    if (asleep(static_cast<std::size_t>(k))) return let_sleep(k, dt, state);
-    if (!own(k)) return let_time_pass(dt, state);
-    const mpm::Workspace<2>& work = k == 0 ? workspace : *workspaces_[k - 1];
-    const Real limit = std::exchange(state.max_dt, dt);
-    for_slice(k, [&] {
-      drive(model_of(k), state, sideways_[k], upwards_[k]);
-      if (k == 0) return step_first();
-      take_step(model_of(k), state, *workspaces_[k - 1]);
-      mpm::refuse_rigid_outside_mesh(model_of(k), state);
+  std::string fault;
+  noting(fault, [&] {
+    for_each_task("slices", static_cast<Index>(count()), [&](Index k) {
+      problem::State<2>& state = k == 0 ? first : *others_[k - 1];
+      if (asleep(static_cast<std::size_t>(k))) return let_sleep(k, dt, state);
+      if (!own(k)) return let_time_pass(dt, state);
+      const mpm::Workspace<2>& work = k == 0 ? workspace : *workspaces_[k - 1];
+      const Real limit = std::exchange(state.max_dt, dt);
+      for_slice(k, [&] {
+        drive(model_of(k), state, sideways_[k], upwards_[k]);
+        if (k == 0) return step_first();
+        take_step(model_of(k), state, *workspaces_[k - 1]);
+        mpm::refuse_rigid_outside_mesh(model_of(k), state);
+      });
+      state.max_dt = limit;
+      forces_[static_cast<std::size_t>(k)] = {state.rigid_bodies[0].reaction, contact_mass_of(work)};
     });
-    state.max_dt = limit;
-    forces_[static_cast<std::size_t>(k)] = {state.rigid_bodies[0].reaction, contact_mass_of(work)};
   });
-  share_slices(first);
+  share_slices(first, fault);
 }
 
 void CoupledLine::archive(Archive& k, const problem::State<2>& first)

@@ -62,7 +62,7 @@ public:
 private:
   void put_to_sleep();
   void wake();
-  void share_springs(const problem::State<2>& first);
+  void scale_springs(const problem::State<2>& first);
   void find_reactions_of_springs();
   void let_time_pass(Real dt, problem::State<2>& state) const;
   void let_sleep(Index k, Real dt, problem::State<2>& state) const;
@@ -80,8 +80,9 @@ private:
   void make_workspaces();
   /// Whether this rank steps the soil of a slice.
   bool own(Index k) const;
-  void share_time_steps(problem::State<2>& first);
-  void share_slices(problem::State<2>& first);
+  // With what failed on this rank; throws RunError on all where it did on one.
+  void share_time_steps(problem::State<2>& first, const std::string& fault);
+  void share_slices(problem::State<2>& first, const std::string& fault);
   template <class Act>
   void for_slice(Index k, const Act& act) const;
 
@@ -98,9 +99,11 @@ private:
   std::vector<SliceForce> forces_;
   std::vector<std::unique_ptr<problem::State<2>>> others_;
   std::vector<std::unique_ptr<mpm::Workspace<2>>> workspaces_;
-  // By slice, of a step.
-  std::vector<Real> sideways_, upwards_, of_slices_;
-  std::vector<Real> before_, moved_;  ///< by freedom
+  // By slice, of a step: forces (N/m) or velocities (m/s) of its pipe, and its impedance, N s/m2.
+  std::vector<Real> sideways_, upwards_, impedances_;
+  // By slice: part on springs, resistance along the line (N/m), forces of the springs on the pipe (N/m).
+  std::vector<Real> spring_parts_, resistances_, springs_sideways_, springs_upwards_;
+  std::vector<Real> before_, moved_, spring_forces_;  ///< by freedom
   // Of ranks: what this one and all tell, and where each one's bytes begin.
   std::vector<Real> told_, told_by_all_;
   std::vector<std::size_t> first_of_rank_;

@@ -105,13 +105,13 @@ std::vector<Real> nodes_of(const problem::Case& c, const std::vector<Real>& plac
   return nodes;
 }
 
-/// Through the points, with the slope of the chord between the two beside each; straight on beyond the last.
-void give_route(beam::Line& line, const problem::Route& route)
+/// Through the points, with the slope of the chord between the two beside each; straight on beyond the last. Mirrored it has no slope at x = 0.
+void give_route(beam::Line& line, const problem::Route& route, bool mirrored)
 {
   const std::vector<Real>&x = route.x, &y = route.y;
   const std::size_t last = x.size() - 1;
   const auto chord = [&](std::size_t a, std::size_t b) { return (y[b] - y[a]) / (x[b] - x[a]); };
-  const auto slope_at = [&](std::size_t k) { return chord(k == 0 ? 0 : k - 1, std::min(k + 1, last)); };
+  const auto slope_at = [&](std::size_t k) { return k == 0 && mirrored ? 0 : chord(k == 0 ? 0 : k - 1, std::min(k + 1, last)); };
   const auto at = [&](Real place) {  // displacement and slope
     if (place >= x[last]) return std::pair(y[last] + slope_at(last) * (place - x[last]), slope_at(last));
     const std::size_t b = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), place) - x.begin()), a = b - 1;
@@ -125,7 +125,7 @@ void give_route(beam::Line& line, const problem::Route& route)
 
 void give_shape(beam::Line& line, const problem::PipelineSettings& p)
 {
-  if (!p.route.x.empty()) return give_route(line, p.route);
+  if (!p.route.x.empty()) return give_route(line, p.route, p.half == problem::LineHalf::symmetric);
   if (p.imperfection.amplitude == 0) return;
   const Real a = p.imperfection.amplitude, k = 2 * pi / p.imperfection.length, half = p.imperfection.length / 2;
   const Real b = a * 4 / (3 * std::sqrt(3.0));  // (1 + cos) sin has its largest, 3 sqrt(3)/4, at 60 degrees

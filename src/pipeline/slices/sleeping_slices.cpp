@@ -33,21 +33,21 @@ void CoupledLine::wake()
 }
 
 /// Gives the springs at the nodes the length that is not on soil, and those along the line their resistance.
-void CoupledLine::share_springs(const problem::State<2>& first)
+void CoupledLine::scale_springs(const problem::State<2>& first)
 {
   const beam::Line& line = of_case_.line;
   if (!of_case_.may_sleep() && !of_case_.has_interface()) return;
   on_springs_ = of_case_.length_beyond;
-  for (std::size_t k = 0; k < count(); ++k) of_slices_[k] = static_cast<Real>(asleep_[k]);
-  of_case_.stations.add_to_nodes(of_slices_, on_springs_);
+  for (std::size_t k = 0; k < count(); ++k) spring_parts_[k] = static_cast<Real>(asleep_[k]);
+  of_case_.stations.add_to_nodes(spring_parts_, on_springs_);
   const Real weight = of_case_.settings.submerged_weight, as_laid = of_case_.axial_resistance(laid_embedment_, weight);
   for (std::size_t k = 0; k < count(); ++k) {
     const problem::State<2>& slice = k == 0 ? first : *others_[k - 1];
-    of_slices_[k] =
-        asleep(k) ? as_laid : of_case_.axial_resistance(travel_of(model_of(k), slice, 0).w, slice.rigid_bodies[0].smooth_reaction[1]);
+    resistances_[k] =
+        of_case_.axial_resistance(travel_of(model_of(k), slice, 0).w, asleep(k) ? weight : slice.rigid_bodies[0].smooth_reaction[1]);
   }
   for (Index i = 0; i < line.nodes(); ++i) along_[i] = as_laid * of_case_.length_beyond[i];
-  of_case_.stations.add_to_nodes(of_slices_, along_);
+  of_case_.stations.add_to_nodes(resistances_, along_);
   for (std::size_t s = 0; s < line.springs.size(); ++s) {
     const beam::Spring& spring = line.springs[s];
     const bool axial = spring.freedom == line.axial(spring.node);
@@ -57,17 +57,18 @@ void CoupledLine::share_springs(const problem::State<2>& first)
   }
 }
 
-/// Of the springs on the line sideways, by slice, in a vector by freedom.
+/// What the springs at the nodes would do to the pipe of each slice.
 void CoupledLine::find_reactions_of_springs()
 {
   const beam::Line& line = of_case_.line;
-  std::fill(before_.begin(), before_.end(), 0.0);
+  std::fill(spring_forces_.begin(), spring_forces_.end(), 0.0);
   for (std::size_t s = 0; s < line.springs.size(); ++s) {
     const Index freedom = line.springs[s].freedom;
-    if (freedom != line.across(beam::Plane::lateral, line.springs[s].node)) continue;
-    before_[freedom] -= force_of(line.laws[line.springs[s].law], state_.springs[s], state_.displacement[freedom]).force;
+    if (freedom == line.axial(line.springs[s].node)) continue;
+    spring_forces_[freedom] -= force_of(line.laws[line.springs[s].law], state_.springs[s], state_.displacement[freedom]).force;
   }
-  of_case_.stations.means(line, beam::Direction::lateral, before_, of_slices_);
+  of_case_.stations.means(line, beam::Direction::lateral, spring_forces_, springs_sideways_);
+  of_case_.stations.means(line, beam::Direction::vertical, spring_forces_, springs_upwards_);
 }
 
 /// Of a slice whose soil is not stepped here.
@@ -82,7 +83,7 @@ void CoupledLine::let_time_pass(Real dt, problem::State<2>& state) const
 /// A step of a slice that is asleep. Where it never wakes its pipe goes with the line.
 void CoupledLine::let_sleep(Index k, Real dt, problem::State<2>& state) const
 {
-  const Vec<2> velocity(sideways_[k], upwards_[k]), on_pipe(of_slices_[k], of_case_.settings.submerged_weight);
+  const Vec<2> velocity(sideways_[k], upwards_[k]), on_pipe(springs_sideways_[k], of_case_.settings.submerged_weight + springs_upwards_[k]);
   state.contact_sums[0].impulse -= dt * on_pipe;
   if (of_case_.settings.slices.asleep == problem::SliceSleep::always) state.rigid_bodies[0].displacement += dt * velocity;
   let_time_pass(dt, state);

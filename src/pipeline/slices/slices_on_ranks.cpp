@@ -4,6 +4,8 @@
 #include "problem/archive_state.hpp"
 #include "slices/coupled_line.hpp"
 
+#include <algorithm>
+#include <cstring>
 #include <fmt/format.h>
 
 namespace berm::slices {
@@ -12,14 +14,15 @@ namespace {
 /// What the line, the rows and the stages need of a slice after a step.
 struct Told {
   Vec<2> displacement, velocity, reaction, smooth_reaction, impulse;
-  Real contact_mass;
+  Real contact_mass, failed;  ///< on its rank: 0 or 1
 };
 constexpr std::size_t numbers = sizeof(Told) / sizeof(Real);
 
-Told told_by(const problem::State<2>& slice, Real contact_mass)
+Told told_by(const problem::State<2>& slice, Real contact_mass, bool failed)
 {
   const bodies::RigidState<2>& pipe = slice.rigid_bodies[0];
-  return {pipe.displacement, pipe.velocity, pipe.reaction, pipe.smooth_reaction, slice.contact_sums[0].impulse, contact_mass};
+  return {pipe.displacement,         pipe.velocity, pipe.reaction, pipe.smooth_reaction, slice.contact_sums[0].impulse, contact_mass,
+          failed ? Real(1) : Real(0)};
 }
 
 void hear(const Told& told, problem::State<2>& slice, SliceForce& force)
@@ -31,6 +34,15 @@ void hear(const Told& told, problem::State<2>& slice, SliceForce& force)
   pipe.smooth_reaction = told.smooth_reaction;
   slice.contact_sums[0].impulse = told.impulse;
   force = {told.reaction, told.contact_mass};
+}
+
+/// The words of the first rank that failed, on all of them.
+[[noreturn]] void throw_first_of(const std::string& fault)
+{
+  std::vector<char> own(fault.begin(), fault.end()), all;
+  if (!fault.empty()) own.push_back('\0');
+  Ranks::of_run().gather_from_all(own, all);
+  throw RunError(std::string(all.data()));
 }
 
 }  // namespace
@@ -46,14 +58,17 @@ bool CoupledLine::own(Index k) const
 }
 
 /// The smallest of all ranks is that of each slice that another rank steps.
-void CoupledLine::share_time_steps(problem::State<2>& first)
+void CoupledLine::share_time_steps(problem::State<2>& first, const std::string& fault)
 {
   Ranks& ranks = Ranks::of_run();
   if (ranks.count() == 1) return;
-  Real smallest = infinity;
+  constexpr Real failed = -1;
+  Real smallest = fault.empty() ? infinity : failed;
   for (std::size_t k = 0; k < count(); ++k)
-    if (own(static_cast<Index>(k)) && (k == 0 || !asleep(k))) smallest = std::min(smallest, (k == 0 ? first : *others_[k - 1]).stable_dt);
+    if (fault.empty() && own(static_cast<Index>(k)) && (k == 0 || !asleep(k)))
+      smallest = std::min(smallest, (k == 0 ? first : *others_[k - 1]).stable_dt);
   smallest = -ranks.messenger()->largest(-smallest);
+  if (smallest == failed) throw_first_of(fault);
   for (std::size_t k = 0; k < count(); ++k) {
     if (own(static_cast<Index>(k))) continue;
     problem::State<2>& slice = k == 0 ? first : *others_[k - 1];
@@ -63,14 +78,14 @@ void CoupledLine::share_time_steps(problem::State<2>& first)
 }
 
 /// One call for all slices.
-void CoupledLine::share_slices(problem::State<2>& first)
+void CoupledLine::share_slices(problem::State<2>& first, const std::string& fault)
 {
   Ranks& ranks = Ranks::of_run();
   if (ranks.count() == 1) return;
   const std::size_t many = static_cast<std::size_t>(ranks.count());
   told_.clear();
   for (std::size_t k = static_cast<std::size_t>(ranks.rank()); k < count(); k += many) {
-    const Told told = told_by(k == 0 ? first : *others_[k - 1], forces_[k].contact_mass);
+    const Told told = told_by(k == 0 ? first : *others_[k - 1], forces_[k].contact_mass, !fault.empty());
     const Real* values = reinterpret_cast<const Real*>(&told);
     told_.insert(told_.end(), values, values + numbers);
   }
@@ -80,13 +95,15 @@ void CoupledLine::share_slices(problem::State<2>& first)
   told_by_all_.resize(count() * numbers);
   ranks.messenger()->gather(reinterpret_cast<const std::byte*>(told_.data()), reinterpret_cast<std::byte*>(told_by_all_.data()),
                             first_of_rank_);
+  bool failed = false;
   for (std::size_t k = 0; k < count(); ++k) {
-    if (own(static_cast<Index>(k)) || asleep(k)) continue;
     Told told;
     std::memcpy(static_cast<void*>(&told),
                 reinterpret_cast<const std::byte*>(told_by_all_.data()) + first_of_rank_[k % many] + k / many * sizeof(Told), sizeof(Told));
-    hear(told, k == 0 ? first : *others_[k - 1], forces_[k]);
+    failed = failed || told.failed != 0;
+    if (!own(static_cast<Index>(k)) && !asleep(k)) hear(told, k == 0 ? first : *others_[k - 1], forces_[k]);
   }
+  if (failed) throw_first_of(fault);
 }
 
 void CoupledLine::archive_of_rank(Archive& k, int rank)

@@ -251,7 +251,7 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
   } catch (const RunError&) {
     cost.time_step = 0;  // the run says why there is none
   }
-  cost.particles = static_cast<Real>(counts().particles);
+  cost.particles = slices_ * static_cast<Real>(counts().particles);
   for (const bodies::Particles<d>& particles : state().particles)
     cost.frame_bytes +=
         static_cast<Real>(particles.size()) * static_cast<Real>(run_folder::bytes_of_point_in_file<d>(particles.extra_size()));
@@ -311,10 +311,26 @@ bool MpmMethod<d>::next_stage()
   log_force_limit(stage);
   if (trial_) end_stage_of_trial();
   if (is_last_stage() || (trial_ && trial_->failed())) return false;
+  enter_next_stage();
+  return true;
+}
+
+template <int d>
+void MpmMethod<d>::enter_next_stage()
+{
   ++problem_.state.stage.index;
   if (model().stages[state().stage.index].zero_displacements) zero_displacements();
   begin_stage(model(), problem_.state);
-  return true;
+}
+
+template <int d>
+void MpmMethod<d>::step_to(problem::StageKind kind)
+{
+  begin(true);
+  while (model().stages[state().stage.index].kind != kind) {
+    step();
+    if (stage_ended()) enter_next_stage();
+  }
 }
 
 template <int d>

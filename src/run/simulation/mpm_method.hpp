@@ -45,6 +45,8 @@ public:
   /// Before the first step, of the start or of a checkpoint.
   void begin(bool at_start);
   void step();
+  /// Steps through all stages before the first of this kind, without rows and words.
+  void step_to(problem::StageKind kind);
   /// Whether soil was placed or taken out before the last step.
   bool soil_changed() const { return soil_changed_; }
   /// s between rows of the history.
@@ -91,6 +93,7 @@ private:
     Real dt, seconds_a_step;
   };
   Pace measure_pace();
+  void enter_next_stage();
   Real expected_steps_time() const;
   void refuse_other_problem() const;
   void divide_anew();

@@ -12,6 +12,7 @@
 #include "simulation/memory.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/run_of_ranks.hpp"
+#include "user_law/load.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -31,12 +32,19 @@ Real across(const slices::LineOfCase& of, const beam::State& state, Plane plane,
   return state.displacement[of.line.across(plane, node)];
 }
 
+/// m from the axis of the line, or from its route where it has one.
+Real sideways(const slices::LineOfCase& of, const beam::State& state, Index node)
+{
+  const Index at = of.line.across(Plane::lateral, node);
+  return state.displacement[at] - (of.settings.route.empty() ? 0 : of.line.shape[at]);
+}
+
 /// Where the line has gone sideways most.
 Index crown_of(const slices::LineOfCase& of, const beam::State& state)
 {
   Index crown = 0;
   for (Index i = 1; i < of.line.nodes(); ++i)
-    if (std::abs(across(of, state, Plane::lateral, i)) > std::abs(across(of, state, Plane::lateral, crown))) crown = i;
+    if (std::abs(sideways(of, state, i)) > std::abs(sideways(of, state, crown))) crown = i;
   return crown;
 }
 
@@ -44,20 +52,10 @@ Index crown_of(const slices::LineOfCase& of, const beam::State& state)
 Real crossing_of(const slices::LineOfCase& of, const beam::State& state)
 {
   for (Index i = crown_of(of, state); i + 1 < of.line.nodes(); ++i) {
-    const Real a = across(of, state, Plane::lateral, i), b = across(of, state, Plane::lateral, i + 1);
+    const Real a = sideways(of, state, i), b = sideways(of, state, i + 1);
     if (a != 0 && a * b <= 0) return of.line.x[i] + a / (a - b) * of.line.length(i);
   }
   return nan;
-}
-
-/// Up to the first stage of kind pipeline.
-void lay(MpmMethod<2>& soil)
-{
-  soil.begin(true);
-  while (soil.model().stages[soil.state().stage.index].kind != problem::StageKind::pipeline) {
-    soil.step();
-    if (soil.stage_ended()) soil.next_stage();
-  }
 }
 
 }  // namespace
@@ -67,6 +65,7 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
       folder_(request.folder),
       line_(case_of_run(), model()),
       last_impulses_(line_.count(), Vec<2>::Zero()),
+      works_(line_.count(), 0),
       columns_(model(), line_.of_case().diameter / columns_of_diameter),
       level_(columns_.heights(state()))
 {
@@ -86,7 +85,9 @@ void PipelineMethod::make_soils(const RunRequest& request, const io::ScratchFold
   for (std::size_t j = 0; j < others.size(); ++j) {
     RunRequest changed = request;
     try {
-      changed.settings = input::read_case_text(request.case_file.string(), input::resolved_toml(request.settings), others[j].set);
+      changed.settings = input::read_case_text(request.case_file.string() + ", all keys written out",
+                                               input::resolved_toml(request.settings), others[j].set);
+      user_law::load(changed.settings, request.laws);
       soils_.push_back(std::make_unique<MpmMethod<2>>(changed, scratch));
     } catch (const InputError& error) {
       throw KeyError(fmt::format("pipeline.soil[{}].set: {}", j, error.what()));
@@ -141,8 +142,13 @@ bool PipelineMethod::next_stage()
   if (!MpmMethod<2>::next_stage()) return false;
   if (!on_line()) return true;
   if (!line_.hangs()) {
-    for (const auto& soil : soils_) lay(*soil);
+    for (std::size_t j = 0; j < soils_.size(); ++j) try {
+        soils_[j]->step_to(problem::StageKind::pipeline);
+      } catch (const RunError& error) {
+        throw RunError(fmt::format("pipeline.soil[{}], while the pipe is laid there: {}", j, error.what()));
+      }
     line_.hang(state());
+    for (std::size_t k = 1; k < line_.count(); ++k) last_impulses_[k] = -line_.slice(k).contact_sums[0].impulse;
     hung_at_ = state().step;
     const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
     constexpr Real allowed = 0.1;
@@ -177,6 +183,8 @@ void PipelineMethod::archive(Archive& k)
     k("hung_at", hung_at_);
     k("last_row", last_row_);
     k("largest_slope", largest_slope_);
+    k("energy_error_of_slices", energy_error_of_slices_);
+    k.fixed("works", works_);
     k("largest_contact_mass", largest_contact_mass_);
     for (std::size_t s = 0; s < last_impulses_.size(); ++s) k(fmt::format("last_impulse_{}", s), last_impulses_[s]);
     k("shapes", shapes_);
@@ -222,7 +230,8 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row("P0", of.constrained_force(loads, 0), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
   row("P", -beam::effective_force(of.line, now, 0), run_folder::whole_newtons, "effective compression at x = 0");
   row("x", of.line.x[crown], run_folder::metres, "place of the largest lateral displacement");
-  row("y", across(of, now, Plane::lateral, crown), run_folder::metres, "largest lateral displacement of the line, from its straight axis");
+  row("y", sideways(of, now, crown), run_folder::metres,
+      "largest lateral displacement of the line, from its straight axis, or from its route");
   row("z", across(of, now, Plane::vertical, crown), run_folder::metres, "height of the line there, from where it was laid");
   row("crossing", crossing_of(of, now), run_folder::metres, "place beyond it where the line crosses its axis");
   row("M", moment, run_folder::whole_newton_metres, "largest lateral bending moment");
@@ -233,10 +242,10 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row("contact_mass", contact_mass, run_folder::kilograms<2>, "largest mass of soil at the nodes that the pipe touches in a slice");
 }
 
-/// The largest error of the balance of energy in the other slices, over the work done there so far.
-Real PipelineMethod::energy_error_of_slices() const
+/// The largest error of the balance of energy in the other slices, over the largest work done there so far.
+Real PipelineMethod::energy_error_of_slices()
 {
-  Real largest = 0;
+  Real largest = energy_error_of_slices_;
   for (std::size_t k = 1; k < line_.count(); ++k) {
     if (!line_.hangs() || line_.asleep(k) || slices::CoupledLine::rank_of(k) != Ranks::of_run().rank()) continue;
     const problem::State<2>& slice = line_.slice(k);
@@ -244,7 +253,8 @@ Real PipelineMethod::energy_error_of_slices() const
     Real kinetic = 0;
     for (const bodies::Particles<2>& particles : slice.particles) kinetic += mpm::sums_over(particles).kinetic;
     const Real error = kinetic + t.internal + t.damping + t.filter + t.friction - t.external;
-    largest = std::max(largest, std::abs(error) / std::max(std::abs(t.external), std::abs(t.internal)));
+    works_[k] = std::max({works_[k], std::abs(t.external), std::abs(t.internal)});
+    largest = std::max(largest, std::abs(error) / works_[k]);
   }
   return Ranks::of_run().count() > 1 ? Ranks::of_run().messenger()->largest(largest) : largest;
 }

@@ -36,7 +36,7 @@ private:
   void make_soils(const RunRequest& request, const io::ScratchFolder& scratch);
   void add_line(run_folder::Row& row);
   void add_slices(run_folder::Row& row);
-  Real energy_error_of_slices() const;
+  Real energy_error_of_slices();
   void note_shape();
   void note_berms();
   void write_shapes() const;
@@ -49,8 +49,9 @@ private:
   BigIndex hung_at_ = 0;                              ///< step
   Real last_row_ = 0;                                 ///< s
   std::vector<Vec<2>> last_impulses_;                 ///< N s/m, of the soil on the pipe, by slice
+  std::vector<Real> works_;                           ///< J/m, the largest done, by slice
   Real largest_slope_ = 0;                            ///< of all rows
-  Real energy_error_of_slices_ = 0;                   ///< in the last row
+  Real energy_error_of_slices_ = 0;                   ///< of all rows
   Real largest_contact_mass_ = 0;                     ///< over the line's mass, of all rows
   std::vector<Real> shapes_;                          ///< numbers of line.csv, by frame and node
   std::vector<Index> stages_;                         ///< by frame

@@ -74,6 +74,7 @@ TEST(repeats, write_stages_behind_themselves)
   Case c = heated(3);
   boundary::SupportSettings support;
   support.stages = {"cool", "lay"};
+  support.motion.emplace().stages = {"heat"};
   c.support = {{"wall", support}};
   const std::vector<std::size_t> origins = expand_repeats(c);
   const std::vector<std::string> names = {"lay", "heat", "cool", "heat_2", "cool_2", "heat_3", "cool_3"};
@@ -84,6 +85,7 @@ TEST(repeats, write_stages_behind_themselves)
   }
   EXPECT_EQ(origins, (std::vector<std::size_t>{0, 1, 2, 1, 2, 1, 2}));
   EXPECT_EQ(c.support[0].second.stages, (std::vector<std::string>{"cool", "cool_2", "cool_3", "lay"}));
+  EXPECT_EQ(c.support[0].second.motion->stages, (std::vector<std::string>{"heat", "heat_2", "heat_3"}));
 }
 
 TEST(repeats, that_are_not_clear_are_refused)
@@ -99,6 +101,12 @@ TEST(repeats, that_are_not_clear_are_refused)
   c = heated(2);
   c.stage[0].name = "heat_2";
   EXPECT_THROW(expand_repeats(c), KeyError) << "the name is taken";
+  c = heated(2);
+  c.stage[1].kind = StageKind::sweep;
+  EXPECT_THROW(expand_repeats(c), KeyError) << "a sweep has its number of drags";
+  c = heated(2);
+  c.stage[1].name = std::string(max_stage_name, 'h');
+  EXPECT_THROW(expand_repeats(c), KeyError) << "the name would be too long";
 }
 
 TEST(sweeps, that_supports_name_are_all_their_drags)

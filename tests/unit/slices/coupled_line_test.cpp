@@ -198,6 +198,26 @@ TEST(CoupledLine, lies_on_springs_alone_where_no_slice_wakes)
   for (std::size_t k = 0; k < run.line.count(); ++k) EXPECT_NEAR(run.pipe(k)[0] - x, 2.5e-3, 0.2 * 2.5e-3) << k;
 }
 
+// Hot at one end and cold at the other, between a free end and one on a spring: it gets longer by P0 of the middle, less what the spring holds back.
+TEST(CoupledLine, pushes_the_spring_at_its_end_as_it_gets_warm)
+{
+  problem::Case c = sleepy_line(problem::SliceSleep::always);
+  problem::PipelineSettings& p = *c.pipeline;
+  p.half = problem::LineHalf::symmetric;
+  p.end = problem::LineEnd::spring;
+  p.end_stiffness = 1e8;
+  p.expansion = 1e-5;
+  c.stage.back().pipeline = {};
+  c.stage.back().pipeline.temperature = 100;
+  c.stage.back().pipeline.far_temperature = 0;
+  LineRun run(c);
+  while (!stage_ended(run.problem.model, run.problem.state)) run.step();
+  const LineOfCase& of = run.line.of_case();
+  const Real EA = 1e9, L = 3, mean = EA * 1e-5 * 50, expected = mean / (EA / L + 1e8);
+  EXPECT_NEAR(run.line.state().displacement[of.line.axial(of.line.nodes() - 1)], expected, 0.02 * expected)
+      << "it swings along for 5 ms a time, and Newmark's step takes most of it";
+}
+
 TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
 {
   problem::Case stiff = test::line_case({"material.clay.cohesion=\"4 kPa\""});
