@@ -16,7 +16,10 @@ public:
   std::string table_of(const record::RunRecord& run) const override;
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
+  std::string published_values(const base::Runs& runs, const base::DisplayUnits& shown) const override;
   std::string other_results(const record::RunRecord& run, const std::string& id) const override;
+  std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
+                                              const std::filesystem::path& folder) const override;
 };
 
 }  // namespace berm::line

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "record/run_record.hpp"
+#include "structures/formulas/hobbs.hpp"
+
+namespace berm::line {
+
+/// A loaded stage of a run, at its end.
+struct StageEnd {
+  std::string name;
+  Index row;    ///< the last of the history in this stage
+  bool heated;  ///< the constrained force did not fall in it
+  std::string
+      like{};  ///< the latest stage before that ended under the same constrained force, with another one between; "" where there is none
+};
+
+/// Of the stages that loaded the line, in their order; those without rows are left out.
+std::vector<StageEnd> stage_ends(const record::RunRecord& run);
+
+/// The key results of the line at the ends of its stages: of the history, of the shapes in line.csv, and of cycles.
+std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run);
+
+/// Their names in a stage, all that there may be.
+std::vector<std::string> line_quantity_names(const std::string& stage);
+
+/// The strain in compression that utilisation is of: f101_compressive_strain of the wall over its factors; NaN of a line without a wall.
+formulas::Formula strain_limit(const problem::Case& c);
+
+/// The line of a case on a plane with the friction of its far soil, as Hobbs has it: with three lobes, and four of a line whose halves are images by half a turn.
+struct HobbsLine {
+  explicit HobbsLine(const problem::Case& c);
+
+  formulas::HotLine line;
+  formulas::HobbsMode mode;
+
+  formulas::HobbsBuckle at(Real P0) const { return hobbs_buckle_at(mode, line, P0); }
+};
+
+}  // namespace berm::line

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/line/answers_test.cpp
+#include "structures/line/tables.hpp"
+
+#include "structures/formulas/strain_limit.hpp"
+#include "text/html.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::line {
+namespace {
+
+using text::HtmlCell, text::table_number;
+
+/// An answer as a table has it.
+struct ShownAnswer {
+  const char *name, *heading;
+  Real scale = 1;
+  bool counts = false;  ///< a whole number
+};
+using ShownAnswers = std::vector<ShownAnswer>;
+const ShownAnswers of_loads{{"y", "y, m"},
+                            {"z", "z, mm", 1e3},
+                            {"P", "P, kN", 1e-3},
+                            {"M", "M, kN m", 1e-3},
+                            {"strain_max", "max strain, %", 100},
+                            {"strain_min", "min strain, %", 100},
+                            {"feed_in", "feed-in, m"}};
+const ShownAnswers of_shapes{{"lobe_length", "lobe, m"},
+                             {"lobes", "lobes", 1, true},
+                             {"slip_length", "slip, m"},
+                             {"strain_bending", "bending strain, %", 100},
+                             {"strain_compressive", "compressive, %", 100},
+                             {"utilisation", "utilisation"},
+                             {"ratchet", "ratchet, m"},
+                             {"walking", "walking, mm", 1e3}};
+
+Real value_of(const record::RunRecord& run, const StageEnd& end, const char* answer)
+{
+  const run_folder::Quantity* found = run.quantity(fmt::format("{}.{}", end.name, answer));
+  return found == nullptr ? nan : found->value;
+}
+
+/// Those that at least one stage has.
+ShownAnswers known_of(const ShownAnswers& shown, const record::RunRecord& run, const std::vector<StageEnd>& ends)
+{
+  ShownAnswers known;
+  for (const ShownAnswer& answer : shown)
+    if (std::ranges::any_of(ends, [&](const StageEnd& end) { return !std::isnan(value_of(run, end, answer.name)); }))
+      known.push_back(answer);
+  return known;
+}
+
+std::string html_of(const ShownAnswers& shown, const record::RunRecord& run, const std::string& id, const std::string& caption)
+{
+  const std::vector<StageEnd> ends = stage_ends(run);
+  const ShownAnswers known = known_of(shown, run, ends);
+  if (known.empty()) return "";
+  text::HtmlTable table(id, fmt::format("{}: {}", run.name, caption));
+  std::vector<HtmlCell> columns{{"stage"}};
+  for (const ShownAnswer& answer : known) columns.push_back({answer.heading, true});
+  table.columns(columns);
+  for (const StageEnd& end : ends) {
+    std::vector<HtmlCell> row{{text::html_text(end.name)}};
+    for (const ShownAnswer& answer : known) {
+      const Real value = answer.scale * value_of(run, end, answer.name);
+      row.push_back({answer.counts ? text::short_number(value) : table_number(value), true});
+    }
+    table.row(row);
+  }
+  return table.html();
+}
+
+/// What the utilisation stands on, HTML; "" where there is none.
+std::string strain_words(const problem::Case& c)
+{
+  const formulas::Formula limit = strain_limit(c);
+  if (!limit.valid)
+    return c.pipeline->wall ? fmt::format("<p>There is no utilisation: {} is for {}.</p>\n", text::html_text(citation(limit.source)),
+                                          text::html_text(limit.source.range))
+                            : "";
+  return fmt::format(
+      "<p>Utilisation is the compressive strain that makes stress, divided by {:.3g} %: the strain at which the wall buckles ({}, as "
+      "public "
+      "programs quote it), over the factors {} (safety class medium) and {} (load). It has the wall of the case, a ratio of yield stress "
+      "to "
+      "tensile strength of {}, girth welds by D/t, and no overpressure from inside, which would raise it; overpressure from outside is not "
+      "covered. The line is elastic: beyond yield its strain is too small.</p>\n",
+      100 * limit.value, text::html_text(citation(limit.source)), formulas::f101_strain_factor_medium, formulas::f101_load_factor,
+      formulas::f101_yield_over_tensile);
+}
+
+/// A row of the table beside: P, y, M, lobe and slip.
+std::vector<HtmlCell> row_beside(const std::string& stage, const std::string& by, Real P, Real y, Real M, Real lobe, Real slip)
+{
+  std::vector<HtmlCell> row{{text::html_text(stage)}, {by}};
+  for (const Real value : {P / 1e3, y, M / 1e3, lobe, slip}) row.push_back({table_number(value), true});
+  return row;
+}
+
+}  // namespace
+
+std::string log_tables(const record::RunRecord& run)
+{
+  const std::vector<StageEnd> ends = stage_ends(run);
+  std::string tables;
+  for (const ShownAnswers* shown : {&of_loads, &of_shapes}) {
+    const ShownAnswers known = known_of(*shown, run, ends);
+    if (known.empty()) continue;
+    std::string head = fmt::format("{:<16}", "");
+    const auto width = [](const ShownAnswer& answer) { return std::max<std::size_t>(8, std::string_view(answer.heading).size()) + 2; };
+    for (const ShownAnswer& answer : known) head += fmt::format("{:>{}}", answer.heading, width(answer));
+    tables += head + '\n';
+    for (const StageEnd& end : ends) {
+      tables += fmt::format("{:<16}", end.name);
+      for (const ShownAnswer& answer : known)
+        tables += fmt::format("{:>{}}", text::short_number(answer.scale * value_of(run, end, answer.name)), width(answer));
+      tables += '\n';
+    }
+  }
+  return tables;
+}
+
+std::string page_tables(const record::RunRecord& run, const std::string& id)
+{
+  const std::string shapes = html_of(of_shapes, run, id + "-shape", "shape, strain and cycles at the end of each stage");
+  return html_of(of_loads, run, id + "-line", "the line at the end of each of its stages") + shapes +
+         (shapes.empty() ? "" : strain_words(run.settings));
+}
+
+std::string tables_beside(const record::RunRecord& run, const std::string& id)
+{
+  const HobbsLine hobbs(run.settings);
+  text::HtmlTable table(id, fmt::format("{}: the line, springs and theory at the end of each heated stage", run.name));
+  table.columns({{"stage"}, {"by"}, {"P, kN", true}, {"y, m", true}, {"M, kN m", true}, {"lobe, m", true}, {"slip, m", true}});
+  bool any = false;
+  for (const StageEnd& end : stage_ends(run)) {
+    if (!end.heated) continue;
+    const auto of = [&](const char* name) { return value_of(run, end, name); };
+    const formulas::HobbsBuckle b = hobbs.at(run.history["line_P0_N"][static_cast<std::size_t>(end.row)]);
+    const bool has_springs = !std::isnan(of("springs_y")), has_hobbs = !std::isnan(b.lobe);
+    if (!has_springs && !has_hobbs) continue;
+    any = true;
+    table.row(row_beside(end.name, "the line on slices", of("P"), of("y"), of("M"), of("lobe_length"), of("slip_length")));
+    if (has_springs) table.row(row_beside(end.name, "the same on springs", of("springs_P"), of("springs_y"), of("springs_M"), nan, nan));
+    if (has_hobbs)
+      table.row(row_beside(end.name, fmt::format("Hobbs, {:.3g} W", run.settings.pipeline->far_soil.friction), b.compression, b.amplitude,
+                           b.moment, b.lobe, b.slip_length));
+  }
+  if (!any) return "";
+  return table.html() +
+         fmt::format(
+             "<p>Hobbs (1984) has a straight line without imperfection on friction of {:.3g} W sideways and {:.3g} W along "
+             "(<code>far_soil</code>): rigid, with V = W everywhere, and against the displacement. Real friction is against the motion: "
+             "under that the same line has, with three lobes and at the same P, a sixth less amplitude and a quarter more moment "
+             "(docs/theory.md, section 16). Hobbs knows no berms, no embedment, no time and no cycles.</p>\n",
+             run.settings.pipeline->far_soil.friction, run.settings.pipeline->far_soil.axial_friction);
+}
+
+}  // namespace berm::line

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/line/answers.hpp"
+
+#include "samples/made_line_run.hpp"
+#include "structures/line/tables.hpp"
+#include "structures/structures.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace berm::line::this_file {
+namespace {
+
+using test::MadeLineRun;
+
+class LineAnswers : public testing::Test {
+protected:
+  record::RunRecord record_of(const MadeLineRun& made)
+  {
+    record::RunRecord run = made.record(folder_);
+    run.quantities = structures::structure_of(run.settings).quantities(run, {});
+    return run;
+  }
+  static Real value(const record::RunRecord& run, const std::string& name)
+  {
+    const run_folder::Quantity* found = run.quantity(name);
+    return found == nullptr ? nan : found->value;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(LineAnswers, at_the_end_of_a_stage_are_those_of_its_last_row_and_shape)
+{
+  const record::RunRecord run = record_of({});
+  EXPECT_NEAR(value(run, "heat.y"), 1.9, 1e-12);
+  EXPECT_NEAR(value(run, "heat.lobe_length"), MadeLineRun::lobe, 0.05);
+  EXPECT_EQ(value(run, "heat.lobes"), 3);
+  EXPECT_NEAR(value(run, "heat.slip_length"), MadeLineRun::slip_end * (1 - 2e-3 / 0.1), 1e-6);
+  EXPECT_NEAR(value(run, "cool.slip_length"), MadeLineRun::slip_end * (1 - 2e-3 / 0.04), 1e-6);
+  EXPECT_NEAR(value(run, "heat.strain_bending"), 1.3e-3, 1e-12);
+  EXPECT_TRUE(std::isnan(value(run, "heat.ratchet"))) << "there is no cycle before";
+  EXPECT_TRUE(std::isnan(value(run, "heat.springs_y")));
+}
+
+TEST_F(LineAnswers, of_a_cycle_compare_ends_under_the_same_load)
+{
+  const record::RunRecord run = record_of({});
+  EXPECT_NEAR(value(run, "heat_2.ratchet"), 0.1, 1e-12);
+  EXPECT_NEAR(value(run, "heat_2.walking"), -0.01 * MadeLineRun::slip_end / 2 / 1500, 1e-7);
+  EXPECT_TRUE(std::isnan(value(run, "cool.ratchet")));
+  EXPECT_NE(run.quantity("heat_2.ratchet")->meaning.find("since the end of heat, a cycle before"), std::string::npos);
+  MadeLineRun held;
+  held.stages = {"heat", "cool", "heat_2", "cool_2", "heat_3"}, held.y = {1.9, 1.3, 2.0, 1.4, 2.05},
+  held.fed_in = {0.1, 0.04, 0.11, 0.05, 0.11};
+  const record::RunRecord three = record_of(held);
+  EXPECT_NEAR(value(three, "heat_3.ratchet"), 0.05, 1e-12) << "since the heating before, not the first";
+  EXPECT_NEAR(value(three, "cool_2.ratchet"), 0.1, 1e-12);
+}
+
+// 1e-3 in compression by the shape and 1.17e-5 times 32 K that the wall would be longer, over 2.2322 % (by hand, see the test of the limit) by 2.5 and 1.1.
+TEST_F(LineAnswers, utilisation_is_the_strain_that_makes_stress_over_its_limit)
+{
+  const record::RunRecord run = record_of({});
+  EXPECT_NEAR(value(run, "heat.strain_compressive"), 1.3744e-3, 1e-9);
+  EXPECT_NEAR(value(run, "heat.utilisation"), 1.3744e-3 * 2.5 * 1.1 / 0.022322, 1e-4);
+  record::RunRecord cable = run;
+  cable.settings.pipeline->wall = cable.settings.pipeline->young_modulus = {};
+  cable.settings.pipeline->bending_stiffness = 1e6, cable.settings.pipeline->axial_stiffness = 1e8;
+  cable.quantities = line_quantities(cable);
+  EXPECT_TRUE(std::isnan(value(cable, "heat.utilisation")));
+  EXPECT_FALSE(std::isnan(value(cable, "heat.strain_compressive")));
+}
+
+TEST_F(LineAnswers, without_shapes_or_with_damaged_ones_are_those_of_the_history)
+{
+  record::RunRecord run = record_of({});
+  for (const char* damage : {"", "frame\n"}) {
+    if (*damage == '\0')
+      std::filesystem::remove(folder_ / "line.csv");
+    else
+      folder_.write("line.csv", damage);
+    run.quantities = line_quantities(run);
+    EXPECT_NEAR(value(run, "heat.y"), 1.9, 1e-12);
+    EXPECT_TRUE(std::isnan(value(run, "heat.lobe_length")));
+    EXPECT_TRUE(std::isnan(value(run, "heat.lobes")));
+  }
+}
+
+// A run that was stopped has rows beyond its last frame.
+TEST_F(LineAnswers, of_a_stage_that_has_not_ended_are_without_the_shape_of_an_earlier_moment)
+{
+  record::RunRecord run = record_of({});
+  for (std::vector<Real>& column : run.history.values) column.push_back(column.back());
+  run.history.stage.push_back("heat_2");
+  run.history.values[0].back() += 0.05;
+  run.quantities = line_quantities(run);
+  EXPECT_TRUE(std::isnan(value(run, "heat_2.lobe_length")));
+  EXPECT_FALSE(std::isnan(value(run, "heat.lobe_length")));
+}
+
+TEST_F(LineAnswers, have_names_that_are_known_before)
+{
+  MadeLineRun made;
+  made.springs = true;
+  const record::RunRecord run = record_of(made);
+  const std::vector<std::string> names = structures::structure_of(run.settings).quantity_names(run.settings);
+  for (const run_folder::Quantity& quantity : run.quantities)
+    EXPECT_NE(std::ranges::find(names, quantity.name), names.end()) << quantity.name;
+  EXPECT_NE(run.quantity("heat.springs_M"), nullptr);
+}
+
+TEST_F(LineAnswers, stand_in_tables_with_springs_and_hobbs_beside_in_heated_stages)
+{
+  MadeLineRun made;
+  made.springs = true;
+  const record::RunRecord run = record_of(made);
+  const std::string log = log_tables(run), page = page_tables(run, "a"), beside = tables_beside(run, "b");
+  for (const char* words : {"lobe, m", "utilisation", "ratchet, m", "heat_2"}) EXPECT_NE(log.find(words), std::string::npos) << log;
+  EXPECT_NE(page.find("DNV-OS-F101, equation 5.30"), std::string::npos) << page;
+  EXPECT_NE(beside.find("Hobbs, 0.6 W"), std::string::npos) << beside;
+  EXPECT_NE(beside.find("the same on springs"), std::string::npos);
+  EXPECT_NE(beside.find(">heat_2<"), std::string::npos);
+  EXPECT_EQ(beside.find(">cool<"), std::string::npos) << "theory is of a line that is heated for the first time";
+}
+
+}  // namespace
+}  // namespace berm::line::this_file
