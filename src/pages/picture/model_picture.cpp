@@ -2,6 +2,7 @@
 #include "picture/model_picture.hpp"
 
 #include "picture/legend.hpp"
+#include "picture/line_plan.hpp"
 #include "picture/stage_words.hpp"
 #include "text/quantity_words.hpp"
 
@@ -111,6 +112,15 @@ std::string detail_on_page(const Model& model, const std::string& title, const E
   return canvas.svg({16 + width + 16, height}, title + ", enlarged", description_of(model), page_scale);
 }
 
+std::string plan_on_page(const problem::Case& c, const std::string& title)
+{
+  constexpr Real width = 900;
+  Canvas canvas(Canvas::Place::page);
+  const Real height = draw_line_plan(canvas, c, {0, 12}, width);
+  return canvas.svg({width, height}, title + ", plan of the line", "the line from above: imperfection, slices, springs beyond, ends",
+                    page_scale);
+}
+
 }  // namespace
 
 void draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::filesystem::path& file)
@@ -126,7 +136,8 @@ void draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::fi
   canvas.text({margin, 34}, title, {.size = 17, .bold = true});
   canvas.text({margin, 62}, method_words(model), {.color = quiet_color});
   const Vec<2> size = whole_extent(model).size();
-  const Real height = size[0] > 1.5 * size[1] ? lay_out_wide(canvas, model) : lay_out_high(canvas, model);
+  Real height = size[0] > 1.5 * size[1] ? lay_out_wide(canvas, model) : lay_out_high(canvas, model);
+  if (c.pipeline) height = draw_line_plan(canvas, c, {margin, height + 30}, picture_width - 2 * margin);
   canvas.write(file, {picture_width, std::ceil(height + 20)}, title, description_of(model));
 }
 
@@ -138,6 +149,7 @@ PageDrawing draw_on_page(const problem::Case& c, const problem::Ground& bed, con
   const std::optional<Extent> detail = detail_extent(model);
   PageDrawing drawing{whole_on_page(model, title, !detail), sketch.notes};
   if (detail) drawing.svgs += detail_on_page(model, title, *detail);
+  if (c.pipeline) drawing.svgs += plan_on_page(c, title);
   return drawing;
 }
 

@@ -19,7 +19,8 @@ void draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::fi
 
 /// A case on a page, from what its file says alone; of one in space the plane x-y.
 struct PageDrawing {
-  std::string svgs;                ///< one or two SVG elements: the whole and, where the driven body is small in it, what is around its way
+  std::string
+      svgs;  ///< SVG elements: the whole; where the driven body is small in it, what is around its way; of a pipeline the plan of its line
   std::vector<std::string> notes;  ///< what is not drawn, in words (plain text)
 };
 

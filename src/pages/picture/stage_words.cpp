@@ -122,7 +122,7 @@ std::string until_words(const problem::StageSettings& stage, int dimension, Real
   return fmt::format("{}", fmt::join(limits, " or "));
 }
 
-/// "the pipeline is brought to 80 K, 10 MPa"
+/// "to 80 K, 10 MPa"; "" where the loads stay.
 std::string pipeline_words(const problem::StageSettings& stage)
 {
   constexpr Real megapascal = 1e6;
@@ -132,7 +132,7 @@ std::string pipeline_words(const problem::StageSettings& stage)
   if (to.pressure) loads.push_back(fmt::format("{:.4g} MPa", *to.pressure / megapascal));
   if (to.weight) loads.push_back(fmt::format("{:.4g} N/m of weight", *to.weight));
   if (to.lateral) loads.push_back(fmt::format("{:.4g} N/m sideways", *to.lateral));
-  return loads.empty() ? "the pipeline rests under its loads" : fmt::format("the pipeline is brought to {}", fmt::join(loads, ", "));
+  return loads.empty() ? "" : fmt::format("to {}", fmt::join(loads, ", "));
 }
 
 std::string drive_words(const problem::StageSettings& stage, int dimension)
@@ -143,7 +143,7 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
   case problem::StageKind::free:
     return "time goes on";
   case problem::StageKind::pipeline:
-    return pipeline_words(stage);
+    return pipeline_words(stage).empty() ? "the pipeline rests under its loads" : "the pipeline is brought " + pipeline_words(stage);
   case problem::StageKind::push:
     return rate_words(stage, dimension) + " down" + turn_words(stage, dimension);
   case problem::StageKind::drive:
@@ -161,8 +161,9 @@ std::string stage_words(const problem::StageSettings& stage, int dimension)
   const std::string kind = kinds[static_cast<std::size_t>(stage.kind)];
   // The user's own name says more than the kind only where it is another word.
   const std::string called = stage.name == kind ? kind : fmt::format("{} ({})", kind, stage.name);
-  const bool drive = stage.kind == problem::StageKind::drive;
-  const std::string rate = drive ? drive_kind_words(stage, dimension) : rate_words(stage, dimension),
+  const std::string rate = stage.kind == problem::StageKind::drive      ? drive_kind_words(stage, dimension)
+                           : stage.kind == problem::StageKind::pipeline ? pipeline_words(stage)
+                                                                        : rate_words(stage, dimension),
                     vertical = vertical_words(stage, dimension) + turn_words(stage, dimension);
   const bool to_a_level = stage.until.embedment.has_value();
   return fmt::format("{}{}{}{}{}", called, rate.empty() ? "" : " " + rate, vertical, to_a_level ? " to " : ", ",
