@@ -4,7 +4,8 @@
 #include "commands/command.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "springs/formats.hpp"
+#include "springs/line_formats.hpp"
+#include "structures/structures.hpp"
 #include "study/study_settings.hpp"
 
 #include <algorithm>
@@ -26,42 +27,74 @@ struct Options {
 
 /// What is written, and where.
 struct Job {
-  springs::Design design;
+  std::string name;
   fs::path from, folder;
+  std::vector<std::string> missing;  ///< what is not written, and why
+  springs::ExportFiles files;
+  std::optional<springs::Design> drawn;
 };
 
+template <class List>
+const auto* find_format(const List& formats, const std::string& name)
+{
+  const auto* found = std::find_if(std::begin(formats), std::end(formats), [&](const auto& format) { return format.name == name; });
+  return found == std::end(formats) ? nullptr : found;
+}
+
+/// What goes out of one folder.
+std::vector<Job> jobs_from(const std::string& from, Options& options)
+{
+  std::vector<Job> jobs;
+  if (const springs::LineFormat* format = find_format(springs::line_formats, options.format)) {
+    if (!options.selection.state.empty() || !options.selection.travels.empty())
+      throw InputError(fmt::format("--state and --travels choose springs: they do not go with --to {}", format->name));
+    const record::RunRecord run = structures::read_run(from);
+    jobs.push_back({run.name, from, {}, {}, format->files(run), {}});
+    return jobs;
+  }
+  const springs::Format& format = *find_format(springs::formats, options.format);
+  options.selection.whole_life = format.whole_life && options.selection.state.empty();
+  for (springs::Design& design : springs::designs_in(from, options.selection)) {
+    check_taken(design, format);
+    springs::ExportFiles files = format.files(design);
+    jobs.push_back({design.name, from, {}, design.best.missing, std::move(files), std::move(design)});
+  }
+  return jobs;
+}
+
 /// All are read before the first is written. Each goes to OUTPUT, or DIR/export; several to folders there that are named like them.
-std::vector<Job> jobs_of(const Options& options, const springs::Format& format)
+std::vector<Job> jobs_of(Options& options)
 {
   std::vector<Job> jobs;
   for (const std::string& from : options.folders) {
     if (!fs::is_directory(from))
       throw InputError(fmt::format("{} is no folder: berm export takes run folders and outputs of berm study", from));
-    for (springs::Design& design : springs::designs_in(from, options.selection)) {
-      check_taken(design, format);
-      jobs.push_back({std::move(design), from, options.output.empty() ? fs::path(from) / "export" : fs::path(options.output)});
+    for (Job& job : jobs_from(from, options)) {
+      job.folder = options.output.empty() ? fs::path(from) / "export" : fs::path(options.output);
+      jobs.push_back(std::move(job));
     }
   }
   std::map<fs::path, std::size_t> in_folder;
   for (const Job& job : jobs) ++in_folder[job.folder];
   std::set<fs::path> taken;
   for (Job& job : jobs) {
-    if (in_folder[job.folder] > 1) job.folder /= study::as_file_name(job.design.name);
+    if (in_folder[job.folder] > 1) job.folder /= study::as_file_name(job.name);
     if (!taken.insert(job.folder).second)
       throw InputError(fmt::format("{} and another would both be written to {}", job.from.string(), job.folder.string()));
   }
   return jobs;
 }
 
-void write(const springs::Design& design, const springs::Format& format, const fs::path& folder)
+void write(const Job& job)
 {
-  for (const std::string& line : design.best.missing) spdlog::warn("{}: {}", design.name, line);
-  io::make_folder(folder);
-  for (const springs::ExportFile& file : format.files(design)) {
-    io::write_atomically(folder / file.name, file.text);
-    fmt::print("{}\n", (folder / file.name).string());
+  for (const std::string& line : job.missing) spdlog::warn("{}: {}", job.name, line);
+  io::make_folder(job.folder);
+  for (const springs::ExportFile& file : job.files) {
+    io::write_atomically(job.folder / file.name, file.text);
+    fmt::print("{}\n", (job.folder / file.name).string());
   }
-  for (const std::string& picture : draw_springs(design, folder)) fmt::print("{}\n", (folder / picture).string());
+  if (job.drawn)
+    for (const std::string& picture : draw_springs(*job.drawn, job.folder)) fmt::print("{}\n", (job.folder / picture).string());
 }
 
 }  // namespace
@@ -69,14 +102,18 @@ void write(const springs::Design& design, const springs::Format& format, const f
 Command add_export(CLI::App& program)
 {
   const auto options = std::make_shared<Options>();
-  CLI::App* app = program.add_subcommand("export", "write the springs of runs, or low, best and high of a study, for pipeline programs");
+  CLI::App* app = program.add_subcommand("export", "write the springs of runs, or low, best and high of a study, for pipeline programs; or "
+                                                   "what a pipeline on slices did, as tables");
   app->add_option("DIR", options->folders, "run folders, or outputs of berm study with a sample")->required();
   std::string words;
   std::vector<std::string> names;
-  for (const springs::Format& format : springs::formats) {
-    names.emplace_back(format.name);
-    words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", format.name, format.meaning);
-  }
+  const auto list = [&](const auto& formats) {
+    for (const auto& format : formats) {
+      names.emplace_back(format.name);
+      words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", format.name, format.meaning);
+    }
+  };
+  list(springs::formats), list(springs::line_formats);
   app->add_option("--to", options->format, words + " (default: table)")->check(CLI::IsMember(names));
   app->add_option("--state", options->selection.state,
                   "state of the pipe: touchdown, laid, flooded, emptied, operation, after_DRAG (default: operation, else touchdown)");
@@ -86,10 +123,7 @@ Command add_export(CLI::App& program)
   app->add_option("-o,--output", options->output, "folder for the files (default: DIR/export)");
   return {app, [options] {
             messages_to_stderr();
-            const auto* format = std::find_if(std::begin(springs::formats), std::end(springs::formats),
-                                              [&](const springs::Format& one) { return one.name == options->format; });
-            options->selection.whole_life = format->whole_life && options->selection.state.empty();
-            for (const Job& job : jobs_of(*options, *format)) write(job.design, *format, job.folder);
+            for (const Job& job : jobs_of(*options)) write(job);
             return 0;
           }};
 }

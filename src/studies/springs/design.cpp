@@ -163,19 +163,9 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
 Design design_of_run(const fs::path& folder, const Selection& selection)
 {
   const record::RunRecord run = structures::read_run(folder);
-  Design design{.name = run.name,
-                .provenance = provenance_of(run),
-                .best = springs_of(run, selection),
-                .low = {},
-                .high = {},
-                .estimates = {},
-                .draws = {}};
-  for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
-  for (const std::string& line : spoiled_lines(run)) spdlog::warn("{}", line);
-  if (run.end != record::RunEnd::finished) {
-    spdlog::warn("{}: the run has not come to its end; what is not known of it is left out", folder.string());
-    design.provenance.emplace_back("the run has not come to its end");
-  }
+  Design design{
+      .name = run.name, .provenance = {}, .best = springs_of(run, selection), .low = {}, .high = {}, .estimates = {}, .draws = {}};
+  design.provenance = head_of(run);
   design.estimates = estimates_of(design.best, {});
   return design;
 }
@@ -228,6 +218,18 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
 }
 
 }  // namespace
+
+std::vector<std::string> head_of(const record::RunRecord& run)
+{
+  std::vector<std::string> lines = provenance_of(run);
+  for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
+  for (const std::string& line : spoiled_lines(run)) spdlog::warn("{}", line);
+  if (run.end != record::RunEnd::finished) {
+    spdlog::warn("{}: the run has not come to its end; what is not known of it is left out", run.folder.string());
+    lines.emplace_back("the run has not come to its end");
+  }
+  return lines;
+}
 
 const char* unit_of(Kind kind)
 {

@@ -45,6 +45,9 @@ struct Design {
   std::size_t failed = 0;  ///< draws without a finished run
 };
 
+/// Lines that say from which run numbers are, by which program, and why they are not to be used; what is doubtful is a warning, too.
+std::vector<std::string> head_of(const record::RunRecord& run);
+
 /// Of the best run, if there is one, and draws of equal weight, one at least.
 Design design_of_sample(const std::string& name, const std::optional<Springs>& best, std::vector<Springs> draws);
 

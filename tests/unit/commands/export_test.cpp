@@ -141,6 +141,29 @@ TEST_F(Export, of_a_run_writes_its_springs_and_of_several_each_to_a_folder_of_it
   EXPECT_FALSE(exists("twice")) << "what cannot be written whole is not begun";
 }
 
+TEST_F(Export, of_a_pipeline_writes_its_shapes_and_the_curves_of_its_slices_and_of_nothing_else)
+{
+  folder_.write("line.toml", test::small_line_case);
+  Words run{"run", "line.toml", "-o", "line"};
+  for (const char* set : {"stage.current.until.time=\"0.1 s\"", "stage.current.ramp=\"0.05 s\"", "stage.lay.until.time=\"0.6 s\"",
+                          "mpm.active_distance=\"0.3 m\"", "output.history_time=\"0.02 s\""})
+    run.insert(run.end(), {"--set", set});
+  ASSERT_EQ(berm(run).status, 0);
+  ASSERT_EQ(berm({"export", "line", "--to", "line"}).status, 0);
+  ASSERT_EQ(berm({"export", "line", "--to", "py", "-o", "out"}).status, 0);
+  EXPECT_NE(text_of_file(folder_ / "line/export/line.csv").find("\ntime_s,stage,x_m,y_m"), std::string::npos);
+  EXPECT_NE(text_of_file(folder_ / "out/py.csv").find("\n3,3,"), std::string::npos) << "the fourth slice, at 3 m";
+  EXPECT_NE(text_of_file(folder_ / "out/py_backbone.csv").find("SHA-256 of the case"), std::string::npos);
+  const Ended state = berm({"export", "line", "--to", "py", "--state", "laid"});
+  EXPECT_EQ(state.status, 2);
+  EXPECT_NE(state.err.find("--state and --travels choose springs"), std::string::npos) << state.err;
+  ASSERT_EQ(berm({"run", "case.toml", "-o", "pipe"}).status, 0);
+  const Ended other = berm({"export", "pipe", "--to", "line"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("pipe is no run of a pipeline: its case has no [pipeline]"), std::string::npos) << other.err;
+  EXPECT_FALSE(exists("pipe/export"));
+}
+
 TEST_F(Export, says_what_it_takes_where_it_is_given_something_else)
 {
   const auto refusal = [&](const Words& arguments) {

@@ -66,7 +66,7 @@ TEST(WrittenSprings, have_no_stiffness_of_a_slope_that_is_none_and_say_why)
 TEST(WrittenSprings, have_comments_that_no_name_can_end_and_no_program_cuts)
 {
   Design design = made_design();
-  design.provenance.push_back(std::string(400, 'x') + " end");
+  design.provenance.push_back(std::string(400, 'x').append(" end"));
   design.provenance.push_back("a\n*STEP\r\nb");
   std::string long_line;
   for (int k = 0; k < 60; ++k) long_line += "word ";

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "springs/formats.hpp"
+
+namespace berm::springs {
+
+/// What is written of a run of a pipeline. `files` throws InputError where the run is of none, RunError where it has not come to its line or line.csv is damaged.
+struct LineFormat {
+  const char* name;  ///< on the command line
+  const char* meaning;
+  ExportFiles (*files)(const record::RunRecord& run);
+};
+
+/// line.csv: the shape of the line at each frame of its stages.
+ExportFiles shape_files(const record::RunRecord& run);
+/// py.csv: u, w, H and V of each slice by row; py_backbone.csv: H and V where a slice goes farther than ever before, freed from noise.
+ExportFiles py_files(const record::RunRecord& run);
+
+constexpr LineFormat line_formats[] = {
+    {"line", "shape, compression and moment of a pipeline over time, as a table", shape_files},
+    {"py", "p-y curves of a pipeline's slices, as tables", py_files},
+};
+
+}  // namespace berm::springs
