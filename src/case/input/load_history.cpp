@@ -2,7 +2,6 @@
 #include "input/load_history.hpp"
 
 #include "core/error.hpp"
-#include "core/read_file.hpp"
 #include "input/table_file.hpp"
 #include "input/units.hpp"
 #include "problem/load_checks.hpp"
@@ -16,7 +15,7 @@ namespace berm::input {
 namespace {
 
 /// Reads the file of a load history into the stage.
-void read_load_file(const problem::Case& c, const std::filesystem::path& file, const std::string& text, problem::StageSettings& stage)
+void read_load_file(const problem::Case& c, const std::string& key, const std::filesystem::path& folder, problem::StageSettings& stage)
 {
   const std::vector<std::size_t> allowed = columns_for(c, stage);
   TableForm form{"the load history of this stage", {}, true, "time_s,H_N_m,V_N_m"};
@@ -24,28 +23,20 @@ void read_load_file(const problem::Case& c, const std::filesystem::path& file, c
     const problem::LoadColumn& column = problem::load_columns[k];
     form.columns.push_back({column.name, c.force_dimension() == 3 ? unit_of_whole(column.unit) : column.unit});
   }
-  read_table(file, text, form, [&](Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values) {
-    stage.load_times.push_back(time);
-    if (columns.empty()) stage.load_factors.push_back(values.front());
-    for (std::size_t n = 0; n < columns.size(); ++n) stage.loads.columns[allowed[columns[n]]].push_back(values[n]);
-    const std::optional<problem::RowFault> fault = fault_of_row(stage, stage.load_times.size() - 1);
-    return fault ? fault->message : "";
-  });
+  read_table(key, folder / stage.load_history, form,
+             [&](Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values) {
+               stage.load_times.push_back(time);
+               if (columns.empty()) stage.load_factors.push_back(values.front());
+               for (std::size_t n = 0; n < columns.size(); ++n) stage.loads.columns[allowed[columns[n]]].push_back(values[n]);
+               const std::optional<problem::RowFault> fault = fault_of_row(stage, stage.load_times.size() - 1);
+               return fault ? fault->message : "";
+             });
 }
 
 /// Throws KeyError with the key of a table of which "KEY: MESSAGE" is wrong, "" where nothing is.
 void refuse_fault(const std::string& table, const std::string& fault)
 {
   if (!fault.empty()) throw KeyError(table + (fault.starts_with(": ") ? "" : ".") + fault);
-}
-
-/// The text of the file of a table that a key names.
-std::string text_of(const std::string& key, const std::filesystem::path& file)
-{
-  constexpr std::uintmax_t max_bytes = 100'000'000;
-  FileBytes found = read_file(file, max_bytes);
-  if (!found.fault.empty()) throw KeyError(fmt::format("{}: {}: {}", key, file.string(), found.fault));
-  return std::move(found.bytes);
 }
 
 }  // namespace
@@ -56,15 +47,14 @@ void read_motion(problem::Case& c, std::size_t support_number, const std::filesy
   if (!support.motion || support.motion->table.empty()) return;
   boundary::MotionSettings& motion = *support.motion;
   const std::string table = fmt::format("support.{}.motion", name);
-  const std::filesystem::path file = folder / motion.table;
-  const std::string text = text_of(table + ".table", file);
   TableForm form{"this motion", {}, false, c.dimension() == 2 ? "time_s,x_m_s,y_m_s" : "time_s,x_m_s,y_m_s,z_m_s"};
   for (int d = 0; d < c.dimension(); ++d) form.columns.push_back({boundary::motion_axes[d], boundary::unit_of_motion});
-  read_table(file, text, form, [&](Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values) {
-    motion.times.push_back(time);
-    for (std::size_t n = 0; n < columns.size(); ++n) motion.velocity[columns[n]].push_back(values[n]);
-    return boundary::fault_of_row(motion.times, motion.times.size() - 1);
-  });
+  read_table(table + ".table", folder / motion.table, form,
+             [&](Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values) {
+               motion.times.push_back(time);
+               for (std::size_t n = 0; n < columns.size(); ++n) motion.velocity[columns[n]].push_back(values[n]);
+               return boundary::fault_of_row(motion.times, motion.times.size() - 1);
+             });
   motion.table.clear();
   refuse_fault(table, fault_of_motion(c, support));
 }
@@ -75,8 +65,7 @@ void read_load_history(problem::Case& c, std::size_t stage_number, const std::fi
   if (!has_load_history(stage)) return;
   const auto key = [&](const std::string& rest) { return fmt::format("stage[{}]{}", stage_number, rest); };
   if (!stage.load_history.empty()) {
-    const std::filesystem::path file = folder / stage.load_history;
-    read_load_file(c, file, text_of(key(".load_history"), file), stage);
+    read_load_file(c, key(".load_history"), folder, stage);
     stage.load_history.clear();
     refuse_fault(key(""), problem::fault_of_loads(c, stage));
   }

@@ -3,6 +3,7 @@
 #include "input/table_file.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "input/message_text.hpp"
 #include "input/units.hpp"
 
@@ -131,8 +132,7 @@ public:
       begun_ = true;
     }
     if (rows_ < 2)
-      throw InputError(fmt::format("{}: has {} of numbers: it needs two at least, the last with a time of more than 0", file_,
-                                   rows_ == 0 ? "no line" : "one line"));
+      throw InputError(fmt::format("{}: has {} of numbers: it needs two at least", file_, rows_ == 0 ? "no line" : "one line"));
   }
 
 private:
@@ -142,7 +142,7 @@ private:
   const std::string& unit_of(std::size_t k) const { return form_.columns[k].unit; }
 
   /// How a column is written in SI.
-  std::string header_of(std::size_t k) const { return name_of(k) + "_" + unit_in_header(unit_of(k).c_str()); }
+  static std::string header_of(const TableColumn& column) { return column.name + "_" + unit_in_header(column.unit.c_str()); }
 
   /// Factor from the unit in a header to that of the engine.
   Real scale_of(const std::string& header, const std::string& written, const std::string& si_unit) const
@@ -160,13 +160,14 @@ private:
 
   void read_header(const std::vector<std::string>& names)
   {
-    const std::string& time = names.front();
-    if (!time.starts_with("time")) refuse(fmt::format("the first column is the time, \"time_s\", and not {}", in_quotes(time)));
+    const std::string &first = names.front(), &name = form_.first.name;
+    if (first != name && !first.starts_with(name + "_"))
+      refuse(fmt::format("the first column is {}, {}, and not {}", form_.over, in_quotes(header_of(form_.first)), in_quotes(first)));
     const bool factors = form_.factors && names.size() == 2 && names.back() == "factor";
-    if (time != "time" || !factors) scales_.push_back(scale_of(time, time.size() > 5 ? time.substr(5) : "", "s"));
+    if (first != name || !factors) scales_.push_back(scale_of(first, first == name ? "" : first.substr(name.size() + 1), form_.first.unit));
     headers_ = names;
     if (factors) return scales_.resize(1, 1);
-    if (names.size() < 2) refuse("names no column behind the time, such as " + form_.header);
+    if (names.size() < 2) refuse(fmt::format("names no column behind {}, such as {}", form_.over, form_.header));
     for (std::size_t n = 1; n < names.size(); ++n) read_name(names[n]);
   }
 
@@ -180,7 +181,7 @@ private:
       if (without_capitals(header).starts_with(without_capitals(name_of(k)) + "_") &&
           (!found || size(k) > size(*found) || (size(k) == size(*found) && !fits(*found) && fits(k))))
         found = k;
-    return found ? header_of(*found) : nearest(header, known);
+    return found ? header_of(form_.columns[*found]) : nearest(header, known);
   }
 
   [[noreturn]] void refuse_name(const std::string& header) const
@@ -189,7 +190,7 @@ private:
       refuse("\"factor\" stands alone behind the time, and multiplies what the stage drives: leave it out, or the other columns");
     std::vector<std::string> known;
     if (form_.factors) known.emplace_back("factor");
-    for (std::size_t k = 0; k < form_.columns.size(); ++k) known.push_back(header_of(k));
+    for (const TableColumn& column : form_.columns) known.push_back(header_of(column));
     const std::string meant = meant_by(header, known);
     refuse(fmt::format("{} is no column of {}{} (allowed: {}); other units are written likewise, as in {}", in_quotes(header), form_.of,
                        meant.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(meant)), listed(known),
@@ -255,8 +256,8 @@ private:
   const TableForm& form_;
   const TakeRow& take_row_;
   std::vector<std::string> headers_;  ///< as they are written; empty where the file has none
-  std::vector<std::size_t> columns_;  ///< in the order of the file, without the time
-  std::vector<Real> scales_;          ///< to SI: of the time, then of each column
+  std::vector<std::size_t> columns_;  ///< in the order of the file, without the first
+  std::vector<Real> scales_;          ///< to SI: of the first column, then of each other
   char separator_ = ',';
   int number_ = 0, rows_ = 0;
   bool begun_ = false;
@@ -264,9 +265,12 @@ private:
 
 }  // namespace
 
-void read_table(const std::filesystem::path& file, const std::string& text, const TableForm& form, const TakeRow& take_row)
+void read_table(const std::string& key, const std::filesystem::path& file, const TableForm& form, const TakeRow& take_row)
 {
-  TableFile(file, text, form, take_row).read();
+  constexpr std::uintmax_t max_bytes = 100'000'000;
+  const FileBytes found = read_file(file, max_bytes);
+  if (!found.fault.empty()) throw KeyError(fmt::format("{}: {}: {}", key, file.string(), found.fault));
+  TableFile(file, found.bytes, form, take_row).read();
 }
 
 }  // namespace berm::input

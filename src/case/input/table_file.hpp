@@ -10,7 +10,7 @@
 
 namespace berm::input {
 
-/// A column of a table of numbers over time.
+/// A column of a table of numbers.
 struct TableColumn {
   std::string name, unit;  ///< SI
 };
@@ -18,18 +18,20 @@ struct TableColumn {
 /// What a table may be.
 struct TableForm {
   std::string of;                    ///< "the load history of this stage"
-  std::vector<TableColumn> columns;  ///< beside the time
+  std::vector<TableColumn> columns;  ///< beside the first
   bool factors = false;              ///< it may instead have one column, of factors, with or without a first line
   std::string header;                ///< of an example
+  TableColumn first = {"time", "s"};
+  std::string over = "the time";  ///< what the first column is
 };
 
-/// Takes the next row: its time, s, the places in TableForm::columns of its columns (none: of factors), and their values, SI. Gives what is wrong with it, or "".
-using TakeRow = std::function<std::string(Real time, const std::vector<std::size_t>& columns, const std::vector<Real>& values)>;
+/// Takes the next row: its first number, SI, the places in TableForm::columns of its columns (none: of factors), and their values, SI. Gives what is wrong with it, or "".
+using TakeRow = std::function<std::string(Real first, const std::vector<std::size_t>& columns, const std::vector<Real>& values)>;
 
-/// Reads the text of a CSV file of numbers over time. Lines that begin with # do not count. Of a file of factors the others are two numbers with a comma between them, time in s
-/// and factor, under a first line of words or none. Of columns the first line names them, each with its unit as in history.csv: time_s,H_N_m,V_kN_m (N_m stands for
-/// N/m, Nm_m for N m/m). Where the first line that counts has semicolons, they stand for commas. There are two rows of numbers at least. Throws InputError with file
-/// and line where it is wrong.
-void read_table(const std::filesystem::path& file, const std::string& text, const TableForm& form, const TakeRow& take_row);
+/// Reads the CSV file, of numbers over a time or something else, that a key names. Lines that begin with # do not count. Of a file of factors the others are two numbers with a
+/// comma between them, time in s and factor, under a first line of words or none. Of columns the first line names them, each with its unit as in history.csv: time_s,H_N_m,V_kN_m
+/// (N_m stands for N/m, Nm_m for N m/m). Where the first line that counts has semicolons, they stand for commas. There are two rows of numbers at least. Throws KeyError where
+/// there is no such file, and InputError with file and line where it is wrong.
+void read_table(const std::string& key, const std::filesystem::path& file, const TableForm& form, const TakeRow& take_row);
 
 }  // namespace berm::input

@@ -79,6 +79,10 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found);
 void does_the_soil_keep_its_weight(const Scene& s, Findings& found);
 void is_the_head_there_when_soil_rests(const Scene& s, Findings& found);
 
+// The line of a pipeline.
+void is_the_laid_pipe_as_heavy_as_the_line(const Scene& s, Findings& found);
+void does_the_case_fit_the_line_on_springs(const Scene& s, Findings& found);
+
 // The run.
 void does_it_take_days(const Scene& s, Findings& found);
 void does_it_fit_on_the_disk(const Scene& s, Findings& found);

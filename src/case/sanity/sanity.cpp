@@ -65,6 +65,8 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_water_have_time_to_flow,
                                                           does_the_soil_keep_its_weight,
                                                           is_the_head_there_when_soil_rests,
+                                                          is_the_laid_pipe_as_heavy_as_the_line,
+                                                          does_the_case_fit_the_line_on_springs,
                                                           does_it_take_days,
                                                           does_it_fit_on_the_disk,
                                                           is_the_history_fine_enough,

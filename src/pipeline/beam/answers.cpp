@@ -51,6 +51,25 @@ Real moment(const Line& line, const State& state, Plane plane, Index node)
   return mean_at(line, node, [&](Index e, Real s) { return line.section[e].bending_stiffness * curvature_in(line, state, plane, e, s); });
 }
 
+Index crown(const Line& line, const State& state, bool from_shape)
+{
+  const auto gone = [&](Index node) {
+    const Index at = line.across(Plane::lateral, node);
+    return std::abs(state.displacement[at] - (from_shape ? line.shape[at] : 0));
+  };
+  Index found = 0;
+  for (Index i = 1; i < line.nodes(); ++i)
+    if (gone(i) > gone(found)) found = i;
+  return found;
+}
+
+Real largest_moment(const Line& line, const State& state)
+{
+  Real largest = 0;
+  for (Index i = 0; i < line.nodes(); ++i) largest = std::max(largest, std::abs(moment(line, state, Plane::lateral, i)));
+  return largest;
+}
+
 Real shear(const Line& line, const State& state, Plane plane, Index element)
 {
   const Real change = curvature_in(line, state, plane, element, 1) - curvature_in(line, state, plane, element, 0);

@@ -14,6 +14,12 @@ Real curvature(const Line& line, const State& state, Plane plane, Index node);
 /// EI (v'' - v_0''), N m, at a node: mean of its elements.
 Real moment(const Line& line, const State& state, Plane plane, Index node);
 
+/// The node that has gone sideways most from the straight axis, or from where the line lies without stress.
+Index crown(const Line& line, const State& state, bool from_shape = false);
+
+/// The largest lateral moment at a node, N m.
+Real largest_moment(const Line& line, const State& state);
+
 /// EI (v''' - v_0'''), N, of an element, the slope of its moment.
 Real shear(const Line& line, const State& state, Plane plane, Index element);
 

@@ -10,6 +10,7 @@
 #include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
+#include "slices/line_on_springs.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -125,20 +126,9 @@ LineLoads CoupledLine::loads_at(const problem::State<2>& first, Real time) const
 void CoupledLine::load_line(const LineLoads& now, Real dt)
 {
   const beam::Line& line = of_case_.line;
-  std::fill(loads_.force.begin(), loads_.force.end(), 0.0);
+  put_loads(of_case_, now, on_springs_, loads_);
   std::fill(loads_.impedance.begin(), loads_.impedance.end(), 0.0);
   loads_.velocity_then = state_.velocity;
-  for (Index e = 0; e < line.elements(); ++e) {
-    loads_.constrained_force[e] = of_case_.constrained_force(now, (line.x[e] + line.x[e + 1]) / 2);
-  }
-  loads_.force[line.axial(line.nodes() - 1)] += now.pull;
-  // Springs across the line have no force where it was laid.
-  // Loads go to nodes as reactions of the soil do, so that a line that is carried all along is not bent at its ends.
-  for (Index i = 0; i < line.nodes(); ++i) {
-    loads_.force[line.across(beam::Plane::lateral, i)] += now.lateral * of_case_.length_of_nodes[i];
-    loads_.force[line.across(beam::Plane::vertical, i)] +=
-        of_case_.settings.submerged_weight * on_springs_[i] - now.weight * of_case_.length_of_nodes[i];
-  }
   for (std::size_t k = 0; k < count(); ++k) {
     const SliceForce soil = asleep(k) ? SliceForce() : forces_[k];
     sideways_[k] = soil.force[0], upwards_[k] = soil.force[1];

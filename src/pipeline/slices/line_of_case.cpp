@@ -111,6 +111,12 @@ void give_route(beam::Line& line, const problem::Route& route, bool mirrored)
   const std::vector<Real>&x = route.x, &y = route.y;
   const std::size_t last = x.size() - 1;
   const auto chord = [&](std::size_t a, std::size_t b) { return (y[b] - y[a]) / (x[b] - x[a]); };
+  for (std::size_t k = 0; k < last; ++k)
+    if (!(std::abs(chord(k, k + 1)) <= beam::largest_valid_slope))
+      throw KeyError(
+          fmt::format("pipeline.route.y: the route has a slope of {:.3g} from x = {:.6g} to {:.6g} m, and the strain of the line is "
+                      "meant for {:g} at most: turn the axes along the line",
+                      chord(k, k + 1), x[k], x[k + 1], beam::largest_valid_slope));
   const auto slope_at = [&](std::size_t k) { return k == 0 && mirrored ? 0 : chord(k == 0 ? 0 : k - 1, std::min(k + 1, last)); };
   const auto at = [&](Real place) {  // displacement and slope
     if (place >= x[last]) return std::pair(y[last] + slope_at(last) * (place - x[last]), slope_at(last));
@@ -145,7 +151,14 @@ std::optional<beam::PlasticSpring> lateral_spring(const problem::PipelineSetting
   const problem::FarSoil& soil = p.far_soil;
   beam::PlasticSpring spring;
   for (std::size_t k = 0; k < soil.lateral.x.size(); ++k) spring.backbone.points.push_back({soil.lateral.x[k], soil.lateral.y[k]});
-  if (!spring.backbone.points.empty()) return spring;
+  if (!spring.backbone.points.empty()) {
+    try {
+      beam::check(spring);
+    } catch (const InputError& error) {
+      throw KeyError(fmt::format("pipeline.far_soil.lateral: {}", error.what()));
+    }
+    return spring;
+  }
   if (!(soil.friction > 0)) return {};
   return beam::friction(soil.friction * p.submerged_weight, soil.mobilisation > 0 ? soil.mobilisation : diameter / 100);
 }

@@ -4,6 +4,7 @@
 
 #include "beam/answers.hpp"
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/ranks.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
@@ -39,13 +40,9 @@ Real sideways(const slices::LineOfCase& of, const beam::State& state, Index node
   return state.displacement[at] - (of.settings.route.empty() ? 0 : of.line.shape[at]);
 }
 
-/// Where the line has gone sideways most.
 Index crown_of(const slices::LineOfCase& of, const beam::State& state)
 {
-  Index crown = 0;
-  for (Index i = 1; i < of.line.nodes(); ++i)
-    if (std::abs(sideways(of, state, i)) > std::abs(sideways(of, state, crown))) crown = i;
-  return crown;
+  return beam::crown(of.line, state, !of.settings.route.empty());
 }
 
 /// x of the first place beyond the crown at which the line crosses its axis, m; NaN where it does not.
@@ -56,6 +53,16 @@ Real crossing_of(const slices::LineOfCase& of, const beam::State& state)
     if (a != 0 && a * b <= 0) return of.line.x[i] + a / (a - b) * of.line.length(i);
   }
   return nan;
+}
+
+/// Of the line on slices and of that on springs.
+void add_shape(run_folder::Row& row, const slices::LineOfCase& of, const beam::State& now)
+{
+  const Index crown = crown_of(of, now);
+  row("P", -beam::effective_force(of.line, now, 0), run_folder::whole_newtons, "effective compression at x = 0");
+  row("x", of.line.x[crown], run_folder::metres, "place of the largest lateral displacement");
+  row("y", sideways(of, now, crown), run_folder::metres, "largest lateral displacement of the line, from its straight axis, or from its route");
+  row("M", beam::largest_moment(of.line, now), run_folder::whole_newton_metres, "largest lateral bending moment");
 }
 
 }  // namespace
@@ -69,6 +76,7 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
       columns_(model(), line_.of_case().diameter / columns_of_diameter),
       level_(columns_.heights(state()))
 {
+  if (line_.of_case().settings.springs) springs_.emplace(case_of_run());
   if (!model().earthworks.empty()) throw KeyError("pipeline: does not go with fills and excavations");
   make_soils(request, scratch);
   refuse_without_memory(memory_of_others(), memory_in_use(), fmt::format("{} slices", line_.count()),
@@ -131,10 +139,24 @@ void PipelineMethod::print_check(const Context& context)
 
 void PipelineMethod::step()
 {
-  if (on_line())
-    line_.step(state_now(), workspace(), [&] { MpmMethod<2>::step(); });
-  else
-    MpmMethod<2>::step();
+  if (!on_line()) return MpmMethod<2>::step();
+  if (springs_ && !springs_->ready() && !find_springs()) return come_to_checkpoint_boundary();
+  line_.step(state_now(), workspace(), [&] { MpmMethod<2>::step(); });
+  if (springs_) springs_->step(line_.loads_at(state(), state().time), state().dt);
+}
+
+/// By a drag, before the first step of the line. False where a signal has asked to stop; the next step begins anew.
+bool PipelineMethod::find_springs()
+{
+  spdlog::info("springs beside the line: a copy of the laid slice is dragged sideways over {:.4g} m",
+               line_.of_case().settings.springs->travel);
+  const auto found = springs_->find(model(), state(), [] { return Ranks::of_run().count() == 1 && interrupted(); });
+  if (!found) return false;
+  const std::vector<beam::CurvePoint>& points = found->backbone.points;
+  spdlog::info("springs beside the line: {:.4g} N/m at {:.3g} m, {:.4g} N/m at {:.3g} m; of {} points {} were left out and {} lowered",
+               points.front().force, points.front().displacement, points.back().force, points.back().displacement, found->measured,
+               found->left_out, found->lowered);
+  return true;
 }
 
 bool PipelineMethod::next_stage()
@@ -180,6 +202,7 @@ void PipelineMethod::archive(Archive& k)
   MpmMethod<2>::archive(k);
   k.table("pipeline", [&] {
     line_.archive(k, state());
+    if (springs_) k.table("springs", [&] { springs_->archive(k); });
     k("hung_at", hung_at_);
     k("last_row", last_row_);
     k("largest_slope", largest_slope_);
@@ -214,8 +237,7 @@ void PipelineMethod::add_line(run_folder::Row& row)
   const Index crown = crown_of(of, now),
               last_of_slices = static_cast<Index>(std::lower_bound(of.line.x.begin(), of.line.x.end(), of.places.back() * (1 - 1e-9)) -
                                                   of.line.x.begin());
-  Real moment = 0, stretched = 0, compressed = 0, contact_mass = 0;
-  for (Index i = 0; i < of.line.nodes(); ++i) moment = std::max(moment, std::abs(beam::moment(of.line, now, Plane::lateral, i)));
+  Real stretched = 0, compressed = 0, contact_mass = 0;
   for (Index e = 0; e < of.line.elements(); ++e) {
     const beam::FibreStrain strain = beam::longitudinal_strain(of.line, now, e);
     stretched = std::max(stretched, strain.largest);
@@ -228,18 +250,17 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row("T", loads.temperature, kelvins, "rise of temperature since the line was laid");
   row("p", loads.pressure, run_folder::pascals, "rise of internal pressure since the line was laid");
   row("P0", of.constrained_force(loads, 0), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
-  row("P", -beam::effective_force(of.line, now, 0), run_folder::whole_newtons, "effective compression at x = 0");
-  row("x", of.line.x[crown], run_folder::metres, "place of the largest lateral displacement");
-  row("y", sideways(of, now, crown), run_folder::metres,
-      "largest lateral displacement of the line, from its straight axis, or from its route");
+  add_shape(row, of, now);
   row("z", across(of, now, Plane::vertical, crown), run_folder::metres, "height of the line there, from where it was laid");
   row("crossing", crossing_of(of, now), run_folder::metres, "place beyond it where the line crosses its axis");
-  row("M", moment, run_folder::whole_newton_metres, "largest lateral bending moment");
   row("strain_max", stretched, run_folder::bare, "largest longitudinal strain");
   row("strain_min", compressed, run_folder::bare, "smallest longitudinal strain: the largest in compression");
   row("feed_in", -now.displacement[of.line.axial(last_of_slices)], run_folder::metres,
       "axial displacement at the last slice towards x = 0");
   row("contact_mass", contact_mass, run_folder::kilograms<2>, "largest mass of soil at the nodes that the pipe touches in a slice");
+  if (!springs_) return;
+  row.of("springs");
+  add_shape(row, of, springs_->ready() ? springs_->line().state() : now);  // before, both lie as they were laid
 }
 
 /// The largest error of the balance of energy in the other slices, over the largest work done there so far.
@@ -295,6 +316,7 @@ run_folder::Frame<2> PipelineMethod::make_frame()
   if (Ranks::of_run().is_first()) {
     write_shapes();
     write_berms();
+    if (springs_ && springs_->ready()) write_springs();
   }
   return MpmMethod<2>::make_frame();
 }
@@ -349,6 +371,14 @@ void PipelineMethod::write_shapes() const
     text += '\n';
   }
   io::write_atomically(folder_ / "line.csv", text);
+}
+
+void PipelineMethod::write_springs() const
+{
+  std::string text = "u_m,H_N_m\n";
+  for (const beam::CurvePoint& point : springs_->curve().points)
+    fmt::format_to(std::back_inserter(text), "{},{}\n", point.displacement, point.force);
+  io::write_atomically(folder_ / "springs.csv", text);
 }
 
 mpm::WholeState<2> PipelineMethod::whole_state()

@@ -4,6 +4,7 @@
 #include "simulation/mpm_method.hpp"
 #include "slices/coupled_line.hpp"
 #include "slices/soil_columns.hpp"
+#include "slices/springs_beside.hpp"
 
 namespace berm::simulation {
 
@@ -18,7 +19,7 @@ public:
   void step();
   /// With columns of the line and of the other slices.
   void add_row(run_folder::HistoryFile& file);
-  /// Of the first slice; and line.csv and berms.csv, with the shapes of the line and of the beds of its slices so far.
+  /// Of the first slice; and line.csv and berms.csv, with the shapes of the line and of the beds of its slices so far, and springs.csv, with the resistance of springs beside.
   run_folder::Frame<2> make_frame();
   bool next_stage();
   void come_to_checkpoint_boundary();
@@ -41,10 +42,13 @@ private:
   void note_berms();
   void write_shapes() const;
   void write_berms() const;
+  bool find_springs();
+  void write_springs() const;
   bool on_line() const { return model().stages[state().stage.index].kind == problem::StageKind::pipeline; }
 
   std::filesystem::path folder_;
   slices::CoupledLine line_;
+  std::optional<slices::SpringsBeside> springs_;
   std::vector<std::unique_ptr<MpmMethod<2>>> soils_;  ///< the slices of other soil, as the pipe is laid there
   BigIndex hung_at_ = 0;                              ///< step
   Real last_row_ = 0;                                 ///< s

@@ -56,6 +56,18 @@ TEST(Answers, the_strain_of_the_outermost_fibres_is_that_of_both_planes_and_of_t
   EXPECT_NEAR(effective_force(bent.line, bent.state, 0), 1e9 * (both.largest + both.smallest) / 2, 1);
 }
 
+TEST(Answers, the_crown_is_where_the_line_has_gone_sideways_most_to_either_side)
+{
+  Bent bent;
+  bent.state.displacement[bent.line.across(Plane::lateral, 3)] = 0.1;
+  bent.state.displacement[bent.line.across(Plane::lateral, 7)] = -0.2;
+  EXPECT_EQ(crown(bent.line, bent.state), 7);
+  Real largest = 0;
+  for (Index i = 0; i < bent.line.nodes(); ++i) largest = std::max(largest, std::abs(moment(bent.line, bent.state, Plane::lateral, i)));
+  EXPECT_EQ(largest_moment(bent.line, bent.state), largest);
+  EXPECT_GT(largest, 0);
+}
+
 // A line that lies in its shape is not bent.
 TEST(Answers, of_a_line_in_its_shape_are_zero)
 {

@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slices/coupled_line.hpp"
 
-#include "samples/pipeline_case.hpp"
-#include "samples/temporary_folder.hpp"
+#include "samples/laid_slice.hpp"
 
 #include "core/threads.hpp"
-#include "mpm/step.hpp"
-#include "problem/stages.hpp"
-
 #include <gtest/gtest.h>
 #include <memory>
 
 namespace berm::slices::this_file {
 namespace {
 
-/// Its mesh is made in a folder of its own: tests run side by side.
-problem::Problem<2> built(const problem::Case& c)
-{
-  const TemporaryFolder folder;
-  return problem::build<2>(c, ".", folder.path().string());
-}
+using test::built_slice;
 
 /// A line on its slices, stepped without files.
 struct LineRun {
-  explicit LineRun(const problem::Case& c) : problem(built(c)), workspace(problem.model, problem.state), line(c, problem.model)
+  explicit LineRun(const problem::Case& c) : problem(built_slice(c)), workspace(problem.model, problem.state), line(c, problem.model)
   {
     while (problem.model.stages[problem.state.stage.index].kind != problem::StageKind::pipeline) {
       mpm::step(problem.model, problem.state, workspace);
@@ -60,7 +51,7 @@ TEST(CoupledLine, that_hardly_bends_moves_as_one_pipe_of_its_mass_under_the_same
   alone.kind = problem::StageKind::drive;
   alone.drive.x.force = *alone.pipeline.lateral;
   alone.drive.y.force = -1500;
-  problem::Problem<2> problem = built(c);
+  problem::Problem<2> problem = built_slice(c);
   mpm::Workspace<2> workspace(problem.model, problem.state);
   for (;;) {
     mpm::step(problem.model, problem.state, workspace);
@@ -224,7 +215,7 @@ TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
   LineRun other(stiff);
   const Real deep = LineRun(test::line_case()).pipe(0)[1], shallow = other.pipe(0)[1];
   ASSERT_GT(shallow, 0.7 * deep) << "half as deep";
-  problem::Problem<2> problem = built(test::line_case());
+  problem::Problem<2> problem = built_slice(test::line_case());
   mpm::Workspace<2> workspace(problem.model, problem.state);
   CoupledLine line(test::line_case(), problem.model);
   for (std::size_t k = 2; k < line.count(); ++k) line.give_soil(k, other.problem.model, other.problem.state);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slices/line_of_case.hpp"
 
+#include "samples/error_of.hpp"
 #include "samples/pipeline_case.hpp"
+
+#include "core/error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -127,6 +130,23 @@ TEST(LineOfCase, lies_on_its_route)
     EXPECT_NEAR(of.line.shape[at], 1e-5 * x * x, 1e-9) << x;
     EXPECT_NEAR(of.line.shape[at + 1], 2e-5 * x, 1e-9) << x;
   }
+}
+
+TEST(LineOfCase, refuses_a_route_and_a_curve_that_it_cannot_have_with_their_keys)
+{
+  problem::Case c = heated();
+  c.pipeline->imperfection = {};
+  c.pipeline->route.x = {0, 100, 200};
+  c.pipeline->route.y = {0, 1, 30};
+  const std::string steep = test::error_of<KeyError>([&] { LineOfCase{c}; });
+  EXPECT_TRUE(steep.starts_with("pipeline.route.y: ")) << steep;
+  EXPECT_NE(steep.find("a slope of 0.29 from x = 100 to 200 m"), std::string::npos) << steep;
+  c = heated();
+  c.pipeline->far_soil.lateral.x = {0.01, 0.02};
+  c.pipeline->far_soil.lateral.y = {100, 300};
+  const std::string steeper = test::error_of<KeyError>([&] { LineOfCase{c}; });
+  EXPECT_TRUE(steeper.starts_with("pipeline.far_soil.lateral: ")) << steeper;
+  EXPECT_NE(steeper.find("steeper up to 0.02 m than at first"), std::string::npos) << steeper;
 }
 
 TEST(LineOfCase, has_the_resistance_along_it_of_its_interface)
