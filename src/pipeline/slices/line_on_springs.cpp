@@ -19,8 +19,7 @@ void put_loads(const LineOfCase& of, const LineLoads& now, const std::vector<Rea
 {
   const beam::Line& line = of.line;
   std::fill(loads.force.begin(), loads.force.end(), 0.0);
-  for (Index e = 0; e < line.elements(); ++e)
-    loads.constrained_force[e] = of.constrained_force(now, (line.x[e] + line.x[e + 1]) / 2);
+  for (Index e = 0; e < line.elements(); ++e) loads.constrained_force[e] = of.constrained_force(now, (line.x[e] + line.x[e + 1]) / 2);
   loads.force[line.axial(line.nodes() - 1)] += now.pull;
   // Loads go to nodes as reactions of the soil do, so that a line that is carried all along is not bent at its ends.
   for (Index i = 0; i < line.nodes(); ++i) {

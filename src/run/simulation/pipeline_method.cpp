@@ -61,7 +61,8 @@ void add_shape(run_folder::Row& row, const slices::LineOfCase& of, const beam::S
   const Index crown = crown_of(of, now);
   row("P", -beam::effective_force(of.line, now, 0), run_folder::whole_newtons, "effective compression at x = 0");
   row("x", of.line.x[crown], run_folder::metres, "place of the largest lateral displacement");
-  row("y", sideways(of, now, crown), run_folder::metres, "largest lateral displacement of the line, from its straight axis, or from its route");
+  row("y", sideways(of, now, crown), run_folder::metres,
+      "largest lateral displacement of the line, from its straight axis, or from its route");
   row("M", beam::largest_moment(of.line, now), run_folder::whole_newton_metres, "largest lateral bending moment");
 }
 
