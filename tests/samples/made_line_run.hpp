@@ -30,8 +30,10 @@ struct MadeLineRun {
     p.bending_stiffness = p.axial_stiffness = {};
     p.wall = wall, p.young_modulus = young, p.expansion = expansion;
     p.length = 1500, p.end = problem::LineEnd::anchored;
-    p.imperfection = {0.4, 60}, p.slices = {8, 64};
-    p.far_soil = {.friction = 0.6, .mobilisation = 5e-3, .axial_friction = 0.6, .axial_mobilisation = 2e-3, .stiffness = {}};
+    p.imperfection = {0.4, 60}, p.slices.spacing = 8, p.slices.to = 64;
+    p.far_soil = {};
+    p.far_soil.friction = p.far_soil.axial_friction = 0.6;
+    p.far_soil.mobilisation = 5e-3;
     problem::StageSettings loaded = c.stage.back();
     c.stage.pop_back();
     loaded.pipeline = {};

@@ -41,10 +41,10 @@ TEST(LineOnSprings, moves_as_a_beam_on_these_springs)
     now.lateral = 1000.0 * k / steps;
     line.step(now, dt);
     beam::Loads loads = beam::no_loads(alone);
-    for (Index e = 0; e < alone.elements(); ++e) {
-      loads.constrained_force[e] = of.constrained_force(now, 0);
-      beam::add_load(alone, beam::Plane::lateral, e, now.lateral, loads);
-      beam::add_load(alone, beam::Plane::vertical, e, -1500, loads);
+    for (Index e = 0; e < alone.elements(); ++e) loads.constrained_force[e] = of.constrained_force(now, 0);
+    for (Index i = 0; i < alone.nodes(); ++i) {
+      loads.force[alone.across(beam::Plane::lateral, i)] = now.lateral * all[i];
+      loads.force[alone.across(beam::Plane::vertical, i)] = -1500 * all[i];
     }
     beam::step(alone, loads, dt, state, work);
   }
