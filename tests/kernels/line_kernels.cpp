@@ -2,6 +2,8 @@
 // A step of a pipeline, and its matrix by itself and by Eigen (docs/decisions/0073).
 #include "beam/step.hpp"
 #include "kernels.hpp"
+#include "macro_element/under_force.hpp"
+#include "samples/macro_element_parameters.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <benchmark/benchmark.h>
@@ -48,16 +50,21 @@ void factorize_by_eigen(benchmark::State& state)
   if (solver.info() != Eigen::Success) state.SkipWithError("the matrix is positive definite");
 }
 
-/// A line in both planes on its springs, swinging, so that each step has one iteration.
-void step_line(benchmark::State& state)
+/// A line in both planes on its springs or macro-elements, swinging, so that each step has one iteration.
+void step_line(benchmark::State& state, bool on_macro_elements)
 {
   std::vector<Real> x(line_nodes);
   for (Index i = 0; i < line_nodes; ++i) x[i] = i;
   beam::Line line = beam::straight_line(std::move(x), {69.4e6, 3.74e9, 330, 330, 1500, 0.2}, {beam::Plane::lateral, beam::Plane::vertical});
   const std::vector<Real> lengths = lengths_of_nodes(line);
-  add_springs(line, beam::Direction::axial, beam::friction(900, 1e-3), lengths);
-  add_springs(line, beam::Direction::lateral, beam::friction(900, 1e-3), lengths);
-  add_springs(line, beam::Direction::vertical, beam::OneSidedSpring{1e5}, lengths);
+  if (on_macro_elements) {
+    const macro_element::Parameters soil = macro_element::sample_parameters();
+    add_macro_elements(line, soil, lengths, macro_element::laid(soil, 2500, 1500));
+  } else {
+    add_springs(line, beam::Direction::axial, beam::friction(900, 1e-3), lengths);
+    add_springs(line, beam::Direction::lateral, beam::friction(900, 1e-3), lengths);
+    add_springs(line, beam::Direction::vertical, beam::OneSidedSpring{1e5}, lengths);
+  }
   beam::State now = state_of(line);
   beam::Work work(line);
   beam::Loads loads = no_loads(line);
@@ -73,7 +80,8 @@ void add_line_kernels()
 {
   benchmark::RegisterBenchmark("line/factorize/band", factorize_band);
   benchmark::RegisterBenchmark("line/factorize/eigen", factorize_by_eigen);
-  benchmark::RegisterBenchmark("line/step", step_line);
+  benchmark::RegisterBenchmark("line/step/springs", step_line, false);
+  benchmark::RegisterBenchmark("line/step/macro_elements", step_line, true);
 }
 
 }  // namespace berm

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace berm::beam {
 namespace {
@@ -64,6 +65,26 @@ void add_element(const Line& line, Index e, const Loads& loads, const TimeTerms&
   }
 }
 
+/// Force and tangent of a macro-element; the element's state there goes into `work`.
+void add_macro_element(const Line& line, const State& state, std::size_t m, Work& work)
+{
+  const MacroElement& element = line.macro_elements[m];
+  const MacroSoil& soil = line.macro_soils[element.soil];
+  const MacroFreedoms f = freedoms_of(line, element);
+  double to[3] = {soil.laid.x, soil.laid.u, soil.laid.w}, F[3], K[3][3];
+  for (int i = 0; i < 3; ++i) to[i] += f.sign[i] * (work.displacement[f.at[i]] - line.shape[f.at[i]]);
+  if (const int error = berm_macro_element_step(&soil.parameters, &state.macro_elements[m], to, &work.macro_elements[m], F, K);
+      error != BERM_MACRO_ELEMENT_OK)
+    throw NoEquilibrium(
+        fmt::format("the pipeline finds no equilibrium after t = {:.6g} s: the macro-element at x = {:.6g} m cannot follow: {}; "
+                    "a smaller step may find one",
+                    state.time, line.x[element.node], berm_macro_element_error(error)));
+  for (int i = 0; i < 3; ++i) {
+    work.residual[f.at[i]] += element.length * f.sign[i] * F[i];
+    for (int j = 0; j <= i; ++j) work.tangent.add(f.at[i], f.at[j], element.length * f.sign[i] * f.sign[j] * (K[i][j] + K[j][i]) / 2);
+  }
+}
+
 }  // namespace
 
 Work::Work(const Line& line)
@@ -72,7 +93,8 @@ Work::Work(const Line& line)
       predicted_velocity(line.freedoms()),
       residual(line.freedoms()),
       unit(line.freedoms(), 1),
-      tangent(line.freedoms(), 2 * line.freedoms_of_node() - 1)
+      tangent(line.freedoms(), 2 * line.freedoms_of_node() - 1),
+      macro_elements(line.macro_elements.size())
 {
   const std::vector<Real> lengths = lengths_of_nodes(line);
   for (Index i = 0; i < line.nodes(); ++i)
@@ -105,6 +127,7 @@ void assemble(const Line& line, const State& state, const Loads& loads, const Ti
     work.residual[spring.freedom] += length * now.force;
     work.tangent.add(spring.freedom, spring.freedom, length * now.stiffness);
   }
+  for (std::size_t m = 0; m < line.macro_elements.size(); ++m) add_macro_element(line, state, m, work);
   for (Index i = 0; i < line.freedoms(); ++i) {
     const Real velocity = work.predicted_velocity[i] + terms.velocity * (work.displacement[i] - work.predicted[i]);
     work.residual[i] += loads.impedance[i] * (velocity - loads.velocity_then[i]) - loads.force[i];

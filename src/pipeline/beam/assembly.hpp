@@ -5,8 +5,14 @@
 #include "beam/hermite.hpp"
 #include "beam/loads.hpp"
 #include "beam/state.hpp"
+#include "core/error.hpp"
 
 namespace berm::beam {
+
+/// The line finds no equilibrium; the state is as it was before, and a smaller step may find one.
+struct NoEquilibrium : RunError {
+  using RunError::RunError;
+};
 
 /// How acceleration and velocity follow from a displacement d in the step: a = acceleration (d - d~), v = v~ + velocity (d - d~), with the predictions of Work. Both are zero without inertia.
 struct TimeTerms {
@@ -23,8 +29,9 @@ struct Work {
   std::vector<Real>
       residual;  ///< force out of balance, by freedom, N or N m; within an iteration the change of displacement that takes it away
   std::vector<Real> unit;  ///< by freedom, m: what makes a moment a force; 1 of forces
-  BandMatrix tangent;      ///< its derivative
-  Real largest_force = 0;  ///< N, of those that are in balance
+  BandMatrix tangent;      ///< its derivative; of macro-elements, whose own is not symmetric, the symmetric part
+  std::vector<berm_macro_element_state> macro_elements;  ///< at that displacement
+  Real largest_force = 0;                                ///< N, of those that are in balance
 };
 
 /// The membrane of an element.
@@ -37,8 +44,18 @@ struct ElementNow {
 ///   epsilon = (u_b - u_a)/L + 1/(2L) sum over planes of int v'^2 - v_0'^2 dx,   N = EA epsilon - P_0.
 ElementNow membrane(const Line& line, Index element, const std::vector<Real>& displacement, Real constrained_force);
 
-/// Residual and tangent at the displacement of `work`, of springs in their last accepted state.
+/// Residual and tangent at the displacement of `work`, of springs and macro-elements from their last accepted state on. Throws NoEquilibrium where a macro-element cannot follow.
 void assemble(const Line& line, const State& state, const Loads& loads, const TimeTerms& terms, Work& work);
+
+/// Where the freedoms of a macro-element are, along, sideways and upwards, and the sign of its own displacement and force there: w is downwards.
+struct MacroFreedoms {
+  std::array<Index, 3> at;
+  std::array<Real, 3> sign = {1, 1, -1};
+};
+inline MacroFreedoms freedoms_of(const Line& line, const MacroElement& element)
+{
+  return {{line.axial(element.node), line.across(Plane::lateral, element.node), line.across(Plane::vertical, element.node)}};
+}
 
 /// Whether a spring acts: those along the line that are plastic do not where it slides sideways.
 inline bool acts(const Line& line, const State& state, const Spring& spring)

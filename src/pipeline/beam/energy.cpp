@@ -74,6 +74,12 @@ void add_work(const Line& line, const Loads& loads, const TimeTerms& terms, Real
     totals.work_on_springs += spring.length * state.spring_factor[s] *
                               (force_of(law, state.springs[s], u).force + force_of(law, state.springs[s], u + change).force) / 2 * change;
   }
+  for (std::size_t m = 0; m < line.macro_elements.size(); ++m) {
+    const berm_macro_element_state &before = state.macro_elements[m], &after = work.macro_elements[m];
+    totals.work_on_springs += line.macro_elements[m].length / 2 *
+                              ((before.T + after.T) * (after.x - before.x) + (before.H + after.H) * (after.u - before.u) +
+                               (before.V + after.V) * (after.w - before.w));
+  }
   for (int plane = 0; plane < static_cast<int>(line.planes.size()); ++plane)
     if (line.damping[plane] > 0)
       totals.damped += dt * line.damping[plane] *

@@ -100,4 +100,19 @@ void add_springs(Line& line, Direction direction, SpringLaw law, const std::vect
   }
 }
 
+void add_macro_elements(Line& line, const berm_macro_element_parameters& parameters, const std::vector<Real>& lengths,
+                        const berm_macro_element_state& laid)
+{
+  if (!line.moves(Plane::lateral) || !line.moves(Plane::vertical))
+    throw InputError("a macro-element couples what is along, sideways and upwards: its line moves in both planes");
+  const double there[3] = {laid.x, laid.u, laid.w};
+  berm_macro_element_state tried;
+  double F[3];
+  if (const int error = berm_macro_element_step(&parameters, &laid, there, &tried, F, nullptr); error != BERM_MACRO_ELEMENT_OK)
+    throw InputError(fmt::format("a macro-element of the line: {}", berm_macro_element_error(error)));
+  line.macro_soils.push_back({parameters, laid});
+  for (Index i = 0; i < line.nodes(); ++i)
+    if (lengths[i] > 0) line.macro_elements.push_back({i, static_cast<Index>(line.macro_soils.size()) - 1, lengths[i]});
+}
+
 }  // namespace berm::beam

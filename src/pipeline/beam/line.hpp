@@ -3,6 +3,7 @@
 
 #include "beam/pipe_section.hpp"
 #include "beam/spring_laws.hpp"
+#include "macro_element/macro_element.h"
 
 #include <array>
 #include <functional>
@@ -24,6 +25,19 @@ struct Spring {
   Real origin = 0;  ///< m, the displacement at which it begins without force
 };
 
+/// A soil whose force couples all directions.
+struct MacroSoil {
+  berm_macro_element_parameters parameters;
+  berm_macro_element_state laid;  ///< of a pipe that lies where the line has its shape
+};
+
+/// A macro-element at a node.
+struct MacroElement {
+  Index node = 0;
+  Index soil = 0;   ///< into Line::macro_soils
+  Real length = 0;  ///< m of the line that it stands for
+};
+
 /// Where the nodes of one end may go.
 enum class EndCondition {
   free,
@@ -43,6 +57,8 @@ struct Line {
   std::vector<std::uint8_t> held;  ///< by freedom: it stays where it is
   std::vector<SpringLaw> laws;
   std::vector<Spring> springs;
+  std::vector<MacroSoil> macro_soils;
+  std::vector<MacroElement> macro_elements;
   std::array<Real, 2> damping = {};  ///< 1/s, force over momentum across the line, by plane
   bool axial_where_sideways = true;  ///< plastic springs along the line also act where it slides sideways (State::sideways)
 
@@ -75,6 +91,11 @@ std::vector<Real> lengths_of_nodes(const Line& line, Real from = -infinity, Real
 
 /// Springs of a law at all nodes that have a length (m). Their origin is the line's shape, or that level (m) where it is given. Throws InputError as check() does.
 void add_springs(Line& line, Direction direction, SpringLaw law, const std::vector<Real>& lengths, Real level = nan);
+
+/// Macro-elements of one soil at all nodes that have a length (m), of a pipe that was laid in its shape with that state (berm_macro_element_start); its V holds the weight. Throws InputError where the
+/// line does not move in both planes, or where parameters or state make no sense.
+void add_macro_elements(Line& line, const berm_macro_element_parameters& parameters, const std::vector<Real>& lengths,
+                        const berm_macro_element_state& laid);
 
 /// The largest slope of the line that von Karman's strain is meant for: at it the compression of a buckled column is 0.5 % too low and its amplitude 0.3 % too large (docs/theory.md, section 16).
 constexpr Real largest_valid_slope = 0.2;

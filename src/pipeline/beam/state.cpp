@@ -1,7 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "beam/state.hpp"
 
+#include <cstring>
+
 namespace berm::beam {
+namespace {
+
+/// Their numbers, one state after the other.
+void archive_macro_elements(Archive& k, std::vector<berm_macro_element_state>& states)
+{
+  constexpr std::size_t count = BERM_MACRO_ELEMENT_NUMBERS, first = offsetof(berm_macro_element_state, x);
+  static_assert(sizeof(berm_macro_element_state) == first + count * sizeof(double));
+  std::vector<Real> numbers(count * states.size());
+  for (std::size_t i = 0; i < states.size(); ++i)
+    std::memcpy(&numbers[i * count], reinterpret_cast<const char*>(&states[i]) + first, count * sizeof(double));
+  k.fixed("macro_elements", numbers);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    std::memcpy(reinterpret_cast<char*>(&states[i]) + first, &numbers[i * count], count * sizeof(double));
+}
+
+}  // namespace
 
 State state_of(const Line& line)
 {
@@ -12,6 +30,7 @@ State state_of(const Line& line)
   state.constrained_force.assign(line.elements(), 0);
   for (const Spring& spring : line.springs) state.springs.push_back({spring.origin, 0, 0, 0});
   state.spring_factor.assign(line.springs.size(), 1);
+  for (const MacroElement& element : line.macro_elements) state.macro_elements.push_back(line.macro_soils[element.soil].laid);
   state.mean_axial.assign(line.nodes(), 0);
   state.mean_lateral = state.mean_axial;
   state.sideways.assign(line.nodes(), 0);
@@ -39,6 +58,7 @@ void archive(Archive& k, State& state)
     k.fixed("factor", state.spring_factor);
   });
   for (std::size_t s = 0; s < state.springs.size(); ++s) state.springs[s] = {origin[s], slip[s], forward[s], backward[s]};
+  archive_macro_elements(k, state.macro_elements);
   k.fixed("mean_axial", state.mean_axial);
   k.fixed("mean_lateral", state.mean_lateral);
   std::vector<Index> sideways(state.sideways.begin(), state.sideways.end());

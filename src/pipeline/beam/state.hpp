@@ -22,6 +22,7 @@ struct State {
   std::vector<Real> constrained_force;                     ///< P_0 by element, N
   std::vector<SpringState> springs;
   std::vector<Real> spring_factor;  ///< by spring: its force and stiffness over those of its law; 1 but where the caller changes it
+  std::vector<berm_macro_element_state> macro_elements;
   std::vector<Real> mean_axial, mean_lateral;  ///< m, by node: displacements in a step, averaged over some fifty
   std::vector<std::uint8_t> sideways;          ///< by node: it slides sideways, and has no plastic springs along the line
   Totals totals;

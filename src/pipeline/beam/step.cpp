@@ -103,6 +103,7 @@ void accept(const Line& line, const TimeTerms& terms, const Work& work, State& s
     const Real u = work.displacement[spring.freedom];
     state.springs[s] = acts(line, state, spring) ? accepted(line.laws[spring.law], state.springs[s], u) : SpringState{u, 0, 0, 0};
   }
+  state.macro_elements = work.macro_elements;
   if (!line.axial_where_sideways && line.moves(Plane::lateral)) find_sideways(line, work, state);
   for (Index i = 0; i < line.freedoms(); ++i) {
     const Real since = work.displacement[i] - work.predicted[i];

@@ -2,14 +2,8 @@
 #pragma once
 
 #include "beam/assembly.hpp"
-#include "core/error.hpp"
 
 namespace berm::beam {
-
-/// The line finds no equilibrium; the state is as it was before, and a smaller step may find one.
-struct NoEquilibrium : RunError {
-  using RunError::RunError;
-};
 
 /// How the iteration of a step ended.
 struct StepEnd {

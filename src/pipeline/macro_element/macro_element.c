@@ -167,18 +167,19 @@ static double sunk_at(const berm_macro_element_parameters* p, const trial* t, do
     double next = B + g / (p->vertical_stiffness + v * slope);
     if (g > 0) low = B;
     else high = B;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (fabs(next - B) <= 1e-16 * p->diameter) return next;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
     B = next;
   }
   return B;
 }
 
-/* v between parting and the tip where the vertical condition holds for a flow of length L. */
-static double v_of(const berm_macro_element_parameters* p, const trial* t, double L)
+/* v between parting and the tip where the vertical condition holds for a flow of length L, looked for from v on. */
+static double v_of(const berm_macro_element_parameters* p, const trial* t, double L, double v)
 {
-  double low = -p->uplift_ratio, high = 1, v = smaller(larger(t->V / (fabs(t->V) + 1), low), high);
+  double low = -p->uplift_ratio, high = 1;
   int k;
+  v = smaller(larger(v, low), high);
   for (k = 0; k < max_iterations; ++k) {
     const flow f = flow_at(p, t->flow_zero, v);
     double dV0, next;
@@ -186,9 +187,8 @@ static double v_of(const berm_macro_element_parameters* p, const trial* t, doubl
     next = v + g / (V0 + (p->vertical_stiffness + v * dV0) * L * f.dm_v);
     if (g > 0) low = v;
     else high = v;
-    if (high - low <= 1e-16) return v;
+    if (fabs(next - v) <= 2e-16) return v; /* also where it is an end of what is left */
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (next == v) return v;
     v = next;
   }
   return v;
@@ -204,7 +204,7 @@ typedef struct {
   misfit m;
 } attempt;
 
-static attempt attempt_at(const berm_macro_element_parameters* p, const trial* t, double L)
+static attempt attempt_at(const berm_macro_element_parameters* p, const trial* t, double L, double v)
 {
   const flow sideways = {0, 1, 0, 0, 0, 0, 0}, lowest = flow_at(p, t->flow_zero, -p->uplift_ratio);
   attempt a;
@@ -212,7 +212,7 @@ static attempt attempt_at(const berm_macro_element_parameters* p, const trial* t
   const double left = t->V - p->vertical_stiffness * L * lowest.m_v + p->uplift_ratio * backbone(p, t->w_p + L * lowest.m_v, &slope);
   a.kind = t->lifted ? LIFTED : left <= 0 ? PARTING : ON_SURFACE;
   a.L = L;
-  a.f = t->lifted ? sideways : left <= 0 ? lowest : flow_at(p, t->flow_zero, v_of(p, t, L));
+  a.f = t->lifted ? sideways : left <= 0 ? lowest : flow_at(p, t->flow_zero, v_of(p, t, L, v));
   a.A = L * a.f.m_h;
   a.B = a.kind == PARTING ? sunk_at(p, t, -p->uplift_ratio) : L * a.f.m_v;
   a.m = misfit_of(p, t, a.A, a.B, t->lifted ? -p->uplift_ratio : a.f.v);
@@ -228,15 +228,17 @@ static attempt attempt_at(const berm_macro_element_parameters* p, const trial* t
 static int return_to_surface(const berm_macro_element_parameters* p, const trial* t, attempt* a)
 {
   const double scale = p->horizontal_stiffness * p->diameter;
-  double slope, low = !t->lifted && t->V > backbone(p, t->w_p, &slope) ? sunk_at(p, t, 1) : 0, high;
+  double slope, high;
+  const double V0 = backbone(p, t->w_p, &slope);
+  double low = !t->lifted && t->V > V0 ? sunk_at(p, t, 1) : 0;
   int k;
-  *a = attempt_at(p, t, low);
+  *a = attempt_at(p, t, low, t->V / V0);
   if (a->m.r <= 0) {
     a->kind = AT_TIP;
     return 1;
   }
   high = low + larger(t->H / p->horizontal_stiffness, 1e-12 * p->diameter);
-  for (k = 0; k < max_iterations && (*a = attempt_at(p, t, high)).m.r > 0; ++k) {
+  for (k = 0; k < max_iterations && (*a = attempt_at(p, t, high, a->f.v)).m.r > 0; ++k) {
     low = high;
     high *= 2;
   }
@@ -245,7 +247,7 @@ static int return_to_surface(const berm_macro_element_parameters* p, const trial
     if (a->m.r > 0) low = a->L;
     else high = a->L;
     if (!(next > low && next < high) || k % 8 == 7) next = 0.5 * (low + high);
-    *a = attempt_at(p, t, next);
+    *a = attempt_at(p, t, next, a->f.v);
   }
   return fabs(a->m.r) <= 1e-9 * scale;
 }

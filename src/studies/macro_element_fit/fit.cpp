@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/for_each_task.hpp"
+#include "macro_element/under_force.hpp"
 #include "structures/formulas/axial.hpp"
 
 #include <algorithm>
@@ -23,31 +24,6 @@ constexpr Real least_H_over_V = 0.1;
 bool is_dragged(const Path& path)
 {
   return path.largest_H() > least_H_over_V * path.largest_V();
-}
-
-/// The largest vertical step, and the part of V0 to which a given V is met.
-constexpr Real max_step_over_D = 0.05, same_V = 1e-7;
-
-/// Moves the pipe to u, and so far in w that V acts on it. Where no w gives this V, the nearest is left.
-void step_to_force(const Parameters& p, berm_macro_element_state& state, Real u, Real V, const std::string& name)
-{
-  Real low = -100 * p.diameter, high = 100 * p.diameter, dw = 0;
-  berm_macro_element_state next{};
-  for (int k = 0; k < 80; ++k) {
-    const double to[3] = {state.x, u, state.w + dw};
-    double F[3], K[3][3];
-    if (const int error = berm_macro_element_step(&p, &state, to, &next, F, K); error != BERM_MACRO_ELEMENT_OK)
-      throw RunError(fmt::format("{}: {}", name, berm_macro_element_error(error)));
-    const Real left = V - F[2];
-    if (std::abs(left) <= same_V * (std::abs(V) + p.vertical_stiffness * 1e-3 * p.diameter)) break;
-    (left > 0 ? low : high) = dw;
-    const Real step = K[2][2] > 1e-6 * p.vertical_stiffness ? left / K[2][2] : (left > 0 ? 1 : -1) * max_step_over_D * p.diameter;
-    Real tried = dw + std::clamp<Real>(step, -max_step_over_D * p.diameter, max_step_over_D * p.diameter);
-    if (!(tried > low && tried < high)) tried = (low + high) / 2;
-    if (high - low < 1e-14 * p.diameter) break;
-    dw = tried;
-  }
-  state = next;
 }
 
 /// V0 of fresh soil at some embedments: the mean of what all pushes had there.
@@ -204,28 +180,30 @@ private:
 }  // namespace
 
 Response follow(const Parameters& p, const Path& path)
-{
-  berm_macro_element_state state;
+try {
   const PathPoint& first = path.points[0];
   const bool from_above = first.w < 0.05 * p.diameter;
   const Real w = from_above ? 0 : first.w, V = from_above ? 0 : std::max<Real>(first.V, 0);
   const double begin[3] = {0, first.u, w};
+  berm_macro_element_state state;
   if (const int error = berm_macro_element_start(&p, begin, V, &state); error != BERM_MACRO_ELEMENT_OK)
-    throw RunError(fmt::format("{}: the macro-element cannot begin with V = {:.4g} N/m at w = {:.4g} m: {}", path.name, V, w,
-                               berm_macro_element_error(error)));
+    throw RunError(
+        fmt::format("the macro-element cannot begin with V = {:.4g} N/m at w = {:.4g} m: {}", V, w, berm_macro_element_error(error)));
   Response response;
   for (const PathPoint& point : path.points) {
     const double to[3] = {0, point.u, point.w};
     double F[3];
     if (point.by_force)
-      step_to_force(p, state, point.u, point.V, path.name);
+      state = macro_element::moved_under(p, state, 0, point.u, point.V);
     else if (const int error = berm_macro_element_step(&p, &state, to, &state, F, nullptr); error != BERM_MACRO_ELEMENT_OK)
-      throw RunError(fmt::format("{}: {}", path.name, berm_macro_element_error(error)));
+      throw RunError(berm_macro_element_error(error));
     response.w.push_back(state.w);
     response.H.push_back(state.H);
     response.V.push_back(state.V);
   }
   return response;
+} catch (const RunError& error) {
+  throw RunError(fmt::format("{}: {}", path.name, error.what()));
 }
 
 Misfit misfit_of(const Path& path, const Response& response)

@@ -2,7 +2,9 @@
 #include "beam/state.hpp"
 
 #include "beam/step.hpp"
+#include "macro_element/under_force.hpp"
 #include "samples/buckling_pipe.hpp"
+#include "samples/macro_element_parameters.hpp"
 
 #include <cstring>
 #include <gtest/gtest.h>
@@ -87,6 +89,37 @@ TEST(State, that_was_kept_goes_on_with_the_same_bits)
                    {again.time, again.totals.work_of_loads, again.totals.work_of_heat, again.totals.work_on_springs, again.totals.damped});
   EXPECT_EQ(whole.sideways, again.sideways);
   expect_same_bits(whole.mean_axial, again.mean_axial);
+}
+
+TEST(State, of_macro_elements_that_was_kept_goes_on_with_the_same_bits)
+{
+  const test::HotPipe pipe;
+  Line line = straight_line(graded_nodes(1, 10, 1.1, 4, 40), pipe.section(), {Plane::lateral, Plane::vertical});
+  const berm_macro_element_parameters p = macro_element::sample_parameters();
+  add_macro_elements(line, p, lengths_of_nodes(line), macro_element::laid(p, 2500, pipe.weight));
+  Work work(line);
+  Loads loads = no_loads(line);
+  add_weight(line, loads);
+  const auto pull = [&](int from, int to, State& state) {
+    for (int i = from; i < to; ++i) {
+      loads.force[line.across(Plane::lateral, 0)] = 8e3 * std::sin(pi * i / 60), loads.force[line.axial(0)] = 3e3 * std::sin(pi * i / 40);
+      step(line, loads, 0.02, state, work);
+    }
+  };
+  State whole = state_of(line), again = whole;
+  pull(0, 100, whole);
+  Kept kept;
+  archive(kept, whole);
+  kept.reading = true;
+  archive(kept, again);
+  pull(100, 200, whole);
+  pull(100, 200, again);
+  EXPECT_NE(whole.macro_elements[0].u_p, 0);
+  expect_same_bits(whole.displacement, again.displacement);
+  for (std::size_t i = 0; i < whole.macro_elements.size(); ++i) {
+    const berm_macro_element_state &a = whole.macro_elements[i], &b = again.macro_elements[i];
+    expect_same_bits({a.T, a.H, a.V, a.disturbed, a.berm[1].left_R}, {b.T, b.H, b.V, b.disturbed, b.berm[1].left_R});
+  }
 }
 
 TEST(State, of_another_line_is_refused)

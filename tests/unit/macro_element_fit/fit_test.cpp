@@ -55,8 +55,11 @@ TEST(Fit, finds_again_what_made_the_paths)
 {
   Parameters p = macro_element::sample_parameters();
   p.uplift_ratio = 0;
-  const std::vector<Path> paths = {made_path(p, 1500, 0.5, true), made_path(p, 3500, 0.5, false)};
+  std::vector<Path> paths = {made_path(p, 1500, 0.5, true), made_path(p, 3500, 0.5, false)};
+  paths[0].friction = 0.4;
   const Parameters found = fit(paths);
+  EXPECT_EQ(found.axial_friction, 0.4) << "that of the contact: no path tells it";
+  EXPECT_DOUBLE_EQ(found.axial_mobilisation, 0.005) << "D/100";
   for (const Path& path : paths) {
     const Misfit misfit = misfit_of(path, follow(found, path));
     EXPECT_LT(misfit.H, 0.03) << "V0 is a polygon of its curve, and the search ends at changes of 1e-5";

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "samples/made_run.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace berm::macro_element_fit::this_file {
@@ -25,6 +26,7 @@ TEST(Path, has_w_given_in_a_push_by_velocity_and_V_in_a_drag_that_holds_its_forc
   const record::RunRecord record = pushed_and_dragged().record();
   const Path path = path_of(record);
   EXPECT_DOUBLE_EQ(path.diameter, 0.02);
+  EXPECT_DOUBLE_EQ(path.friction, std::tan(70. / 3 * pi / 180)) << "of the contact";
   ASSERT_FALSE(path.push.empty());
   for (const PathPoint& p : path.push) EXPECT_FALSE(p.by_force);
   EXPECT_TRUE(path.points.back().by_force);
