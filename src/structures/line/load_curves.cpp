@@ -146,7 +146,8 @@ bool draw_load_curves(const run_folder::RunFolder& folder, const record::RunReco
   folder.subfolder("plots");
   std::string data;
   std::string script = record::begin_panels(run.settings.title) +
-                       fmt::format("set format '%g'\nset key below\nset xlabel {}\n", plot::gnuplot_text(curves.x_title));
+                       fmt::format("set format '%g'\nset yrange [*<0:*]\nset xlabel {}\n", plot::gnuplot_text(curves.x_title)) +
+                       "set key at screen 0.57,0.40 left top Left reverse vertical maxcols 1\n";  // of P, which has all
   constexpr std::array<record::PanelPlace, 3> places{{{0.08, 0.48, 0.56, 0.89}, {0.57, 0.97, 0.56, 0.89}, {0.08, 0.48, 0.09, 0.42}}};
   int block = 0;
   for (std::size_t p = 0; p < curves.panels.size(); ++p) {
@@ -159,7 +160,7 @@ bool draw_load_curves(const run_folder::RunFolder& folder, const record::RunReco
       script += fmt::format("{}'curves.dat' index {} using 1:2 with {} title {}", &curve == &panel.curves.front() ? "" : ", \\\n     ",
                             block++, style_of(curve.by, 0), plot::gnuplot_text(curve.name));
     }
-    script += "\nunset label 1\n";
+    script += "\nunset label 1\nunset key\n";
   }
   io::write_atomically(folder.file("plots/curves.dat"), data);
   return plot::draw(folder.path(), "curves", record::panels_width, record::panels_height, script + "unset multiplot\n");
@@ -171,7 +172,7 @@ std::vector<std::string> draw_load_figures(const base::Runs& runs, const std::fi
   std::vector<LoadCurves> all;
   for (const base::PageRun& run : runs) all.push_back(load_curves(*run.record));
   for (const PanelOf& of : panels_of_line) {
-    plot::Figure figure{of.title, "", of.title, {}, "set key below\n", 1000, 660};
+    plot::Figure figure{of.title, "", of.title, {}, "set yrange [*<0:*]\n", 1000, 660};
     for (std::size_t k = 0; k < runs.size(); ++k)
       for (const LoadPanel& panel : all[k].panels) {
         if (panel.name != of.name) continue;
