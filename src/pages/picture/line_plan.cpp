@@ -120,8 +120,11 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
   for (const Vec<2>& point : shape_of_line(line.line, reach)) drawn.push_back(scale(point[0], point[1]));
   drawn.push_back(far_end);
   canvas.line(drawn, {rim_color, 3});
-  if (p.slices.to < reach)
+  const auto below = [&](Real x, Real level) -> Vec<2> { return scale(x, 0) + Vec<2>(0, level); };
+  if (p.slices.to < reach) {
     for (const Real part : {0.25, 0.55, 0.85}) spring_sign(canvas, scale(std::lerp(p.slices.to, reach, part), 0));
+    canvas.text(below(p.slices.to, 50) + Vec<2>(14, 0), friction_words(p.far_soil), {.size = 10});
+  }
   if (broken) {
     const Vec<2> gap = axis_end + Vec<2>(26, 0);
     for (const Real shift : {-4., 4.})
@@ -129,7 +132,6 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
   }
   end_sign(canvas, p, far_end);
 
-  const auto below = [&](Real x, Real level) -> Vec<2> { return scale(x, 0) + Vec<2>(0, level); };
   canvas.dimension(
       below(0, 62), below(p.slices.to, 62),
       fmt::format("{} slices every {}, to {}", line.places.size(), text::length_words(line.places[1]), text::length_words(p.slices.to)));
@@ -137,7 +139,6 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
   canvas.dimension(scale(0, 0) - Vec<2>(0, bump + 16), scale(half_length, 0) - Vec<2>(0, bump + 16),
                    fmt::format("imperfection of {}, {} long in all", text::length_words(size), text::length_words(p.imperfection.length)));
   canvas.dimension(below(0, 96), far_end + Vec<2>(0, 96), text::length_words(p.length));
-  canvas.text(below(p.slices.to, 50) + Vec<2>(14, 0), friction_words(p.far_soil), {.size = 10});
   return scale.origin[1] + room_below;
 }
 
