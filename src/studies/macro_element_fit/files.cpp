@@ -4,6 +4,7 @@
 #include "io/atomic_file.hpp"
 #include "io/revision.hpp"
 #include "macro_element/parameters.hpp"
+#include "macro_element_fit/fmu.hpp"
 #include "plot/figure.hpp"
 #include "structures/base/spoiled.hpp"
 
@@ -97,7 +98,7 @@ std::string json_of(const Parameters& p, const std::vector<Comparison>& comparis
 
 std::string code_of(const Parameters& p, const std::vector<Comparison>& comparisons)
 {
-  std::string text = code_c, spoiled;
+  std::string text(code_c), spoiled;
   for (std::string line : spoiled_lines(comparisons)) {
     std::erase(line, '*');  // nothing may end the comment
     spoiled += "\n   " + line;
@@ -136,10 +137,13 @@ std::vector<std::string> write_files(const std::filesystem::path& folder, const 
                                      const std::vector<Comparison>& comparisons)
 {
   io::make_folder(folder);
-  std::vector<std::string> names = {"macro_element.json", "macro_element.h", "macro_element.c"};
+  std::vector<std::string> names = {"macro_element.json", "macro_element.h", "macro_element.c", "macro_element.fmi2.fmu",
+                                    "macro_element.fmi3.fmu"};
   io::write_atomically(folder / names[0], json_of(parameters, comparisons));
   io::write_atomically(folder / names[1], code_h);
   io::write_atomically(folder / names[2], code_of(parameters, comparisons));
+  io::write_atomically(folder / names[3], fmu_of(parameters, 2));
+  io::write_atomically(folder / names[4], fmu_of(parameters, 3));
   for (const Comparison& c : comparisons) draw(folder, c, names);
   return names;
 }

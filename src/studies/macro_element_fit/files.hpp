@@ -5,10 +5,6 @@
 
 namespace berm::macro_element_fit {
 
-/// The C code of the macro-element, as it is compiled into berm.
-extern const char* const code_h;
-extern const char* const code_c;
-
 /// A path with what the macro-element makes of it.
 struct Comparison {
   Path path;
@@ -29,7 +25,7 @@ std::string code_of(const Parameters& parameters, const std::vector<Comparison>&
 /// The table of comparisons, for people.
 std::string table_of(const std::vector<Comparison>& comparisons);
 
-/// What berm macro-element leaves in a folder: macro_element.json, .h and .c, and for each run PATH.png: H over u, w over u and V over w beside what the run computed.
+/// What berm macro-element leaves in a folder: macro_element.json, .h and .c, macro_element.fmi2.fmu and .fmi3.fmu, and for each run PATH.png: H over u, w over u and V over w beside what the run computed.
 /// Gives their names.
 std::vector<std::string> write_files(const std::filesystem::path& folder, const Parameters& parameters,
                                      const std::vector<Comparison>& comparisons);
