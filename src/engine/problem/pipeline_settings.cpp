@@ -190,6 +190,9 @@ void check_line(Describe& d, const PipelineSettings& p)
 void check_soil(Describe& d, const Case& c, const PipelineSettings& p)
 {
   const FarSoil& far = p.far_soil;
+  d.check(far.macro_element.empty() || p.slices.asleep != SliceSleep::until_it_slides, "pipeline.far_soil.macro_element",
+          "does not go with slices.asleep = \"until_it_slides\"");
+  d.check(far.macro_element.empty() || !p.springs, "pipeline.springs", "has springs of a drag everywhere, and not a macro-element");
   d.check(far.lateral.empty() || far.macro_element.empty(), "pipeline.far_soil.lateral", "does not go with macro_element");
   d.check(!(far.axial_angle || far.axial_strength) || far.macro_element.empty(), "pipeline.far_soil",
           "macro_element has its own axial resistance");

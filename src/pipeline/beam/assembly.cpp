@@ -70,9 +70,10 @@ void add_macro_element(const Line& line, const State& state, std::size_t m, Work
 {
   const MacroElement& element = line.macro_elements[m];
   const MacroSoil& soil = line.macro_soils[element.soil];
-  const MacroFreedoms f = freedoms_of(line, element);
+  const Index at[3] = {line.axial(element.node), line.across(Plane::lateral, element.node), line.across(Plane::vertical, element.node)};
+  constexpr Real sign[3] = {1, 1, -1};  // the macro-element's w is downwards
   double to[3] = {soil.laid.x, soil.laid.u, soil.laid.w}, F[3], K[3][3];
-  for (int i = 0; i < 3; ++i) to[i] += f.sign[i] * (work.displacement[f.at[i]] - line.shape[f.at[i]]);
+  for (int i = 0; i < 3; ++i) to[i] += sign[i] * (work.displacement[at[i]] - line.shape[at[i]]);
   if (const int error = berm_macro_element_step(&soil.parameters, &state.macro_elements[m], to, &work.macro_elements[m], F, K);
       error != BERM_MACRO_ELEMENT_OK)
     throw NoEquilibrium(
@@ -80,8 +81,9 @@ void add_macro_element(const Line& line, const State& state, std::size_t m, Work
                     "a smaller step may find one",
                     state.time, line.x[element.node], berm_macro_element_error(error)));
   for (int i = 0; i < 3; ++i) {
-    work.residual[f.at[i]] += element.length * f.sign[i] * F[i];
-    for (int j = 0; j <= i; ++j) work.tangent.add(f.at[i], f.at[j], element.length * f.sign[i] * f.sign[j] * (K[i][j] + K[j][i]) / 2);
+    work.residual[at[i]] += element.length * sign[i] * F[i];
+    for (int j = 0; j <= i; ++j)
+      work.tangent.add(std::max(at[i], at[j]), std::min(at[i], at[j]), element.length * sign[i] * sign[j] * (K[i][j] + K[j][i]) / 2);
   }
 }
 

@@ -47,16 +47,6 @@ ElementNow membrane(const Line& line, Index element, const std::vector<Real>& di
 /// Residual and tangent at the displacement of `work`, of springs and macro-elements from their last accepted state on. Throws NoEquilibrium where a macro-element cannot follow.
 void assemble(const Line& line, const State& state, const Loads& loads, const TimeTerms& terms, Work& work);
 
-/// Where the freedoms of a macro-element are, along, sideways and upwards, and the sign of its own displacement and force there: w is downwards.
-struct MacroFreedoms {
-  std::array<Index, 3> at;
-  std::array<Real, 3> sign = {1, 1, -1};
-};
-inline MacroFreedoms freedoms_of(const Line& line, const MacroElement& element)
-{
-  return {{line.axial(element.node), line.across(Plane::lateral, element.node), line.across(Plane::vertical, element.node)}};
-}
-
 /// Whether a spring acts: those along the line that are plastic do not where it slides sideways.
 inline bool acts(const Line& line, const State& state, const Spring& spring)
 {

@@ -92,7 +92,7 @@ std::vector<Real> lengths_of_nodes(const Line& line, Real from = -infinity, Real
 /// Springs of a law at all nodes that have a length (m). Their origin is the line's shape, or that level (m) where it is given. Throws InputError as check() does.
 void add_springs(Line& line, Direction direction, SpringLaw law, const std::vector<Real>& lengths, Real level = nan);
 
-/// Macro-elements of one soil at all nodes that have a length (m), of a pipe that was laid in its shape with that state (berm_macro_element_start); its V holds the weight. Throws InputError where the
+/// Macro-elements of one soil at all nodes that have a length (m), of a pipe that was laid in its shape with that state (macro_element::laid); its V holds the weight. Throws InputError where the
 /// line does not move in both planes, or where parameters or state make no sense.
 void add_macro_elements(Line& line, const berm_macro_element_parameters& parameters, const std::vector<Real>& lengths,
                         const berm_macro_element_state& laid);

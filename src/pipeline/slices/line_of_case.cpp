@@ -2,6 +2,8 @@
 #include "slices/line_of_case.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
+#include "macro_element/under_force.hpp"
 #include "structures/formulas/axial.hpp"
 
 #include <algorithm>
@@ -168,6 +170,32 @@ Real vertical_stiffness_of(const problem::PipelineSettings& p, Real diameter)
   return p.far_soil.stiffness.value_or(p.submerged_weight / (diameter / 100));
 }
 
+/// The largest force that pushed the pipe down before it carries its weight, N/m.
+Real laying_force_of(const problem::Case& c)
+{
+  Real largest = c.pipeline->submerged_weight;
+  for (const problem::StageSettings& stage : c.stage)
+    if (stage.kind == problem::StageKind::push) largest = std::max(largest, stage.force.value_or(0));
+  return largest;
+}
+
+/// Across and along the line at nodes with a length across; friction along it elsewhere.
+void add_macro_elements(beam::Line& line, const problem::Case& c, const std::vector<Real>& across, const std::vector<Real>& all)
+{
+  const problem::PipelineSettings& p = *c.pipeline;
+  constexpr std::uintmax_t max_bytes = 1'000'000;
+  const std::string& file = p.far_soil.macro_element;
+  const FileBytes found = read_file(file, max_bytes);
+  if (!found.fault.empty()) throw KeyError(fmt::format("pipeline.far_soil.macro_element: {}: {}", file, found.fault));
+  const macro_element::Parameters parameters = macro_element::parameters_in(found.bytes, file);
+  beam::add_macro_elements(line, parameters, across, macro_element::laid(parameters, laying_force_of(c), p.submerged_weight));
+  std::vector<Real> on_slices = all;
+  for (std::size_t i = 0; i < all.size(); ++i) on_slices[i] -= across[i];
+  if (p.far_soil.axial_friction > 0)
+    beam::add_springs(line, beam::Direction::axial,
+                      beam::friction(p.far_soil.axial_friction * p.submerged_weight, p.far_soil.axial_mobilisation), on_slices);
+}
+
 /// Springs: along the line everywhere, across it beyond the slices and where these may be asleep.
 void add_soil(beam::Line& line, const problem::Case& c)
 {
@@ -175,17 +203,18 @@ void add_soil(beam::Line& line, const problem::Case& c)
   const problem::FarSoil& soil = p.far_soil;
   const std::vector<Real> all = beam::lengths_of_nodes(line),
                           across = p.slices.asleep == problem::SliceSleep::never ? beam::lengths_of_nodes(line, p.slices.to) : all;
+  if (p.end_stiffness) {
+    std::vector<Real> end(static_cast<std::size_t>(line.nodes()), 0);
+    end.back() = 1;
+    beam::add_springs(line, beam::Direction::axial, beam::LinearSpring{*p.end_stiffness}, end);
+  }
+  if (!soil.macro_element.empty()) return add_macro_elements(line, c, across, all);
   if (const std::optional<beam::PlasticSpring> spring = lateral_spring(p, diameter_of(c)))
     beam::add_springs(line, beam::Direction::lateral, *spring, across);
   // That of an interface is found once the pipe is laid: a factor of the weight.
   const Real along = soil.axial_angle || soil.axial_strength ? 1 : soil.axial_friction;
   if (along > 0) beam::add_springs(line, beam::Direction::axial, beam::friction(along * p.submerged_weight, soil.axial_mobilisation), all);
   beam::add_springs(line, beam::Direction::vertical, beam::LinearSpring{vertical_stiffness_of(p, diameter_of(c))}, across);
-  if (p.end_stiffness) {
-    std::vector<Real> end(static_cast<std::size_t>(line.nodes()), 0);
-    end.back() = 1;
-    beam::add_springs(line, beam::Direction::axial, beam::LinearSpring{*p.end_stiffness}, end);
-  }
 }
 
 beam::Line line_of(const problem::Case& c, const std::vector<Real>& places)

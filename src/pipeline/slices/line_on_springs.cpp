@@ -21,10 +21,12 @@ void put_loads(const LineOfCase& of, const LineLoads& now, const std::vector<Rea
   std::fill(loads.force.begin(), loads.force.end(), 0.0);
   for (Index e = 0; e < line.elements(); ++e) loads.constrained_force[e] = of.constrained_force(now, (line.x[e] + line.x[e + 1]) / 2);
   loads.force[line.axial(line.nodes() - 1)] += now.pull;
+  // Springs have no force where the line was laid, macro-elements carry its weight there.
+  const Real carried = of.settings.far_soil.macro_element.empty() ? of.settings.submerged_weight : 0;
   // Loads go to nodes as reactions of the soil do, so that a line that is carried all along is not bent at its ends.
   for (Index i = 0; i < line.nodes(); ++i) {
     loads.force[line.across(beam::Plane::lateral, i)] += now.lateral * of.length_of_nodes[i];
-    loads.force[line.across(beam::Plane::vertical, i)] += of.settings.submerged_weight * on_springs[i] - now.weight * of.length_of_nodes[i];
+    loads.force[line.across(beam::Plane::vertical, i)] += carried * on_springs[i] - now.weight * of.length_of_nodes[i];
   }
 }
 
