@@ -2,11 +2,18 @@
 #include "slices/line_of_case.hpp"
 
 #include "samples/error_of.hpp"
+#include "samples/macro_element_parameters.hpp"
 #include "samples/pipeline_case.hpp"
+#include "samples/temporary_folder.hpp"
+
+#include "core/error.hpp"
+#include "macro_element/parameters.hpp"
 
 #include "core/error.hpp"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace berm::slices::this_file {
 namespace {
@@ -160,6 +167,26 @@ TEST(LineOfCase, has_the_resistance_along_it_of_its_interface)
   EXPECT_NEAR(LineOfCase(c).axial_resistance(0.2, 1000), 2000 * 0.4 * pi / 2, 1e-9) << "half of the perimeter";
 }
 
+TEST(LineOfCase, stands_on_macro_elements_beyond_its_slices)
+{
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "macro_element.json").string();
+  std::ofstream(file) << macro_element::json_of(macro_element::sample_parameters());
+  problem::Case c = heated();
+  c.pipeline->far_soil.macro_element = file;
+  const LineOfCase of(c);
+  Real length = 0;
+  for (const beam::MacroElement& element : of.line.macro_elements) length += element.length;
+  EXPECT_NEAR(length, of.line.x.back() - of.places.back(), 1e-9);
+  for (const beam::Spring& spring : of.line.springs) {
+    EXPECT_EQ(spring.freedom, of.line.axial(spring.node)) << "along the slices alone";
+    EXPECT_LE(of.line.x[spring.node], of.places.back());
+  }
+  EXPECT_NEAR(of.line.macro_soils.front().laid.V, 1500, 1) << "laid, and then under its weight";
+  c.pipeline->far_soil.macro_element = (folder.path() / "nowhere.json").string();
+  EXPECT_THROW(LineOfCase{c}, KeyError);
+}
+
 TEST(LineOfCase, may_begin_and_end_free_or_on_a_spring)
 {
   problem::Case c = heated();
@@ -169,7 +196,7 @@ TEST(LineOfCase, may_begin_and_end_free_or_on_a_spring)
   c.pipeline->end_stiffness = 1e6;
   const LineOfCase of(c);
   EXPECT_EQ(std::count(of.line.held.begin(), of.line.held.end(), 1), 0);
-  const beam::Spring& end = of.line.springs.back();
+  const beam::Spring& end = of.line.springs.front();
   EXPECT_EQ(end.freedom, of.line.axial(of.line.nodes() - 1));
   EXPECT_EQ(std::get<beam::LinearSpring>(of.line.laws[end.law]).stiffness * end.length, 1e6);
 }
