@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 /// A run of the case, and the stage that its caller drives.
 struct berm_slice {
@@ -58,6 +59,7 @@ void take_step(berm_slice& slice, const double velocity[3], double dt, double fo
     if (!run.step() || run.stage() != slice.stage)
       throw RunError(fmt::format("stage {} ended at {:.6g} s: a longer until.time lets its caller drive on", slice.stage, run.time()));
   }
+  run.limit_time_step(std::numeric_limits<double>::infinity());  // the next caller's dt may be longer
   const RigidBodyNow after = body_of(slice);
   for (int d = 0; d < 2; ++d) force[d] = (after.impulse[d] - before.impulse[d]) / (to - from);
   force[2] = (after.angular_impulse[2] - before.angular_impulse[2]) / (to - from);
@@ -72,7 +74,11 @@ int berm_slice_open(const char* case_file, int count, const char* const* set, be
     berm::need(case_file, "case_file");
     berm::need(slice, "slice");
     berm::RunOptions options;
-    for (int k = 0; k < count; ++k) options.set.emplace_back(set[k]);
+    if (count > 0) berm::need(set, "set");
+    for (int k = 0; k < count; ++k) {
+      berm::need(set[k], "set[k]");
+      options.set.emplace_back(set[k]);
+    }
     berm::Run run(case_file, options);
     if (run.dimension() != 2 || run.rigid_bodies().size() != 1)
       throw berm::InputError(fmt::format("{}: a slice is in plane strain and has one rigid body", case_file));

@@ -37,7 +37,6 @@ TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
       {{"pipeline.imperfection.amplitude=0", "pipeline.route={x=[0, 1], y=[0]}"}, "pipeline.route.y", "as many"},
       {{"pipeline.imperfection.amplitude=0", "pipeline.route={x=[0, 1, 1], y=[0, 0, 0]}"}, "pipeline.route.x", "ascend"},
       {{"pipeline.imperfection.amplitude=0", "pipeline.route={x=[1, 2], y=[0, 0]}"}, "pipeline.route.x", "begin at 0"},
-      {{"pipeline.imperfection.amplitude=0", "pipeline.route={x=[0], y=[0]}"}, "pipeline.route.x", "two places"},
       {{"pipeline.slices.asleep=\"sometimes\""}, "pipeline.slices.asleep", "never"},
       {{"pipeline.soil=[{to=\"1 m\", set=[\"material.clay.cohesion=1\"]}]"}, "pipeline.soil[0].from", "above 0"},
       {{"pipeline.soil=[{from=\"2 m\", to=\"9 m\", set=[\"material.clay.cohesion=1\"]}]"}, "pipeline.soil[0].to", "beyond the last"},
