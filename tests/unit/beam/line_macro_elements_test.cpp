@@ -122,8 +122,9 @@ TEST(MacroElements, take_the_work_that_the_line_loses)
   const Real at_rest = elastic_energy(line, state) - state.totals.work_of_loads - state.totals.work_of_heat + state.totals.work_on_springs;
   for (int i = 1; i <= 4000; ++i) {
     const Real t = 2.5e-4 * i;
-    loads.force[line.across(Plane::lateral, 4)] = 1.5e4 * std::sin(5 * t);
+    loads.force[line.across(Plane::lateral, 4)] = 4e3 * std::sin(5 * t);
     loads.force[line.axial(4)] = 5e3 * std::sin(3 * t);
+    loads.force[line.across(Plane::vertical, 4)] = -4e3 * t;
     step(line, loads, 2.5e-4, state, work);
   }
   const Totals& totals = state.totals;
