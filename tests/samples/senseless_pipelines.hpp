@@ -28,7 +28,7 @@ inline const std::vector<SenselessInput>& senseless_pipelines()
        "line",
        warned,
        {"pipeline.slices.spacing", "is 16 m, and a lobe of the line is", "7 are needed"},
-       {"pipeline.slices.spacing=16 m", "pipeline.imperfection.length=64 m"},
+       {"pipeline.slices.spacing=16 m", "pipeline.slices.to=80 m", "pipeline.imperfection.length=64 m"},
        "",
        ""},
       {"fine_cells_that_do_not_reach_the_crown",
