@@ -93,8 +93,11 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, co
   result.growth = 1 - resistance(at((1 - last_part) * path.V.end())) / resistance(result.end);
   if (history.has("unbalance")) result.unbalance = history["unbalance"].back();
   if (history.has("overstress")) result.overstress = history["overstress"].back();
+  const auto load_at = [&](Real travel) {  // without an average, which would be over more than what is elastic
+    return EnvelopePoint{path.V.at(travel, 0), path.H.at(travel, 0), path.w.at(travel, 0), path.M.at(travel, 0)};
+  };
   for (const Real s : path.since_w.travel()) {
-    const EnvelopePoint load = at(s), before = at(0);
+    const EnvelopePoint load = load_at(s), before = load_at(0);
     if (s == 0 || resistance(load) - resistance(before) < first_part * resistance(result.end)) continue;
     result.first = {path.since_w.at(s, 0),
                     path.since_u.at(s, 0),

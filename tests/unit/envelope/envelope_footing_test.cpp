@@ -119,6 +119,22 @@ TEST(FootingTable, takes_moments_about_the_middle_of_the_base_and_its_own_travel
   EXPECT_NEAR(result_of(probe, history, {1, 0, 0.25}).end.M, end, 1e-3) << "the travel is not quite even";
 }
 
+/// Loads of the material point method are averaged over 0.4 mm here, and 20 N/m act at the start.
+TEST(FootingTable, takes_the_first_motion_from_rows_as_they_are)
+{
+  constexpr Real k = 2e6, yields_at = 1e-4, V_start = 20;
+  std::vector<Real> w, V;
+  for (int row = 0; row <= 400; ++row) w.push_back(5e-5 * row / 5), V.push_back(V_start + k * std::min(w.back(), yields_at));
+  const std::vector<Real> none(w.size(), 0);
+  Probe probe{"down", ProbeKind::direction, 90, {}, "probe"};
+  probe.settings.method = problem::Method::mpm;
+  const ProbeResult result = result_of(probe, history_of(none, w, none, V, none, none), {1, 0, 0.25});
+  ASSERT_TRUE(result.first);
+  EXPECT_NEAR(result.first->load.V, k * result.first->w, 1e-9 * k);
+  EXPECT_LT(result.first->w, 0.3 * yields_at);
+  EXPECT_EQ(result.first->u, 0);
+}
+
 EnvelopeRow row_of(const Probe& probe, EnvelopePoint end, std::vector<EnvelopePoint> path = {})
 {
   return {probe, "finished", {end, 0, nan, nan, std::move(path)}};
