@@ -47,8 +47,10 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
     read_surfaces(found.settings.rigid, folder);
     for (std::size_t k = 0; k < found.settings.stage.size(); ++k) read_load_history(found.settings, k, folder);
     for (std::size_t k = 0; k < found.settings.support.size(); ++k) read_motion(found.settings, k, folder);
-    if (found.settings.pipeline) find_macro_element(found.settings.pipeline->far_soil, folder);
-    if (found.settings.pipeline) read_pipeline_tables(*found.settings.pipeline, folder);
+    if (found.settings.pipeline) {
+      find_macro_element(found.settings.pipeline->far_soil, folder);
+      read_pipeline_tables(*found.settings.pipeline, folder);
+    }
     const std::vector<std::size_t> repeated = problem::expand_repeats(found.settings);
     std::vector<std::size_t> origins = problem::expand_sweeps(found.settings);
     for (std::size_t& origin : origins) origin = repeated[origin];

@@ -39,9 +39,7 @@ Real lobe_of(const slices::LineOnSprings& line)
   const beam::Line& of = line.of_case().line;
   const std::vector<Real> all = gone_of(line);
   const auto gone = [&](Index i) { return all[of.across(Plane::lateral, i)]; };
-  Index crown = 0;
-  for (Index i = 1; i < of.nodes(); ++i)
-    if (std::abs(gone(i)) > std::abs(gone(crown))) crown = i;
+  const Index crown = beam::crown(of, line.state(), true);
   const auto ends_between = [&](Index i) { return gone(i) * gone(i + 1) <= 0; };
   const auto place = [&](Index i) { return of.x[i] + gone(i) / (gone(i) - gone(i + 1)) * of.length(i); };
   Index right = crown, left = crown - 1;

@@ -251,7 +251,7 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
   } catch (const RunError&) {
     cost.time_step = 0;  // the run says why there is none
   }
-  cost.particles = slices_ * static_cast<Real>(counts().particles);
+  cost.particles = std::max(slices_, Real(1)) * static_cast<Real>(counts().particles);
   for (const bodies::Particles<d>& particles : state().particles)
     cost.frame_bytes +=
         static_cast<Real>(particles.size()) * static_cast<Real>(run_folder::bytes_of_point_in_file<d>(particles.extra_size()));

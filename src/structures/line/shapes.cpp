@@ -36,7 +36,37 @@ struct ShapeLines {
     if (fault != std::errc{} || end != word.data() + word.size()) refuse(fmt::format("\"{}\" is no number", word));
     return value;
   }
+
+  /// The last shape has as many nodes as the first.
+  void refuse_unless_whole(const std::vector<Shape>& shapes) const
+  {
+    if (shapes.back().x.size() != shapes.front().x.size() || shapes.back().x.size() < 2)
+      refuse("the shapes have different numbers of nodes, or fewer than two");
+  }
 };
+
+/// Adds a line of the file to the shape that it belongs to, or begins the next with it.
+void add_node(const ShapeLines& lines, const Fields& fields, std::vector<Shape>& shapes)
+{
+  const auto count = static_cast<Real>(shapes.size());
+  const Real frame = lines.number(fields[0]);
+  if (frame == count) {
+    if (!shapes.empty()) lines.refuse_unless_whole(shapes);
+    shapes.push_back(
+        {.time = lines.number(fields[1]), .stage = fields[2], .x{}, .y{}, .z{}, .u{}, .P{}, .M{}, .strain_max{}, .strain_min{}});
+  } else if (frame != count - 1) {
+    lines.refuse("the frame is neither that of the line before nor the next");
+  }
+  Shape& now = shapes.back();
+  for (std::size_t c = 0; c < number_columns.size(); ++c) {
+    const Real value = lines.number(fields[3 + c]);
+    if (!std::isfinite(value)) lines.refuse(fmt::format("{} is not finite", shape_head[3 + c]));
+    (now.*number_columns[c]).push_back(value);
+  }
+  const std::vector<Real>&x = now.x, &nodes = shapes.front().x;
+  if (x.size() > 1 && !(x[x.size() - 2] < x.back())) lines.refuse("x does not grow along the line");
+  if (x.size() > nodes.size() || nodes[x.size() - 1] != x.back()) lines.refuse("the nodes are not those of the first frame");
+}
 
 }  // namespace
 
@@ -49,30 +79,19 @@ std::vector<Shape> read_shapes(const std::filesystem::path& folder)
   if (!fault.empty()) throw RunError(fmt::format("{}: {}", file.string(), fault));
   ShapeLines lines{file};
   std::vector<Shape> shapes;
-  std::string frame;
   Fields fields;
-  for (std::size_t at = 0; run_folder::next_csv_line(text, at, fields);) {
+  std::size_t at = 0;
+  while (run_folder::next_csv_line(text, at, fields)) {
     ++lines.line;
     if (lines.line == 1) {
       if (fields != shape_head) lines.refuse(fmt::format("the head of a file of shapes is {}", fmt::join(shape_head, ",")));
       continue;
     }
     if (fields.size() != shape_head.size()) lines.refuse(fmt::format("{} fields, and the head has {}", fields.size(), shape_head.size()));
-    if (shapes.empty() || fields[0] != frame)
-      shapes.push_back(
-          {.time = lines.number(fields[1]), .stage = fields[2], .x{}, .y{}, .z{}, .u{}, .P{}, .M{}, .strain_max{}, .strain_min{}});
-    frame = fields[0];
-    for (std::size_t c = 0; c < number_columns.size(); ++c) {
-      const Real value = lines.number(fields[3 + c]);
-      if (!std::isfinite(value)) lines.refuse(fmt::format("{} is not finite", shape_head[3 + c]));
-      (shapes.back().*number_columns[c]).push_back(value);
-    }
-    if (const std::vector<Real>& x = shapes.back().x; x.size() > 1 && !(x[x.size() - 2] < x.back()))
-      lines.refuse("x does not grow along the line");
+    add_node(lines, fields, shapes);
   }
-  for (const Shape& shape : shapes)
-    if (shape.x.size() != shapes.front().x.size() || shape.x.size() < 2)
-      lines.refuse("the shapes have different numbers of nodes, or fewer than two");
+  if (at != text.size()) lines.refuse("the line after it has no end");
+  if (!shapes.empty()) lines.refuse_unless_whole(shapes);
   return shapes;
 }
 

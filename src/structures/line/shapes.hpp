@@ -18,7 +18,7 @@ struct Shape {
   std::vector<Real> strain_max, strain_min;  ///< longitudinal
 };
 
-/// What line.csv of a run folder holds, in the order of time; none without that file. Throws RunError, with file and line, where it is damaged.
+/// What line.csv of a run folder holds, in the order of time, all at the nodes of the first; none without that file. Throws RunError, with file and line, where it is damaged.
 std::vector<Shape> read_shapes(const std::filesystem::path& folder);
 
 /// The last of a stage; null where it has none.

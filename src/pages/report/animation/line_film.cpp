@@ -5,7 +5,7 @@
 #include "report/animation/film_frames.hpp"
 #include "report/animation/film_quantization.hpp"
 #include "structures/base/driven_body.hpp"
-#include "structures/line/line_shapes.hpp"
+#include "structures/line/shapes.hpp"
 #include "text/base64_zlib.hpp"
 
 #include <algorithm>
@@ -16,16 +16,13 @@ namespace berm::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using line::LineShape;
-using line::LineShapes;
+using line::Shape;
+using Shapes = std::vector<Shape>;
 
 constexpr Index max_frames_of_line = 400;                   // but for the ends of stages
 constexpr Real parts_of_region = 400, parts_of_line = 400;  // nodes are kept where they are farther apart than such a part
-constexpr std::pair<const char*, std::vector<Real> LineShape::*> quantities_of_line[] = {{"y", &LineShape::y},
-                                                                                         {"P", &LineShape::P},
-                                                                                         {"M", &LineShape::M},
-                                                                                         {"strain_max", &LineShape::strain_max},
-                                                                                         {"strain_min", &LineShape::strain_min}};
+constexpr std::pair<const char*, std::vector<Real> Shape::*> quantities_of_line[] = {
+    {"y", &Shape::y}, {"P", &Shape::P}, {"M", &Shape::M}, {"strain_max", &Shape::strain_max}, {"strain_min", &Shape::strain_min}};
 
 /// x of the slices, as many as the history tells of.
 std::vector<Real> places_of_slices(const record::RunRecord& run)
@@ -38,16 +35,16 @@ std::vector<Real> places_of_slices(const record::RunRecord& run)
 }
 
 /// How far from x = 0 the line moves sideways, by more than a hundredth of the most; not less than to the last slice, and some more.
-Real moved_region(const LineShapes& shapes, Real last_slice)
+Real moved_region(const Shapes& shapes, Real last_slice)
 {
   constexpr Real small = 0.01, more = 1.1;
   Real most = 0, region = last_slice;
-  for (const LineShape& shape : shapes.frames)
+  for (const Shape& shape : shapes)
     for (const Real y : shape.y) most = std::max(most, std::abs(y));
-  for (const LineShape& shape : shapes.frames)
-    for (std::size_t k = 0; k < shapes.x.size(); ++k)
-      if (std::abs(shape.y[k]) > small * most) region = std::max(region, shapes.x[k]);
-  return std::min(more * region, shapes.x.back());
+  for (const Shape& shape : shapes)
+    for (std::size_t k = 0; k < shapes.front().x.size(); ++k)
+      if (std::abs(shape.y[k]) > small * most) region = std::max(region, shapes.front().x[k]);
+  return std::min(more * region, shapes.front().x.back());
 }
 
 /// Nodes that a page can tell apart; the first and the last among them.
@@ -84,20 +81,20 @@ Json ends_of_stages(const record::RunRecord& run, const std::vector<std::string>
   return ends;
 }
 
-Film film_of_shapes(const record::RunRecord& run, const LineShapes& shapes, const std::string& prefix)
+Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const std::string& prefix)
 {
   std::vector<std::string> all_stages, stages;
-  for (const LineShape& shape : shapes.frames) all_stages.push_back(shape.stage);
-  const Index count = static_cast<Index>(shapes.frames.size()), step = (count + max_frames_of_line - 1) / max_frames_of_line;
+  for (const Shape& shape : shapes) all_stages.push_back(shape.stage);
+  const Index count = static_cast<Index>(shapes.size()), step = (count + max_frames_of_line - 1) / max_frames_of_line;
   const std::vector<Index> frames = kept_frames(all_stages, step);
   const std::vector<Real> places = places_of_slices(run);
   const Real region = moved_region(shapes, places.back());
-  const std::vector<std::size_t> nodes = kept_nodes(shapes.x, region);
+  const std::vector<std::size_t> nodes = kept_nodes(shapes.front().x, region);
   const problem::PipelineSettings& line = *run.settings.pipeline;
 
   std::vector<std::string> left_out;
   if (step > 1) left_out.push_back(kept_words(step));
-  if (nodes.size() < shapes.x.size()) left_out.push_back(fmt::format("{} of {} nodes", nodes.size(), shapes.x.size()));
+  if (nodes.size() < shapes.front().x.size()) left_out.push_back(fmt::format("{} of {} nodes", nodes.size(), shapes.front().x.size()));
   Film film;
   film.json = {{"symmetric", line.half == problem::LineHalf::symmetric},
                {"diameter", base::body_scale(run).width},
@@ -107,9 +104,9 @@ Film film_of_shapes(const record::RunRecord& run, const LineShapes& shapes, cons
                {"note", left_out.empty() ? Json() : Json(fmt::format("{}", fmt::join(left_out, ", ")))},
                {"frames", Json::array()},
                {"x", Json::array()}};
-  for (const std::size_t node : nodes) film.json["x"].push_back(shapes.x[node]);
+  for (const std::size_t node : nodes) film.json["x"].push_back(shapes.front().x[node]);
   for (const Index frame : frames) {
-    film.json["frames"].push_back({{"time", shapes.frames[frame].time}, {"stage", all_stages[frame]}});
+    film.json["frames"].push_back({{"time", shapes[frame].time}, {"stage", all_stages[frame]}});
     stages.push_back(all_stages[frame]);
   }
   film.json["ends"] = ends_of_stages(run, stages);
@@ -117,7 +114,7 @@ Film film_of_shapes(const record::RunRecord& run, const LineShapes& shapes, cons
     std::vector<std::vector<Real>> values;
     for (const Index frame : frames) {
       std::vector<Real>& of_frame = values.emplace_back();
-      for (const std::size_t node : nodes) of_frame.push_back((shapes.frames[frame].*member)[node]);
+      for (const std::size_t node : nodes) of_frame.push_back((shapes[frame].*member)[node]);
     }
     film.json[name] = block_of(film, fmt::format("{}-{}", prefix, name), values);
   }
@@ -129,8 +126,8 @@ Film film_of_shapes(const record::RunRecord& run, const LineShapes& shapes, cons
 Film make_line_film(const record::RunRecord& run, const std::string& prefix)
 {
   try {
-    const LineShapes shapes = line::read_line_shapes(run.folder / "line.csv");
-    if (!shapes.frames.empty()) return film_of_shapes(run, shapes, prefix);
+    const Shapes shapes = line::read_shapes(run.folder);
+    if (!shapes.empty()) return film_of_shapes(run, shapes, prefix);
     if (run.history.rows() == 0) return {};
     return {nullptr, {}, {"there is no film of the line: line.csv is missing"}};
   } catch (const RunError& error) {

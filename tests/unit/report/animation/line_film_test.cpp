@@ -90,7 +90,7 @@ TEST(line_film, of_a_damaged_or_missing_file_is_a_fault_in_words)
   const Film damaged = make_line_film(made.run, "f");
   EXPECT_TRUE(damaged.json.is_null());
   ASSERT_EQ(damaged.faults.size(), 1u);
-  EXPECT_NE(damaged.faults[0].find("line.csv: line 1: "), std::string::npos) << damaged.faults[0];
+  EXPECT_NE(damaged.faults[0].find("line.csv:1: "), std::string::npos) << damaged.faults[0];
   std::filesystem::remove(made.folder / "line.csv");
   EXPECT_EQ(make_line_film(made.run, "f").faults, (std::vector<std::string>{"there is no film of the line: line.csv is missing"}));
   MadeLine begun(3, 4);

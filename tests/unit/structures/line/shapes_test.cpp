@@ -48,6 +48,13 @@ TEST_F(Shapes, that_are_damaged_are_refused_with_file_and_line)
   EXPECT_NE(
       refusal(shape_head + two_nodes + "1,2,cool,0,0.3,0,0,-5,0,0,0\n").find("line.csv:4: the shapes have different numbers of nodes"),
       std::string::npos);
+  EXPECT_NE(refusal(shape_head + two_nodes + "2,2,cool,0,0.3,0,0,-5,0,0,0\n").find("line.csv:4: the frame is neither"), std::string::npos);
+  EXPECT_NE(refusal(shape_head + two_nodes + "1,2,cool,1,0.3,0,0,-5,0,0,0\n").find("line.csv:4: the nodes are not those"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal(shape_head + two_nodes + "1,2,cool,0,0.3,0,0,-5,0,0,0\n2,3,cool,0,0.3,0,0,-5,0,0,0\n").find("line.csv:5: the shapes have"),
+      std::string::npos);
+  EXPECT_NE(refusal(shape_head + two_nodes + "1,2").find("line.csv:3: the line after it has no end"), std::string::npos);
 }
 
 // Each byte by others that mean something to a table.
