@@ -48,6 +48,10 @@ void describe(Describe& d, Triaxial& kind)
   describe(d, kind.start);
   describe_drained(d, kind);
   describe_direction(d, kind);
+  d.value("reconsolidated", kind.reconsolidated,
+          {.meaning =
+               "undrained test: between cycles q is taken back to 0, undrained, and p' to confining_stress, drained; the strains of the "
+               "path then count from there"});
 }
 
 void describe(Describe& d, Biaxial& kind)
@@ -156,7 +160,8 @@ void check_path(Describe& d, const std::string& path, const TestSettings& test)
     d.check(points[k] != before, fmt::format("{}[{}]", key, k), "is where the specimen is already");
     before = points[k];
   }
-  d.check(test.cycles == 1 || points.size() > 1, path + ".cycles", "a cycle needs two entries of the path at least, there and back");
+  d.check(test.cycles == 1 || points.size() > 1 || reconsolidated(test.kind), path + ".cycles",
+          "a cycle needs two entries of the path at least, there and back");
 }
 
 void check_test(Describe& d, const std::string& path, const TestSettings& test, const ElementCase& c)
@@ -166,6 +171,14 @@ void check_test(Describe& d, const std::string& path, const TestSettings& test, 
   d.check(material != nullptr, path + ".material", "there is no such material", names_of(c));
   check_start(d, path, start_of(test.kind));
   check_path(d, path, test);
+  if (reconsolidated(test.kind)) {
+    d.check(!drained(test.kind), path + ".reconsolidated", "is of an undrained test: drained = false");
+    d.check(start_of(test.kind).confining_stress.has_value(), path + ".reconsolidated",
+            "is to an isotropic stress: needs confining_stress");
+    d.check(test.cycles > 1, path + ".reconsolidated", "is between cycles: needs cycles = 2 or more");
+    d.check(material == nullptr || !knows_total_stress_alone(*material), path + ".reconsolidated",
+            fmt::format("{} has an undrained strength, which no water that leaves changes", test.material));
+  }
   if (material == nullptr) return;  // of a visitor that does not throw
   check_strength(d, path, start_of(test.kind), material::at_depth(*material, test.depth, start_of(test.kind).vertical()));
   d.check(!drained(test.kind) || std::holds_alternative<Oedometer>(test.kind) || !knows_total_stress_alone(*material), path + ".drained",
@@ -239,6 +252,12 @@ bool drained(const TestKind& kind)
   if (const auto* biaxial = std::get_if<Biaxial>(&kind)) return biaxial->drained;
   if (const auto* shear = std::get_if<SimpleShear>(&kind)) return shear->drained;
   return true;
+}
+
+bool reconsolidated(const TestKind& kind)
+{
+  const auto* triaxial = std::get_if<Triaxial>(&kind);
+  return triaxial != nullptr && triaxial->reconsolidated;
 }
 
 bool knows_total_stress_alone(const material::Material& material)

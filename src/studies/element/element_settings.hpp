@@ -27,6 +27,8 @@ struct Triaxial {
   StartStress start;
   bool drained = true;
   Direction direction = Direction::compression;
+  bool reconsolidated =
+      false;  ///< undrained: before each cycle but the first q is taken back to 0, undrained, and p' to that of the start, drained
 };
 
 /// Plane strain; the lateral total stress is held.
@@ -87,6 +89,9 @@ const StartStress& start_of(const TestKind& kind);
 
 /// Whether water can leave the specimen.
 bool drained(const TestKind& kind);
+
+/// Whether the specimen is consolidated again between the cycles.
+bool reconsolidated(const TestKind& kind);
 
 /// Whether a law knows total stresses alone: its strength is undrained, and no pore pressure follows from it.
 bool knows_total_stress_alone(const material::Material& material);

@@ -15,10 +15,9 @@ constexpr run_folder::ColumnUnit of_stress = run_folder::pascals;
 
 std::string words_of_leg(const TestRecord& record, int leg)
 {
-  const auto* oedometer = std::get_if<Oedometer>(&record.settings.kind);
-  const bool by_stress = oedometer != nullptr && !oedometer->stress_path.empty();
-  const int legs = static_cast<int>(by_stress ? oedometer->stress_path.size() : record.settings.strain_path.size());
-  const std::string words = fmt::format("leg {}", leg % legs + 1);
+  const int legs = legs_of_cycle(record.settings), of_cycle = leg % legs;
+  const bool consolidates = reconsolidated(record.settings.kind) && of_cycle == legs - 1;
+  const std::string words = consolidates ? "reconsolidation" : fmt::format("leg {}", of_cycle + 1);
   return record.settings.cycles == 1 ? words : fmt::format("cycle {} {}", leg / legs + 1, words);
 }
 

@@ -6,7 +6,7 @@
 namespace berm::element {
 
 /// Writes the rows of a test as a history (run_folder/history.hpp): element.csv and element.schema.json beside it. The stage of a row is its leg of the path:
-/// "leg 2", from the second cycle on "cycle 3 leg 2".
+/// "leg 2", of several cycles "cycle 3 leg 2", "cycle 3 reconsolidation".
 void write_rows(const TestRecord& record, const std::filesystem::path& file);
 
 /// The key results of all tests of one kind that show the same.

@@ -85,6 +85,22 @@ Real dilation_angle(const TestRecord& record)
   return std::asin(std::clamp(sine, Real(-1), Real(1)));
 }
 
+/// The undrained strength of each cycle of a specimen that is consolidated again between them.
+void add_strengths_of_cycles(std::vector<KeyResult>& all, const TestRecord& record)
+{
+  const int legs = legs_of_cycle(record.settings);
+  std::vector<Real> largest;
+  for (const TestRow& row : record.rows) {
+    if (row.leg % legs == legs - 1) continue;
+    largest.resize(static_cast<std::size_t>(row.leg / legs + 1));
+    largest.back() = std::max(largest.back(), std::abs(deviator_stress(row)) / 2);
+  }
+  for (std::size_t k = 0; k < largest.size(); ++k) {
+    const std::string cycle = std::to_string(k + 1);
+    all.push_back({"s_u_" + cycle, largest[k], "Pa", "s_u, cycle " + cycle, "largest |q| / 2 of cycle " + cycle, 1e-3, "kPa"});
+  }
+}
+
 void add_strength(std::vector<KeyResult>& all, const TestRecord& record)
 {
   if (!shows_effective_stress(record)) return;
@@ -112,6 +128,7 @@ std::vector<KeyResult> axial_results(const TestRecord& record)
       stress("q_end", deviator_stress(last), "q, end", "vertical less lateral stress at the end")};
   if (!drained(settings.kind))
     all.push_back(stress("s_u", std::abs(deviator_stress(peak)) / 2, "s_u", "undrained shear strength, |q_peak| / 2"));
+  if (reconsolidated(settings.kind)) add_strengths_of_cycles(all, record);
   add_strength(all, record);
   if (drained(settings.kind))
     all.push_back(angle("dilation_angle_end", dilation_angle(record), "dilation, end", "angle of dilation over the last step"));

@@ -94,10 +94,43 @@ public:
     return true;
   }
 
+  /// One step undrained towards q = 0, by this share of the q that is left; false where the law has no such state.
+  bool unload(Real share)
+  {
+    const auto q = [](const SymTensor<3>& stress) { return stress[lateral] - stress[vertical]; };
+    return approach(
+        [](Real x) {
+          return SymTensor<3>{{-x / 2, x, -x / 2}};
+        },
+        [&](const SymTensor<3>& stress) { return -q(stress); }, -(1 - share) * q(specimen_.stress()));
+  }
+
+  /// One step drained, isotropic, towards the mean stress p, by this share of what is left; false where the law has no such state.
+  bool consolidate(Real p, Real share)
+  {
+    const auto mean = [](const SymTensor<3>& stress) { return trace(stress) / 3; };
+    const Real now = mean(specimen_.stress());
+    return approach([](Real x) { return SymTensor<3>{{x, x, x}}; }, mean, now + share * (-p - now));
+  }
+
   /// Where the held stress is, tension positive.
   Real held_stress() const { return device_.held ? specimen_.stress()[*device_.held] : 0; }
 
 private:
+  /// Takes the strain at which a measure of the stress is the target; the measure grows with x.
+  template <class Strain, class Measure>
+  bool approach(const Strain& strain, const Measure& measure, Real target)
+  {
+    const Real change = target - measure(specimen_.stress()), guess = change / modulus_;
+    constexpr Real accuracy = 1e-10;
+    const std::optional<Real> found =
+        balance([&](Real x) { return measure(specimen_.stress_after(strain(x), 0)) - target; },
+                {.guess = guess, .step = std::abs(guess), .tolerance = accuracy * size_of(specimen_.stress())});
+    if (!found) return false;
+    specimen_.deform(strain(*found), 0);
+    return true;
+  }
+
   static SymTensor<3> stress_at_start(const TestSettings& settings)
   {
     const StartStress& start = start_of(settings.kind);
@@ -136,7 +169,20 @@ TestRecord run_test(const TestSettings& settings, const material::Material& mate
   const Real kept = course.held_stress();
   Real from = by_stress ? oedometer->start.vertical() : 0;
   int leg = 0;
-  for (int cycle = 0; cycle < settings.cycles; ++cycle)
+  for (int cycle = 0; cycle < settings.cycles; ++cycle) {
+    if (cycle > 0 && reconsolidated(settings.kind)) {
+      const Real pressure = start_of(settings.kind).vertical();
+      for (int phase = 0; phase < 2; ++phase)
+        for (int left = settings.steps; left > 0; --left) {
+          if (phase == 0 ? !course.unload(Real(1) / left) : !course.consolidate(pressure, Real(1) / left)) {
+            record.failure = words_of_failure(record);
+            return record;
+          }
+          note(leg);
+        }
+      from = 0;
+      ++leg;
+    }
     for (const Real to : points) {
       for (int n = 1; n <= settings.steps && to != from; ++n) {
         const Real way = (to - from) / settings.steps;
@@ -149,7 +195,16 @@ TestRecord run_test(const TestSettings& settings, const material::Material& mate
       from = to;
       ++leg;
     }
+  }
   return record;
+}
+
+int legs_of_cycle(const TestSettings& settings)
+{
+  const auto* oedometer = std::get_if<Oedometer>(&settings.kind);
+  const std::size_t points =
+      oedometer != nullptr && !oedometer->stress_path.empty() ? oedometer->stress_path.size() : settings.strain_path.size();
+  return int(points) + (reconsolidated(settings.kind) ? 1 : 0);
 }
 
 Real driven_strain(const TestSettings& settings, const TestRow& row)

@@ -8,7 +8,7 @@ namespace berm::element {
 
 /// A specimen at one moment. Tensors as in the engine: tension positive, y upwards.
 struct TestRow {
-  int leg = 0;    ///< of the path, over all cycles, from 0
+  int leg = 0;    ///< of the path, over all cycles, from 0; a reconsolidation is one more of each cycle (legs_of_cycle)
   Real time = 0;  ///< s; 0 where no rate is defined
   SymTensor<3> strain, stress;
   std::vector<Real> state;
@@ -25,6 +25,9 @@ struct TestRecord {
 /// Runs a test: strains are prescribed, and the one that is free in a drained test is that at which the stress that is held stays (specimen.hpp). Where the law
 /// has no such state the record ends before that step, and says so.
 TestRecord run_test(const TestSettings& settings, const material::Material& material);
+
+/// Number of legs of one cycle.
+int legs_of_cycle(const TestSettings& settings);
 
 // What a row shows. Compression is positive here, as in a laboratory; stresses in Pa.
 

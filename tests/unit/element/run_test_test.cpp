@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "element/element_table.hpp"
 #include "element/run_test.hpp"
 #include "material/clay.hpp"
+#include "material/modified_cam_clay.hpp"
 #include "sample_tests.hpp"
 
 #include <gtest/gtest.h>
@@ -133,6 +135,42 @@ TEST(OedometerTest, by_strains_gives_the_same_as_by_stresses)
   const TestRecord second =
       run_test(test_of(Oedometer{at_rest(100e3, 0.5), {}}, {driven_strain(first.settings, first.rows.back())}), sand_of(20, 0));
   expect_near(vertical_stress(second.rows.back()), 300e3);
+}
+
+// Undrained to the critical state the volume stays, so that p' = (p_c / 2) (2 p' / p_c)^(kappa/lambda) of the p_c before; consolidated back to p0 along the swelling
+// line p_c stays. So q of cycle n is M p0 2^-(L^n), L = 1 - kappa/lambda. The critical state is approached, within 1e-4 at a strain of one; a step of the
+// law is 1/400 of that.
+TEST(Reconsolidation, makes_clay_stronger_each_time)
+{
+  material::ModifiedCamClay law;
+  law.density = 700;
+  law.critical_friction_angle = 25.3769335 * pi / 180;  // M = 1
+  law.compression_index = 0.2;
+  law.swelling_index = 0.04;
+  law.void_ratio = 1;
+  law.poisson_ratio = 0.3;
+  law.max_pressure = 200e3;
+  Triaxial kind{isotropic(100e3)};
+  kind.drained = false;
+  kind.reconsolidated = true;
+  TestSettings test = test_of(kind, {1});
+  test.cycles = 4;
+  test.steps = 400;
+  const TestRecord record = run_test(test, law);
+  ASSERT_EQ(record.failure, "");
+  ASSERT_EQ(record.rows.size(), 1u + 4 * 400 + 3 * 800);
+  EXPECT_EQ(record.rows.back().leg, 6);
+  for (const std::size_t end_of_consolidation : {1200u, 2400u, 3600u}) {
+    expect_near(mean_stress(record.rows[end_of_consolidation]), 100e3);
+    EXPECT_NEAR(deviator_stress(record.rows[end_of_consolidation]), 0, 1e-3);
+  }
+  const auto s_u = [&](int n) {
+    for (const KeyResult& result : key_results(record))
+      if (result.name == "s_u_" + std::to_string(n)) return result.value;
+    return nan;
+  };
+  for (int n = 1; n <= 4; ++n) EXPECT_NEAR(s_u(n), 50e3 * std::exp2(-std::pow(0.8, n)), 2e-3 * 50e3) << "cycle " << n;
+  EXPECT_GT(volumetric_strain(record.rows.back()), 0) << "water has left";
 }
 
 TEST(Cycles, follow_the_path_again)
