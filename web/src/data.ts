@@ -144,8 +144,8 @@ export interface SurfaceData {
 
 /** The line of a pipeline from x = 0 on, frame by frame. */
 export interface LineData {
-  /** Whether the other half is the mirror image; else it is turned by half a turn. */
-  symmetric: boolean;
+  /** What is left of x = 0: the mirror image, the same turned by half a turn, or nothing. */
+  half: "symmetric" | "antisymmetric" | "none";
   /** m; 0: not known. */
   diameter: number;
   /** N/m, submerged, as the line was laid. */
@@ -169,6 +169,15 @@ export interface LineData {
   M: LineQuantity;
   strain_max: LineQuantity;
   strain_min: LineQuantity;
+  /** null: not known. */
+  bed: BedData | null;
+}
+
+/** How far the soil of the slices has risen since before the pipe was laid, m, in `frames` frames from `first` on: by slice and column, whose middles are at y, m. */
+export interface BedData extends LineQuantity {
+  first: number;
+  frames: number;
+  y: number[];
 }
 
 /** A quantity by frame and node: value = low + step * code (16 bits); its block has planes [low][high] as those of a film's places. */

@@ -11,7 +11,7 @@ import { type StageEnd, warmth_of } from "./line_stages";
 const margin = { left: 52, right: 12, top: 8, bottom: 18 }, height_of_title = 14;
 const usual_height = 92;
 /** Parts of an axis that stay free at its ends. */
-const room = 0.06, room_for_peaks = 0.16;
+const room = 0.06, room_for_peaks = 0.26;
 
 /** What a chart shows. */
 export interface Look {
@@ -52,11 +52,11 @@ export class LineChart {
 
   /** Draws the axes, which hold all frames, for a width. */
   lay_out(width: number): void {
-    const { look, far } = this, plot = width - margin.left - margin.right;
+    const { look, far, near } = this, plot = width - margin.left - margin.right;
     const range = roomy(this.range(), look.peaks ? room_for_peaks : room);
-    const height = this.height((range[1] - range[0]) * this.unit.factor, plot / (2 * far));
+    const height = this.height((range[1] - range[0]) * this.unit.factor, plot / (far - near));
     const box = { left: margin.left, top: margin.top, width: plot, height };
-    this.area = new ChartArea(box, { range: [-far, far], ticks: plot / 90, title: look.titled ? "x (m)" : undefined }, { range, ticks: height / 34 });
+    this.area = new ChartArea(box, { range: [near, far], ticks: plot / 90, title: look.titled ? "x (m)" : undefined }, { range, ticks: height / 34 });
     this.area.inside.append(this.below, this.trail, this.now);
     this.trail_of = "";
     this.title.textContent = this.words(look.words(this.unit.name));
@@ -106,6 +106,11 @@ export class LineChart {
     return this.look.whole ? this.x[this.x.length - 1] : this.run.line.region;
   }
 
+  /** Where the drawing begins: at x = 0 where the line does. */
+  private get near(): number {
+    return this.run.line.half === "none" ? 0 : -this.far;
+  }
+
   private curves(at: number, look: string, dash = ""): SVGPathElement[] {
     return this.values.map((frames) => this.area.path({ look, dash, x: this.x, y: shape_at(frames, at) }));
   }
@@ -117,7 +122,7 @@ export class LineChart {
 
   /** The number that is farthest from zero, from the middle of the line on: that of the other half is the same. */
   private peak(y: Values): SVGElement[] {
-    const middle = (y.length - 1) / 2, half = y.subarray(middle);
+    const middle = this.run.line.half === "none" ? 0 : (y.length - 1) / 2, half = y.subarray(middle);
     const node = half.reduce((best, value, i) => (Math.abs(value) > Math.abs(half[best]) ? i : best), 0);
     if (half[node] === 0) return [];
     const cx = this.area.x(this.x[middle + node]), cy = this.area.y(half[node]);

@@ -9,6 +9,7 @@ import { digits, display_unit } from "./film_numbers";
 import { where } from "./film_together";
 import { type Player, speed_choice, Transport } from "./film_transport";
 import { has_cards, SliceCards } from "./line_cards";
+import { heaped_words } from "./line_bed";
 import type { LineChart } from "./line_chart";
 import { charts_below_plan } from "./line_charts";
 import { PlanChart } from "./line_plan";
@@ -129,7 +130,7 @@ export class LineFilm implements Player, KeyPlayer {
     this.charts = [];
     this.at = this.last_frame;
     this.transport.set_frames(this.last_frame, run.name);
-    this.note.textContent = caption(run);
+    this.note.textContent = "";
     try {
       const shapes = await read_line(run.line);
       if (mine === this.loading) this.take(shapes);
@@ -141,6 +142,7 @@ export class LineFilm implements Player, KeyPlayer {
 
   private take(shapes: LineShapes): void {
     const { run } = this;
+    this.note.textContent = caption(run, shapes);
     const picked = (slice: number | null) => {
       plan.highlight(slice);
       this.cards?.highlight(slice);
@@ -222,9 +224,13 @@ function weight_words(run: LineRun): string {
   return `${digits(run.line.weight / unit.factor)} ${unit.name}`;
 }
 
-function caption(run: LineRun): string {
-  const { symmetric, slices, note, diameter } = run.line, last = slices[slices.length - 1];
-  return `${symmetric ? "Left of x = 0 is the mirror image" : "Left of x = 0 is the other half, turned by half a turn"}. Brown: the strip that the pipe has swept so far${diameter > 0 ? `, its diameter of ${digits(diameter)} m in it` : ""}; ` +
-    `soil lies heaped up in berms along its edges. Dotted upright: the last slice at ${digits(last)} m; beyond it the soil is springs. Thin: the line at the ends of stages, hot in red, cold in blue.` +
+const words_of_half = {
+  symmetric: "Left of x = 0 is the mirror image. ", antisymmetric: "Left of x = 0 is the other half, turned by half a turn. ", none: "",
+};
+
+function caption(run: LineRun, shapes: LineShapes): string {
+  const { half, slices, note, diameter } = run.line, last = slices[slices.length - 1], heaped = heaped_words(shapes.rise);
+  const soil = heaped ?? `Brown: the strip that the pipe has swept so far${diameter > 0 ? `, its diameter of ${digits(diameter)} m in it` : ""}; soil lies heaped up in berms along its edges. `;
+  return `${words_of_half[half]}${soil}Dotted upright: the last slice at ${digits(last)} m; beyond it the soil is springs. Thin: the line at the ends of stages, hot in red, cold in blue.` +
     (note === null ? "" : ` Shown: ${note}.`);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The line seen from above, the strip that it has swept, and its slices.
+// The line seen from above, the soil that it has heaped up, and its slices.
 import { svg_element } from "./element";
 import { display_unit } from "./film_numbers";
+import { type Patch, patches_at } from "./line_bed";
 import { LineChart } from "./line_chart";
 import { exaggeration, exaggeration_words, type LineRun, type LineShapes, shape_at, swept, value_at } from "./line_shapes";
 import type { StageEnd } from "./line_stages";
@@ -14,7 +15,7 @@ export class PlanChart extends LineChart {
   private marks: SVGAElement[] = [];
 
   /** Pointing at the mark of a slice tells `picked`; without it there are no marks. */
-  constructor(run: LineRun, shapes: LineShapes, ends: StageEnd[], picked: ((slice: number | null) => void) | null) {
+  constructor(run: LineRun, private readonly shapes: LineShapes, ends: StageEnd[], picked: ((slice: number | null) => void) | null) {
     super({ name: "y", words: (unit) => `Lateral displacement y (${unit})`, curves: ["y"], unit: (largest) => display_unit("m", largest) }, run, shapes, ends);
     if (picked !== null) this.marks = run.line.slices.map((x, k) => mark_of(run, x, k, picked));
   }
@@ -49,21 +50,37 @@ export class PlanChart extends LineChart {
   }
 
   protected override range(): [low: number, high: number] {
-    const [low, high] = super.range();
-    return [low - this.radius, high + this.radius];
+    const [low, high] = super.range(), bed = patches_at(this.run, this.shapes, this.run.line.frames.length - 1).flatMap(({ y }) => y.map((each) => each / this.unit.factor));
+    return [Math.min(low - this.radius, ...bed), Math.max(high + this.radius, ...bed)];
   }
 
-  /** The strip that was swept, as far as there are slices of soil, and where these end. */
+  /** The bed of the slices, and where these end. */
   protected override extras(at: number | null): SVGElement[] {
-    const { frames, slices } = this.run.line, to = slices[slices.length - 1], { top, height } = this.area.box;
-    const { low, high } = swept(this.values[0], at ?? frames.length - 1, this.radius);
+    const { frames, slices, half } = this.run.line, to = slices[slices.length - 1], { top, height } = this.area.box;
+    const moment = at ?? frames.length - 1;
+    return [
+      ...(this.shapes.rise.length > 0 ? this.bed(patches_at(this.run, this.shapes, moment)) : this.swept_strip(moment, to)),
+      ...(half === "none" ? [to] : [-to, to]).map((place) => svg_element("path", { class: "line_last_slice", "stroke-dasharray": "3 4", d: `M${this.area.x(place)} ${top}v${height}` })),
+    ];
+  }
+
+  /** A path for each shade. */
+  private bed(patches: Patch[]): SVGElement[] {
+    const by_shade = new Map<number, string>();
+    for (const { shade, x, y } of patches) {
+      const [left, right] = x.map((each) => this.area.x(each)), [low, high] = y.map((each) => this.area.y(each / this.unit.factor));
+      by_shade.set(shade, `${by_shade.get(shade) ?? ""}M${left} ${high}H${right}V${low}H${left}Z`);
+    }
+    return [...by_shade].map(([shade, d]) =>
+      svg_element("path", { class: shade > 0 ? "line_heaped" : "line_dug", "fill-opacity": String(0.16 * Math.abs(shade)), d }));
+  }
+
+  /** The strip that was swept, as far as there are slices of soil. */
+  private swept_strip(at: number, to: number): SVGElement[] {
+    const { low, high } = swept(this.values[0], at, this.radius);
     const within = [...this.x.keys()].filter((node) => Math.abs(this.x[node]) <= to * (1 + 1e-9));
     const [x, lower, upper] = [this.x, low, high].map((values) => within.map((node) => values[node]));
-    return [
-      this.area.strip("line_swept", x, lower, upper),
-      ...[lower, upper].map((y) => this.area.path({ look: "line_berm", x, y })),
-      ...[-to, to].map((place) => svg_element("path", { class: "line_last_slice", "stroke-dasharray": "3 4", d: `M${this.area.x(place)} ${top}v${height}` })),
-    ];
+    return [this.area.strip("line_swept", x, lower, upper), ...[lower, upper].map((y) => this.area.path({ look: "line_berm", x, y }))];
   }
 
   protected override above(): SVGElement[] {

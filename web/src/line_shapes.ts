@@ -18,21 +18,23 @@ export type QuantityOfLine = (typeof QUANTITIES)[number];
 /** Numbers by node. */
 export type Values = Float64Array;
 
-/** By frame, from the far end of the other half over x = 0 to the far end. */
-export type LineShapes = Record<QuantityOfLine, Values[]> & { x: Values };
+/** By frame, from the far end of the other half, where there is one, over x = 0 to the far end; and how far soil has risen by frame from bed.first on, slice and column. */
+export type LineShapes = Record<QuantityOfLine, Values[]> & { x: Values; rise: Values[] };
 
 export async function read_line(line: LineData): Promise<LineShapes> {
+  const whole = (half: Values, sign: 1 | -1) => (line.half === "none" ? half : mirrored(half, sign));
   const read = async (name: QuantityOfLine): Promise<[QuantityOfLine, Values[]]> => {
-    const half = await read_quantity(line, line[name]);
-    return [name, half.map((values) => mirrored(values, sign_of(name, line.symmetric)))];
+    const half = await read_quantity(line[name], line.frames.length, line.x.length);
+    return [name, half.map((values) => whole(values, sign_of(name, line.half === "symmetric")))];
   };
-  return { ...Object.fromEntries(await Promise.all(QUANTITIES.map(read))), x: mirrored(Float64Array.from(line.x), -1) } as LineShapes;
+  const { bed } = line, rise = bed === null ? [] : await read_quantity(bed, bed.frames, line.slices.length * bed.y.length);
+  return { ...Object.fromEntries(await Promise.all(QUANTITIES.map(read))), x: whole(Float64Array.from(line.x), -1), rise } as LineShapes;
 }
 
-async function read_quantity(line: LineData, { low, step, block }: LineQuantity): Promise<Values[]> {
+async function read_quantity({ low, step, block }: LineQuantity, frames: number, count: number): Promise<Values[]> {
   const bytes = await read_block(block);
   try {
-    return decode_places(bytes, line.frames.length, line.x.length, 1).map((codes) => Float64Array.from(codes, (code) => low + step * code));
+    return decode_places(bytes, frames, count, 1).map((codes) => Float64Array.from(codes, (code) => low + step * code));
   } catch (error) {
     throw damaged(block, (error as Error).message);
   }

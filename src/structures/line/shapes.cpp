@@ -2,13 +2,12 @@
 // Tests: tests/unit/structures/line/shapes_test.cpp
 #include "structures/line/shapes.hpp"
 
-#include "core/error.hpp"
-#include "core/read_file.hpp"
 #include "run_folder/csv_line.hpp"
+#include "structures/line/number_lines.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,36 +21,20 @@ constexpr std::array number_columns{&Shape::x, &Shape::y, &Shape::z,          &S
                                     &Shape::P, &Shape::M, &Shape::strain_max, &Shape::strain_min};
 const Fields shape_head{"frame", "time_s", "stage", "x_m", "y_m", "z_m", "u_m", "P_N", "M_Nm", "strain_max", "strain_min"};
 
-/// One file, line by line.
-struct ShapeLines {
-  const std::filesystem::path& file;
-  int line = 0;
-
-  [[noreturn]] void refuse(const std::string& why) const { throw RunError(fmt::format("{}:{}: {}", file.string(), line, why)); }
-
-  Real number(const std::string& word) const
-  {
-    Real value = nan;
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (fault != std::errc{} || end != word.data() + word.size()) refuse(fmt::format("\"{}\" is no number", word));
-    return value;
-  }
-
-  /// The last shape has as many nodes as the first.
-  void refuse_unless_whole(const std::vector<Shape>& shapes) const
-  {
-    if (shapes.back().x.size() != shapes.front().x.size() || shapes.back().x.size() < 2)
-      refuse("the shapes have different numbers of nodes, or fewer than two");
-  }
-};
+/// The last shape has as many nodes as the first.
+void refuse_unless_whole(const NumberLines& lines, const std::vector<Shape>& shapes)
+{
+  if (shapes.back().x.size() != shapes.front().x.size() || shapes.back().x.size() < 2)
+    lines.refuse("the shapes have different numbers of nodes, or fewer than two");
+}
 
 /// Adds a line of the file to the shape that it belongs to, or begins the next with it.
-void add_node(const ShapeLines& lines, const Fields& fields, std::vector<Shape>& shapes)
+void add_node(const NumberLines& lines, const Fields& fields, std::vector<Shape>& shapes)
 {
   const auto count = static_cast<Real>(shapes.size());
   const Real frame = lines.number(fields[0]);
   if (frame == count) {
-    if (!shapes.empty()) lines.refuse_unless_whole(shapes);
+    if (!shapes.empty()) refuse_unless_whole(lines, shapes);
     shapes.push_back(
         {.time = lines.number(fields[1]), .stage = fields[2], .x{}, .y{}, .z{}, .u{}, .P{}, .M{}, .strain_max{}, .strain_min{}});
   } else if (frame != count - 1) {
@@ -74,10 +57,8 @@ std::vector<Shape> read_shapes(const std::filesystem::path& folder)
 {
   const std::filesystem::path file = folder / "line.csv";
   if (!std::filesystem::exists(file)) return {};
-  constexpr std::uintmax_t max_bytes = 5'000'000'000;
-  const auto [text, fault] = read_file(file, max_bytes);
-  if (!fault.empty()) throw RunError(fmt::format("{}: {}", file.string(), fault));
-  ShapeLines lines{file};
+  const std::string text = text_of(file);
+  NumberLines lines{file};
   std::vector<Shape> shapes;
   Fields fields;
   std::size_t at = 0;
@@ -91,7 +72,7 @@ std::vector<Shape> read_shapes(const std::filesystem::path& folder)
     add_node(lines, fields, shapes);
   }
   if (at != text.size()) lines.refuse("the line after it has no end");
-  if (!shapes.empty()) lines.refuse_unless_whole(shapes);
+  if (!shapes.empty()) refuse_unless_whole(lines, shapes);
   return shapes;
 }
 

@@ -5,6 +5,7 @@
 #include "report/animation/film_frames.hpp"
 #include "report/animation/film_quantization.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/line/beds.hpp"
 #include "structures/line/shapes.hpp"
 #include "text/base64_zlib.hpp"
 
@@ -69,6 +70,25 @@ Json block_of(Film& film, const std::string& id, const std::vector<std::vector<R
   return {{"low", low}, {"step", step}, {"block", id}};
 }
 
+/// How far the soil has risen, at the frames that are kept; null without it.
+Json bed_of(Film& film, const line::Beds& beds, const std::vector<Index>& frames, const std::string& id)
+{
+  std::vector<std::vector<Real>> values;
+  Json first;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const Index frame = frames[f] - beds.first_frame;
+    if (frame < 0 || frame >= static_cast<Index>(beds.rise.size())) continue;
+    if (values.empty()) first = f;
+    values.push_back(beds.rise[static_cast<std::size_t>(frame)]);
+  }
+  if (values.empty()) return nullptr;
+  Json bed = block_of(film, id, values);
+  bed["first"] = first;
+  bed["frames"] = values.size();
+  bed["y"] = beds.y;
+  return bed;
+}
+
 /// The last frames (of those kept) of the stages that load the line.
 Json ends_of_stages(const record::RunRecord& run, const std::vector<std::string>& stages)
 {
@@ -81,13 +101,18 @@ Json ends_of_stages(const record::RunRecord& run, const std::vector<std::string>
   return ends;
 }
 
-Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const std::string& prefix)
+const char* word_of(problem::LineHalf half)
+{
+  return half == problem::LineHalf::symmetric ? "symmetric" : half == problem::LineHalf::antisymmetric ? "antisymmetric" : "none";
+}
+
+Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const line::Beds& beds, const std::string& prefix)
 {
   std::vector<std::string> all_stages, stages;
   for (const Shape& shape : shapes) all_stages.push_back(shape.stage);
   const Index count = static_cast<Index>(shapes.size()), step = (count + max_frames_of_line - 1) / max_frames_of_line;
   const std::vector<Index> frames = kept_frames(all_stages, step);
-  const std::vector<Real> places = places_of_slices(run);
+  const std::vector<Real> places = beds.x.empty() ? places_of_slices(run) : beds.x;
   const Real region = moved_region(shapes, places.back());
   const std::vector<std::size_t> nodes = kept_nodes(shapes.front().x, region);
   const problem::PipelineSettings& line = *run.settings.pipeline;
@@ -96,7 +121,7 @@ Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const st
   if (step > 1) left_out.push_back(kept_words(step));
   if (nodes.size() < shapes.front().x.size()) left_out.push_back(fmt::format("{} of {} nodes", nodes.size(), shapes.front().x.size()));
   Film film;
-  film.json = {{"symmetric", line.half == problem::LineHalf::symmetric},
+  film.json = {{"half", word_of(line.half)},
                {"diameter", base::body_scale(run).width},
                {"weight", line.submerged_weight},
                {"region", region},
@@ -118,6 +143,7 @@ Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const st
     }
     film.json[name] = block_of(film, fmt::format("{}-{}", prefix, name), values);
   }
+  film.json["bed"] = bed_of(film, beds, frames, prefix + "-bed");
   return film;
 }
 
@@ -127,7 +153,7 @@ Film make_line_film(const record::RunRecord& run, const std::string& prefix)
 {
   try {
     const Shapes shapes = line::read_shapes(run.folder);
-    if (!shapes.empty()) return film_of_shapes(run, shapes, prefix);
+    if (!shapes.empty()) return film_of_shapes(run, shapes, line::read_beds(run.folder), prefix);
     if (run.history.rows() == 0) return {};
     return {nullptr, {}, {"there is no film of the line: line.csv is missing"}};
   } catch (const RunError& error) {

@@ -28,7 +28,8 @@ TEST(line_film, tells_the_line_of_a_case_and_decodes_within_half_a_step)
   const MadeLine made(5, 8);
   const Film film = make_line_film(made.run, "line-2");
   EXPECT_TRUE(film.faults.empty());
-  EXPECT_TRUE(film.json["symmetric"]);
+  EXPECT_EQ(film.json["half"], "symmetric");
+  EXPECT_TRUE(film.json["bed"].is_null()) << "there is no berms.csv";
   EXPECT_EQ(film.json["diameter"], 0.4);
   EXPECT_EQ(film.json["weight"], 1500);
   EXPECT_EQ(film.json["slices"], (std::vector<Real>{0, 1, 2, 3}));
@@ -81,6 +82,24 @@ TEST(line_film, of_a_long_line_leaves_out_nodes_that_a_page_cannot_tell_apart)
   EXPECT_EQ(x.size(), 390u);
   EXPECT_EQ(x.back(), 4999);
   for (const Real near : {0., 1., 2., 3., 4.}) EXPECT_TRUE(std::count(x.begin(), x.end(), near)) << "where the line moves, x = " << near;
+}
+
+TEST(line_film, has_the_bed_of_the_slices_from_the_frame_in_which_the_line_hangs)
+{
+  const MadeLine made(4, 4);
+  made.folder.write("berms.csv", "frame,slice,x_m,rise_m_at_0.0_m,rise_m_at_0.1_m\n2,0,0,0,0.5\n2,1,3,0,0\n3,0,0,-0.5,1\n3,1,3,0,0.25\n");
+  const Film film = make_line_film(made.run, "f");
+  const auto& bed = film.json["bed"];
+  EXPECT_EQ(film.json["slices"], (std::vector<Real>{0, 3}));
+  EXPECT_EQ(bed["first"], 2);
+  EXPECT_EQ(bed["y"], (std::vector<Real>{0, 0.1}));
+  const SeenFilm seen{film};
+  const auto codes = decoded_places(seen.bytes(bed["block"]), bed["frames"], 4, 1)[0];
+  const std::vector<std::vector<Real>> expected{{0, 0.5, 0, 0}, {-0.5, 1, 0, 0.25}};
+  ASSERT_EQ(codes.size(), 2u);
+  for (std::size_t f = 0; f < 2; ++f)
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_NEAR(bed["low"].get<Real>() + bed["step"].get<Real>() * codes[f][k], expected[f][k], 1.5 / 65535) << f << " " << k;
 }
 
 TEST(line_film, of_a_damaged_or_missing_file_is_a_fault_in_words)
