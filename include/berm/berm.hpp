@@ -55,6 +55,7 @@ struct RigidBodyNow {
   std::string name;
   double centre[3];            ///< m
   double displacement[3];      ///< since the start, m
+  double embedment;            ///< of its lowest point below the bed's first surface, m: w of the history
   double velocity[3];          ///< m/s
   double angular_velocity[3];  ///< rad/s; in plane strain about z
   double force[3];             ///< of the soil on it in the last step, N/m or N
@@ -117,11 +118,14 @@ public:
   const std::vector<HistoryColumn>& columns() const;
   const std::vector<double>& row() const;
 
-  int dimension() const;                    ///< 2: plane strain; 3: space
+  int dimension() const;  ///< 2: plane strain, or around an axis; 3: space
+  bool is_axisymmetric() const;
   std::vector<std::string> bodies() const;  ///< deformable bodies; none of finite elements, which have no particles
   /// The fields of a body's particles. Throws InputError where there is no such body.
   std::vector<ParticleField> particles(const std::string& body) const;
   std::vector<RigidBodyNow> rigid_bodies() const;
+  /// Of the soil at the nodes that contacts moved in the last step, kg/m or kg; 0 before the first one of a run, of a clone and of what was resumed, and of finite elements.
+  double contact_mass() const;
 
 private:
   struct Parts;

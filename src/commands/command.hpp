@@ -21,6 +21,7 @@ Command add_run(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_export(CLI::App& program);
+Command add_fmu(CLI::App& program);
 Command add_macro_element(CLI::App& program);
 Command add_study(CLI::App& program);
 Command add_envelope(CLI::App& program);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* slice CASE: lays a pipe, copies the slice, and drives the copies, as a program in C does. */
+/* slice CASE AXISYMMETRIC: lays a pipe, copies the slice, and drives the copies, as a program in C does. */
 #include "check.h"
 
 #include <berm/slice.h>
@@ -22,10 +22,11 @@ static void drive(berm_slice* slice, double speed, int steps, double force[3], d
 int main(int argc, char** argv)
 {
   const char* longer[] = {"stage.follow.until.time=\"20 ms\""};
-  const double fast[3] = {1, NAN, NAN};
+  const double fast[3] = {1, NAN, NAN}, wild[3] = {INFINITY, NAN, NAN};
   berm_slice *slice = NULL, *kept = NULL, *other = NULL;
-  double time, later, centre[2], moved[2], force[3], same[3], impulse, again;
-  if (argc != 2) return 1;
+  berm_slice_state laid, moved;
+  double force[3], same[3], impulse, again;
+  if (argc != 3) return 1;
   CHECK(berm_slice_open("no_such.toml", 0, NULL, &slice) == BERM_SLICE_INPUT);
   CHECK(strstr(berm_slice_message(), "no_such.toml") != NULL);
   CHECK(berm_slice_open(argv[1], 1, longer, &slice) == BERM_SLICE_OK);
@@ -33,14 +34,18 @@ int main(int argc, char** argv)
   CHECK(berm_slice_step(slice, fast, dt, force) == BERM_SLICE_INPUT);
   CHECK(strstr(berm_slice_message(), "berm_slice_lay") != NULL);
   CHECK(berm_slice_lay(slice, "follow") == BERM_SLICE_OK);
-  CHECK(berm_slice_now(slice, &time, centre) == BERM_SLICE_OK);
+  CHECK(berm_slice_now(slice, &laid) == BERM_SLICE_OK);
+  CHECK(laid.force[1] > 0 && laid.w > 1e-3);
   CHECK(berm_slice_clone(slice, &kept) == BERM_SLICE_OK && berm_slice_clone(slice, &other) == BERM_SLICE_OK);
 
   drive(slice, 0.2, 20, force, &impulse);
   CHECK(force[0] < 0 && force[1] > 0); /* the soil holds it back and carries it */
-  CHECK(berm_slice_now(slice, &later, moved) == BERM_SLICE_OK);
-  CHECK_NEAR(later, time + 20 * dt, 1e-12);
-  CHECK_NEAR(moved[0] - centre[0], 20 * dt * 0.2, 1e-9);
+  CHECK(berm_slice_now(slice, &moved) == BERM_SLICE_OK);
+  CHECK_NEAR(moved.time, laid.time + 20 * dt, 1e-12);
+  CHECK_NEAR(moved.centre[0] - laid.centre[0], 20 * dt * 0.2, 1e-9);
+  CHECK_NEAR(moved.u - laid.u, 20 * dt * 0.2, 1e-9);
+  CHECK_NEAR(moved.w - laid.w, laid.centre[1] - moved.centre[1], 1e-12);
+  CHECK(moved.contact_mass > 0.01 && moved.contact_mass < 1); /* kg/m: the soil beside the pipe has some */
 
   /* From the state that was kept the same again, to the bit; another way in the other copy. */
   drive(kept, 0.2, 20, same, &again);
@@ -52,11 +57,13 @@ int main(int argc, char** argv)
   berm_slice_close(NULL);
 
   CHECK(berm_slice_step(slice, fast, -1, force) == BERM_SLICE_INPUT && strstr(berm_slice_message(), "dt") != NULL);
+  CHECK(berm_slice_step(slice, wild, dt, force) == BERM_SLICE_INPUT && strstr(berm_slice_message(), "velocity") != NULL);
   CHECK(berm_slice_step(NULL, fast, dt, force) == BERM_SLICE_INPUT);
   CHECK(berm_slice_step(slice, fast, 1, force) == BERM_SLICE_FAILED && strstr(berm_slice_message(), "stage follow ended") != NULL);
   berm_slice_close(slice);
   CHECK(berm_slice_open(argv[1], 0, NULL, &slice) == BERM_SLICE_OK);
   CHECK(berm_slice_lay(slice, "folow") == BERM_SLICE_INPUT && strstr(berm_slice_message(), "folow") != NULL);
   berm_slice_close(slice);
+  CHECK(berm_slice_open(argv[2], 0, NULL, &slice) == BERM_SLICE_INPUT && strstr(berm_slice_message(), "plane strain") != NULL);
   return failures == 0 ? 0 : 1;
 }

@@ -9,10 +9,9 @@ import shutil
 import signal
 
 import run_folder
-from program import PUSHED_PIPE, TESTS, WIP_PIPE, run_of, sample_of
+from program import LINE, PUSHED_PIPE, RANKS, TESTS, WIP_PIPE, run_of, sample_of
 
 CASES = os.path.join(TESTS, "torture", "cases")
-RANKS = os.path.join(TESTS, "ranks")
 EXAMPLES = os.path.join(os.path.dirname(TESTS), "examples")
 WATER = ['water.drainage="consolidation"', "water.permeability=1e-3", "water.porosity=0.4", "density=877", "inertia_density=1877"]
 CHECKPOINTS = "output.checkpoint_wall_time=0.1 s"
@@ -20,7 +19,7 @@ PAUSE = 0.3  # of the calls of a run: there the run of `resumed` was killed
 
 
 def of_ranks(case, *changes):
-    return run_of(os.path.join(RANKS, f"{case}.toml"), CHECKPOINTS, *changes)
+    return run_of(f"{case}.toml", CHECKPOINTS, *changes, folder=RANKS)
 
 
 def in_water(material):
@@ -46,6 +45,7 @@ RUNS = {
     "space": of_ranks("sphere", "stage.push.until.embedment=2 mm", "stage.drag.until.displacement=2 mm"),
     "body_in_space": run_of("space_case.toml", CHECKPOINTS, *IN_SPACE),
     "earthworks": of_ranks("works"),
+    "line": [*LINE, "--set", CHECKPOINTS],
     "elements": WIP_PIPE,
     "elements_in_water": run_of("fem_case.toml", *SANDY_FLOW, *SHORT),
 }

@@ -186,9 +186,9 @@ int close(int file)
   return failed ? -1 : result;
 }
 
-static int opens_to_write(int flags)
+static int opens_to_write(const char* path, int flags)
 {
-  return (flags & O_ACCMODE) != O_RDONLY;
+  return (flags & O_ACCMODE) != O_RDONLY && strcmp(path, "/dev/null") != 0;
 }
 
 static mode_t mode_of(int flags, va_list rest)
@@ -202,7 +202,7 @@ int open64(const char* path, int flags, ...)
   va_start(rest, flags);
   const mode_t mode = mode_of(flags, rest);
   va_end(rest);
-  return opens_to_write(flags) && fails("open", path) ? -1 : REAL(open64)(path, flags, mode);
+  return opens_to_write(path, flags) && fails("open", path) ? -1 : REAL(open64)(path, flags, mode);
 }
 
 int open(const char* path, int flags, ...)
@@ -220,7 +220,7 @@ int openat64(int folder, const char* path, int flags, ...)
   va_start(rest, flags);
   const mode_t mode = mode_of(flags, rest);
   va_end(rest);
-  return opens_to_write(flags) && fails("open", path) ? -1 : REAL(openat64)(folder, path, flags, mode);
+  return opens_to_write(path, flags) && fails("open", path) ? -1 : REAL(openat64)(folder, path, flags, mode);
 }
 
 int openat(int folder, const char* path, int flags, ...)

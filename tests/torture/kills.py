@@ -9,7 +9,10 @@ import subprocess
 import time
 
 import run_folder
-from program import PUSHED_PIPE, TIME_LIMIT
+from program import LINE, PUSHED_PIPE, TIME_LIMIT
+
+# What is killed, and how often it writes a checkpoint: some twenty times.
+CASES = {"pipe": [*PUSHED_PIPE, "--set", "output.checkpoint_wall_time=0.01 s"], "line": [*LINE, "--set", "output.checkpoint_wall_time=0.05 s"]}
 
 
 def kill_at_random(process, folder, length):
@@ -26,10 +29,10 @@ def kill_at_random(process, folder, length):
     process.send_signal(signal.SIGKILL)
 
 
-def kill_and_resume(berm, often, folder, reference, kills, length):
+def kill_and_resume(berm, case, folder, reference, kills, length):
     """One run, killed at most `kills` times, each at a random moment. Counts of kills, of those that left half a checkpoint, and of runs that were resumed."""
     shutil.rmtree(folder, ignore_errors=True)
-    words, killed, halves, resumed = [*PUSHED_PIPE, "--threads", "1", "-o", folder, *often], 0, 0, 0
+    words, killed, halves, resumed = [*case, "--threads", "1", "-o", folder], 0, 0, 0
     while True:
         complete = run_folder.is_complete(folder)
         process = berm.start(*words)
@@ -51,11 +54,10 @@ def kill_and_resume(berm, often, folder, reference, kills, length):
     return killed, halves, resumed
 
 
-def torture_kills(berm, kills):
-    reference = os.path.join(berm.place, "undisturbed")
-    often = ["--set", "output.checkpoint_wall_time=0.01 s"]
+def torture_case(berm, name, kills):
+    case, reference = CASES[name], os.path.join(berm.place, f"undisturbed_{name}")
     begin = time.monotonic()
-    status, said = berm.run(*PUSHED_PIPE, "--threads", "1", "-o", reference, *often)
+    status, said = berm.run(*case, "--threads", "1", "-o", reference)
     length = time.monotonic() - begin
     if status != 0:
         print(f"an undisturbed run ends with {status}: {said}")
@@ -65,13 +67,17 @@ def torture_kills(berm, kills):
         folder = os.path.join(berm.place, "results")
         try:
             # The last of many ends by itself.
-            counts = kill_and_resume(berm, often, folder, reference, min(10, kills - killed), 0.7 * length)
+            counts = kill_and_resume(berm, case, folder, reference, min(10, kills - killed), 0.7 * length)
             killed, halves, resumed = killed + counts[0], halves + counts[1], resumed + counts[2]
         except run_folder.Damaged as error:
             lost += 1
-            print(f"run {runs}: {error}", flush=True)
+            print(f"{name}, run {runs}: {error}", flush=True)
             if lost > 10:
                 break
         runs += 1
-    print(f"{killed} kills in {runs} runs, {halves} of them while a checkpoint was written, {resumed} times resumed, {lost} runs not survived")
+    print(f"{name}: {killed} kills in {runs} runs, {halves} of them while a checkpoint was written, {resumed} times resumed, {lost} runs not survived", flush=True)
     return lost == 0
+
+
+def torture(berm, names, kills):
+    return all([torture_case(berm, name, kills) for name in names])

@@ -12,18 +12,22 @@ TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOT = os.path.dirname(TESTS)
 BUILD = os.path.join(ROOT, "build", "release")
 SAMPLES = os.path.join(TESTS, "samples")
+RANKS = os.path.join(TESTS, "ranks")
 TIME_LIMIT = 600  # s, of a run that takes a part of one
 
 
-def run_of(case, *changes):
+def run_of(case, *changes, folder=SAMPLES):
     """A run of a case of the samples, shortened: a part of a second of computing."""
-    return ["run", os.path.join(SAMPLES, case), *(word for change in changes for word in ("--set", change))]
+    return ["run", os.path.join(folder, case), *(word for change in changes for word in ("--set", change))]
 
 
 # Some hundred steps, some frames.
 PUSHED_PIPE = run_of("mpm_case.toml", "mesh.cells=[15, 8]", "body.sand.block.spacing=2.6666667 mm", "stage.rest.until.time=0.5 ms", "output.history_time=0.2 ms")
 # The mesh comes from gmsh; an increment or two.
 WIP_PIPE = run_of("fem_case.toml", "stage.push.until.force=20", "stage.drag.until.displacement=0.1 mm")
+# Four slices that wake one after the other, and springs beside; some hundred steps.
+LINE = run_of("line.toml", "mesh.cells=[13, 7]", "body.clay.block.spacing=80 mm", 'pipeline.slices={spacing=1, to=3, asleep="until_it_slides"}',
+              'pipeline.springs={travel="0.1 m", velocity="0.5 m/s"}', folder=RANKS)
 
 
 class Berm:

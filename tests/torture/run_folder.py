@@ -34,6 +34,13 @@ def check_history(path, reference):
         expect(reference.splitlines()[: len(same)] == same, f"{path}: differs from an undisturbed run")
 
 
+def check_table(path, reference, killed):
+    """Of a pipeline: whole rows; those of an undisturbed run where none of a last moment are added."""
+    content = read(path)
+    expect(content.endswith(b"\n"), f"{path}: ends in half a row")
+    expect(reference is None or not killed or reference.startswith(content), f"{path}: differs from an undisturbed run")
+
+
 def check_vtu(path):
     """The XML ends, and every array lies in the appended data with the length that it announces."""
     content = read(path)
@@ -74,6 +81,8 @@ def check(folder, reference=None, killed=False):
                 expect(killed, f"{path}: is left")
             elif name == "history.csv":
                 check_history(path, same and read(same))
+            elif name in ("line.csv", "berms.csv", "springs.csv"):
+                check_table(path, same and read(same), killed)
             elif name in ("summary.json", "origin.json"):
                 json.loads(read(path))
             elif name.endswith(".vtu"):

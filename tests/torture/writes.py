@@ -7,7 +7,7 @@ import random
 import shutil
 
 import run_folder
-from program import PUSHED_PIPE, WIP_PIPE, sample_of
+from program import LINE, PUSHED_PIPE, WIP_PIPE, sample_of
 
 
 def is_checkpoint(path):
@@ -57,7 +57,7 @@ def torture_writes(berm, sample):
         clear()
         shutil.copytree(os.path.join(berm.place, "pushed_pipe"), folder)
 
-    commands = [(name, [*words, "--threads", "1", "-o", folder], clear) for name, words in (("pushed_pipe", PUSHED_PIPE), ("wip_pipe", WIP_PIPE))]
+    commands = [(name, [*words, "--threads", "1", "-o", folder], clear) for name, words in (("pushed_pipe", PUSHED_PIPE), ("wip_pipe", WIP_PIPE), ("line", LINE))]
     commands.append(("report", ["report", folder], with_results))
     tried = lost = 0
     for name, words, before in commands:

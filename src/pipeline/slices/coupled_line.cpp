@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each_task.hpp"
 #include "core/ranks.hpp"
+#include "mpm/contact_mass.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/inactive.hpp"
 #include "mpm/step.hpp"
@@ -18,16 +19,6 @@
 
 namespace berm::slices {
 namespace {
-
-/// Of all bodies, at the nodes that touch the pipe.
-Real contact_mass_of(const mpm::Workspace<2>& workspace)
-{
-  Real mass = 0;
-  for (const mpm::BodyGrid<2>& grid : workspace.grids)
-    for (const Index node : grid.nodes)
-      if (grid.contact_points[node] != 0) mass += grid.mass[node];
-  return mass;
-}
 
 /// Of ranks one may fail where others do not: what failed is told to all before any of them throws.
 template <class Act>
@@ -87,9 +78,15 @@ void CoupledLine::make_others(const problem::State<2>& first)
   }
 }
 
-void CoupledLine::make_workspaces()
+/// Of the slices that this rank steps; of the others it keeps how their pipes move.
+void CoupledLine::begin_soils()
 {
-  for (std::size_t k = 1; k < count(); ++k) workspaces_.push_back(std::make_unique<mpm::Workspace<2>>(model_of(k), *others_[k - 1]));
+  for (std::size_t k = 1; k < count(); ++k) {
+    problem::State<2>& other = *others_[k - 1];
+    workspaces_.push_back(own(static_cast<Index>(k)) ? std::make_unique<mpm::Workspace<2>>(model_of(k), other) : nullptr);
+    if (!own(static_cast<Index>(k)) && !Ranks::of_run().is_first())
+      for (bodies::Particles<2>& particles : other.particles) particles = {};
+  }
 }
 
 void CoupledLine::hang(const problem::State<2>& laid)
@@ -97,7 +94,7 @@ void CoupledLine::hang(const problem::State<2>& laid)
   hangs_ = true;
   laid_embedment_ = travel_of(model_of(0), laid, 0).w;
   make_others(laid);
-  make_workspaces();
+  begin_soils();
   for (std::size_t k = 0; k < count(); ++k) forces_[k].force = (k == 0 ? laid : *others_[k - 1]).rigid_bodies[0].smooth_reaction;
 }
 
@@ -224,7 +221,7 @@ void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, c
         mpm::refuse_rigid_outside_mesh(model_of(k), state);
       });
       state.max_dt = limit;
-      forces_[static_cast<std::size_t>(k)] = {state.rigid_bodies[0].reaction, contact_mass_of(work)};
+      forces_[static_cast<std::size_t>(k)] = {state.rigid_bodies[0].reaction, mpm::contact_mass(work)};
     });
   });
   share_slices(first, fault);
@@ -252,7 +249,7 @@ void CoupledLine::archive(Archive& k, const problem::State<2>& first)
     });
   if (!k.reads()) return;
   for (std::size_t s = 1; s < count(); ++s) mpm::set_inactive_cells(model_of(s), *others_[s - 1]);
-  make_workspaces();
+  begin_soils();
 }
 
 }  // namespace berm::slices

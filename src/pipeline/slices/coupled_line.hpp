@@ -22,7 +22,7 @@ struct SliceForce {
 ///   F = H - C (v - v_then),  C = max(0, 3 m_c - m)/dt,
 ///
 /// with the mass m_c of the soil that moves with the pipe in a step and the mass m of the line: a reaction that is a step late is stable while m_c < m, and with C at any m_c. Of several
-/// ranks each has the whole line and steps the soil of every n-th slice; after a step they tell each other its forces.
+/// ranks each has the whole line and the soil of every n-th slice, which it steps; after a step they tell each other its forces. The first rank has room for all, as it writes checkpoints.
 class CoupledLine {
 public:
   CoupledLine(const problem::Case& c, const problem::Model<2>& model);
@@ -77,7 +77,7 @@ private:
 
   const problem::Model<2>& model_of(std::size_t k) const { return *soils_[k].model; }
   void make_others(const problem::State<2>& first);
-  void make_workspaces();
+  void begin_soils();
   /// Whether this rank steps the soil of a slice.
   bool own(Index k) const;
   // With what failed on this rank; throws RunError on all where it did on one.

@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "library/message_sink.hpp"
 #include "library/particle_views.hpp"
+#include "problem/stages.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/run_place.hpp"
 #include "structures/structures.hpp"
@@ -309,6 +310,21 @@ int Run::dimension() const
   return parts_->visit([](auto& open) { return std::decay_t<decltype(open.method())>::dim; });
 }
 
+bool Run::is_axisymmetric() const
+{
+  return parts_->visit([](auto& open) { return open.method().model().mesh.metric == mesh::Metric::axisymmetric; });
+}
+
+double Run::contact_mass() const
+{
+  return parts_->visit([](auto& open) -> double {
+    if constexpr (std::is_same_v<std::decay_t<decltype(open.method())>, simulation::FemMethod>)
+      return 0;
+    else
+      return open.method().contact_mass();
+  });
+}
+
 std::vector<std::string> Run::bodies() const
 {
   return parts_->visit([](auto& open) {
@@ -342,6 +358,7 @@ std::vector<RigidBodyNow> Run::rigid_bodies() const
       now.name = model.rigid_bodies[r].name;
       const auto& all_sums = open.method().state().contact_sums;
       const contact::ContactSums<dim> sums = r < all_sums.size() ? all_sums[r] : contact::ContactSums<dim>{};
+      now.embedment = travel_of(model, open.method().state(), static_cast<Index>(r)).w;
       const Vec<dim> centre = center_now(model.rigid_bodies[r], states[r]);
       for (int d = 0; d < dim; ++d) {
         now.centre[d] = centre[d];

@@ -3,6 +3,7 @@
 
 #include "io/scratch_folder.hpp"
 #include "mpm/condition.hpp"
+#include "mpm/contact_mass.hpp"
 #include "mpm/divide.hpp"
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/summary.hpp"
@@ -69,6 +70,9 @@ public:
   void archive(Archive& k);
   /// The state of all ranks, on the first of them, while this lives.
   mpm::WholeState<d> whole_state();
+
+  /// Of the soil at the nodes that contacts moved in the last step, kg/m or kg; 0 before the first.
+  Real contact_mass() const { return workspace_ ? mpm::contact_mass(*workspace_) : 0; }
 
   /// What shows whether the run can be trusted; what does not is a warning in the log, too.
   run_folder::Summary::Checks checks() const;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fmu/slice_unit_test.cpp
+#include "fmu/slice_unit.hpp"
+
+#include "core/error.hpp"
+#include "fmu/embedded.hpp"
+#include "fmu/unit.hpp"
+#include "input/write_case.hpp"
+#include "io/atomic_file.hpp"
+#include "io/sha256.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::fmu {
+namespace {
+
+/// Its variables are numbered as slice.c has them. No output depends on an input of the same time: an input drives the next step.
+Unit unit_of(const std::string& token)
+{
+  return {.identifier = "berm_slice",
+          .description = "Force between 1 m of pipe and the seabed, by the material point method",
+          .variables = {{"time", "independent", "s", "time"},
+                        {"v_u", "input", "m/s", "velocity across the pipe in the next step"},
+                        {"v_w", "input", "m/s", "velocity of the pipe in the next step, positive downwards"},
+                        {"H", "output", "N/m", "force of the pipe on the soil along u, mean of the last step"},
+                        {"V", "output", "N/m", "reaction of the soil on the pipe, positive upwards, mean of the last step"},
+                        {"u", "output", "m", "displacement across the pipe since the case began"},
+                        {"w", "output", "m", "embedment of the invert, positive downwards"},
+                        {"contact_mass", "output", "kg/m", "mass of the soil at the nodes that the pipe touches"}},
+          .has_derivatives = false,
+          .has_bytes_of_states = false,
+          .needs_berm = true,
+          .library = slice_library,
+          .token = token};
+}
+
+void refuse_other_than_slice(const problem::Case& c)
+{
+  if (c.method != problem::Method::mpm) throw KeyError("method: a unit for co-simulation is of the material point method: mpm");
+  if (c.geometry != problem::Geometry::plane_strain) throw KeyError("geometry: a unit for co-simulation is a slice of soil: plane_strain");
+  if (c.rigid.size() != 1) throw KeyError(fmt::format("rigid: a unit for co-simulation has one rigid body, not {}", c.rigid.size()));
+  if (c.stage.back().kind != problem::StageKind::drive)
+    throw KeyError(fmt::format("stage[{}].kind: the last stage is the one that a co-simulation drives: drive", c.stage.size() - 1));
+}
+
+constexpr std::string_view dependencies =
+    "libberm.so." BERM_LIBRARY_VERSION
+    " of berm, of the version that wrote this unit, where the loader finds it: installed, or in a folder that "
+    "LD_LIBRARY_PATH names. Gmsh where resources/case.toml has a mesh of kind \"seabed\".\n";
+
+}  // namespace
+
+std::string slice_description(int fmi_version, const std::string& token)
+{
+  return model_description(fmi_version, unit_of(token));
+}
+
+std::string fmu_of_slice(problem::Case settings, const std::filesystem::path& folder, int fmi_version)
+{
+  refuse_other_than_slice(settings);
+  std::string mesh;
+  std::vector<io::ZipEntry> files;
+  const std::string of_mesh = "mesh.msh";
+  if (auto* file = std::get_if<mesh::GmshFile>(&settings.mesh)) {
+    mesh = io::read_text_file(folder / file->file);
+    file->file = of_mesh;
+    files.push_back({"resources/" + of_mesh, mesh});
+  }
+  const std::string text = input::resolved_toml(settings), stage = "stage " + settings.stage.back().name + "\n",
+                    token = io::sha256_of(text + stage + mesh), resource = "token " + token + "\n" + stage;
+  files.push_back({"resources/case.toml", text});
+  files.push_back({"resources/unit.txt", resource});
+  files.push_back({"documentation/externalDependencies.txt", dependencies});
+  Unit unit = unit_of(token);
+  unit.files = std::move(files);
+  return archive_of(fmi_version, unit);
+}
+
+}  // namespace berm::fmu
