@@ -75,9 +75,9 @@ TEST_F(OtherPrograms, run_both_units_to_the_bits_of_the_macro_element_and_go_bac
 TEST_F(OtherPrograms, compile_the_units_from_their_sources)
 {
   ASSERT_EQ(shell("python3 -m zipfile --extract macro_element.fmi3.fmu unit"), 0);
-  EXPECT_EQ(
-      shell("cc -std=c99 -pedantic -Wall -Wextra -Werror -O2 -fPIC -shared unit/sources/fmu.c unit/sources/macro_element.c -o unit.so -lm"),
-      0);
+  EXPECT_EQ(shell("cc -std=c99 -pedantic -Wall -Wextra -Werror -O2 -fPIC -shared unit/sources/fmu.c unit/sources/fmi.c "
+                  "unit/sources/macro_element.c -o unit.so -lm"),
+            0);
 }
 
 TEST_F(OtherPrograms, get_the_same_bytes_for_the_same_parameters_and_another_token_for_others)
