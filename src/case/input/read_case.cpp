@@ -8,6 +8,7 @@
 #include "input/reader.hpp"
 #include "material/user_law.hpp"
 #include "problem/sweeps.hpp"
+#include "slices/place_slices.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
   CaseInFile found;
   read(document, found.settings);
   find_libraries(found.settings.material, folder);
-  const Places written(document);
+  Places written(document);
   try {
     read_surfaces(found.settings.rigid, folder);
     for (std::size_t k = 0; k < found.settings.stage.size(); ++k) read_load_history(found.settings, k, folder);
@@ -52,9 +53,11 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
       read_pipeline_tables(*found.settings.pipeline, folder);
     }
     const std::vector<std::size_t> repeated = problem::expand_repeats(found.settings);
+    written = Places(document, repeated);
     std::vector<std::size_t> origins = problem::expand_sweeps(found.settings);
     for (std::size_t& origin : origins) origin = repeated[origin];
-    found.places = Places(std::move(document), origins);
+    written = found.places = Places(std::move(document), origins);
+    if (found.settings.pipeline) slices::place_slices(found.settings);
   } catch (const KeyError& error) {
     throw InputError(written.located(error.what()));
   }

@@ -10,11 +10,6 @@
 namespace berm::sanity {
 namespace {
 
-constexpr Real embedment = 0.1;                           // over the diameter: for the resistance of an interface along the line
-constexpr Real way_of_step = 0.01;                        // over the diameter
-constexpr Real shortest_step = 5e-3, longest_step = 0.1;  // s
-constexpr Real most_node_steps = 5e5;
-
 using beam::Plane;
 
 /// Since it was laid, m, by freedom.
@@ -23,14 +18,6 @@ std::vector<Real> gone_of(const slices::LineOnSprings& line)
   std::vector<Real> gone = line.state().displacement;
   for (std::size_t i = 0; i < gone.size(); ++i) gone[i] -= line.of_case().line.shape[i];
   return gone;
-}
-
-Real next_step_of(const slices::LineOnSprings& line)
-{
-  Real fastest = 0;
-  for (Index i = 0; i < line.of_case().line.nodes(); ++i)
-    fastest = std::max(fastest, std::abs(line.state().velocity[line.of_case().line.across(Plane::lateral, i)]));
-  return std::clamp(way_of_step * line.of_case().diameter / fastest, shortest_step, longest_step);
 }
 
 /// Between the places to either side of the crown where the line has not moved; what lies beyond x = 0 is its other half.
@@ -58,20 +45,6 @@ Real lobe_of(const slices::LineOnSprings& line)
   return 2 * (place(right) - of.x[crown]);
 }
 
-/// The first stage that brings the largest compression of all.
-std::size_t hottest_stage_of(const problem::Case& c, const slices::LineOfCase& of)
-{
-  Real largest = -infinity;
-  std::size_t hottest = 0;
-  slices::LineLoads loads = of.laid();
-  for (std::size_t k = 0; k < c.stage.size(); ++k) {
-    if (c.stage[k].kind != problem::StageKind::pipeline) continue;
-    loads = target_of(c.stage[k].pipeline, loads);
-    if (const Real compression = of.constrained_force(loads, 0); compression > largest) largest = compression, hottest = k;
-  }
-  return hottest;
-}
-
 void note_slices(const slices::LineOnSprings& line, Journey& journey)
 {
   std::vector<Real> means(journey.places.size());
@@ -92,34 +65,20 @@ LineThen then_of(const slices::LineOnSprings& line)
 
 std::optional<Journey> journey_on_springs(const problem::Case& c, Real slower, const GoesOn& goes_on)
 {
-  slices::LineOnSprings line(c, embedment * bodies::width_of<2>(bodies::make_shape<2>(c.rigid.front().second.shape)));
+  slices::LineOnSprings line(c);
   const slices::LineOfCase& of = line.of_case();
   if (!of.lateral) return {};
   const std::size_t hottest = hottest_stage_of(c, of);
   Journey journey{std::vector<LineThen>(c.stage.size()), of.places, std::vector<Span>(of.places.size(), {0, 0})};
-  slices::LineLoads from = of.laid();
-  Real steps_left = most_node_steps / static_cast<Real>(of.line.nodes());
-  for (std::size_t k = 0; k < c.stage.size(); ++k) {
-    const problem::StageSettings& stage = c.stage[k];
-    if (stage.kind != problem::StageKind::pipeline) continue;
-    const slices::LineLoads to = target_of(stage.pipeline, from);
-    const Real ramp = slower * stage.ramp, end = slower * *stage.until.time;
-    for (Real time = 0; time < end;) {
-      if (--steps_left < 0) return journey;
-      const Real left = end - time, dt = std::min(left, next_step_of(line));
-      time = dt < left ? time + dt : end;
-      try {
-        line.step(slices::between(from, to, ramp > time ? time / ramp : 1), dt);
-      } catch (const beam::NoEquilibrium&) {
-        return journey;
-      }
-      if (k <= hottest) note_slices(line, journey);
-    }
-    if (of.constrained_force(to, 0) > of.constrained_force(from, 0)) journey.ends[k] = then_of(line);
+  const auto step = [&](std::size_t k, Real) {
+    if (k <= hottest) note_slices(line, journey);
+  };
+  const auto stage_end = [&](std::size_t k, const slices::LineLoads& before, const slices::LineLoads& now) {
+    if (of.constrained_force(now, 0) > of.constrained_force(before, 0)) journey.ends[k] = then_of(line);
     if (k == hottest) journey.lobe = lobe_of(line);
-    if (!goes_on(k, journey.ends[k])) break;
-    from = to;
-  }
+    return goes_on(k, journey.ends[k]);
+  };
+  go_through_stages(c, slower, {step, stage_end}, line);
   return journey;
 }
 

@@ -26,8 +26,7 @@ struct Journey {
 /// Whether a journey goes on after a stage, with the line at its end.
 using GoesOn = std::function<bool(std::size_t stage, const LineThen& then)>;
 
-/// The stages that load the line, each so many times slower. In a step the line goes a hundredth of its diameter, so that snaps are resolved and slow heating costs little. It ends early where
-/// a line of many nodes would take more than about a second of a processor, or finds no equilibrium. Empty where nothing resists sideways.
+/// The stages that load the line, each so many times slower (slices::go_through_stages). Empty where nothing resists sideways.
 std::optional<Journey> journey_on_springs(const problem::Case& c, Real slower, const GoesOn& goes_on);
 
 }  // namespace berm::sanity

@@ -58,9 +58,11 @@ void is_heating_slow(const Scene& s, const Journey& as_it_is, Findings& found)
 void are_slices_near_enough(const Scene& s, const Journey& journey, Findings& found)
 {
   constexpr Real wanted = 7;  // to a lobe
-  const Real spacing = s.c.pipeline->slices.spacing;
-  if (!(spacing > journey.lobe / wanted)) return;
-  found.warn("pipeline.slices.spacing",
+  Real spacing = 0;
+  for (std::size_t k = 1; k < journey.places.size() && !(journey.places[k - 1] > journey.lobe); ++k)
+    spacing = std::max(spacing, journey.places[k] - journey.places[k - 1]);
+  if (!(spacing > (1 + 1e-9) * journey.lobe / wanted)) return;
+  found.warn(s.c.pipeline->slices.spacing ? "pipeline.slices.spacing" : "pipeline.slices.at",
              fmt::format("is {}, and a lobe of the line is {} long on springs: {:.2g} slices to a lobe, and {:g} are needed; {} or less",
                          words_of(spacing, "m"), words_of(journey.lobe, "m"), journey.lobe / spacing, wanted,
                          words_of(rounded_down(journey.lobe / wanted), "m")));

@@ -110,6 +110,13 @@ LoadedFreedom freedom_of(LoadAlong along, const Axes<dim>& axes)
   case LoadAlong::rotation_y:
   case LoadAlong::rotation_z:
     break;
+  case LoadAlong::temperature:
+  case LoadAlong::far_temperature:
+  case LoadAlong::pressure:
+  case LoadAlong::weight:
+  case LoadAlong::lateral:
+  case LoadAlong::pull:
+    return {none, 1};
   }
   return {dim == 3 ? 3 + turn : none, 1};
 }

@@ -41,6 +41,13 @@ bool is_driven_otherwise(const StageSettings& s, const LoadColumn& column)
     return turn(s.drive.rotation_y);
   case LoadAlong::rotation_z:
     return turn(s.drive.rotation_z);
+  case LoadAlong::temperature:
+  case LoadAlong::far_temperature:
+  case LoadAlong::pressure:
+  case LoadAlong::weight:
+  case LoadAlong::lateral:
+  case LoadAlong::pull:
+    break;  // no other key goes with them (check_pipeline)
   }
   return false;
 }
@@ -95,6 +102,7 @@ std::string fault_of_repeat(const StageSettings& s)
 std::string fault_of_ramp(const StageSettings& s)
 {
   if (s.ramp == 0 || s.velocity || s.force || s.vertical_force || s.vertical_velocity) return "";
+  if (s.kind == StageKind::pipeline) return "ramp: is not for loads of the line that a load history has: its rows say how they go";
   const DriveSettings& drive = s.drive;
   for (const FreedomSettings* f : {&drive.x, &drive.y, &drive.z})
     if (f->velocity || f->force) return "";
@@ -154,8 +162,11 @@ std::optional<RowFault> fault_of_row(const StageSettings& s, std::size_t row)
     return of_times(fmt::format("the time {:.6g} s stands three times: twice is a jump, from the first value to the second", t[row]));
   for (std::size_t k = 0; k < load_columns.size(); ++k) {
     const std::vector<Real>& column = s.loads.columns[k];
-    if (load_columns[k].quantity != LoadQuantity::displacement || row >= column.size()) continue;
+    if (row >= column.size()) continue;
     const std::string key = fmt::format("loads.{}", load_columns[k].key);
+    if (load_columns[k].along == LoadAlong::weight && !(column[row] > 0))
+      return RowFault{key, fmt::format("weight is {:.6g} N/m at {:.6g} s: it must be more than 0", column[row], t[row])};
+    if (load_columns[k].quantity != LoadQuantity::displacement) continue;
     if (row == 0 && (t[0] != 0 || column[0] != 0))
       return RowFault{key,
                       fmt::format("{} is the displacement since the stage began: its first row must be 0 at the time 0, and is {:.6g} {} "
@@ -173,7 +184,7 @@ std::vector<std::size_t> columns_for(const Case& c, const StageSettings& stage)
   const bool space = c.dimension() == 3, around_axis = c.geometry == Geometry::axisymmetric;
   const auto mirrored = [&](const char* axis) { return std::find(c.symmetry.begin(), c.symmetry.end(), axis) != c.symmetry.end(); };
   const auto goes = [&](LoadAlong along) {
-    const bool drive = stage.kind == StageKind::drive;
+    const bool drive = stage.kind == StageKind::drive, line = stage.kind == StageKind::pipeline;
     switch (along) {
     case LoadAlong::horizontal:
       return stage.kind == StageKind::drag;
@@ -193,6 +204,16 @@ std::vector<std::size_t> columns_for(const Case& c, const StageSettings& stage)
       return drive && space && !mirrored("x") && !mirrored("z");
     case LoadAlong::rotation_z:
       return drive && space && !mirrored("x");
+    case LoadAlong::temperature:
+    case LoadAlong::far_temperature:
+      return line && (!c.pipeline || c.pipeline->expansion > 0);
+    case LoadAlong::pressure:
+      return line && (!c.pipeline || c.pipeline->wall);
+    case LoadAlong::weight:
+    case LoadAlong::lateral:
+      return line;
+    case LoadAlong::pull:
+      return line && (!c.pipeline || c.pipeline->end != LineEnd::anchored);
     }
     return false;
   };
@@ -207,8 +228,10 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
   if (s.load_times.empty() && s.load_factors.empty() && s.loads.empty()) return "";
   if (const std::string fault = fault_of_times(s); !fault.empty()) return fault;
   if (!s.loads.empty() && !s.load_factors.empty()) return "load_factors: does not go with loads, which are no factors";
-  if (s.loads.empty() && s.kind == StageKind::drive)
-    return "load_factors: multiply what a push or a drag drives; a drive has a load history with columns, such as time_s,x_N_m";
+  if (s.loads.empty() && (s.kind == StageKind::drive || s.kind == StageKind::pipeline))
+    return fmt::format("load_factors: multiply what a push or a drag drives; a {} has a load history with columns, such as {}",
+                       s.kind == StageKind::drive ? "drive" : "stage of kind pipeline",
+                       s.kind == StageKind::drive ? "time_s,x_N_m" : "time_s,temperature_K");
   for (std::size_t k = 0; k < load_columns.size(); ++k)
     if (!s.loads.columns[k].empty())
       if (const std::string fault = fault_of_column(c, s, k); !fault.empty()) return fault;

@@ -7,7 +7,7 @@
 
 namespace berm::problem {
 
-/// The freedom of the driven body that a column of a load history is of.
+/// The freedom of the driven body, or the load of the line, that a column of a load history is of.
 enum class LoadAlong {
   horizontal,  ///< along the drag
   downwards,
@@ -17,11 +17,17 @@ enum class LoadAlong {
   rotation,
   rotation_x,
   rotation_y,
-  rotation_z
+  rotation_z,
+  temperature,  ///< from here on loads of the line (PipelineLoads)
+  far_temperature,
+  pressure,
+  weight,
+  lateral,
+  pull
 };
 
-/// What the values of a column of a load history are: forces or moments, velocities, or displacements and angles since the stage began.
-enum class LoadQuantity { force, velocity, displacement };
+/// What the values of a column of a load history are: forces or moments, velocities, or displacements and angles since the stage began; or loads of the line.
+enum class LoadQuantity { force, velocity, displacement, of_line };
 
 /// A kind of column of a load history.
 struct LoadColumn {
@@ -33,7 +39,7 @@ struct LoadColumn {
   const char* meaning;
 };
 
-constexpr std::array<LoadColumn, 27> load_columns = {{
+constexpr std::array<LoadColumn, 33> load_columns = {{
     {"H", "H", "N/m", LoadQuantity::force, LoadAlong::horizontal, "in a drag: force along x"},
     {"V", "V", "N/m", LoadQuantity::force, LoadAlong::downwards, "in a push or a drag: downward force"},
     {"u", "u", "m/s", LoadQuantity::velocity, LoadAlong::horizontal, "in a drag: velocity along x"},
@@ -73,9 +79,18 @@ constexpr std::array<LoadColumn, 27> load_columns = {{
      "in a drive in space: angular velocity about z"},
     {"rotation_z_angle", "rotation_z", "rad", LoadQuantity::displacement, LoadAlong::rotation_z,
      "in a drive in space: angle about z since the stage began, the integral of the angular velocity"},
+    {"temperature", "temperature", "K", LoadQuantity::of_line, LoadAlong::temperature,
+     "in a stage of kind pipeline: rise of temperature since the line was laid"},
+    {"far_temperature", "far_temperature", "K", LoadQuantity::of_line, LoadAlong::far_temperature,
+     "in a stage of kind pipeline: the same at the far end of the line; left out: as at x = 0"},
+    {"pressure", "pressure", "Pa", LoadQuantity::of_line, LoadAlong::pressure,
+     "in a stage of kind pipeline: rise of internal pressure since the line was laid"},
+    {"weight", "weight", "N/m", LoadQuantity::of_line, LoadAlong::weight, "in a stage of kind pipeline: submerged weight"},
+    {"lateral", "lateral", "N/m", LoadQuantity::of_line, LoadAlong::lateral, "in a stage of kind pipeline: load sideways"},
+    {"pull", "pull", "N", LoadQuantity::of_line, LoadAlong::pull, "in a stage of kind pipeline: effective tension at the far end"},
 }};
 
-/// Forces, velocities and displacements of a driven body that vary together: a value at each of the stage's load_times, linear between them, constant after.
+/// Forces, velocities and displacements of a driven body, or loads of the line, that vary together: a value at each of the stage's load_times, linear between them, constant after.
 struct LoadSettings {
   std::array<std::vector<Real>, load_columns.size()> columns;  ///< by load_columns, SI; an empty one drives nothing
 

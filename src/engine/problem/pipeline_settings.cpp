@@ -10,6 +10,20 @@
 #include <functional>
 
 namespace berm::problem {
+namespace {
+
+constexpr int max_slices = 1000;
+
+}  // namespace
+
+std::vector<Real> places_of(const SliceSettings& slices)
+{
+  if (!slices.spacing || !slices.to) return slices.at;
+  std::vector<Real> places;
+  const int count = static_cast<int>(std::lround(*slices.to / *slices.spacing));
+  for (int k = 0; k <= count; ++k) places.push_back(*slices.to * k / count);
+  return places;
+}
 
 void describe(Describe& d, Imperfection& imperfection)
 {
@@ -53,9 +67,15 @@ void describe(Describe& d, SpringsBeside& springs)
 
 void describe(Describe& d, SliceSettings& slices)
 {
-  d.value("spacing", slices.spacing, {.meaning = "distance between slices", .unit = "m", .range = positive, .required = true});
+  d.value("spacing", slices.spacing, {.meaning = "distance between slices", .unit = "m", .range = positive});
   d.value("to", slices.to,
-          {.meaning = "place of the last slice along the line; the first is at 0", .unit = "m", .range = positive, .required = true});
+          {.meaning = "place of the last slice along the line; the first is at 0. With `count` it may be left out",
+           .unit = "m",
+           .range = positive});
+  d.value("at", slices.at, {.meaning = "instead of spacing: the places of all slices, ascending from 0", .unit = "m"});
+  d.value(
+      "count", slices.count,
+      {.meaning = "instead of spacing: how many slices; berm places them where the line on springs needs them", .range = {0, max_slices}});
   d.choice("asleep", slices.asleep, {"never", "until_it_slides", "always"},
            {.meaning = "when a slice is no soil but a spring of the far soil: until this spring has 40 % of its resistance sideways, which "
                        "saves time; always: a line on springs alone"});
@@ -135,8 +155,6 @@ void describe(Describe& d, PipelineSettings& pipeline)
 
 namespace {
 
-constexpr int max_slices = 1000;
-
 void check_points(Describe& d, const GivenPoints& points, const std::string& key, const char* x, const char* y, std::size_t least)
 {
   if (points.empty()) return;
@@ -163,8 +181,36 @@ void check_shape(Describe& d, const PipelineSettings& p)
   d.check(p.half != LineHalf::none, "pipeline.imperfection",
           "is around x = 0, where a line with half = \"none\" ends: give it a pipeline.route");
   d.check(shape.length / 2 < p.length, "pipeline.imperfection.length", "must be less than twice pipeline.length");
-  d.check(shape.length >= 4 * p.slices.spacing, "pipeline.imperfection.length",
-          "must be four spacings of the slices at least, which carry its shape");
+  const std::vector<Real> places = places_of(p.slices);
+  Real apart = 0;
+  for (std::size_t k = 1; k < places.size() && places[k - 1] < shape.length / 2; ++k) apart = std::max(apart, places[k] - places[k - 1]);
+  d.check(shape.length >= 4 * apart, "pipeline.imperfection.length", "must be four spacings of the slices at least, which carry its shape");
+}
+
+void check_places(Describe& d, const SliceSettings& s, Real length)
+{
+  constexpr Real nearest = 1e-3;  // m
+  d.check(s.spacing.has_value() + (s.count != 0) + !s.at.empty() == 1, "pipeline.slices",
+          "needs one of these: spacing (with to), at, or count");
+  d.check(!s.to || s.at.empty(), "pipeline.slices.to", "is the last place of pipeline.slices.at: leave it out");
+  d.check(!s.spacing || s.to, "pipeline.slices.to", "is needed with spacing: the place of the last slice");
+  d.check(!s.to || length >= *s.to, "pipeline.length", "must reach to the last slice, pipeline.slices.to");
+  d.check(s.count == 0 || s.count >= 4, "pipeline.slices.count", "is less than 4: a line has four slices at least");
+  if (s.spacing && s.to) {
+    const Real spacings = std::round(*s.to / *s.spacing);
+    d.check(spacings >= 3, "pipeline.slices.to",
+            "gives fewer than four slices: it is the place of the last one, at least three spacings from 0");
+    d.check(spacings < max_slices, "pipeline.slices.spacing", fmt::format("gives more than {} slices", max_slices));
+    d.check(std::abs(spacings * *s.spacing - *s.to) <= 1e-6 * *s.to, "pipeline.slices.to", "must be a multiple of pipeline.slices.spacing");
+  }
+  if (s.at.empty()) return;
+  d.check(s.at.size() >= 4, "pipeline.slices.at", fmt::format("has {} places: a line has four slices at least", s.at.size()));
+  d.check(s.at.size() <= max_slices, "pipeline.slices.at", fmt::format("has more than {} places", max_slices));
+  d.check(s.at.front() == 0, "pipeline.slices.at", "must begin at 0");
+  for (std::size_t k = 1; k < s.at.size(); ++k)
+    d.check(s.at[k] >= s.at[k - 1] + nearest, "pipeline.slices.at",
+            fmt::format("must ascend, by {:g} m at least: {:.6g} m follows {:.6g} m", nearest, s.at[k], s.at[k - 1]));
+  d.check(length >= s.at.back(), "pipeline.length", "must reach to the last slice, the last of pipeline.slices.at");
 }
 
 void check_line(Describe& d, const PipelineSettings& p)
@@ -173,13 +219,6 @@ void check_line(Describe& d, const PipelineSettings& p)
   d.check(steel != stiff, "pipeline", "needs either wall and young_modulus, or bending_stiffness and axial_stiffness");
   d.check(!steel || (p.wall && p.young_modulus), "pipeline", "needs both wall and young_modulus");
   d.check(!stiff || (p.bending_stiffness && p.axial_stiffness), "pipeline", "needs both bending_stiffness and axial_stiffness");
-  const Real spacings = std::round(p.slices.to / p.slices.spacing);
-  d.check(spacings >= 3, "pipeline.slices.to",
-          "gives fewer than four slices: it is the place of the last one, at least three spacings from 0");
-  d.check(spacings < max_slices, "pipeline.slices.spacing", fmt::format("gives more than {} slices", max_slices));
-  d.check(std::abs(spacings * p.slices.spacing - p.slices.to) <= 1e-6 * p.slices.to, "pipeline.slices.to",
-          "must be a multiple of pipeline.slices.spacing");
-  d.check(p.length >= p.slices.to, "pipeline.length", "must reach to the last slice, pipeline.slices.to");
   d.check(p.lay_tension == 0 || (p.end == LineEnd::anchored && p.half != LineHalf::none), "pipeline.lay_tension",
           "needs ends that hold it: end = \"anchored\", and not half = \"none\"");
   d.check((p.end == LineEnd::spring) == p.end_stiffness.has_value(), "pipeline.end_stiffness",
@@ -202,10 +241,12 @@ void check_soil(Describe& d, const Case& c, const PipelineSettings& p)
                              std::none_of(c.support.begin(), c.support.end(), [](const auto& s) { return s.second.head.has_value(); })),
           "pipeline.soil", "does not go with tractions and heads, whose times would be others where laying takes longer");
   d.check(p.soil.empty() || p.slices.asleep != SliceSleep::always, "pipeline.soil", "does not go with slices that are always asleep");
+  const std::vector<Real> places = places_of(p.slices);
+  const Real last = places.empty() ? infinity : places.back() * (1 + 1e-9);
   for (std::size_t k = 0; k < p.soil.size(); ++k) {
     const std::string path = fmt::format("pipeline.soil[{}]", k);
     d.check(p.soil[k].from <= p.soil[k].to, path + ".to", "is before `from`");
-    d.check(p.soil[k].to <= p.slices.to * (1 + 1e-9), path + ".to", "is beyond the last slice, pipeline.slices.to");
+    d.check(!(p.soil[k].to > last), path + ".to", fmt::format("is beyond the last slice, at {:.6g} m", places.empty() ? 0 : places.back()));
     d.check(p.soil[k].from > 0, path + ".from", "must be above 0: the slice at x = 0 is the case itself");
     d.check(k == 0 || p.soil[k].from > p.soil[k - 1].to, path + ".from", "must be beyond the slices before");
     for (const std::string& set : p.soil[k].set)
@@ -251,13 +292,15 @@ void check_pipeline(Describe& d, const Case& c)
     d.check(!is_of_line(*stage) || c.pipeline, path + ".kind", "loads the line of [pipeline], and there is none");
     d.check(stage < first || is_of_line(*stage), path + ".kind",
             "comes after a stage of kind \"pipeline\": the slices hang on the line from then on");
-    d.check(!is_of_line(*stage) || stage->until.time, path + ".until.time", "is needed: a stage of kind \"pipeline\" ends at a time");
+    d.check(!is_of_line(*stage) || stage->until.time || has_load_history(*stage), path + ".until.time",
+            "is needed: a stage of kind \"pipeline\" ends at a time, or with its load history");
     d.check(!is_of_line(*stage) ||
                 (!stage->until.displacement && !stage->until.embedment && !stage->until.force && !stage->until.consolidation),
             path + ".until", "of kind \"pipeline\" is a time");
     d.check(!is_of_line(*stage) || !stage->until.time || stage->ramp <= *stage->until.time, path + ".ramp",
             "of kind \"pipeline\" must end before the stage does, at until.time");
-    d.check(!is_of_line(*stage) || !has_load_history(*stage), path, "of kind \"pipeline\" has no load history: its loads go with the ramp");
+    d.check(!is_of_line(*stage) || !has_load_history(*stage) || !loads_pipeline(stage->pipeline), path + ".pipeline",
+            "does not go with a load history: give it columns for all loads that change");
     d.check(!stage->pipeline.pressure || !c.pipeline || c.pipeline->wall, path + ".pipeline.pressure",
             "needs the wall of the pipe: pipeline.wall and young_modulus");
     d.check(!stage->pipeline.pull || !c.pipeline || c.pipeline->end != LineEnd::anchored, path + ".pipeline.pull",
@@ -266,6 +309,7 @@ void check_pipeline(Describe& d, const Case& c)
             path + ".pipeline.temperature", "needs pipeline.expansion");
   }
   if (!c.pipeline) return;
+  check_places(d, c.pipeline->slices, c.pipeline->length);
   check_soil(d, c, *c.pipeline);
   d.check(first != c.stage.end(), "pipeline", "no [[stage]] of kind \"pipeline\" loads it");
   d.check(first != c.stage.begin(), "pipeline",

@@ -50,12 +50,17 @@ struct Imperfection {
   Real length = 0;     ///< m, of the whole
 };
 
-/// Slices of soil under the line, the same case each.
+/// Slices of soil under the line, the same case each: evenly spaced, at places of their own, or as many as are asked for where berm places them.
 struct SliceSettings {
-  Real spacing = 0;  ///< m
-  Real to = 0;       ///< m, x of the last; the first is at x = 0
+  std::optional<Real> spacing;  ///< m
+  std::optional<Real> to;       ///< m, x of the last; the first is at x = 0
+  std::vector<Real> at;         ///< m
+  int count = 0;                ///< instead of places; 0 once a case is read, which gives them places (slices/place_slices.hpp)
   SliceSleep asleep = SliceSleep::never;
 };
+
+/// x of the slices, m; empty where they have no places yet.
+std::vector<Real> places_of(const SliceSettings& slices);
 
 /// Slices of other soil than that of the case.
 struct OtherSoil {

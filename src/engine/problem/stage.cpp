@@ -136,7 +136,8 @@ void describe(Describe& d, StageSettings& stage)
   d.value("load_history", stage.load_history,
           {.meaning =
                "CSV file, beside the case file, of the time since the stage began and, in a push or a drag, the factor of velocity "
-               "or force; or of forces, velocities and displacements that vary together, which its header names: time_s,H_N_m,V_N_m"});
+               "or force; or of forces, velocities and displacements that vary together, which its header names: time_s,H_N_m,V_N_m; in a "
+               "stage of kind pipeline of the loads of the line: time_s,temperature_K,pressure_Pa"});
   d.value("load_times", stage.load_times,
           {.meaning = "instead of a file: the times, ascending; the same time twice is a jump from the first value to the second",
            .unit = "s"});
@@ -248,6 +249,7 @@ Real max_load(const StageSettings& stage, std::size_t k)
   const std::vector<Real>& values = stage.loads.columns[k];
   switch (load_columns[k].quantity) {
   case LoadQuantity::force:
+  case LoadQuantity::of_line:
     return max_size(values);
   case LoadQuantity::velocity:
     return max_size(values) / stage.time_scale;

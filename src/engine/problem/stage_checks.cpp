@@ -108,8 +108,8 @@ void check_load_history(Describe& d, const Case& c, const StageSettings& s, cons
   d.check(given || !s.load_history.empty() || s.time_scale == 1, path + ".time_scale", "is that of a load history, and there is none");
   d.check(given || !s.load_history.empty() || s.load_repeat == 1, path + ".load_repeat", "is that of a load history, and there is none");
   if (!given && s.load_history.empty()) return;
-  d.check(s.kind == StageKind::push || s.kind == StageKind::drag || s.kind == StageKind::drive, path,
-          "only a push, a drag or a drive has a load history");
+  d.check(s.kind == StageKind::push || s.kind == StageKind::drag || s.kind == StageKind::drive || s.kind == StageKind::pipeline, path,
+          "only a push, a drag, a drive or the loads of a pipeline have a load history");
   d.check(!given || s.load_history.empty(), path + ".load_times", "does not go with load_history, which is a file of both");
   if (const std::string fault = fault_of_loads(c, s); !fault.empty()) {
     const std::size_t colon = fault.find(": ");

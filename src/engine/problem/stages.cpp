@@ -191,7 +191,7 @@ void drive_otherwise(const Model<dim>& model, State<dim>& state, int freedom, bo
   const auto refuse = [&](const char* why) { throw InputError(fmt::format("the stage \"{}\" {}", stage.name, why)); };
   if (stage.kind != StageKind::drive && stage.kind != StageKind::pipeline)
     refuse("is no drive, and its body cannot be driven otherwise: kind = \"drive\" can");
-  if (has_load_history(stage)) refuse("has a load history, which drives its body");
+  if (stage.kind == StageKind::drive && has_load_history(stage)) refuse("has a load history, which drives its body");
   if (!std::isfinite(value)) refuse("cannot drive its body by a number that is not finite");
   bodies::Drive& drive = state.stage.drive[freedom];
   if (drive.spring > 0) refuse("has a spring in this freedom");

@@ -63,7 +63,9 @@ void spring_sign(Canvas& canvas, const Vec<2>& at)
 
 void slice_signs(Canvas& canvas, const slices::LineOfCase& line, const PlanScale& scale)
 {
-  const Real half = std::clamp(0.35 * scale.along * line.places[1], 1.5, 8.);
+  Real apart = infinity;
+  for (std::size_t k = 1; k < line.places.size(); ++k) apart = std::min(apart, line.places[k] - line.places[k - 1]);
+  const Real half = std::clamp(0.35 * scale.along * apart, 1.5, 8.);
   for (const Real x : line.places) {
     const Vec<2> middle = scale(x, 0);
     const Points strip = corners_of({Vec<2>(middle - Vec<2>(half, bump / 2)), Vec<2>(middle + Vec<2>(half, bump / 2))});
@@ -103,7 +105,7 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
 {
   const slices::LineOfCase line(c);
   const problem::PipelineSettings& p = line.settings;
-  const Real wanted = 1.3 * std::max(p.slices.to, p.imperfection.length / 2);
+  const Real last_slice = line.places.back(), wanted = 1.3 * std::max(last_slice, p.imperfection.length / 2);
   const bool broken = wanted < p.length;
   const Real reach = broken ? wanted : p.length, room = width - room_left - (broken ? room_of_end : 60);
   PlanScale scale{at + Vec<2>(room_left, room_above + bump), room / reach, 0};
@@ -121,9 +123,9 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
   drawn.push_back(far_end);
   canvas.line(drawn, {rim_color, 3});
   const auto below = [&](Real x, Real level) -> Vec<2> { return scale(x, 0) + Vec<2>(0, level); };
-  if (p.slices.to < reach) {
-    for (const Real part : {0.25, 0.55, 0.85}) spring_sign(canvas, scale(std::lerp(p.slices.to, reach, part), 0));
-    canvas.text(below(p.slices.to, 50) + Vec<2>(14, 0), friction_words(p.far_soil), {.size = 10});
+  if (last_slice < reach) {
+    for (const Real part : {0.25, 0.55, 0.85}) spring_sign(canvas, scale(std::lerp(last_slice, reach, part), 0));
+    canvas.text(below(last_slice, 50) + Vec<2>(14, 0), friction_words(p.far_soil), {.size = 10});
   }
   if (broken) {
     const Vec<2> gap = axis_end + Vec<2>(26, 0);
@@ -132,9 +134,7 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
   }
   end_sign(canvas, p, far_end);
 
-  canvas.dimension(
-      below(0, 62), below(p.slices.to, 62),
-      fmt::format("{} slices every {}, to {}", line.places.size(), text::length_words(line.places[1]), text::length_words(p.slices.to)));
+  canvas.dimension(below(0, 62), below(last_slice, 62), slices::words_of_places(line.places));
   const Real half_length = std::min(p.imperfection.length / 2, reach);
   canvas.dimension(scale(0, 0) - Vec<2>(0, bump + 16), scale(half_length, 0) - Vec<2>(0, bump + 16),
                    fmt::format("imperfection of {}, {} long in all", text::length_words(size), text::length_words(p.imperfection.length)));

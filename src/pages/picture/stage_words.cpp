@@ -122,7 +122,7 @@ std::string until_words(const problem::StageSettings& stage, int dimension, Real
   return fmt::format("{}", fmt::join(limits, " or "));
 }
 
-/// "to 80 K, 10 MPa"; "" where the loads stay.
+/// "to 80 K, 10 MPa", "through temperature and pressure of a load history"; "" where the loads stay.
 std::string pipeline_words(const problem::StageSettings& stage)
 {
   constexpr Real megapascal = 1e6;
@@ -132,6 +132,7 @@ std::string pipeline_words(const problem::StageSettings& stage)
   if (to.pressure) loads.push_back(fmt::format("{:.4g} MPa", *to.pressure / megapascal));
   if (to.weight) loads.push_back(fmt::format("{:.4g} N/m of weight", *to.weight));
   if (to.lateral) loads.push_back(fmt::format("{:.4g} N/m sideways", *to.lateral));
+  if (!stage.loads.empty()) return "through " + load_words(stage.loads);
   return loads.empty() ? "" : fmt::format("to {}", fmt::join(loads, ", "));
 }
 

@@ -102,7 +102,7 @@ void CoupledLine::begin_stage(const problem::State<2>& first)
 {
   // Where the stage before has brought the loads; before the first of kind pipeline: as the line was laid.
   from_ = of_case_.laid();
-  for (Index k = 0; k < first.stage.index; ++k) from_ = target_of(model_of(0).stages[k].pipeline, from_);
+  for (Index k = 0; k < first.stage.index; ++k) from_ = end_of(model_of(0).stages[k], from_);
   for (std::size_t k = 1; k < count(); ++k) {
     problem::State<2>& other = *others_[k - 1];
     if (other.stage.index == first.stage.index) continue;  // copied when the first one had begun it
@@ -115,8 +115,7 @@ LineLoads CoupledLine::loads_at(const problem::State<2>& first, Real time) const
 {
   const problem::StageSettings& stage = model_of(0).stages[first.stage.index];
   if (stage.kind != problem::StageKind::pipeline) return of_case_.laid();
-  const Real since = time - first.stage.begin_time, part = stage.ramp > since ? since / stage.ramp : 1;
-  return between(from_, target_of(stage.pipeline, from_), part);
+  return loads_in(stage, from_, time - first.stage.begin_time);
 }
 
 /// What acts on the line at the end of the step: weight, and what the soil carried in the step before.

@@ -62,48 +62,83 @@ LineLoads laid_loads(const problem::PipelineSettings& p)
   return loads;
 }
 
+/// The load of the line that a column of a load history is of; null of another one.
+std::optional<Real>* load_of(problem::PipelineLoads& loads, problem::LoadAlong along)
+{
+  switch (along) {
+  case problem::LoadAlong::temperature:
+    return &loads.temperature;
+  case problem::LoadAlong::far_temperature:
+    return &loads.far_temperature;
+  case problem::LoadAlong::pressure:
+    return &loads.pressure;
+  case problem::LoadAlong::weight:
+    return &loads.weight;
+  case problem::LoadAlong::lateral:
+    return &loads.lateral;
+  case problem::LoadAlong::pull:
+    return &loads.pull;
+  default:
+    return nullptr;
+  }
+}
+
+LineLoads between(const LineLoads& from, const LineLoads& to, Real part)
+{
+  const auto mix = [&](Real LineLoads::*load) { return std::lerp(from.*load, to.*load, part); };
+  return {mix(&LineLoads::temperature), mix(&LineLoads::far_temperature), mix(&LineLoads::pressure),
+          mix(&LineLoads::weight),      mix(&LineLoads::lateral),         mix(&LineLoads::pull)};
+}
+
+/// Calls visit(k, loads) with the loads at the end of each stage k, and at each row of its load history: between them they go linearly.
+template <class Visit>
+void for_loads_of_stages(const problem::Case& c, const Visit& visit)
+{
+  LineLoads now = laid_loads(*c.pipeline);
+  for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    const problem::StageSettings& stage = c.stage[k];
+    if (stage.kind != problem::StageKind::pipeline) continue;
+    for (const Real time : stage.load_times)
+      if (const Real since = time * stage.time_scale; since < *stage.until.time) visit(k, loads_in(stage, now, since));
+    now = end_of(stage, now);
+    visit(k, now);
+  }
+}
+
 /// The largest compression that the stages can bring, N.
 Real largest_compression(const problem::Case& c, const beam::Section& section)
 {
-  LineLoads now = laid_loads(*c.pipeline);
   Real largest = 0;
-  for (const problem::StageSettings& stage : c.stage) {
-    now = target_of(stage.pipeline, now);
+  for_loads_of_stages(c, [&](std::size_t, const LineLoads& now) {
     largest =
         std::max(largest, compression(*c.pipeline, section, diameter_of(c), std::max(now.temperature, now.far_temperature), now.pressure));
-  }
+  });
   return largest;
 }
 
-std::vector<Real> places_of(const problem::SliceSettings& slices)
-{
-  std::vector<Real> places;
-  const int count = static_cast<int>(std::lround(slices.to / slices.spacing));
-  for (int k = 0; k <= count; ++k) places.push_back(slices.to * k / count);
-  return places;
-}
-
-/// Elements as long as slices are apart, or parts of that where a buckle needs them shorter; beyond the slices they grow.
+/// Elements from slice to slice, or parts of that where a buckle needs them shorter; beyond the slices they grow.
 std::vector<Real> nodes_of(const problem::Case& c, const std::vector<Real>& places)
 {
-  const beam::Section section = section_of_case(c);
   const problem::PipelineSettings& p = *c.pipeline;
-  const Real P = largest_compression(c, section);
-  // A quarter of the half wave of a column under this compression, which short waves of a buckle come near to.
-  const Real longest = P > 0 ? pi * std::sqrt(section.bending_stiffness / P) / 4 : p.length;
-  const Real spacing = places[1], size = spacing / std::ceil(spacing / longest);
+  const Real longest = longest_element_of(c);
   constexpr Real growth = 1.1, max_nodes = 20000;
-  if (!(p.slices.to / size + p.length / longest < max_nodes))
-    throw KeyError(fmt::format("pipeline.length: elements of {:.3g} m, which the largest compression of {:.3g} N asks for, would be more "
-                               "than {}: shorten the line, or look at its stiffness and loads",
-                               size, P, max_nodes));
-  std::vector<Real> nodes = beam::graded_nodes(size, p.slices.to, growth, std::max(size, longest), p.length);
+  if (const Real to = places.back(); !(static_cast<Real>(places.size()) + (to + p.length) / longest < max_nodes))
+    throw KeyError(fmt::format("pipeline.length: elements of {:.3g} m, which the largest compression asks for, would be more than {}: "
+                               "shorten the line, or look at its stiffness and loads",
+                               longest, max_nodes));
+  std::vector<Real> nodes = {0};
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const int parts = static_cast<int>(std::ceil((places[k] - places[k - 1]) / longest));
+    for (int part = 1; part <= parts; ++part) nodes.push_back(std::lerp(places[k - 1], places[k], static_cast<Real>(part) / parts));
+  }
+  const std::size_t within = nodes.size();
+  for (Real size = nodes[within - 1] - nodes[within - 2]; nodes.back() < p.length * (1 - 1e-9);) {
+    size = std::min(longest, size * growth);
+    nodes.push_back(nodes.back() + size);
+  }
   // The line ends where it does, without a stump.
   nodes.back() = p.length;
-  if (Real& before_last = nodes[nodes.size() - 2]; before_last > p.slices.to * (1 + 1e-9))
-    before_last = (nodes[nodes.size() - 3] + p.length) / 2;
-  const auto within = static_cast<std::size_t>(std::lround(p.slices.to / size));
-  for (std::size_t k = 0; k <= within && k < nodes.size(); ++k) nodes[k] = p.slices.to * static_cast<Real>(k) / static_cast<Real>(within);
+  if (nodes.size() > within + 1) nodes[nodes.size() - 2] = (nodes[nodes.size() - 3] + p.length) / 2;
   return nodes;
 }
 
@@ -197,12 +232,12 @@ void add_macro_elements(beam::Line& line, const problem::Case& c, const std::vec
 }
 
 /// Springs: along the line everywhere, across it beyond the slices and where these may be asleep.
-void add_soil(beam::Line& line, const problem::Case& c)
+void add_soil(beam::Line& line, const problem::Case& c, Real last_slice)
 {
   const problem::PipelineSettings& p = *c.pipeline;
   const problem::FarSoil& soil = p.far_soil;
   const std::vector<Real> all = beam::lengths_of_nodes(line),
-                          across = p.slices.asleep == problem::SliceSleep::never ? beam::lengths_of_nodes(line, p.slices.to) : all;
+                          across = p.slices.asleep == problem::SliceSleep::never ? beam::lengths_of_nodes(line, last_slice) : all;
   if (p.end_stiffness) {
     std::vector<Real> end(static_cast<std::size_t>(line.nodes()), 0);
     end.back() = 1;
@@ -233,13 +268,20 @@ beam::Line line_of(const problem::Case& c, const std::vector<Real>& places)
     break;
   }
   if (p.end == problem::LineEnd::anchored) beam::hold(line, line.nodes() - 1, beam::EndCondition::clamped);
-  add_soil(line, c);
+  add_soil(line, c, places.back());
   line.axial_where_sideways = false;
   line.damping[1] = p.vertical_damping;
   return line;
 }
 
 }  // namespace
+
+Real longest_element_of(const problem::Case& c)
+{
+  const beam::Section section = section_of_case(c);
+  const Real P = largest_compression(c, section);
+  return P > 0 ? pi * std::sqrt(section.bending_stiffness / P) / 4 : c.pipeline->length;
+}
 
 LineOfCase::LineOfCase(const problem::Case& c)
     : line(line_of(c, places_of(c.pipeline->slices))),
@@ -248,7 +290,7 @@ LineOfCase::LineOfCase(const problem::Case& c)
       diameter(diameter_of(c)),
       mass(mass_of(c)),
       length_of_nodes(beam::lengths_of_nodes(line)),
-      length_beyond(beam::lengths_of_nodes(line, c.pipeline->slices.to)),
+      length_beyond(beam::lengths_of_nodes(line, places.back())),
       lateral(lateral_spring(*c.pipeline, diameter)),
       vertical_stiffness(vertical_stiffness_of(*c.pipeline, diameter)),
       settings(*c.pipeline)
@@ -296,11 +338,41 @@ LineLoads target_of(const problem::PipelineLoads& stage, const LineLoads& before
   return now;
 }
 
-LineLoads between(const LineLoads& from, const LineLoads& to, Real part)
+LineLoads loads_in(const problem::StageSettings& stage, const LineLoads& before, Real since)
 {
-  const auto mix = [&](Real LineLoads::*load) { return std::lerp(from.*load, to.*load, part); };
-  return {mix(&LineLoads::temperature), mix(&LineLoads::far_temperature), mix(&LineLoads::pressure),
-          mix(&LineLoads::weight),      mix(&LineLoads::lateral),         mix(&LineLoads::pull)};
+  if (!has_load_history(stage)) return between(before, target_of(stage.pipeline, before), stage.ramp > since ? since / stage.ramp : 1);
+  problem::PipelineLoads now;
+  for (std::size_t k = 0; k < problem::load_columns.size(); ++k) {
+    if (stage.loads.columns[k].empty()) continue;
+    if (std::optional<Real>* load = load_of(now, problem::load_columns[k].along)) *load = load_of_column(stage, k, since);
+  }
+  return target_of(now, before);
+}
+
+LineLoads end_of(const problem::StageSettings& stage, const LineLoads& before)
+{
+  return loads_in(stage, before, stage.until.time.value_or(infinity));
+}
+
+std::size_t hottest_stage_of(const problem::Case& c, const LineOfCase& of)
+{
+  Real largest = -infinity;
+  std::size_t hottest = 0;
+  for_loads_of_stages(c, [&](std::size_t k, const LineLoads& loads) {
+    if (const Real compression = of.constrained_force(loads, 0); compression > largest) largest = compression, hottest = k;
+  });
+  return hottest;
+}
+
+std::string words_of_places(const std::vector<Real>& places)
+{
+  Real least = infinity, most = 0;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    least = std::min(least, places[k] - places[k - 1]);
+    most = std::max(most, places[k] - places[k - 1]);
+  }
+  if (most - least < 1e-6 * most) return fmt::format("{} slices every {:.4g} m, to {:.4g} m", places.size(), most, places.back());
+  return fmt::format("{} slices {:.3g} to {:.3g} m apart, to {:.4g} m", places.size(), least, most, places.back());
 }
 
 }  // namespace berm::slices

@@ -6,6 +6,9 @@
 
 namespace berm::slices {
 
+/// The share of its largest resistance from which on a spring of the far soil stands for soil that fails.
+constexpr Real much_mobilised = 0.4;
+
 /// Loads of the whole line at a time: what a stage of kind pipeline names.
 struct LineLoads {
   Real temperature = 0;      ///< K, rise since it was laid, at x = 0
@@ -15,6 +18,9 @@ struct LineLoads {
   Real lateral = 0;          ///< N/m
   Real pull = 0;             ///< N, effective tension at the far end
 };
+
+/// The longest element of a line that may buckle, m: a quarter of the half wave of a column under the largest compression of all stages, which short waves of a buckle come near to. Without compression the length of the line.
+Real longest_element_of(const problem::Case& c);
 
 /// What a case says of its line, as numbers that do not change.
 struct LineOfCase {
@@ -48,7 +54,15 @@ struct LineOfCase {
 /// Where the loads go that are in force, in a stage.
 LineLoads target_of(const problem::PipelineLoads& stage, const LineLoads& before);
 
-/// Between two loads: part = 0 ... 1.
-LineLoads between(const LineLoads& from, const LineLoads& to, Real part);
+/// The loads in a stage, a time (s) after it began: on the way of its ramp from those before it, or as its load history has them.
+LineLoads loads_in(const problem::StageSettings& stage, const LineLoads& before, Real since);
+/// Those with which it ends.
+LineLoads end_of(const problem::StageSettings& stage, const LineLoads& before);
+
+/// The stage of kind pipeline that first brings the largest compression of all at x = 0.
+std::size_t hottest_stage_of(const problem::Case& c, const LineOfCase& of);
+
+/// "20 slices every 4 m, to 76 m", or "20 slices 2.1 to 6.3 m apart, to 71 m".
+std::string words_of_places(const std::vector<Real>& places);
 
 }  // namespace berm::slices

@@ -3,6 +3,7 @@
 #include "slices/line_on_springs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace berm::slices {
 namespace {
@@ -11,6 +12,16 @@ problem::Case without_soil(problem::Case c)
 {
   c.pipeline->slices.asleep = problem::SliceSleep::always;
   return c;
+}
+
+Real next_step_of(const LineOnSprings& line)
+{
+  constexpr Real way = 0.01;                      // over the diameter
+  constexpr Real shortest = 5e-3, longest = 0.1;  // s
+  const beam::Line& of = line.of_case().line;
+  Real fastest = 0;
+  for (Index i = 0; i < of.nodes(); ++i) fastest = std::max(fastest, std::abs(line.state().velocity[of.across(beam::Plane::lateral, i)]));
+  return std::clamp(way * line.of_case().diameter / fastest, shortest, longest);
 }
 
 }  // namespace
@@ -30,14 +41,15 @@ void put_loads(const LineOfCase& of, const LineLoads& now, const std::vector<Rea
   }
 }
 
-LineOnSprings::LineOnSprings(const problem::Case& c, Real embedment)
+LineOnSprings::LineOnSprings(const problem::Case& c, std::optional<Real> embedment)
     : of_case_(without_soil(c)),
       state_(beam::state_of(of_case_.line)),
       work_(of_case_.line),
       loads_(beam::no_loads(of_case_.line))
 {
   if (!of_case_.has_interface()) return;
-  const Real weight = of_case_.settings.submerged_weight, along = of_case_.axial_resistance(embedment, weight);
+  const Real weight = of_case_.settings.submerged_weight,
+             along = of_case_.axial_resistance(embedment.value_or(0.1 * of_case_.diameter), weight);
   const beam::Line& line = of_case_.line;
   for (std::size_t s = 0; s < line.springs.size(); ++s) {
     const beam::Spring& spring = line.springs[s];
@@ -57,6 +69,32 @@ void LineOnSprings::step(const LineLoads& now, Real dt)
       if (part <= smallest) throw;
       part /= 2;
     }
+}
+
+void go_through_stages(const problem::Case& c, Real slower, const Watch& watch, LineOnSprings& line)
+{
+  constexpr Real most_node_steps = 5e5;
+  LineLoads before = line.of_case().laid();
+  Real steps_left = most_node_steps / static_cast<Real>(line.of_case().line.nodes());
+  for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    const problem::StageSettings& stage = c.stage[k];
+    if (stage.kind != problem::StageKind::pipeline) continue;
+    const Real end = slower * *stage.until.time;
+    for (Real time = 0; time < end;) {
+      if (--steps_left < 0) return;
+      const Real left = end - time, dt = std::min(left, next_step_of(line));
+      time = dt < left ? time + dt : end;
+      try {
+        line.step(loads_in(stage, before, time / slower), dt);
+      } catch (const beam::NoEquilibrium&) {
+        return;
+      }
+      watch.step(k, dt);
+    }
+    const LineLoads now = end_of(stage, before);
+    if (!watch.stage_end(k, before, now)) return;
+    before = now;
+  }
 }
 
 }  // namespace berm::slices

@@ -19,14 +19,13 @@ void CoupledLine::put_to_sleep()
 /// Slices become soil where their spring has much of its resistance, or carries much more or less than the weight.
 void CoupledLine::wake()
 {
-  constexpr Real enough = 0.4;
   if (of_case_.settings.slices.asleep != problem::SliceSleep::until_it_slides) return;
   for (Index i = 0; i < of_case_.line.freedoms(); ++i) moved_[i] = state_.displacement[i] - of_case_.line.shape[i];
   of_case_.stations.means(of_case_.line, beam::Direction::lateral, moved_, sideways_);
   of_case_.stations.means(of_case_.line, beam::Direction::vertical, moved_, upwards_);
   for (std::size_t k = 1; k < count(); ++k) {
-    if (!asleep(k) || (of_case_.mobilised(sideways_[k]) < enough &&
-                       of_case_.vertical_stiffness * std::abs(upwards_[k]) < enough * of_case_.settings.submerged_weight))
+    if (!asleep(k) || (of_case_.mobilised(sideways_[k]) < much_mobilised &&
+                       of_case_.vertical_stiffness * std::abs(upwards_[k]) < much_mobilised * of_case_.settings.submerged_weight))
       continue;
     asleep_[k] = 0;
   }

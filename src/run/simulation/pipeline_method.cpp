@@ -16,6 +16,7 @@
 #include "user_law/load.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 namespace berm::simulation {
@@ -27,6 +28,13 @@ constexpr Real columns_of_diameter = 10;    ///< of berms.csv
 constexpr const char* head_of_shapes = "frame,time_s,stage,x_m,y_m,z_m,u_m,P_N,M_Nm,strain_max,strain_min\n";
 
 using beam::Plane;
+
+/// With all places where these are not even.
+std::string slices_in_words(const slices::LineOfCase& of)
+{
+  const std::string words = slices::words_of_places(of.places);
+  return of.settings.slices.spacing ? words : fmt::format("{}: at x = {:.4g} m", words, fmt::join(of.places, ", "));
+}
 
 Real across(const slices::LineOfCase& of, const beam::State& state, Plane plane, Index node)
 {
@@ -122,15 +130,13 @@ Real PipelineMethod::memory_of_others() const
 std::string PipelineMethod::size_words() const
 {
   const slices::LineOfCase& of = line_.of_case();
-  return fmt::format("{}, {} slices every {:.4g} m, line of {} nodes", MpmMethod<2>::size_words(), line_.count(), of.places[1],
-                     of.line.nodes());
+  return fmt::format("{}, {}, line of {} nodes", MpmMethod<2>::size_words(), slices_in_words(of), of.line.nodes());
 }
 
 void PipelineMethod::print_check(const Context& context)
 {
   const slices::LineOfCase& of = line_.of_case();
-  fmt::print("  pipeline     {} slices every {:.4g} m{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice\n",
-             line_.count(), of.places[1],
+  fmt::print("  pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice\n", slices_in_words(of),
              of.settings.slices.asleep == problem::SliceSleep::always ? ", asleep"
              : of.may_sleep()                                         ? ", asleep until they slide"
                                                                       : "",

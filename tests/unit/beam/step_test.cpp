@@ -198,5 +198,25 @@ TEST(Step, a_node_without_a_lateral_spring_slides_sideways_where_it_goes_so_five
   }
 }
 
+// A spring that stands for nothing, as under a slice that is soil, holds by its state for ever; the node goes where it goes.
+TEST(Step, a_lateral_spring_of_factor_0_does_not_decide_whether_the_line_slides_sideways)
+{
+  for (const Real factor : {0., 1.}) {
+    Line line = straight_line({0, 1}, {0, 0, 100, 100, 0, 0.2}, {Plane::lateral});
+    line.section[0].axial_stiffness = 1e-6;
+    add_springs(line, Direction::lateral, friction(1e3, 1e3), lengths_of_nodes(line));
+    line.axial_where_sideways = false;
+    for (Index i = 0; i < 2; ++i) line.held[line.across(Plane::lateral, i) + 1] = 1;
+    State state = state_of(line);
+    std::fill(state.spring_factor.begin(), state.spring_factor.end(), factor);
+    Work work(line);
+    Loads loads = no_loads(line);
+    for (Index i = 0; i < 2; ++i) loads.force[line.across(Plane::lateral, i)] = 100;
+    for (int i = 0; i < 100; ++i) step(line, loads, 0.01, state, work);
+    EXPECT_EQ(state.sideways[1], factor == 0) << "far from its resistance, at " << state.displacement[line.across(Plane::lateral, 1)]
+                                              << " m of 1 km";
+  }
+}
+
 }  // namespace
 }  // namespace berm::beam::this_file

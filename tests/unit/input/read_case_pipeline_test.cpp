@@ -4,7 +4,9 @@
 #include "samples/pipeline_case.hpp"
 
 #include "core/error.hpp"
+#include "input/write_case.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace berm::input::this_file {
@@ -56,6 +58,18 @@ TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
       {{"pipeline.length=\"2 m\""}, "pipeline.length", "to the last slice"},
       {{"pipeline.length=\"inf m\""}, "pipeline.length", ""},
       {{"pipeline.slices.to=\"2 m\""}, "pipeline.slices.to", "fewer than four slices"},
+      {{"pipeline.slices={to=\"3 m\"}"}, "pipeline.slices", "needs one of these: spacing (with to), at, or count"},
+      {{"pipeline.slices.count=8"}, "pipeline.slices", "needs one of these"},
+      {{"pipeline.slices={spacing=\"1 m\"}"}, "pipeline.slices.to", "is needed with spacing"},
+      {{"pipeline.slices={count=3, to=\"3 m\"}"}, "pipeline.slices.count", "less than 4"},
+      {{"pipeline.slices={count=1001, to=\"3 m\"}"}, "pipeline.slices.count", "1000"},
+      {{"pipeline.slices={count=8, to=\"4 m\"}"}, "pipeline.length", "to the last slice"},
+      {{"pipeline.slices={count=8, to=\"3 m\"}"}, "pipeline.slices.count", "have no resistance sideways"},
+      {{"pipeline.slices={at=[0, 1, 2]}"}, "pipeline.slices.at", "has 3 places"},
+      {{"pipeline.slices={at=[1, 1.5, 2, 3]}"}, "pipeline.slices.at", "must begin at 0"},
+      {{"pipeline.slices={at=[0, 2, 1, 3]}"}, "pipeline.slices.at", "1 m follows 2 m"},
+      {{"pipeline.slices={at=[0, 1, 2, 4]}"}, "pipeline.length", "to the last slice"},
+      {{"pipeline.slices={at=[0, 1, 2, 3], to=3}"}, "pipeline.slices.to", "leave it out"},
       {{"pipeline.slices.spacing=0"}, "pipeline.slices.spacing", "more than 0"},
       {{"pipeline.slices.spacing=\"1 mm\""}, "pipeline.slices.spacing", "more than 1000 slices"},
       {{"pipeline.imperfection.amplitude=0"}, "pipeline.imperfection.amplitude", "does not buckle"},
@@ -95,11 +109,33 @@ TEST(ReadPipeline, keeps_what_it_says_and_has_defaults_for_the_rest)
 {
   const problem::Case c = test::line_case();
   ASSERT_TRUE(c.pipeline);
-  EXPECT_EQ(c.pipeline->slices.to, 3);
+  EXPECT_EQ(places_of(c.pipeline->slices), (std::vector<Real>{0, 1, 2, 3}));
   EXPECT_EQ(c.pipeline->half, problem::LineHalf::symmetric);
   EXPECT_EQ(c.pipeline->far_soil.axial_mobilisation, 2e-3);
   EXPECT_EQ(c.stage.back().kind, problem::StageKind::pipeline);
   EXPECT_EQ(c.stage.back().pipeline.lateral, 1000);
+}
+
+TEST(ReadPipeline, gives_slices_places_and_writes_them_out)
+{
+  const problem::Case c = test::line_case({"pipeline.slices={count=7, to=\"3 m\"}", "pipeline.far_soil.friction=0.5"});
+  const std::vector<Real> places = places_of(c.pipeline->slices);
+  ASSERT_EQ(places.size(), 7U);
+  EXPECT_EQ(places.back(), 3);
+  EXPECT_EQ(places_of(read_case_text("resolved.toml", resolved_toml(c)).pipeline->slices), places);
+}
+
+// Stages are lay, unload, sweep, sweep_1 and current; repeated, the sweep is the fifth.
+TEST(ReadPipeline, of_a_case_with_repetitions_is_refused_where_the_stage_is_written)
+{
+  std::string text = test::small_line_case;
+  const std::string current = "[[stage]]\nname = \"current\"";
+  text.insert(text.find(current), "[[stage]]\nname = \"sweep\"\nkind = \"sweep\"\nvelocity = 0.1\namplitude = 0.1\nsweeps = 2\n"
+                                  "[[stage]]\nname = \"sweep_1\"\nkind = \"push\"\nforce = 1500\nuntil.time = 1\n");
+  const std::size_t line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("name = \"sweep\"")), '\n') + 1;
+  const std::string error = test::error_of<InputError>([&] { read_case_text("line.toml", text, {"stage.lay.repeat=3"}); });
+  EXPECT_TRUE(error.starts_with("line.toml:" + std::to_string(line) + ": stage.sweep.name: the drags of \"sweep\" are called sweep_1"))
+      << error;
 }
 
 }  // namespace

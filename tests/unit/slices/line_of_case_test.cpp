@@ -102,12 +102,68 @@ TEST(LineOfCase, goes_from_load_to_load_and_keeps_what_a_stage_does_not_name)
   EXPECT_EQ(hot.weight, 1500);
   EXPECT_EQ(empty.temperature, 30);
   EXPECT_EQ(empty.weight, 900);
-  EXPECT_EQ(between(hot, empty, 0.25).weight, 1350);
-  EXPECT_EQ(between(hot, empty, 1).weight, 900);
+  problem::StageSettings stage;
+  stage.kind = problem::StageKind::pipeline;
+  stage.pipeline = unload;
+  stage.ramp = 8, stage.until.time = 10;
+  EXPECT_EQ(loads_in(stage, hot, 2).weight, 1350);
+  EXPECT_EQ(loads_in(stage, hot, 8).weight, 900);
+  EXPECT_EQ(end_of(stage, hot).weight, 900);
   EXPECT_EQ(hot.far_temperature, 30) << "as hot as at x = 0";
   EXPECT_EQ(colder.temperature, 30);
   EXPECT_EQ(colder.far_temperature, 10);
   EXPECT_EQ(target_of(heat, colder).far_temperature, 30) << "a new temperature is that of the whole line";
+}
+
+/// Heated to 30 K and cooled to 10 K again under 10 MPa, by a load history in double the time of its record.
+problem::StageSettings loaded_by_history()
+{
+  problem::StageSettings stage;
+  stage.kind = problem::StageKind::pipeline;
+  stage.load_times = {0, 4, 8};
+  stage.loads.of("temperature") = {0, 30, 10};
+  stage.loads.of("pressure") = {0, 10e6, 10e6};
+  stage.time_scale = 2;
+  stage.until.time = 16;
+  return stage;
+}
+
+TEST(LineOfCase, is_loaded_as_a_load_history_has_it_and_keeps_what_it_does_not_name)
+{
+  LineLoads laid;
+  laid.weight = 1500;
+  const problem::StageSettings stage = loaded_by_history();
+  const LineLoads hotter = loads_in(stage, laid, 2), cooler = loads_in(stage, laid, 12), end = end_of(stage, laid);
+  EXPECT_EQ(hotter.temperature, 7.5);
+  EXPECT_EQ(hotter.far_temperature, 7.5) << "as hot as at x = 0";
+  EXPECT_EQ(hotter.pressure, 2.5e6);
+  EXPECT_EQ(cooler.temperature, 20);
+  EXPECT_EQ(end.temperature, 10);
+  EXPECT_EQ(end.weight, 1500);
+}
+
+TEST(LineOfCase, has_elements_for_the_largest_compression_of_a_load_history_wherever_in_it_that_is)
+{
+  problem::Case by_ramp = heated(), by_history = heated();
+  const std::string name = by_history.stage.back().name;
+  by_history.stage.back() = loaded_by_history();
+  by_history.stage.back().name = name;
+  EXPECT_EQ(longest_element_of(by_history), longest_element_of(by_ramp));
+  EXPECT_EQ(hottest_stage_of(by_history, LineOfCase(by_history)), by_history.stage.size() - 1);
+}
+
+TEST(LineOfCase, has_slices_at_places_of_their_own_a_node_at_each_and_all_of_the_line_between_them)
+{
+  problem::Case c = heated();
+  c.pipeline->slices = {};
+  c.pipeline->slices.at = {0, 3, 10, 14, 15, 40};
+  const LineOfCase of(c);
+  EXPECT_EQ(of.places, c.pipeline->slices.at);
+  for (const Real place : of.places) EXPECT_NE(std::find(of.line.x.begin(), of.line.x.end(), place), of.line.x.end()) << place;
+  const std::vector<Real> lengths = {1.5, 5, 5.5, 2.5, 13, 12.5};  // half of the gaps beside each
+  ASSERT_EQ(of.stations.lengths().size(), lengths.size());
+  for (std::size_t k = 0; k < lengths.size(); ++k) EXPECT_NEAR(of.stations.lengths()[k], lengths[k], 1e-9) << k;
+  EXPECT_EQ(words_of_places(of.places), "6 slices 1 to 25 m apart, to 40 m");
 }
 
 TEST(LineOfCase, is_compressed_by_the_temperature_of_each_place)

@@ -54,6 +54,26 @@ TEST(LineOnSprings, moves_as_a_beam_on_these_springs)
     EXPECT_NEAR(line.state().displacement[i], state.displacement[i], 1e-7) << "to the iterations' tolerance, " << i;
 }
 
+TEST(LineOnSprings, goes_as_far_by_a_load_history_as_by_two_ramps_to_the_bit)
+{
+  const problem::Case c = soft_case();
+  problem::StageSettings to, fro, both;
+  for (problem::StageSettings* stage : {&to, &fro, &both}) stage->kind = problem::StageKind::pipeline;
+  to.ramp = fro.ramp = 1, to.until.time = fro.until.time = 1.5, both.until.time = 3;
+  to.pipeline.lateral = 1000, fro.pipeline.lateral = -250;
+  both.load_times = {0, 1, 1.5, 2.5, 3};
+  both.loads.of("lateral") = {0, 1000, 1000, -250, -250};
+  LineOnSprings by_ramps(c), by_history(c);
+  const LineLoads laid = by_ramps.of_case().laid(), between = end_of(to, laid);
+  constexpr Real dt = 1.0 / 64;  // whose multiples have no round-off
+  for (Real time = dt; time <= 3; time += dt) {
+    by_ramps.step(time <= 1.5 ? loads_in(to, laid, time) : loads_in(fro, between, time - 1.5), dt);
+    by_history.step(loads_in(both, laid, time), dt);
+  }
+  EXPECT_EQ(by_ramps.state().displacement, by_history.state().displacement);
+  EXPECT_NE(by_ramps.state().displacement, by_ramps.of_case().line.shape);
+}
+
 TEST(LineOnSprings, has_the_resistance_along_it_of_its_interface_as_it_was_laid)
 {
   problem::Case c = soft_case();

@@ -25,13 +25,13 @@ constexpr Real parts_of_region = 400, parts_of_line = 400;  // nodes are kept wh
 constexpr std::pair<const char*, std::vector<Real> Shape::*> quantities_of_line[] = {
     {"y", &Shape::y}, {"P", &Shape::P}, {"M", &Shape::M}, {"strain_max", &Shape::strain_max}, {"strain_min", &Shape::strain_min}};
 
-/// x of the slices, as many as the history tells of.
+/// x of the slices that the history tells of.
 std::vector<Real> places_of_slices(const record::RunRecord& run)
 {
-  Index last = 0;
-  while (run.history.has(fmt::format("slice_{}_u_m", last + 1))) ++last;
-  std::vector<Real> places;
-  for (Index k = 0; k <= last; ++k) places.push_back(last == 0 ? 0 : run.settings.pipeline->slices.to * k / last);
+  std::vector<Real> places = problem::places_of(run.settings.pipeline->slices);
+  std::size_t count = 1;
+  while (count < places.size() && run.history.has(fmt::format("slice_{}_u_m", count))) ++count;
+  places.resize(count);
   return places;
 }
 
