@@ -1,70 +1,104 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/new_test.cpp
 #include "commands/command.hpp"
-#include "commands/templates.hpp"
 #include "core/error.hpp"
-#include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
+#include "start/soils.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 namespace berm::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The title that a case gives itself, without its quotes.
-std::string title_of(const std::string& text)
-{
-  const std::string key = "\ntitle = \"";
-  const std::size_t begin = text.find(key);
-  if (begin == std::string::npos) return "";
-  const std::size_t first = begin + key.size();
-  return text.substr(first, text.find('"', first) - first);
-}
+struct NewOptions {
+  std::string kind, file, size = "normal", soil;
+  bool soils = false, json = false;
+};
 
-int list_templates()
+void list_kinds()
 {
-  for (const CaseTemplate& one : case_templates()) fmt::print("  {:<16} {}\n", one.kind, title_of(one.text));
+  std::string group;
+  for (const start::Kind& one : start::kinds()) {
+    if (one.group != group) fmt::print("{}\n", one.group);
+    group = one.group;
+    fmt::print("  {:<28} {}\n", one.name, one.question);
+  }
   fmt::print("berm new KIND [FILE] writes one of them.\n");
-  return 0;
 }
 
-std::vector<std::string> kinds()
+nlohmann::ordered_json kinds_as_json()
 {
-  std::vector<std::string> all;
-  for (const CaseTemplate& one : case_templates()) all.push_back(one.kind);
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const start::Kind& one : start::kinds())
+    all.push_back({{"kind", one.name}, {"title", one.title}, {"group", one.group}, {"question", one.question},
+                   {"sizes", start::sizes}, {"soils", start::soils_for(one)}, {"example", one.example}});
   return all;
 }
 
-int write_template(const std::string& kind, const std::string& file)
+void list_soils()
 {
-  const std::vector<CaseTemplate>& all = case_templates();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const CaseTemplate& one) { return one.kind == kind; });
-  if (found == all.end()) throw InputError(fmt::format("there is no kind {}{}", input::in_quotes(kind), input::suggestion(kind, kinds())));
-  const fs::path path = file.empty() ? fs::path(kind + ".toml") : fs::path(file);
+  for (const start::Soil& one : start::soils()) fmt::print("  {:<24} {}\n  {:24} {}\n  {:24} {}\n", one.name, one.title, "", one.source, "", one.trust);
+  fmt::print("berm new KIND --soil NAME writes a case with one of them.\n");
+}
+
+nlohmann::ordered_json soils_as_json()
+{
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const start::Soil& one : start::soils())
+    all.push_back({{"soil", one.name}, {"material", one.material}, {"title", one.title}, {"source", one.source}, {"trust", one.trust}});
+  return all;
+}
+
+void write_case(const NewOptions& options)
+{
+  const start::Kind& kind = start::kind_called(options.kind);
+  std::string text = start::at_size(kind, options.size);
+  if (!options.soil.empty()) text = start::with_soil(kind, text, options.soil);
+  const fs::path path = options.file.empty() ? fs::path(kind.name + ".toml") : fs::path(options.file);
   if (fs::exists(fs::symlink_status(path))) throw InputError(fmt::format("{} is there already: name another file", path.string()));
-  io::write_atomically(path, found->text);
+  io::write_atomically(path, text);
   fmt::print("{0} is written. Change what is marked with <-, then\n  berm check {0}\n  berm run {0} -o out/{1}\n  berm report out/{1}\n",
              path.string(), path.stem().string());
+}
+
+/// Writes a case, or lists what there is where none is named.
+int act(const NewOptions& options)
+{
+  if (!options.kind.empty() && (options.soils || options.json)) throw InputError("berm new KIND writes a case: --soils and --json list what there is, without a KIND");
+  if (!options.kind.empty())
+    write_case(options);
+  else if (options.json)
+    fmt::print("{}\n", (options.soils ? soils_as_json() : kinds_as_json()).dump(2));
+  else
+    options.soils ? list_soils() : list_kinds();
   return 0;
+}
+
+std::vector<std::string> names_of_kinds()
+{
+  std::vector<std::string> all;
+  for (const start::Kind& one : start::kinds()) all.push_back(one.name);
+  return all;
 }
 
 }  // namespace
 
 Command add_new(CLI::App& program)
 {
-  struct Options {
-    std::string kind, file;
-  };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<NewOptions>();
   CLI::App* app = program.add_subcommand("new", "write a commented case to begin with; without a KIND, list the kinds");
-  app->add_option("KIND", options->kind, "what to begin with")->type_name(fmt::format("{{{}}}", fmt::join(kinds(), ",")));
+  app->add_option("KIND", options->kind, "what to begin with")->type_name(fmt::format("{{{}}}", fmt::join(names_of_kinds(), ",")));
   app->add_option("FILE", options->file, "file to write (default: KIND.toml here)");
-  return {app, [options] { return options->kind.empty() ? list_templates() : write_template(options->kind, options->file); }};
+  app->add_option("--size", options->size, "size of the cells, and speed (default: normal)")->type_name(fmt::format("{{{}}}", fmt::join(start::sizes, ",")));
+  app->add_option("--soil", options->soil, "a soil of `berm new --soils`, instead of the clay or the sand of the kind");
+  app->add_flag("--soils", options->soils, "list the soils that have names, with their sources");
+  app->add_flag("--json", options->json, "list as JSON");
+  return {app, [options] { return act(*options); }};
 }
 
 }  // namespace berm::commands

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/commands/new_test.cpp
+// Tests: tests/unit/start/kinds_test.cpp
 #pragma once
 
 #include <string>
 #include <vector>
 
-namespace berm::commands {
+namespace berm::start {
 
-/// A case that `berm new` writes: its kind, as the command takes it, and the text of the file.
+/// A case of examples/start: the name of its file, with - for _, and its text.
 struct CaseTemplate {
   std::string kind, text;
 };
@@ -15,4 +15,4 @@ struct CaseTemplate {
 /// Those of examples/start, by name.
 const std::vector<CaseTemplate>& case_templates();
 
-}  // namespace berm::commands
+}  // namespace berm::start
