@@ -3,6 +3,8 @@
 #include "commands/command.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "site/sounding.hpp"
+#include "start/cpt.hpp"
 #include "start/soils.hpp"
 
 #include <filesystem>
@@ -16,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct NewOptions {
-  std::string kind, file, size = "normal", soil;
+  std::string kind, file, size = "normal", soil, cpt, location;
+  start::CptChoice choice;
   bool soils = false, json = false;
 };
 
@@ -59,6 +62,7 @@ void write_case(const NewOptions& options)
   const start::Kind& kind = start::kind_called(options.kind);
   std::string text = start::at_size(kind, options.size);
   if (!options.soil.empty()) text = start::with_soil(kind, text, options.soil);
+  if (!options.cpt.empty()) text = start::with_cpt(kind, text, site::read_sounding(options.cpt, options.location), options.choice);
   const fs::path path = options.file.empty() ? fs::path(kind.name + ".toml") : fs::path(options.file);
   if (fs::exists(fs::symlink_status(path))) throw InputError(fmt::format("{} is there already: name another file", path.string()));
   io::write_atomically(path, text);
@@ -96,6 +100,12 @@ Command add_new(CLI::App& program)
   app->add_option("FILE", options->file, "file to write (default: KIND.toml here)");
   app->add_option("--size", options->size, "size of the cells, and speed (default: normal)")->type_name(fmt::format("{{{}}}", fmt::join(start::sizes, ",")));
   app->add_option("--soil", options->soil, "a soil of `berm new --soils`, instead of the clay or the sand of the kind");
+  app->add_option("--cpt", options->cpt, "strength from a cone penetration test: a file of AGS 4 (.ags), GEF (.gef) or a table (.csv)")->type_name("FILE");
+  app->add_option("--location", options->location, "which sounding of an AGS file, LOCA_ID or LOCA_ID/SCPG_TESN");
+  app->add_option("--n-kt", options->choice.N_kt, "cone factor of clay, s_u = (q_t - sigma_v0) / N_kt (default: 14)")->check(CLI::Range(5.0, 30.0));
+  app->add_option("--phi", options->choice.correlation, "correlation of sand (default: kulhawy-mayne)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, site::Correlation>{{"kulhawy-mayne", site::Correlation::kulhawy_mayne},
+                                                                                   {"robertson-campanella", site::Correlation::robertson_campanella}}));
   app->add_flag("--soils", options->soils, "list the soils that have names, with their sources");
   app->add_flag("--json", options->json, "list as JSON");
   return {app, [options] { return act(*options); }};

@@ -3,6 +3,7 @@
 #include "samples/program.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace berm::commands::this_file {
 namespace {
@@ -25,6 +26,16 @@ std::vector<std::string> kinds_in(const std::string& list)
   return kinds;
 }
 
+using NewOfAll = New;
+
+/// What `berm check` says of files, all in one call; "" where it doubts none of them.
+std::string doubts(const std::filesystem::path& folder, std::vector<std::string> files)
+{
+  files.insert(files.begin(), {"check", "--threads", "1"});
+  const Ended checked = run_program(folder, files);
+  return checked.status != 0 || checked.err.find("warning") != std::string::npos ? checked.err : "";
+}
+
 TEST_F(New, lists_its_kinds)
 {
   const Ended ended = berm({"new"});
@@ -34,15 +45,73 @@ TEST_F(New, lists_its_kinds)
     EXPECT_NE(std::find(kinds.begin(), kinds.end(), kind), kinds.end()) << kind << " is not in\n" << ended.out;
 }
 
-TEST_F(New, writes_a_case_that_check_takes_without_a_doubt)
+TEST_F(New, writes_a_quick_case_of_each_kind_that_check_takes_without_a_doubt)
 {
+  std::vector<std::string> files;
   for (const std::string& kind : kinds_in(berm({"new"}).out)) {
-    const Ended written = berm({"new", kind});
+    const Ended written = berm({"new", kind, "--size", "quick"});
     ASSERT_EQ(written.status, 0) << written.err;
-    ASSERT_TRUE(fs::exists(folder_ / (kind + ".toml")));
-    const Ended checked = berm({"check", kind + ".toml", "--threads", "1"});
-    EXPECT_EQ(checked.status, 0) << checked.err;
-    EXPECT_EQ(checked.err.find("warning"), std::string::npos) << checked.err;
+    files.push_back(kind + ".toml");
+  }
+  EXPECT_GE(files.size(), 18u);
+  EXPECT_EQ(doubts(folder_.path(), files), "");
+}
+
+TEST_F(NewOfAll, sizes_and_soils_check_takes_the_cases_without_a_doubt)
+{
+  std::vector<std::string> files;
+  for (const auto& kind : nlohmann::json::parse(berm({"new", "--json"}).out)) {
+    const std::string name = kind["kind"];
+    for (const std::string size : kind["sizes"]) {
+      files.push_back(name + "." + size + ".toml");
+      ASSERT_EQ(berm({"new", name, files.back(), "--size", size}).status, 0);
+    }
+    for (const std::string soil : kind["soils"]) {
+      files.push_back(name + "." + soil + ".toml");
+      ASSERT_EQ(berm({"new", name, files.back(), "--size", "quick", "--soil", soil}).status, 0);
+    }
+  }
+  EXPECT_EQ(doubts(folder_.path(), files), "");
+}
+
+TEST_F(New, lists_kinds_and_soils_as_json)
+{
+  const auto kinds = nlohmann::json::parse(berm({"new", "--json"}).out);
+  const auto found = std::find_if(kinds.begin(), kinds.end(), [](const auto& kind) { return kind["kind"] == "pipe-in-clay"; });
+  ASSERT_NE(found, kinds.end());
+  EXPECT_EQ((*found)["group"], "Pipelines");
+  EXPECT_EQ((*found)["sizes"], nlohmann::json({"quick", "normal", "fine"}));
+  EXPECT_EQ((*found)["example"], "pipe_clay_life");
+  const auto soils = nlohmann::json::parse(berm({"new", "--soils", "--json"}).out);
+  for (const auto& soil : soils)
+    for (const char* key : {"soil", "material", "title", "source", "trust"}) EXPECT_FALSE(soil[key].get<std::string>().empty()) << soil;
+  for (const auto& soil : (*found)["soils"])
+    EXPECT_TRUE(std::any_of(soils.begin(), soils.end(), [&](const auto& one) { return one["soil"] == soil; })) << soil;
+}
+
+TEST_F(New, writes_the_strength_of_a_sounding)
+{
+  folder_.write("cpt.csv", "depth_m,q_c_MPa\n0.05,0.1\n0.15,0.12\n0.25,0.14\n");
+  const Ended written = berm({"new", "pipe-in-clay", "case.toml", "--cpt", "cpt.csv", "--n-kt", "12"});
+  ASSERT_EQ(written.status, 0) << written.err;
+  EXPECT_NE(folder_.read("case.toml").find("N_kt = 12"), std::string::npos);
+  EXPECT_EQ(doubts(folder_.path(), {"case.toml"}), "");
+}
+
+TEST_F(New, refuses_a_size_a_soil_and_a_sounding_that_do_not_fit)
+{
+  for (const auto& [arguments, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--size", "quik"}, "did you mean \"quick\""},
+           {{"--soil", "calcareous"}, "pipe-in-clay takes no soil \"calcareous\""},
+           {{"--cpt", "none.csv"}, "none.csv: there is no such file"},
+           {{"--cpt", "none.txt"}, "AGS 4 (.ags), GEF (.gef) or a table (.csv)"},
+           {{"--json"}, "without a KIND"}}) {
+    std::vector<std::string> all = {"new", "pipe-in-clay"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Ended ended = berm(all);
+    EXPECT_EQ(ended.status, 2) << ended.out;
+    EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
+    EXPECT_FALSE(fs::exists(folder_ / "pipe-in-clay.toml"));
   }
 }
 
