@@ -33,7 +33,7 @@ install(TARGETS berm_library LIBRARY COMPONENT libberm)
 berm_search_path(berm_library libberm ${CMAKE_INSTALL_LIBDIR}/libberm.so.${PROJECT_VERSION} "$ORIGIN/../lib" "$ORIGIN/berm")
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/berm TYPE INCLUDE COMPONENT libberm)
 
-# Manual pages and completion, by the program itself.
+# Manual pages, completion and the schemas of its inputs, by the program itself.
 set(BERM_SHARE ${CMAKE_BINARY_DIR}/share)
 add_custom_command(OUTPUT ${BERM_SHARE}/man/man1/berm.1 DEPENDS berm VERBATIM
   COMMAND berm man ${BERM_SHARE}/man/man1
@@ -41,7 +41,10 @@ add_custom_command(OUTPUT ${BERM_SHARE}/man/man1/berm.1 DEPENDS berm VERBATIM
   COMMAND ${CMAKE_COMMAND} -E make_directory ${BERM_SHARE}/bash-completion/completions ${BERM_SHARE}/zsh/vendor-completions ${BERM_SHARE}/fish/vendor_completions.d
   COMMAND berm completion bash > ${BERM_SHARE}/bash-completion/completions/berm
   COMMAND berm completion zsh > ${BERM_SHARE}/zsh/vendor-completions/_berm
-  COMMAND berm completion fish > ${BERM_SHARE}/fish/vendor_completions.d/berm.fish)
+  COMMAND berm completion fish > ${BERM_SHARE}/fish/vendor_completions.d/berm.fish
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${BERM_SHARE}/berm
+  COMMAND berm params --json-schema case > ${BERM_SHARE}/berm/case.schema.json
+  COMMAND berm params --json-schema element > ${BERM_SHARE}/berm/element.schema.json)
 add_custom_target(berm_manual ALL DEPENDS ${BERM_SHARE}/man/man1/berm.1)
 install(DIRECTORY ${BERM_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT berm PATTERN "*.1" EXCLUDE)
 

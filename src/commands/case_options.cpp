@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <iostream>
+#include <iterator>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -32,6 +34,11 @@ std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case
   return found;
 }
 
+std::string text_of_stdin()
+{
+  return {std::istreambuf_iterator<char>(std::cin), {}};
+}
+
 bool is_one(const char* value)
 {
   return value != nullptr && std::string_view(value) == "1";
@@ -46,6 +53,11 @@ CLI::Option* CaseOptions::take_cases(CLI::App& command)
       ->take_all()
       ->allow_extra_args(false);
   return command.add_option("CASE", files, "case files (TOML)")->required();
+}
+
+void CaseOptions::take_stdin(CLI::App& command)
+{
+  command.add_flag("--stdin", text_from_stdin, "take the text of the one CASE from the standard input, as if it lay in that file");
 }
 
 void CaseOptions::take_threads(CLI::App& command)
@@ -73,7 +85,7 @@ void CaseOptions::refuse_programs(const simulation::RunRequest& request) const
 {
   if (!no_programs) return;
   for (const auto& [key, what] : programs_of(request.settings))
-    throw InputError(request.places.located(key, fmt::format("names {}, a program, and --no-programs allows none", what)));
+    throw input::LocatedError(request.places.located(key, fmt::format("names {}, a program, and --no-programs allows none", what)));
 }
 
 void CaseOptions::take_sandbox(CLI::App& command)
@@ -134,6 +146,7 @@ fs::path default_folder(const fs::path& file)
 
 std::vector<simulation::RunRequest> requests(const CaseOptions& options)
 {
+  if (options.text_from_stdin && options.files.size() > 1) throw InputError("--stdin gives the text of one case, and several are named");
   std::vector<simulation::RunRequest> all;
   for (const std::string& file : options.files) {
     const fs::path name = fs::path(file).stem();
@@ -144,7 +157,8 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
     for (const simulation::RunRequest& other : all)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
-    auto [settings, places] = structures::read_case(file, options.overrides);
+    input::Document document = options.text_from_stdin ? input::parse_text(file, text_of_stdin()) : input::parse_file(file);
+    auto [settings, places] = structures::read_case(std::move(document), options.overrides);
     all.push_back({std::move(settings), file, folder, false, std::move(places), {}, options.overrides});
     options.refuse_programs(all.back());
   }

@@ -18,6 +18,7 @@ struct CaseOptions {
   bool no_programs = false;  ///< refuse cases that bring programs
   bool sandbox = false;      ///< where no case brings programs, too
   bool no_sandbox = false;
+  bool text_from_stdin = false;
   bool strict = false;  ///< a run whose answer is spoiled has failed
   std::string runner_words, sbatch;
   int pack = 0;  ///< runs a task of Slurm; 0: not said
@@ -25,6 +26,8 @@ struct CaseOptions {
 
   /// CASE... and --set.
   CLI::Option* take_cases(CLI::App& command);
+  /// --stdin: the text of the case, as if it lay in the file.
+  void take_stdin(CLI::App& command);
   /// --threads: of one run, or runs at a time.
   void take_threads(CLI::App& command);
   void take_jobs(CLI::App& command);

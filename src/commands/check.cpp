@@ -1,26 +1,114 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/commands/run_wrong_inputs_test.cpp
+// Tests: tests/unit/commands/run_wrong_inputs_test.cpp, tests/unit/commands/check_json_test.cpp
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "core/error.hpp"
+#include "input/message_text.hpp"
+#include "io/tell.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace berm::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+simulation::Checked check_of(const simulation::RunRequest& request, const CaseOptions& options)
+{
+  simulation::Context context(options.threads);
+  return check_case(request, context);
+}
+
+void print_check(const simulation::RunRequest& request, const simulation::Checked& checked)
+{
+  for (std::size_t k = 1; k < checked.refusals.size(); ++k) io::tell("berm: {}\n", checked.refusals[k].text());
+  if (!checked.refusals.empty()) throw input::LocatedError(checked.refusals.front());
+  for (const input::Located& warning : checked.warnings) io::tell("berm: warning: {}\n", warning.text());
+  fmt::print("{}\n", request.case_file.string());
+  for (const std::string& note : checked.notes) fmt::print("  {}\n", note);
+  if (checked.failure) throw input::LocatedError(*checked.failure);
+  for (const std::string& line : checked.estimate->lines) fmt::print("  {}\n", line);
+}
+
+Json finding(const char* level, const input::Located& what)
+{
+  Json found = Json::object({{"level", level}, {"file", what.file}, {"line", what.line}, {"key", what.key}, {"message", what.message}});
+  if (what.line == 0) found["line"] = nullptr;
+  if (what.key.empty()) found["key"] = nullptr;
+  if (!what.override_key.empty()) found["set"] = what.override_key;
+  if (!what.allowed.empty()) found["expected"] = what.allowed;
+  if (const std::string near = input::nearest(what.word, what.allowed); !near.empty()) found["nearest"] = near;
+  return found;
+}
+
+/// Not a number is null.
+Json estimate_of(const simulation::Estimate& e)
+{
+  return Json::object({{"cells", e.cells},
+                       {"nodes", e.nodes},
+                       {"particles", e.particles},
+                       {"memory_bytes", e.memory},
+                       {"time_s", e.time},
+                       {"disk_bytes", e.disk},
+                       {"lines", e.lines}});
+}
+
+/// A case with what is found of it; it is wrong where that has an error.
+Json check_as_json(CaseOptions options, const std::string& file)
+{
+  Json findings = Json::array(), estimate;
+  options.files = {file};
+  try {
+    const simulation::RunRequest request = requests(options).front();
+    options.enter_sandbox(brings_programs(request), {});
+    const simulation::Checked checked = check_of(request, options);
+    for (const input::Located& refusal : checked.refusals) findings.push_back(finding("error", refusal));
+    if (checked.failure) findings.push_back(finding("error", *checked.failure));
+    for (const input::Located& warning : checked.warnings) findings.push_back(finding("warning", warning));
+    for (const std::string& note : checked.notes) findings.push_back(finding("note", {.file = file, .message = note}));
+    if (checked.estimate) estimate = estimate_of(*checked.estimate);
+  } catch (const input::LocatedError& error) {
+    findings.push_back(finding("error", error.located));
+  } catch (const InputError& error) {
+    findings.push_back(finding("error", {.file = file, .message = error.what()}));
+  }
+  return Json::object({{"file", file}, {"findings", findings}, {"estimate", estimate}});
+}
+
+bool is_wrong(const Json& of_case)
+{
+  return std::ranges::any_of(of_case["findings"], [](const Json& found) { return found["level"] == "error"; });
+}
+
+int print_json(const CaseOptions& options)
+{
+  Json all = Json::array();
+  for (const std::string& file : options.files) all.push_back(check_as_json(options, file));
+  fmt::print("{}\n", all.dump(1, ' ', false, Json::error_handler_t::replace));
+  return std::ranges::any_of(all, is_wrong) ? 2 : 0;
+}
+
+}  // namespace
 
 Command add_check(CLI::App& program)
 {
   const auto options = std::make_shared<CaseOptions>();
+  const auto json = std::make_shared<bool>(false);
   CLI::App* app = program.add_subcommand(
       "check", "validate a case and print what a run would take; gmsh runs the geometry (.geo) that it names, and its laws are loaded");
   options->take_cases(*app);
+  options->take_stdin(*app);
   options->take_threads(*app);
   options->take_no_programs(*app);
   options->take_sandbox(*app);
-  return {app, [options] {
+  app->add_flag("--json", *json, "print findings and estimate of each case as JSON, all on the standard output");
+  return {app, [options, json] {
+            if (*json) return print_json(*options);
             const std::vector<simulation::RunRequest> all = requests(*options);
             options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_programs), {});
-            simulation::Context context(options->threads);
-            for (const simulation::RunRequest& request : all) check_case(request, context);
+            for (const simulation::RunRequest& request : all) print_check(request, check_of(request, *options));
             return 0;
           }};
 }

@@ -42,7 +42,7 @@ Command add_envelope(CLI::App& program)
             try {
               return status_of(envelope::find_envelope({std::move(settings), file, folder, options->how, options->runner(), places}));
             } catch (const KeyError& error) {
-              throw InputError(places.located(error.what()));
+              throw input::LocatedError(places.located(error));
             }
           }};
 }

@@ -7,6 +7,7 @@
 #include "start/cpt.hpp"
 #include "start/soils.hpp"
 
+#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,6 +44,23 @@ nlohmann::ordered_json kinds_as_json()
   return all;
 }
 
+/// The line by which editors find the schema of a case, which lies where this program was built or installed; "" where it does not.
+std::string schema_line()
+{
+  std::error_code error;
+  const fs::path folder = fs::canonical("/proc/self/exe", error).parent_path();
+  for (const char* share : {"../share", "share"})
+    if (const fs::path schema = (folder / share / "berm" / "case.schema.json").lexically_normal(); fs::exists(schema, error)) {
+      std::string url = "file://";
+      for (const char c : schema.string())
+        url += std::isalnum(static_cast<unsigned char>(c)) || std::string_view("/._-~").find(c) != std::string_view::npos
+                   ? std::string(1, c)
+                   : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+      return fmt::format("#:schema {}\n", url);
+    }
+  return "";
+}
+
 void list_soils()
 {
   for (const start::Soil& one : start::soils()) fmt::print("  {:<24} {}\n  {:24} {}\n  {:24} {}\n", one.name, one.title, "", one.source, "", one.trust);
@@ -65,7 +83,7 @@ void write_case(const NewOptions& options)
   if (!options.cpt.empty()) text = start::with_cpt(kind, text, site::read_sounding(options.cpt, options.location), options.choice);
   const fs::path path = options.file.empty() ? fs::path(kind.name + ".toml") : fs::path(options.file);
   if (fs::exists(fs::symlink_status(path))) throw InputError(fmt::format("{} is there already: name another file", path.string()));
-  io::write_atomically(path, text);
+  io::write_atomically(path, schema_line() + text);
   fmt::print("{0} is written. Change what is marked with <-, then\n  berm check {0}\n  berm run {0} -o out/{1}\n  berm report out/{1}\n",
              path.string(), path.stem().string());
 }

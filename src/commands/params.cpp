@@ -7,19 +7,42 @@
 #include <fmt/format.h>
 
 namespace berm::commands {
+namespace {
+
+int print_schema(const std::string& of)
+{
+  const bool of_case = of == "case";
+  fmt::print("{}", input::json_schema(of_case ? structures::case_catalogue() : element::element_catalogue(),
+                                      of_case ? "A case of berm" : "Element tests of berm"));
+  return 0;
+}
+
+int print_list(bool markdown)
+{
+  input::Listed of_elements = element::element_catalogue();
+  std::erase_if(of_elements.children, [](const input::Listed& entry) { return entry.key == "material"; });  // listed with the case
+  const std::vector<input::OtherInput> others = {
+      {"Element tests, the input of berm element (beside the materials, as in a case)", of_elements}};
+  const input::Listed of_case = structures::case_catalogue();
+  fmt::print("{}", markdown ? input::parameter_page(of_case, others) : input::parameter_table(of_case, others));
+  return 0;
+}
+
+}  // namespace
 
 Command add_params(CLI::App& program)
 {
-  const auto markdown = std::make_shared<bool>(false);
+  struct Options {
+    bool markdown = false;
+    std::string schema_of;
+  };
+  const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("params", "list all parameters of a case, and of element tests");
-  app->add_flag("--markdown", *markdown, "as Markdown");
-  return {app, [markdown] {
-            const std::vector<input::OtherInput> others = {
-                {"Element tests, the input of berm element (beside the materials, as in a case)", element::element_catalogue()}};
-            const input::Listed of_case = structures::case_catalogue();
-            fmt::print("{}", *markdown ? input::parameter_page(of_case, others) : input::parameter_table(of_case, others));
-            return 0;
-          }};
+  CLI::Option* markdown = app->add_flag("--markdown", options->markdown, "as Markdown");
+  app->add_option("--json-schema", options->schema_of, "as JSON Schema (draft 4), for editors: that of a case, or of element tests")
+      ->check(CLI::IsMember({"case", "element"}))
+      ->excludes(markdown);
+  return {app, [options] { return options->schema_of.empty() ? print_list(options->markdown) : print_schema(options->schema_of); }};
 }
 
 }  // namespace berm::commands

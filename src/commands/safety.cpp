@@ -55,7 +55,7 @@ Command add_safety(CLI::App& program)
             try {
               return status_of(safety::find_safety({std::move(settings), file, folder, options->how, options->runner()}));
             } catch (const KeyError& error) {
-              throw InputError(places.located(error.what()));
+              throw input::LocatedError(places.located(error));
             }
           }};
 }

@@ -75,15 +75,20 @@ const base::Structure& structure_of(const problem::Case& c)
   return **std::find_if(all.begin(), all.end(), [&](const base::Structure* structure) { return structure->applies_to(c); });
 }
 
-input::CaseInFile read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+input::CaseInFile read_case(input::Document document, const std::vector<std::string>& overrides)
 {
-  input::CaseInFile found = input::read_case_in_file(file, overrides);
+  input::CaseInFile found = input::case_of(std::move(document), overrides);
   try {
     check_structures(found.settings);
   } catch (const KeyError& error) {
-    throw InputError(found.places.located(error.what()));
+    throw input::LocatedError(found.places.located(error));
   }
   return found;
+}
+
+input::CaseInFile read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+  return read_case(input::parse_file(file), overrides);
 }
 
 input::Listed case_catalogue()
@@ -91,9 +96,9 @@ input::Listed case_catalogue()
   input::Listed all = input::catalogue_of<problem::Case>();
   input::Listed& structure = child(child(all, "rigid"), "structure");
   structure.kind = input::Listed::Kind::word;
-  structure.type = "word";
   structure.words = all_words();
   structure.default_text = structure.words.front();
+  structure.default_value = structure.default_text;
   return all;
 }
 

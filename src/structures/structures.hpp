@@ -13,8 +13,9 @@ const std::vector<const base::Structure*>& all_structures();
 /// The structure of a case: the first that applies to it.
 const base::Structure& structure_of(const problem::Case& c);
 
-/// Reads a case file (input::read_case_in_file). Throws InputError, with file and line, also where rigid.NAME.structure is no structure's word, or that of one that
+/// Reads a case, which may be a text that lies in no file yet (input::case_of). Throws InputError, with file and line, also where rigid.NAME.structure is no structure's word, or that of one that
 /// the geometry cannot have.
+input::CaseInFile read_case(input::Document document, const std::vector<std::string>& overrides = {});
 input::CaseInFile read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// All parameters of a case, with the words of the structures.

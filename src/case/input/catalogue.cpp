@@ -4,38 +4,104 @@
 
 #include "input/message_text.hpp"
 
-#include <fmt/format.h>
-
 namespace berm::input {
 namespace {
 
+/// Fills in what depends on the type of a value.
 struct TypeAndDefault {
-  const std::string& unit;
+  Listed& entry;
 
-  using Pair = std::pair<std::string, std::string>;
-  Pair operator()(const Real* v) const { return {"number", quantity(*v, unit)}; }
-  Pair operator()(const std::optional<Real>* v) const { return {"number", *v ? quantity(**v, unit) : ""}; }
-  Pair operator()(const int* v) const { return {"whole number", std::to_string(*v)}; }
-  Pair operator()(const bool* v) const { return {"true or false", *v ? "true" : "false"}; }
-  Pair operator()(const std::string* v) const { return {"text", v->empty() ? "" : in_quotes(*v)}; }
-  Pair operator()(const std::vector<std::string>* v) const
+  using Type = Listed::Type;
+  void number(Real value) const
   {
-    std::string all;
-    for (const std::string& text : *v) all += (all.empty() ? "" : ", ") + in_quotes(text);
-    return {"list of texts", all.empty() ? "" : "[" + all + "]"};
+    entry.default_text = quantity(value, entry.unit);
+    if (entry.unit.empty())
+      entry.default_value = value;
+    else
+      entry.default_value = entry.default_text;
   }
-  Pair operator()(const std::vector<Real>* v) const
+  template <class T, class Words>
+  void list(Type type, const std::vector<T>& values, const Words& words) const
   {
-    std::string all;
-    for (const Real number : *v) all += (all.empty() ? "" : ", ") + quantity(number, unit);
-    return {"list of numbers", all.empty() ? "" : "[" + all + "]"};
+    entry.type = type;
+    if (values.empty()) return;
+    for (const T& value : values) entry.default_text += (entry.default_text.empty() ? "[" : ", ") + words(value);
+    entry.default_text += "]";
+    entry.default_value = values;
   }
-  Pair operator()(const std::map<std::string, Real>*) const { return {"number by name", ""}; }
-  Pair operator()(const std::map<std::string, int>*) const { return {"whole number by name", ""}; }
-  Pair operator()(const std::map<std::string, std::string>*) const { return {"text by name", ""}; }
+  void operator()(const Real* v) const
+  {
+    entry.type = Type::number;
+    number(*v);
+  }
+  void operator()(const std::optional<Real>* v) const
+  {
+    entry.type = Type::number;
+    if (*v) number(**v);
+  }
+  void operator()(const int* v) const
+  {
+    entry.type = Type::whole_number;
+    entry.default_value = *v;
+    entry.default_text = std::to_string(*v);
+  }
+  void operator()(const bool* v) const
+  {
+    entry.type = Type::truth;
+    entry.default_value = *v;
+    entry.default_text = *v ? "true" : "false";
+  }
+  void operator()(const std::string* v) const
+  {
+    entry.type = Type::text;
+    if (v->empty()) return;
+    entry.default_value = *v;
+    entry.default_text = in_quotes(*v);
+  }
+  void operator()(const std::vector<std::string>* v) const { list(Type::texts, *v, in_quotes); }
+  void operator()(const std::vector<Real>* v) const
+  {
+    list(Type::numbers, *v, [&](Real value) { return quantity(value, entry.unit); });
+  }
+  void operator()(const std::map<std::string, Real>*) const { entry.type = Type::number_by_name; }
+  void operator()(const std::map<std::string, int>*) const { entry.type = Type::whole_number_by_name; }
+  void operator()(const std::map<std::string, std::string>*) const { entry.type = Type::text_by_name; }
 };
 
+const char* words_of(Listed::Type type)
+{
+  switch (type) {
+  case Listed::Type::number:
+    return "number";
+  case Listed::Type::whole_number:
+    return "whole number";
+  case Listed::Type::truth:
+    return "true or false";
+  case Listed::Type::text:
+    return "text";
+  case Listed::Type::texts:
+    return "list of texts";
+  case Listed::Type::numbers:
+    return "list of numbers";
+  case Listed::Type::number_by_name:
+    return "number by name";
+  case Listed::Type::whole_number_by_name:
+    return "whole number by name";
+  case Listed::Type::text_by_name:
+    return "text by name";
+  }
+  return "";
+}
+
 }  // namespace
+
+std::string type_words(const Listed& entry)
+{
+  if (entry.kind == Listed::Kind::word) return "word";
+  std::string words = words_of(entry.type);
+  for (const std::string& word : entry.number_words) words += " or " + in_quotes(word);
+  return words;
+}
 
 Listed& Lister::add(Listed::Kind kind, const char* key, const Parameter& parameter)
 {
@@ -54,21 +120,25 @@ Listed& Lister::add(Listed::Kind kind, const char* key, const Parameter& paramet
 void Lister::leaf(const char* key, Leaf variable, const Parameter& parameter)
 {
   Listed& entry = add(Listed::Kind::value, key, parameter);
-  std::tie(entry.type, entry.default_text) = std::visit(TypeAndDefault{entry.unit}, variable);
+  std::visit(TypeAndDefault{entry}, variable);
   for (const NumberWord& word : parameter.words) {
-    entry.type += fmt::format(" or {}", in_quotes(word.word));
-    if (const auto* number = std::get_if<Real*>(&variable); number != nullptr && **number == word.value)
-      entry.default_text = in_quotes(word.word);
+    entry.number_words.emplace_back(word.word);
+    if (const auto* number = std::get_if<Real*>(&variable); number == nullptr || **number != word.value) continue;
+    entry.default_text = in_quotes(word.word);
+    entry.default_value = std::string(word.word);
   }
-  if (parameter.required) entry.default_text.clear();
+  if (!parameter.required) return;
+  entry.default_text.clear();
+  entry.default_value = std::monostate();
 }
 
 int Lister::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)
 {
   Listed& entry = add(Listed::Kind::word, key, parameter);
-  entry.type = "word";
   entry.words.assign(names.begin(), names.end());
-  if (!parameter.required) entry.default_text = entry.words.at(current);
+  if (parameter.required) return current;
+  entry.default_text = entry.words.at(current);
+  entry.default_value = entry.default_text;
   return current;
 }
 

@@ -20,11 +20,16 @@ struct Listed {
     named_tables,  ///< [material.NAME]
     array          ///< [[stage]]
   };
+  enum class Type { number, whole_number, truth, text, texts, numbers, number_by_name, whole_number_by_name, text_by_name };
+  /// As one may write it in a case; std::monostate: there is none.
+  using Default = std::variant<std::monostate, bool, int, Real, std::string, std::vector<Real>, std::vector<std::string>>;
 
   Kind kind = Kind::table;
   std::string key, formerly, meaning, unit;
-  std::string type;          ///< of a value: "number", "list of texts", ...
-  std::string default_text;  ///< "" where there is none
+  Type type = Type::text;  ///< of a value
+  Default default_value;
+  std::string default_text;               ///< the same, for readers; "" where there is none
+  std::vector<std::string> number_words;  ///< that may stand for the number
   Range range;
   bool required = false;
   std::vector<std::string> words;
@@ -65,6 +70,9 @@ private:
   std::vector<Level> levels_;
 };
 
+/// "number", "list of texts or "unlimited"", "word".
+std::string type_words(const Listed& entry);
+
 /// All parameters of a struct. describe(Describe&, T&) must not depend on values.
 template <class T>
 Listed catalogue_of()
@@ -93,5 +101,8 @@ std::string parameter_table(const Listed& of_case, const std::vector<OtherInput>
 
 /// The same as Markdown: docs/parameters.md, for `berm params --markdown`.
 std::string parameter_page(const Listed& of_case, const std::vector<OtherInput>& others = {});
+
+/// JSON Schema, draft 4, of an input with these parameters: what editors complete and check by. Where a word selects keys, each word is an alternative of oneOf.
+std::string json_schema(const Listed& of_input, const std::string& title);
 
 }  // namespace berm::input

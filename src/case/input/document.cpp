@@ -26,7 +26,6 @@ struct TomlStumbled {};
 #include <toml++/toml.h>
 
 #include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "core/read_file.hpp"
 #include "input/document.hpp"
 #include "input/message_text.hpp"
@@ -159,7 +158,7 @@ int line_of_syntax_error(const std::string& text)
 
 [[noreturn]] void refuse_line(const std::string& file, std::size_t line, const std::string& message)
 {
-  throw InputError(one_line(fmt::format("{}:{}: {}", file, std::max<std::size_t>(line, 1), message)));
+  throw LocatedError({.file = file, .line = static_cast<int>(std::max<std::size_t>(line, 1)), .message = message});
 }
 
 }  // namespace
@@ -167,14 +166,14 @@ int line_of_syntax_error(const std::string& text)
 Document parse_file(const std::filesystem::path& file)
 {
   const auto [text, fault] = read_file(file, max_bytes);
-  if (!fault.empty()) throw InputError(one_line(fmt::format("{}: {}", file.string(), fault)));
+  if (!fault.empty()) throw LocatedError({.file = file.string(), .message = fault});
   return parse_text(file.string(), text);
 }
 
 Document parse_text(const std::string& file, const std::string& text)
 {
   if (text.size() > max_bytes)
-    throw InputError(one_line(fmt::format("{}: is longer than {} bytes, the maximum for a case", file, max_bytes)));
+    throw LocatedError({.file = file, .message = fmt::format("is longer than {} bytes, the maximum for a case", max_bytes)});
   if (const int line = line_of_too_deep_key(text)) refuse_line(file, line, fmt::format("a key has more than {} dots", max_dots));
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos)
     refuse_line(file, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'),
@@ -241,19 +240,33 @@ std::string kind_of(const Node& node)
   return "";
 }
 
-std::string located(const Document& document, const Node& node, const std::string& path, const std::string& message)
+std::string Located::text() const
 {
-  const bool by_override = !node.override_key.empty();
-  const std::string location = by_override ? "--set " + node.override_key : fmt::format("{}:{}", document.file, node.line);
-  const bool repeats = by_override && node.override_key == path;
-  constexpr std::size_t max_of_path = 300, max_of_message = 3000;
-  return one_line(location + ": " + (path.empty() || repeats ? "" : shortened(path, max_of_path) + ": ") +
-                  shortened(message, max_of_message));
+  constexpr std::size_t max_of_key = 300, max_of_message = 3000;
+  std::string text = file;
+  if (line > 0) text += fmt::format(":{}", line);
+  if (!override_key.empty()) text = "--set " + override_key;
+  if (!text.empty()) text += ": ";
+  if (!key.empty() && key != override_key) text += shortened(key, max_of_key) + ": ";
+  return one_line(text + shortened(message + suggestion(word, allowed), max_of_message));
 }
 
-void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message)
+Located located(const Document& document, const Node& node, const std::string& path, const std::string& message)
 {
-  throw InputError(located(document, node, path, message));
+  return {.file = document.file,
+          .line = node.override_key.empty() ? node.line : 0,
+          .override_key = node.override_key,
+          .key = path,
+          .message = message};
+}
+
+void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message, const std::string& word,
+            const std::vector<std::string>& allowed)
+{
+  Located what = located(document, node, path, message);
+  what.word = word;
+  what.allowed = allowed;
+  throw LocatedError(std::move(what));
 }
 
 }  // namespace berm::input

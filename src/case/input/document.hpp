@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/error.hpp"
 #include "core/types.hpp"
 
 #include <filesystem>
@@ -57,10 +58,31 @@ std::string name_of(const Node& item);
 /// Kind of a node, for messages: "a number", "text in quotes".
 std::string kind_of(const Node& node);
 
-/// "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.
-std::string located(const Document& document, const Node& node, const std::string& path, const std::string& message);
+/// What is to be said of an input, and of which place.
+struct Located {
+  std::string file = {};          ///< "" where no file was read
+  int line = 0;                   ///< 0: of no line
+  std::string override_key = {};  ///< the KEY of `--set KEY=VALUE` that it is about; "" where it is about the file
+  std::string key = {};           ///< dotted; "" where it is about no key, such as a text that is not TOML
+  std::string message = {};
+  std::string word = {};                  ///< that was written instead of one of those that are allowed
+  std::vector<std::string> allowed = {};  ///< words; none where it is about no word
 
-/// Throws InputError "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.
-[[noreturn]] void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message);
+  /// "FILE:LINE: KEY: MESSAGE", with "--set KEY" instead of FILE:LINE where an override is meant, and what is allowed behind it.
+  std::string text() const;
+};
+
+/// A wrong input whose place is known.
+struct LocatedError : InputError {
+  explicit LocatedError(Located what) : InputError(what.text()), located(std::move(what)) {}
+  Located located;
+};
+
+/// Of a node; `path` is its key.
+Located located(const Document& document, const Node& node, const std::string& path, const std::string& message);
+
+/// Throws LocatedError of a node; `word` was written there instead of one of those that are `allowed`.
+[[noreturn]] void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message,
+                         const std::string& word = "", const std::vector<std::string>& allowed = {});
 
 }  // namespace berm::input

@@ -2,8 +2,6 @@
 // Tests: tests/unit/input/parameters_test.cpp
 #include "input/override.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 
 #include <algorithm>
@@ -13,9 +11,10 @@
 namespace berm::input {
 namespace {
 
-[[noreturn]] void refuse_override(const std::string& key, const std::string& message)
+[[noreturn]] void refuse_override(const std::string& key, const std::string& message, const std::string& word = "",
+                                  const std::vector<std::string>& allowed = {})
 {
-  throw InputError(one_line(fmt::format("--set {}: {}", key, message)));
+  throw LocatedError({.override_key = key, .key = key, .message = message, .word = word, .allowed = allowed});
 }
 
 /// The parts of a dotted path; a part in double quotes may hold dots.
@@ -64,7 +63,7 @@ Node& item_named(Node& array, const std::string& part, const std::string& path, 
     names.push_back(name_of(item));
     if (names.back() == part) return item;
   }
-  refuse_override(key, fmt::format("there is no {} named {}{}", path, in_quotes(part), suggestion(part, names)));
+  refuse_override(key, fmt::format("there is no {} named {}", path, in_quotes(part)), part, names);
 }
 
 /// Puts one value into the tables of a document.
@@ -126,7 +125,7 @@ void apply_override(Document& document, const std::string& key_and_value)
 {
   const std::size_t equals = key_and_value.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError(one_line(fmt::format("--set {}: expected KEY=VALUE, such as material.sand.friction_angle=\"40 deg\"", key_and_value)));
+    refuse_override(key_and_value, "expected KEY=VALUE, such as material.sand.friction_angle=\"40 deg\"");
   const std::string key = key_and_value.substr(0, equals);
   Override(key, value_of(key, key_and_value.substr(equals + 1))).put_into(document.root);
 }

@@ -34,7 +34,7 @@ Row row_of(const Listed& entry)
 {
   std::string values = range_text(entry.range, entry.unit);
   for (const std::string& word : entry.words) values += (values.empty() ? "" : ", ") + in_quotes(word);
-  return {entry.key, entry.type, entry.unit, values, entry.required ? "required" : entry.default_text, entry.meaning};
+  return {entry.key, type_words(entry), entry.unit, values, entry.required ? "required" : entry.default_text, entry.meaning};
 }
 
 void collect(const Listed& table, const std::string& path, const std::string& heading, std::vector<Section>& sections)

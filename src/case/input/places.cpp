@@ -24,17 +24,18 @@ std::string Places::written(const std::string& key) const
   return of_stage + rest;
 }
 
-std::string Places::located(const std::string& key, const std::string& message) const
+Located Places::located(const std::string& key, const std::string& message) const
 {
-  if (!document_) return key + ": " + message;
+  if (!document_) return {.key = key, .message = message};
   const Found found = follow(document_->root, written(key));
   return input::located(*document_, *found.node, found.path, message);
 }
 
-std::string Places::located(const std::string& key_and_message) const
+Located Places::located(const KeyError& error) const
 {
+  const std::string key_and_message = error.what();
   const std::size_t end = key_and_message.find(": ");
-  if (end == std::string::npos) return key_and_message;
+  if (end == std::string::npos) return {.message = key_and_message};
   return located(key_and_message.substr(0, end), key_and_message.substr(end + 2));
 }
 

@@ -18,11 +18,10 @@ public:
   {
   }
 
-  /// "FILE:LINE: KEY: MESSAGE" of a key, "stage[2].until"; "--set KEY" instead of FILE:LINE where an override wrote it; the line of the nearest table where
-  /// nothing did. Of a drag of a sweep they are the sweep's own keys: what ends it is `amplitude`.
-  std::string located(const std::string& key, const std::string& message) const;
-  /// The same of "KEY: MESSAGE", as KeyError has it.
-  std::string located(const std::string& key_and_message) const;
+  /// Where a key was written, "stage[2].until"; the line of the nearest table where it was not. Of a drag of a sweep it is the sweep's own key: what ends it
+  /// is `amplitude`.
+  Located located(const std::string& key, const std::string& message) const;
+  Located located(const KeyError& error) const;
 
   /// Whether the file or an override has this key.
   bool has(const std::string& key) const;

@@ -35,8 +35,22 @@ void find_macro_element(problem::FarSoil& soil, const std::filesystem::path& fol
   if (!soil.macro_element.empty()) soil.macro_element = std::filesystem::absolute(folder / soil.macro_element).lexically_normal().string();
 }
 
-CaseInFile case_of(Document document, const std::vector<std::string>& overrides, const std::filesystem::path& folder)
+}  // namespace
+
+void find_libraries(std::vector<std::pair<std::string, material::Material>>& materials, const std::filesystem::path& folder)
 {
+  const auto find_library = [&](auto* law) {
+    if (law != nullptr) law->library = std::filesystem::absolute(folder / law->library).lexically_normal().string();
+  };
+  for (auto& entry : materials) {
+    find_library(entry.second.get_if<material::UserLaw<material::Interface::own>>());
+    find_library(entry.second.get_if<material::UserLaw<material::Interface::umat>>());
+  }
+}
+
+CaseInFile case_of(Document document, const std::vector<std::string>& overrides)
+{
+  const std::filesystem::path folder = std::filesystem::path(document.file).parent_path();
   if (const Node* tests = member(document.root, "test"))
     refuse(document, *tests, "test", "this is an input of element tests, for berm element, and no case");
   for (const std::string& override : overrides) apply_override(document, override);
@@ -59,37 +73,19 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
     written = found.places = Places(std::move(document), origins);
     if (found.settings.pipeline) slices::place_slices(found.settings);
   } catch (const KeyError& error) {
-    throw InputError(written.located(error.what()));
+    throw LocatedError(written.located(error));
   }
   return found;
 }
 
-}  // namespace
-
-void find_libraries(std::vector<std::pair<std::string, material::Material>>& materials, const std::filesystem::path& folder)
-{
-  const auto find_library = [&](auto* law) {
-    if (law != nullptr) law->library = std::filesystem::absolute(folder / law->library).lexically_normal().string();
-  };
-  for (auto& entry : materials) {
-    find_library(entry.second.get_if<material::UserLaw<material::Interface::own>>());
-    find_library(entry.second.get_if<material::UserLaw<material::Interface::umat>>());
-  }
-}
-
-CaseInFile read_case_in_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
-{
-  return case_of(parse_file(file), overrides, file.parent_path());
-}
-
 problem::Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
-  return case_of(parse_file(file), overrides, file.parent_path()).settings;
+  return case_of(parse_file(file), overrides).settings;
 }
 
 problem::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides)
 {
-  return case_of(parse_text(file, text), overrides, std::filesystem::path(file).parent_path()).settings;
+  return case_of(parse_text(file, text), overrides).settings;
 }
 
 }  // namespace berm::input

@@ -62,7 +62,7 @@ void Reader::check(bool valid, const std::string& path, const std::string& messa
 {
   if (valid) return;
   const Found found = follow(document_.root, path);
-  refuse(document_, *found.node, found.path, message + suggestion(wrong_word(found, allowed), allowed));
+  refuse(document_, *found.node, found.path, message, wrong_word(found, allowed), allowed);
 }
 
 Node* Reader::find(const char* key)
@@ -76,11 +76,11 @@ std::string Reader::path_of(const std::string& key) const
   return path.empty() ? key : path + "." + key;
 }
 
-void Reader::refuse_missing(const char* key, const std::string& what) const
+void Reader::refuse_missing(const char* key, const std::string& what, const std::vector<std::string>& words) const
 {
   const Level& level = levels_.back();
   const std::string where = level.path.empty() ? "at the top of the file" : fmt::format("in [{}]", level.path);
-  refuse(document_, *level.nearest, path_of(key), fmt::format("is missing {}: {}", where, what));
+  refuse(document_, *level.nearest, path_of(key), fmt::format("is missing {}: {}", where, what), "", words);
 }
 
 void Reader::leaf(const char* key, Leaf variable, const Parameter& declared)
@@ -101,19 +101,18 @@ int Reader::choose(const char* key, const std::vector<const char*>& names, int c
   const std::vector<std::string> words(names.begin(), names.end());
   Node* node = find(key);
   if (node == nullptr) {
-    if (parameter.required) refuse_missing(key, fmt::format("{} (allowed: {})", parameter.meaning, listed(words)));
+    if (parameter.required) refuse_missing(key, parameter.meaning, words);
     return current;
   }
   use(*node);
   if (node->kind != Node::Kind::text)
-    refuse(document_, *node, path_of(key), fmt::format("must be a word in quotes, not {} (allowed: {})", kind_of(*node), listed(words)));
+    refuse(document_, *node, path_of(key), fmt::format("must be a word in quotes, not {}", kind_of(*node)), "", words);
   const auto found = std::find(words.begin(), words.end(), node->text);
   for (const FormerWord& former : parameter.former_words)
     if (node->text == former.former)
       refuse(document_, *node, path_of(key), fmt::format("{} is now called {}", in_quotes(node->text), in_quotes(former.word)));
   if (found == words.end())
-    refuse(document_, *node, path_of(key),
-           fmt::format("{} is not one of its words{}", in_quotes(node->text), suggestion(node->text, words)));
+    refuse(document_, *node, path_of(key), fmt::format("{} is not one of its words", in_quotes(node->text)), node->text, words);
   return static_cast<int>(found - words.begin());
 }
 

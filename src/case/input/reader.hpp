@@ -34,7 +34,7 @@ private:
   Node* find(const char* key);
   std::string path_of(const std::string& key) const;
   void step_into(Node* table, const std::string& path);
-  [[noreturn]] void refuse_missing(const char* key, const std::string& what) const;
+  [[noreturn]] void refuse_missing(const char* key, const std::string& what, const std::vector<std::string>& words = {}) const;
 
   Document& document_;
   bool whole_ = false;  ///< space or axisymmetry: quantities are not per metre run

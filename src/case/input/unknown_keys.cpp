@@ -74,8 +74,7 @@ private:
     for (const Node& item : node.items)
       if (!item.implied) names.push_back(item.key);
     for (const Node& item : node.items) {
-      if (item.implied)
-        refuse(document_, item, join(path, item.key), fmt::format("there is no [{}.{}]{}", path, item.key, suggestion(item.key, names)));
+      if (item.implied) refuse(document_, item, join(path, item.key), fmt::format("there is no [{}.{}]", path, item.key), item.key, names);
       if (item.kind == Node::Kind::table) table(item, join(path, item.key), known);
     }
   }
@@ -89,11 +88,12 @@ private:
         allowed.push_back(entry.key);
     if (missed != nullptr)
       refuse(document_, item, path,
-             fmt::format("applies with {0} = {1}, but here {0} = {2} (allowed: {3})", missed->selector, in_quotes(missed->word),
-                         in_quotes(chosen_word(node, known, missed->selector)), listed(allowed)));
+             fmt::format("applies with {0} = {1}, but here {0} = {2}", missed->selector, in_quotes(missed->word),
+                         in_quotes(chosen_word(node, known, missed->selector))),
+             "", allowed);
     for (const Listed& entry : known.children)
       if (entry.formerly == item.key) refuse(document_, item, path, fmt::format("is now called {}", in_quotes(entry.key)));
-    refuse(document_, item, path, (item.kind == Node::Kind::table ? "unknown table" : "unknown key") + suggestion(item.key, allowed));
+    refuse(document_, item, path, item.kind == Node::Kind::table ? "unknown table" : "unknown key", item.key, allowed);
   }
 
   const Document& document_;

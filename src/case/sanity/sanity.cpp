@@ -104,11 +104,6 @@ std::string words_of_bytes(Real bytes)
   return bytes >= 1e9 ? fmt::format("{:.1f} GB", bytes / 1e9) : fmt::format("{:.0f} MB", std::ceil(bytes / 1e6));
 }
 
-std::string words_of(const Finding& finding, const input::Places& places)
-{
-  return places.located(finding.key, finding.message);
-}
-
 std::string words_of(Real value, const char* unit)
 {
   const bool small = std::abs(value) < 0.1 && value != 0;

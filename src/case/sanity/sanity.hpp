@@ -41,9 +41,6 @@ Real disk_of(const Scene& scene);
 /// "322 MB".
 std::string words_of_bytes(Real bytes);
 
-/// "FILE:LINE: KEY: MESSAGE" of a finding.
-std::string words_of(const Finding& finding, const input::Places& places);
-
 /// "18 mm", "1.25 m", "3 kg/m": three digits and the unit, of lengths, times and speeds a thousandth of it where that reads better.
 std::string words_of(Real value, const char* unit);
 

@@ -195,7 +195,8 @@ void is_the_drive_slow(const Scene& s, Findings& found)
     if (fast.empty()) continue;
     std::string others;
     for (const std::size_t k : fast)
-      if (s.places.located(stage_key(k, "velocity"), "") != s.places.located(stage_key(fastest, "velocity"), ""))  // not of the same sweep
+      if (s.places.located(stage_key(k, "velocity"), "").text() !=
+          s.places.located(stage_key(fastest, "velocity"), "").text())  // not of the same sweep
         others += (others.empty() ? "; also in stages " : ", ") + s.c.stage[k].name;
     const Real speed = speed_of(s.c.stage[fastest]), inertia = density * speed * speed;
     const std::string part = strength > 0 ? fmt::format(", {:.2g} of the strength at a depth of D", inertia / strength) : "";

@@ -202,21 +202,32 @@ run_folder::Summary::Checks FemMethod::checks() const
   return checks;
 }
 
-void FemMethod::print_check(const Context& context)
+Estimate FemMethod::estimate(const Context& context)
 {
   const fem::FemModel& model = problem_.model;
-  fmt::print("  elements     {}\n  nodes        {}\n  contact      {} points\n", model.mesh.cell_count(), model.mesh.node_count(),
-             model.contact.size());
-  fmt::print("  memory       about {:.0f} MiB at most\n",
-             std::max(memory_for_mesh_, memory_in_use() + steps_.memory_to_come()) / (1 << 20));
-  fmt::print("  time         about {:.2g} s an iteration with {} thread{}; a push or a drag takes some hundred iterations\n",
-             measure_iteration(), context.threads(), context.threads() == 1 ? "" : "s");
+  const Real iteration = measure_iteration();
+  Estimate e;
+  e.cells = model.mesh.cell_count();
+  e.nodes = model.mesh.node_count();
+  e.memory = std::max(memory_for_mesh_, memory_in_use() + steps_.memory_to_come());
+  e.time = time_of_stages(iteration);
+  e.lines = {fmt::format("elements     {}", e.cells), fmt::format("nodes        {}", e.nodes),
+             fmt::format("contact      {} points", model.contact.size()),
+             fmt::format("memory       about {:.0f} MiB at most", e.memory / (1 << 20)),
+             fmt::format("time         about {:.2g} s an iteration with {} thread{}; a push or a drag takes some hundred iterations",
+                         iteration, context.threads(), context.threads() == 1 ? "" : "s")};
+  return e;
+}
+
+Real FemMethod::time_of_stages(Real iteration) const
+{
+  constexpr Real iterations_a_stage = 300;
+  return iterations_a_stage * static_cast<Real>(model().stages.size()) * iteration;
 }
 
 Real FemMethod::expected_wall_time()
 {
-  constexpr Real iterations_a_stage = 300;
-  return iterations_a_stage * static_cast<Real>(model().stages.size()) * measure_iteration();
+  return time_of_stages(measure_iteration());
 }
 
 /// Wall time, s.

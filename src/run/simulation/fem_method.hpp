@@ -26,8 +26,8 @@ public:
   std::string size_words() const;
   /// What the questions of good sense look at.
   sanity::Scene scene(const RunRequest& request, int threads) const;
-  /// Prints size, memory and the time of an iteration.
-  void print_check(const Context& context);
+  /// Size, memory, and time by that of an iteration.
+  Estimate estimate(const Context& context);
   /// Wall time of all stages, s, by that of an iteration.
   Real expected_wall_time();
 
@@ -61,6 +61,7 @@ public:
 
 private:
   Real measure_iteration();
+  Real time_of_stages(Real iteration) const;
   template <class Act>
   void try_to(const Act& act);
   Real movement() const;

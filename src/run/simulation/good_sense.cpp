@@ -24,13 +24,27 @@ fs::path warnings_in(const fs::path& run_folder)
 
 }  // namespace
 
+Doubts doubts_of(const sanity::Scene& scene)
+{
+  Doubts doubts;
+  for (const sanity::Finding& finding : sanity::ask(scene))
+    (finding.severity == sanity::Severity::refuse ? doubts.refusals : doubts.warnings)
+        .push_back(scene.places.located(finding.key, finding.message));
+  return doubts;
+}
+
+void throw_refusals(const Doubts& doubts)
+{
+  for (std::size_t k = 1; k < doubts.refusals.size(); ++k) io::tell("berm: {}\n", doubts.refusals[k].text());
+  if (!doubts.refusals.empty()) throw input::LocatedError(doubts.refusals.front());
+}
+
 std::vector<std::string> warnings_of(const sanity::Scene& scene)
 {
-  std::vector<std::string> warnings, refusals;
-  for (const sanity::Finding& finding : sanity::ask(scene))
-    (finding.severity == sanity::Severity::refuse ? refusals : warnings).push_back(words_of(finding, scene.places));
-  for (std::size_t k = 1; k < refusals.size(); ++k) io::tell("berm: {}\n", refusals[k]);
-  if (!refusals.empty()) throw InputError(refusals.front());
+  const Doubts doubts = doubts_of(scene);
+  throw_refusals(doubts);
+  std::vector<std::string> warnings;
+  for (const input::Located& warning : doubts.warnings) warnings.push_back(warning.text());
   return warnings;
 }
 

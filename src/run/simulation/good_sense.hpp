@@ -6,7 +6,16 @@
 
 namespace berm::simulation {
 
-/// Whether what a case asks for makes sense: the warnings, "FILE:LINE: KEY: MESSAGE" each. Throws InputError with the first refusal; others go to stderr before it.
+/// Whether what a case asks for makes sense.
+struct Doubts {
+  std::vector<input::Located> refusals, warnings;
+};
+Doubts doubts_of(const sanity::Scene& scene);
+
+/// Throws LocatedError with the first refusal; others go to stderr before it.
+void throw_refusals(const Doubts& doubts);
+
+/// The warnings, "FILE:LINE: KEY: MESSAGE" each, of a case without refusals; others are thrown.
 std::vector<std::string> warnings_of(const sanity::Scene& scene);
 
 /// What is free on the disk of the folder, or of the nearest one above it that exists, bytes.

@@ -474,38 +474,48 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
 }
 
 template <int d>
-void MpmMethod<d>::print_check(const Context& context)
+Estimate MpmMethod<d>::estimate(const Context& context)
 {
-  std::vector<Index> particles;
-  for (const bodies::Particles<d>& of_body : state().particles) particles.push_back(of_body.size());
-  const Real memory = memory_before_ + std::max(memory_of<d>(size_of(problem_)) + memory_of_slices_, memory_of_gmsh(case_)),
-             total = expected_time(model().stages);
+  const Real total = expected_time(model().stages);
   const Pace pace = measure_pace();
-  fmt::print("  cells        {}\n  nodes        {}\n", model().mesh.cell_count(), model().mesh.node_count());
-  for (std::size_t b = 0; b < model().bodies.size(); ++b)
-    fmt::print("  particles    {} in body \"{}\"\n", particles[b], model().bodies[b].name);
-  fmt::print("  memory       about {:.0f} MiB at most\n", memory / (1 << 20));
-  fmt::print("  time step    {:.4g} s\n", pace.dt);
+  Estimate e;
+  e.cells = model().mesh.cell_count();
+  e.nodes = model().mesh.node_count();
+  e.memory = memory_before_ + std::max(memory_of<d>(size_of(problem_)) + memory_of_slices_, memory_of_gmsh(case_));
+  const Real time = expected_steps_time() / pace.dt * pace.seconds_a_step;
+  if (total > 0) e.time = time;
+  const auto say = [&]<class... Parts>(fmt::format_string<Parts...> format, Parts&&... parts) {
+    e.lines.push_back(fmt::format(format, std::forward<Parts>(parts)...));
+  };
+  say("cells        {}", e.cells);
+  say("nodes        {}", e.nodes);
+  for (std::size_t b = 0; b < model().bodies.size(); ++b) {
+    e.particles += state().particles[b].size();
+    say("particles    {} in body \"{}\"", state().particles[b].size(), model().bodies[b].name);
+  }
+  say("memory       about {:.0f} MiB at most", e.memory / (1 << 20));
+  say("time step    {:.4g} s", pace.dt);
   for (const problem::StageSettings& stage : model().stages)
-    if (!(expected_time(stage) > 0))
-      fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
-  print_load_histories();
-  fmt::print("  steps        about {:.0f}, {} rows of history\n", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
-  fmt::print("  time         about {} with {} ({:.3g} million particle-steps/s)\n",
-             run_folder::words_of_duration(expected_steps_time() / pace.dt * pace.seconds_a_step), words_of_workers(context),
-             static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
+    if (!(expected_time(stage) > 0)) say("stage \"{}\": its duration is not known in advance and is not counted below", stage.name);
+  for (const std::string& line : load_history_lines()) e.lines.push_back(line);
+  say("steps        about {:.0f}, {} rows of history", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
+  say("time         about {} with {} ({:.3g} million particle-steps/s)", run_folder::words_of_duration(time), words_of_workers(context),
+      static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
+  return e;
 }
 
 /// How fast load histories of forces run, and how fast they may.
 template <int d>
-void MpmMethod<d>::print_load_histories() const
+std::vector<std::string> MpmMethod<d>::load_history_lines() const
 {
+  std::vector<std::string> lines;
   for (const problem::StageSettings& stage : case_.stage)
     if (const std::optional<problem::TimeScale> slow = time_scale_of(case_, stage))
-      fmt::print(
-          "  load history of stage \"{}\": half waves of {:.3g} s in {:.3g} s, time_scale = {:.3g}; {:.3g} s or more is slow enough ({} "
-          "sets it)\n",
-          stage.name, slow->half_wave, slow->half_wave * stage.time_scale, stage.time_scale, slow->shortest, words_of(slow->reason));
+      lines.push_back(fmt::format(
+          "load history of stage \"{}\": half waves of {:.3g} s in {:.3g} s, time_scale = {:.3g}; {:.3g} s or more is slow enough ({} "
+          "sets it)",
+          stage.name, slow->half_wave, slow->half_wave * stage.time_scale, stage.time_scale, slow->shortest, words_of(slow->reason)));
+  return lines;
 }
 
 template <int d>

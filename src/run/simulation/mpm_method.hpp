@@ -35,7 +35,7 @@ public:
   /// What the questions of good sense look at, before the first step.
   sanity::Scene scene(const RunRequest& request, int threads);
   /// Prints size, memory, time step and the time that a run would take, which is measured on the first steps.
-  void print_check(const Context& context);
+  Estimate estimate(const Context& context);
   /// Wall time of the stages whose duration is known in advance, s, measured likewise; NaN where none is.
   Real expected_wall_time();
 
@@ -109,7 +109,7 @@ private:
   bool is_last_stage() const;
   void log_equilibrium(const problem::StageSettings& stage) const;
   void log_force_limit(const problem::StageSettings& stage);
-  void print_load_histories() const;
+  std::vector<std::string> load_history_lines() const;
   Real stopped_over_work() const;
   void warn_of(const mpm::SoilCondition& soil) const;
 

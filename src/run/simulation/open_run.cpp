@@ -41,7 +41,7 @@ auto OpenRun<Method>::leaving_results(const Act& act)
   try {
     return act();
   } catch (const KeyError& error) {
-    throw InputError(request_.places.located(error.what()));
+    throw input::LocatedError(request_.places.located(error));
   } catch (const RunError& error) {
     abort_ranks(error.what());
     try {

@@ -133,15 +133,20 @@ std::string PipelineMethod::size_words() const
   return fmt::format("{}, {}, line of {} nodes", MpmMethod<2>::size_words(), slices_in_words(of), of.line.nodes());
 }
 
-void PipelineMethod::print_check(const Context& context)
+Estimate PipelineMethod::estimate(const Context& context)
 {
   const slices::LineOfCase& of = line_.of_case();
-  fmt::print("  pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice\n", slices_in_words(of),
-             of.settings.slices.asleep == problem::SliceSleep::always ? ", asleep"
-             : of.may_sleep()                                         ? ", asleep until they slide"
-                                                                      : "",
-             of.line.nodes(), of.line.x.back());
-  MpmMethod<2>::print_check(context);
+  Estimate e = MpmMethod<2>::estimate(context);
+  e.lines.insert(
+      e.lines.begin(),
+      fmt::format(
+          "pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice",
+          slices_in_words(of),
+          of.settings.slices.asleep == problem::SliceSleep::always ? ", asleep"
+          : of.may_sleep()                                         ? ", asleep until they slide"
+                                                                   : "",
+          of.line.nodes(), of.line.x.back()));
+  return e;
 }
 
 void PipelineMethod::step()

@@ -14,7 +14,7 @@ public:
   PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch);
 
   std::string size_words() const;
-  void print_check(const Context& context);
+  Estimate estimate(const Context& context);
 
   void step();
   /// With columns of the line and of the other slices.

@@ -3,7 +3,6 @@
 #include "simulation/simulate.hpp"
 
 #include "core/error.hpp"
-#include "io/tell.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/with_method.hpp"
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 namespace berm::simulation {
+
 bool run_case(const RunRequest& request, Context& context)
 {
   return std::visit([](const auto& run) { return run->to_the_end(); }, open_run(request, context));
@@ -26,25 +26,28 @@ void check_buildable(const RunRequest& to_build)
   });
 }
 
-void check_case(const RunRequest& to_check, Context& context)
+Checked check_case(const RunRequest& to_check, Context& context)
 {
-  with_method(to_check, [&](auto of, const RunRequest& request) {
+  return with_method(to_check, [&](auto of, const RunRequest& request) {
     const io::ScratchFolder scratch;
     typename decltype(of)::type method(request, scratch);
     const sanity::Scene scene = method.scene(request, context.threads());
-    const std::vector<std::string> warnings = warnings_of(scene);
-    for (const std::string& warning : warnings) io::tell("berm: warning: {}\n", warning);
-    fmt::print("{}\n", request.case_file.string());
-    for (const std::string& line : base::soil_words(request.settings)) fmt::print("  {}\n", line);
-    for (const std::string& line : base::k0_words(request.settings)) fmt::print("  {}\n", line);
-    for (const std::string& line : base::drainage_words(request.settings)) fmt::print("  {}\n", line);
-    for (const std::string& line : motion_words(scene)) fmt::print("  {}\n", line);
+    Doubts doubts = doubts_of(scene);
+    Checked checked{std::move(doubts.refusals), std::move(doubts.warnings), {}, {}, {}};
+    if (!checked.refusals.empty()) return checked;
+    for (const auto& lines : {base::soil_words(request.settings), base::k0_words(request.settings), base::drainage_words(request.settings),
+                              motion_words(scene)})
+      checked.notes.insert(checked.notes.end(), lines.begin(), lines.end());
     try {
-      method.print_check(context);
+      checked.estimate = method.estimate(context);
     } catch (const RunError& error) {
-      throw InputError(fmt::format("{}: its first steps fail: {}", request.case_file.string(), error.what()));
+      checked.failure = {.file = request.case_file.string(), .message = fmt::format("its first steps fail: {}", error.what())};
+      return checked;
     }
-    fmt::print("  disk         about {} in {}\n", sanity::words_of_bytes(disk_of(scene)), request.folder.string());
+    checked.estimate->disk = disk_of(scene);
+    checked.estimate->lines.push_back(
+        fmt::format("disk         about {} in {}", sanity::words_of_bytes(disk_of(scene)), request.folder.string()));
+    return checked;
   });
 }
 

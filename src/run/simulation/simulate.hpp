@@ -4,6 +4,7 @@
 #include "input/places.hpp"
 #include "problem/case.hpp"
 #include "simulation/context.hpp"
+#include "simulation/estimate.hpp"
 #include "user_law/load.hpp"
 
 #include <filesystem>
@@ -31,8 +32,16 @@ bool run_case(const RunRequest& request, Context& context);
 /// Builds the problem and drops it. Throws InputError where the case does not fit its mesh, makes no sense, or needs more memory than there is.
 void check_buildable(const RunRequest& request);
 
-/// Builds the problem and prints what it is and what a run would take.
-void check_case(const RunRequest& request, Context& context);
+/// What `berm check` says of a case.
+struct Checked {
+  std::vector<input::Located> refusals, warnings;
+  std::vector<std::string> notes;         ///< on soils, stress at rest, water and supports
+  std::optional<input::Located> failure;  ///< of the first steps
+  std::optional<Estimate> estimate;       ///< none of a case that is refused or fails
+};
+
+/// Builds the problem and tells what it is and what a run would take. Throws InputError where it cannot be built.
+Checked check_case(const RunRequest& request, Context& context);
 
 /// Builds the problem and tells the wall time that a run would take on one thread, s, from the number of its steps and the time of the first ones; NaN where no stage says how
 /// long it takes. Throws InputError and RunError where it cannot be built.

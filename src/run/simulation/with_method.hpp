@@ -29,7 +29,7 @@ auto with_method(RunRequest request, const Act& act)
     return request.settings.dimension() == 2 ? act(std::type_identity<MpmMethod<2>>(), request)
                                              : act(std::type_identity<MpmMethod<3>>(), request);
   } catch (const KeyError& error) {
-    throw InputError(request.places.located(error.what()));
+    throw input::LocatedError(request.places.located(error));
   }
 }
 

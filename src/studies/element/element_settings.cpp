@@ -308,9 +308,7 @@ ElementCase read_element_case(const std::filesystem::path& file, const std::vect
 
 input::Listed element_catalogue()
 {
-  input::Listed all = input::catalogue_of<ElementCase>();
-  std::erase_if(all.children, [](const input::Listed& entry) { return entry.key == "material"; });
-  return all;
+  return input::catalogue_of<ElementCase>();
 }
 
 std::string resolved_toml(const ElementCase& c)

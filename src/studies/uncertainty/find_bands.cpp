@@ -27,7 +27,7 @@ VariantPlan plan_of(const simulation::RunRequest& request)
   try {
     return choose_variants(request.settings);
   } catch (const KeyError& error) {
-    throw InputError(request.places.located(error.what()));
+    throw input::LocatedError(request.places.located(error));
   }
 }
 
