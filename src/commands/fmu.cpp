@@ -27,7 +27,7 @@ void write_units(const simulation::RunRequest& request)
       io::write_atomically(file, unit);
       fmt::print("{}\n", file.string());
     } catch (const KeyError& error) {
-      throw InputError(request.places.located(error.what()));
+      throw input::LocatedError(request.places.located(error));
     }
 }
 
