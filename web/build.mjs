@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// node build.mjs page OUT.cpp     the page's script and style, minified, and the licences of what is in them, as C++ constants that the program holds; the licences also as
-//                                 licences.txt beside it
+// node build.mjs pages FOLDER     script and style, minified, of the page of a report (page_files.cpp, with the licences of what is in them) and of the desk (desk_files.cpp), as
+//                                 C++ constants that the program holds; licences.txt has the licences of both
 // node build.mjs tests FOLDER     the tests of the page, for node
 import { build } from "esbuild";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
@@ -55,17 +55,27 @@ async function bundle(entry, options, held) {
   return result.outputFiles[0].text.replaceAll("</script", "<\\/script").replaceAll("</style", "<\\/style");
 }
 
-async function page(out) {
-  const held = new Set();
-  const script = await bundle("main.ts", { format: "iife" }, held);
-  const style = await bundle("page.css", {}, held);
-  const licences = [...held].sort().map(licence_of).join("\n" + "-".repeat(80) + "\n\n");
-  writeFileSync(join(dirname(out), "licences.txt"), licences);
+function licences_of(held) {
+  return [...held].sort().map(licence_of).join("\n" + "-".repeat(80) + "\n\n");
+}
+
+function write_constants(file, header, room, constants) {
   writeFileSync(
-    out,
-    `// SPDX-License-Identifier: BSD-3-Clause\n// Made by web/build.mjs.\n#include "report/page/page_files.hpp"\n\nnamespace berm::report {\n\n` +
-      constant("page_script", script) + "\n" + constant("page_style", style) + "\n" + constant("page_licences", licences) + "\n}  // namespace berm::report\n",
+    file,
+    `// SPDX-License-Identifier: BSD-3-Clause\n// Made by web/build.mjs.\n#include "${header}"\n\nnamespace berm::${room} {\n\n` +
+      Object.entries(constants).map(([name, text]) => constant(name, text)).join("\n") + `\n}  // namespace berm::${room}\n`,
   );
+}
+
+async function pages(folder) {
+  const of_report = new Set(), of_desk = new Set();
+  const page_script = await bundle("main.ts", { format: "iife" }, of_report);
+  const page_style = await bundle("page.css", {}, of_report);
+  const desk_script = await bundle("desk/main.ts", { format: "iife" }, of_desk);
+  const desk_style = await bundle("desk/desk.css", {}, of_desk);
+  write_constants(join(folder, "page_files.cpp"), "report/page/page_files.hpp", "report", { page_script, page_style, page_licences: licences_of(of_report) });
+  write_constants(join(folder, "desk_files.cpp"), "desk/desk_files.hpp", "desk", { desk_script, desk_style });
+  writeFileSync(join(folder, "licences.txt"), licences_of(new Set([...of_report, ...of_desk])));
 }
 
 async function tests(folder) {
@@ -83,6 +93,6 @@ async function tests(folder) {
 }
 
 const [what, out] = process.argv.slice(2);
-if (what === "page" && out) await page(out);
+if (what === "pages" && out) await pages(out);
 else if (what === "tests" && out) await tests(out);
-else throw new Error("build.mjs page OUT.cpp | build.mjs tests FOLDER");
+else throw new Error("build.mjs pages FOLDER | build.mjs tests FOLDER");
