@@ -45,7 +45,7 @@ file(WRITE ${CMAKE_BINARY_DIR}/copyright "${licence}\nThe licences of other pack
 execute_process(COMMAND gzip -9 -n -c ${CMAKE_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 set(same "(= ${PROJECT_VERSION})")
 berm_package(berm berm "pushes pipes and cables into the seabed, drags them, and computes how the soil responds"
-  DEPENDS "gmsh, gnuplot-nox | gnuplot, librsvg2-bin" SUGGESTS "berm-doc, python3-berm, berm-mpi, chromium")
+  DEPENDS "gmsh, gnuplot-nox | gnuplot, librsvg2-bin" SUGGESTS "berm-doc, python3-berm, berm-mpi, chromium, xdg-utils")
 if(TARGET berm_mpi)
   berm_package(berm_mpi berm-mpi "one run of berm on several processes of an MPI launcher" DEPENDS "berm ${same}, openmpi-bin")
 endif()

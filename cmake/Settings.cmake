@@ -53,6 +53,8 @@ find_package(tomlplusplus REQUIRED) # its headers; input/document.cpp compiles t
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib) # the server of berm desk
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # SHA-256 of what a run is made from
 # HDF5 without MPI.
 find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/desk/desk_test.cpp
+#include "desk/desk.hpp"
+
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "core/child_process.hpp"
+#include "core/interrupt.hpp"
+#include "io/atomic_file.hpp"
+#include "io/scratch_folder.hpp"
+
+#include <cstdio>
+#include <fmt/format.h>
+#include <system_error>
+#include <thread>
+
+namespace berm::commands {
+namespace {
+
+/// Opens the address by a file that only its user reads: what a program is called with, all users of the machine see.
+void open_in_browser(const std::string& address, const std::filesystem::path& folder)
+{
+  const std::filesystem::path file = folder / "desk.html";
+  io::write_atomically(file, fmt::format("<!doctype html><meta http-equiv=\"refresh\" content=\"0;url={}\">\n", address));
+  std::filesystem::permissions(file, std::filesystem::perms::owner_read);
+  try {
+    ChildProcess({.words = {"xdg-open", file.string()}, .messages = (folder / "messages").string(), .outlives = true}).wait();
+  } catch (const std::system_error&) {  // there is none: the address was printed
+  }
+}
+
+}  // namespace
+
+Command add_desk(CLI::App& program)
+{
+  struct Options : desk::DeskSettings {
+    bool no_browser = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("desk", "work on the cases and runs of a folder in a browser of this machine");
+  app->add_option("FOLDER", options->folder, "the folder; nothing outside of it is shown or written (default: here)");
+  app->add_option("--port", options->port, "port of 127.0.0.1 (default: one that is free)")->check(CLI::Range(1, 65535));
+  app->add_option("--threads", options->threads, "threads of all runs together; more wait (default: all processors)")
+      ->check(CLI::Range(1, 1024));
+  app->add_flag("--no-browser", options->no_browser, "print the address and open no browser");
+  return {app, [options] {
+            messages_to_stderr();
+            catch_interrupts();
+            survive_failed_writes();
+            options->place = default_folder;
+            desk::Desk desk(*options);
+            fmt::print("{}\n", desk.address());
+            std::fflush(stdout);
+            const io::ScratchFolder scratch;
+            std::jthread browser([&] {
+              if (!options->no_browser) open_in_browser(desk.address(), scratch.path());
+            });
+            std::jthread ends([&] {
+              while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(200));
+              desk.stop();
+            });
+            desk.serve();
+            return 0;
+          }};
+}
+
+}  // namespace berm::commands

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/desk/desk_test.cpp
+#include "desk/actions.hpp"
+
+#include "core/control_characters.hpp"
+#include "desk/http.hpp"
+#include "desk/live.hpp"
+#include "desk/runs.hpp"
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace berm::desk {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A name that is no option and no path.
+std::string plain_word(const std::string& word, const char* key)
+{
+  const bool right = !word.empty() && word.size() < 200 && std::isalnum(static_cast<unsigned char>(word[0])) != 0 &&
+                     std::all_of(word.begin(), word.end(),
+                                 [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == ',' || c == '.'; });
+  if (!right) throw Refusal(400, fmt::format("{} is no word for \"{}\"", one_line(word), key), {{"key", key}});
+  return word;
+}
+
+/// --KEY and the word or number that the body gives it; nothing where it gives none.
+void append_options(std::vector<std::string>& words, const Json& body, const std::vector<const char*>& keys)
+{
+  for (const char* key : keys) {
+    const auto found = body.find(key);
+    if (found == body.end() || found->is_null()) continue;
+    if (!found->is_string() && !found->is_number()) throw Refusal(400, fmt::format("\"{}\" is no text and no number", key), {{"key", key}});
+    words.insert(words.end(), {fmt::format("--{}", key), found->is_string() ? plain_word(found->get<std::string>(), key) : found->dump()});
+  }
+}
+
+void append(std::vector<std::string>& words, const std::vector<std::string>& more)
+{
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+/// The last line of a message that a command ends with, without its name.
+std::string reason_in(const std::string& messages)
+{
+  std::istringstream lines(messages);
+  std::string reason = "the command failed and does not say why";
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("berm: ")) reason = line.substr(6);
+  return one_line(reason);
+}
+
+/// The JSON that a command printed; its messages may stand before and behind it.
+Json json_in(const std::string& text)
+{
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) == std::string::npos ? text.size() : text.find('\n', at) + 1) {
+    const char open = text[at];
+    if (open != '[' && open != '{') continue;
+    const std::size_t end = text.rfind(open == '[' ? ']' : '}');
+    if (end == std::string::npos || end < at) continue;
+    Json found =
+        Json::parse(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(end) + 1, nullptr, false);
+    if (!found.is_discarded()) return found;
+  }
+  throw Refusal(422, reason_in(text));
+}
+
+constexpr const char* shown_types[] = {".html", ".pdf", ".svg", ".png", ".csv", ".json", ".txt"};
+
+std::vector<fs::path> made_in(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (auto entry = fs::directory_iterator(folder, none); !none && entry != fs::end(entry) && files.size() < 200; entry.increment(none))
+    if (entry->is_regular_file() &&
+        std::find(std::begin(shown_types), std::end(shown_types), entry->path().extension()) != std::end(shown_types))
+      files.push_back(entry->path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The options of a job that a client may give.
+struct JobKind {
+  const char* name;
+  std::vector<const char*> options;
+};
+
+const std::vector<JobKind>& job_kinds()
+{
+  static const std::vector<JobKind> kinds = {{"study", {}},
+                                             {"envelope", {"points", "turns", "travel"}},
+                                             {"safety", {"low", "high", "tolerance"}},
+                                             {"element", {}},
+                                             {"uncertainty", {}}};
+  return kinds;
+}
+
+}  // namespace
+
+std::string Actions::answer_of(const Question& question)
+{
+  const Told told = questions_.ask(question);
+  if (told.status != 0) throw Refusal(422, reason_in(told.messages));
+  return told.text;
+}
+
+Json Actions::printed(const std::vector<std::string>& words)
+{
+  return json_in(answer_of({.words = words}));
+}
+
+std::string Actions::written(const Json& body)
+{
+  std::vector<std::string> words = {"new", plain_word(text_in(body, "kind"), "kind")};
+  append_options(words, body, {"size", "soil"});
+  return answer_of({.words = words, .made = "case.toml"});
+}
+
+Json Actions::new_case(const Json& body)
+{
+  const std::string path = text_in(body, "path"), text = written(body);
+  Json answer = folder_.write(path, {{"text", text}});
+  answer["path"] = path;
+  answer["text"] = text;
+  return answer;
+}
+
+std::string Actions::drawn(const std::string& text, const std::string& path)
+{
+  std::vector<std::string> words = {"draw", "--stdin", path};
+  append(words, more_);
+  words.emplace_back("-o");
+  return answer_of({words, text, "draw " + path, "model.svg"});
+}
+
+std::string Actions::picture(const std::string& kind)
+{
+  return drawn(written({{"kind", kind}}), kind + ".toml");
+}
+
+Json Actions::check(const Json& body)
+{
+  const std::string path = folder_.name_of(folder_.input(text_in(body, "path")));
+  std::vector<std::string> words = {"check", "--json", "--stdin", path};
+  append(words, changes_in(body));
+  append(words, more_);
+  const Told told = questions_.ask({words, text_in(body, "text"), "check " + path, {}});
+  Json found = json_in(told.text);
+  return found.is_array() && !found.empty() ? found[0] : found;
+}
+
+std::string Actions::draw(const Json& body)
+{
+  return drawn(text_in(body, "text"), folder_.name_of(folder_.input(text_in(body, "path"))));
+}
+
+std::vector<std::string> Actions::runs_in(const Json& body) const
+{
+  std::vector<std::string> runs;
+  for (const std::string& name : texts_in(body, "runs")) {
+    const fs::path folder = folder_.inside(name);
+    if (folder == folder_.root() || !fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is no folder of runs", name));
+    runs.push_back(folder_.name_of(folder));
+  }
+  if (runs.empty()) throw Refusal(400, "no runs are named", {{"key", "runs"}});
+  return runs;
+}
+
+Json Actions::report(const Json& body)
+{
+  const std::vector<std::string> runs = runs_in(body);
+  const fs::path page = folder_.inside(runs.size() == 1 ? runs[0] + "/report.html" : "out/report.html");
+  std::vector<std::string> words = {"report"};
+  append(words, runs);
+  append(words, {"-o", folder_.name_of(page)});
+  const bool pdf = body.contains("pdf") && body["pdf"] == true;
+  if (pdf) words.emplace_back("--pdf");
+  answer_of({.words = words});
+  Json answer = {{"path", folder_.name_of(page)}};
+  if (pdf) answer["pdf"] = folder_.name_of(fs::path(page).replace_extension(".pdf"));
+  return answer;
+}
+
+Json Actions::export_springs(const Json& body)
+{
+  const std::vector<std::string> runs = runs_in(body);
+  const fs::path out = folder_.inside(runs.size() == 1 ? runs[0] + "/export" : "out/export");
+  std::vector<std::string> words = {"export"};
+  append(words, runs);
+  append_options(words, body, {"to", "state", "travels"});
+  append(words, {"-o", folder_.name_of(out)});
+  answer_of({.words = words});
+  Json files = Json::array();
+  std::error_code none;
+  for (auto entry = fs::recursive_directory_iterator(out, none); !none && entry != fs::end(entry) && files.size() < 1000;
+       entry.increment(none))
+    if (entry->is_regular_file()) files.push_back(folder_.name_of(entry->path()));
+  std::sort(files.begin(), files.end());
+  return {{"files", files}};
+}
+
+bool Actions::is_job(const std::string& kind)
+{
+  return std::any_of(job_kinds().begin(), job_kinds().end(), [&](const JobKind& one) { return one.name == kind; });
+}
+
+Json Actions::start(const std::string& kind, const Json& body)
+{
+  const auto found = std::find_if(job_kinds().begin(), job_kinds().end(), [&](const JobKind& one) { return one.name == kind; });
+  Work work;
+  work.kind = kind;
+  work.threads = threads_in(body, queue_->threads());
+  if (kind == "uncertainty") {
+    work.folder = folder_.run(text_in(body, "path"));
+    work.words = {"run", "--resume", folder_.name_of(work.folder), "--uncertainty"};
+  } else {
+    const fs::path file = folder_.input(text_in(body, "path"));
+    if (!fs::is_regular_file(file)) throw Refusal(404, fmt::format("there is no {}", text_in(body, "path")));
+    const std::string name = folder_.name_of(file);
+    work.folder = folder_.inside(fmt::format("out/{}/{}", kind, fs::path(name).replace_extension().generic_string()));
+    work.words = {kind, name, "-o", folder_.name_of(work.folder)};
+    if (kind != "study") append(work.words, changes_in(body));
+    if (kind == "element" && body.contains("replace") && body["replace"] == true) work.words.emplace_back("--force");
+  }
+  append_options(work.words, body, found->options);
+  if (kind != "element") append(work.words, {"--threads", std::to_string(work.threads)});
+  work.name = folder_.name_of(work.folder);
+  const Json answer = {{"job", work.name}};
+  queue_->add(std::move(work));
+  return answer;
+}
+
+Json Actions::jobs() const
+{
+  Json all = Json::array();
+  for (const Queue::Entry& entry : queue_->entries()) {
+    if (!is_job(entry.work.kind)) continue;
+    Json made = Json::array();
+    for (const fs::path& file : made_in(entry.work.folder)) made.push_back(folder_.name_of(file));
+    all.push_back({{"job", entry.work.name},
+                   {"command", entry.work.kind},
+                   {"status", word_of(entry.state)},
+                   {"log_tail", tail_of(entry.work.messages(), 6000)},
+                   {"made", made}});
+  }
+  return all;
+}
+
+}  // namespace berm::desk

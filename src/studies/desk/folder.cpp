@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/desk/desk_guards_test.cpp, tests/unit/desk/desk_test.cpp
+#include "desk/folder.hpp"
+
+#include "core/control_characters.hpp"
+#include "core/error.hpp"
+#include "desk/http.hpp"
+#include "io/atomic_file.hpp"
+#include "io/sha256.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <mutex>
+#include <sstream>
+
+namespace berm::desk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_name = 1000;
+constexpr int deepest_folder = 8;
+constexpr std::size_t most_entries = 20000;  // of a folder, or of all that are looked at for runs
+
+bool is_run(const fs::path& folder)
+{
+  std::error_code none;
+  return fs::is_regular_file(folder / "resolved.toml", none);
+}
+
+bool is_hidden(const fs::path& path)
+{
+  return path.filename().string().starts_with('.');
+}
+
+/// Seconds since 1970.
+double time_of(const fs::path& path)
+{
+  std::error_code none;
+  const auto time = std::chrono::file_clock::to_sys(fs::last_write_time(path, none));
+  return none ? 0 : std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+/// What an input is by its first tables, without reading it as one: a study has cases, expected.toml has runs. Its title where it says one in a line.
+struct Glance {
+  std::string title;
+  bool study = false, other = false;
+};
+
+Glance glance_at(const fs::path& file)
+{
+  Glance seen;
+  std::istringstream lines(io::read_text_file(file, most_bytes_of_body));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("[[case]]")) seen.study = true;
+    if (line.starts_with("[run.")) seen.other = true;
+    if (!seen.title.empty() || !line.starts_with("title")) continue;
+    const auto begin = line.find('"'), end = line.rfind('"');
+    if (begin < end && end != std::string::npos) seen.title = line.substr(begin + 1, end - begin - 1);
+  }
+  return seen;
+}
+
+void check_name(const std::string& name)
+{
+  const auto refuse = [&](const char* why) { throw Refusal(403, fmt::format("the path {} {}", one_line(name), why)); };
+  if (name.size() > longest_name) throw Refusal(403, "the path is too long");
+  if (has_control_character(name)) refuse("has control characters");
+  try {
+    (void)Json(name).dump();
+  } catch (const Json::exception&) {
+    throw Refusal(403, "the path is no UTF-8");
+  }
+  if (name.starts_with('/')) refuse("is not relative to the folder");
+  for (const fs::path& part : fs::path(name)) {
+    if (part == "..") refuse("has ..");
+    if (part.string().starts_with('.')) refuse("is hidden");
+    if (part.string().starts_with('-')) refuse("could be an option");
+    if (part.string().size() > 200) refuse("has a name that is too long");
+  }
+}
+
+}  // namespace
+
+Folder::Folder(const fs::path& root)
+{
+  std::error_code none;
+  root_ = fs::canonical(root, none);
+  if (none || !fs::is_directory(root_)) throw InputError(fmt::format("{} is no folder", root.string()));
+}
+
+fs::path Folder::inside(const std::string& name) const
+{
+  check_name(name);
+  fs::path path = root_;
+  for (const fs::path& part : fs::path(name)) {
+    if (part.empty()) continue;
+    std::error_code none;
+    const fs::path next = path / part;
+    const bool link = fs::is_symlink(fs::symlink_status(next, none));
+    path = link ? fs::canonical(next, none) : next;
+    const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), path.begin(), path.end());
+    if ((link && none) || end != root_.end()) throw Refusal(403, fmt::format("the link {} leads out of the folder", name_of(next)));
+  }
+  return path;
+}
+
+fs::path Folder::input(const std::string& name) const
+{
+  const fs::path path = inside(name);
+  if (path.extension() != ".toml") throw Refusal(403, fmt::format("{} is no .toml file", name));
+  return path;
+}
+
+fs::path Folder::run(const std::string& name) const
+{
+  const fs::path path = inside(name);
+  if (!is_run(path)) throw Refusal(404, fmt::format("{} holds no run", name));
+  return path;
+}
+
+std::string Folder::name_of(const fs::path& path) const
+{
+  const std::string name = path.lexically_relative(root_).generic_string();
+  return name == "." ? "" : name;
+}
+
+Json Folder::contents(const std::string& name) const
+{
+  const fs::path folder = inside(name);
+  if (!fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is no folder", name));
+  Json cases = Json::array(), studies = Json::array(), runs = Json::array(), folders = Json::array();
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied))
+    if (!is_hidden(entry.path()) && entries.size() < most_entries) entries.push_back(entry.path());
+  std::sort(entries.begin(), entries.end());
+  for (const fs::path& path : entries) {
+    std::error_code none;
+    const fs::file_status status = fs::symlink_status(path, none);
+    if (fs::is_directory(status)) {
+      (is_run(path) ? runs : folders).push_back(name_of(path));
+    } else if (fs::is_regular_file(status) && path.extension() == ".toml" && fs::file_size(path, none) <= most_bytes_of_body) {
+      const Glance seen = glance_at(path);
+      if (!seen.other)
+        (seen.study ? studies : cases).push_back({{"path", name_of(path)}, {"title", seen.title}, {"modified", time_of(path)}});
+    }
+  }
+  return {{"path", name_of(folder)}, {"cases", cases}, {"studies", studies}, {"runs", runs}, {"folders", folders}};
+}
+
+std::vector<fs::path> Folder::runs() const
+{
+  std::vector<fs::path> found;
+  std::error_code none;
+  std::size_t seen = 0;
+  auto entry = fs::recursive_directory_iterator(root_, fs::directory_options::skip_permission_denied, none);
+  for (; !none && entry != fs::end(entry) && seen < most_entries; entry.increment(none)) {
+    if (!fs::is_directory(entry->symlink_status(none))) continue;
+    ++seen;
+    const bool run = is_run(entry->path());
+    if (run) found.push_back(entry->path());
+    if (run || is_hidden(entry->path()) || entry.depth() >= deepest_folder) entry.disable_recursion_pending();
+  }
+  return found;
+}
+
+Json Folder::read(const std::string& name) const
+{
+  const fs::path file = input(name);
+  if (!fs::is_regular_file(file)) throw Refusal(404, fmt::format("there is no {}", name));
+  const std::string text = io::read_text_file(file, most_bytes_of_body);
+  return {{"text", text}, {"modified", io::sha256_of(text)}};
+}
+
+Json Folder::write(const std::string& name, const Json& body) const
+{
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  const fs::path file = input(name);
+  const std::string text = text_in(body, "text"), mark = text_in(body, "modified", "");
+  const bool there = fs::exists(file);
+  if (there && !fs::is_regular_file(file)) throw Refusal(403, fmt::format("{} is no file", name));
+  if (there ? mark != io::sha256_of(io::read_text_file(file, most_bytes_of_body)) : !mark.empty())
+    throw Refusal(409, fmt::format("{} was changed elsewhere", name));
+  io::make_folder(file.parent_path());
+  io::write_atomically(file, text);
+  return {{"modified", io::sha256_of(text)}};
+}
+
+std::string text_in(const Json& body, const char* key)
+{
+  const auto found = body.find(key);
+  if (found == body.end() || !found->is_string()) throw Refusal(400, fmt::format("the request has no text \"{}\"", key), {{"key", key}});
+  return found->get<std::string>();
+}
+
+std::string text_in(const Json& body, const char* key, const std::string& otherwise)
+{
+  return body.contains(key) && !body[key].is_null() ? text_in(body, key) : otherwise;
+}
+
+std::vector<std::string> texts_in(const Json& body, const char* key)
+{
+  std::vector<std::string> texts;
+  const auto found = body.find(key);
+  if (found == body.end() || found->is_null()) return texts;
+  const bool right = found->is_array() && found->size() <= 1000 &&
+                     std::all_of(found->begin(), found->end(), [](const Json& item) { return item.is_string(); });
+  if (!right) throw Refusal(400, fmt::format("\"{}\" is no list of texts", key), {{"key", key}});
+  for (const Json& item : *found) texts.push_back(item.get<std::string>());
+  return texts;
+}
+
+}  // namespace berm::desk

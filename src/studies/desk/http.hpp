@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "desk/refusal.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace berm::desk {
+
+/// What a client asks for.
+struct Request {
+  std::string method, path;
+  std::map<std::string, std::string> query;
+  Json body = Json::object();
+};
+
+struct Answer {
+  std::string body, type = "application/json", policy = {};  ///< policy: its Content-Security-Policy, where it is not that of data
+  int status = 200;
+};
+
+using Handler = std::function<Answer(const Request&)>;
+
+constexpr std::size_t most_bytes_of_body = 4 << 20;
+constexpr int deepest_body = 16;  ///< levels of JSON
+
+/// A server for programs of this machine: it listens at 127.0.0.1 only, and answers who names it by that address. What lies below /api/ is for who has the token.
+class HttpServer {
+public:
+  /// Port 0: any that is free. Throws RunError where it cannot be had.
+  HttpServer(int port, Handler open, Handler with_token);
+  ~HttpServer();
+
+  int port() const;
+  const std::string& token() const;
+  /// http://127.0.0.1:PORT/#TOKEN. A browser sends no fragment to any server.
+  std::string address() const;
+  /// Answers requests, many at a time, until stop().
+  void serve();
+  void stop();
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// So many random bytes of the system, as hexadecimal digits.
+std::string random_word(int bytes);
+
+}  // namespace berm::desk

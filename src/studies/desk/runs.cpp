@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/desk/desk_test.cpp
+#include "desk/runs.hpp"
+
+#include "core/control_characters.hpp"
+#include "io/atomic_file.hpp"
+#include "io/folder_lock.hpp"
+#include "run_folder/json_file.hpp"
+#include "run_folder/summary_file.hpp"
+#include "simulation/run_place.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <fmt/format.h>
+#include <set>
+#include <unistd.h>
+
+namespace berm::desk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t log_bytes = 6000, most_known = 20000;
+constexpr std::chrono::seconds between_looks{3};
+
+/// The process that has the folder, as its lock says, where it is one of this machine that has that file open; 0 where it is none.
+int process_in(const fs::path& run)
+{
+  const std::string owner = io::FolderLock::owner_of(run);
+  constexpr std::string_view before = "process ", between = " on ";
+  int process = 0;
+  if (!owner.starts_with(before)) return 0;
+  const auto [end, error] = std::from_chars(owner.data() + before.size(), owner.data() + owner.size(), process);
+  char host[256] = "";
+  ::gethostname(host, sizeof host - 1);
+  if (error != std::errc() || std::string_view(end) != fmt::format("{}{}", between, host)) return 0;
+  std::error_code none;
+  for (auto file = fs::directory_iterator(fmt::format("/proc/{}/fd", process), none); !none && file != fs::end(file); file.increment(none))
+    if (std::error_code gone; fs::read_symlink(file->path(), gone) == run / io::FolderLock::file_name) return process;
+  return 0;
+}
+
+/// Of a run that nobody is at work on.
+WorkState state_at_rest(const fs::path& run)
+{
+  try {
+    const auto summary = run_folder::read_summary(run);
+    if (summary && summary->finished()) return WorkState::finished;
+    return !summary || simulation::has_checkpoint(run) ? WorkState::stopped : WorkState::failed;
+  } catch (const std::exception&) {
+    return WorkState::failed;
+  }
+}
+
+std::string case_of(const fs::path& run)
+{
+  try {
+    return run_folder::read_json(run / "origin.json", 10'000'000).value("case", "");
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> changes_in(const Json& body)
+{
+  std::vector<std::string> words;
+  for (const std::string& change : texts_in(body, "set")) {
+    const std::string key = change.substr(0, change.find('='));
+    const bool right = key.size() < change.size() && !key.empty() && std::isalpha(static_cast<unsigned char>(key[0])) != 0 &&
+                       change.size() < 10000 && !has_control_character(change) && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+                         return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '-' || c == '*' || c == '[' || c == ']';
+                       });
+    if (!right) throw Refusal(400, fmt::format("{} is no change KEY=VALUE", one_line(change)), {{"key", "set"}});
+    words.insert(words.end(), {"--set", change});
+  }
+  return words;
+}
+
+int threads_in(const Json& body, int otherwise)
+{
+  const auto found = body.find("threads");
+  if (found == body.end() || found->is_null()) return otherwise;
+  if (!found->is_number_integer() || *found < 1 || *found > 1024)
+    throw Refusal(400, "threads must be a number from 1 to 1024", {{"key", "threads"}});
+  return std::min(found->get<int>(), otherwise);
+}
+
+fs::path Runs::free_place(const fs::path& case_file) const
+{
+  const fs::path first = folder_.inside(place_(folder_.name_of(case_file)).generic_string());
+  for (int k = 1;; ++k) {
+    const fs::path place = k == 1 ? first : fs::path(fmt::format("{}_{}", first.string(), k));
+    const auto entry = queue_->find(folder_.name_of(place));
+    if (!fs::exists(place) && !(entry && (entry->state == WorkState::queued || entry->state == WorkState::running))) return place;
+  }
+}
+
+Json Runs::start(const Json& body)
+{
+  Work work;
+  work.kind = "run";
+  work.threads = threads_in(body, queue_->threads());
+  if (body.contains("resume")) {
+    work.folder = folder_.run(text_in(body, "resume"));
+    if (!io::FolderLock::owner_of(work.folder).empty()) throw Refusal(409, "the run is at work");
+    work.words = {"run", "--resume", folder_.name_of(work.folder)};
+  } else {
+    const fs::path file = folder_.input(text_in(body, "case"));
+    if (!fs::is_regular_file(file)) throw Refusal(404, fmt::format("there is no {}", text_in(body, "case")));
+    const std::string out = text_in(body, "out", "");
+    work.folder = out.empty() ? free_place(file) : folder_.inside(out);
+    if (work.folder == folder_.root() || fs::exists(work.folder)) throw Refusal(409, fmt::format("{} is there: name another folder", out));
+    work.words = {"run", folder_.name_of(file), "-o", folder_.name_of(work.folder)};
+    const std::vector<std::string> changes = changes_in(body);
+    work.words.insert(work.words.end(), changes.begin(), changes.end());
+  }
+  work.words.insert(work.words.end(), {"--threads", std::to_string(work.threads)});
+  work.words.insert(work.words.end(), more_.begin(), more_.end());
+  work.name = folder_.name_of(work.folder);
+  const Json answer = {{"path", work.name}};
+  queue_->add(std::move(work));
+  return answer;
+}
+
+void Runs::stop(const std::string& name)
+{
+  const fs::path run = folder_.inside(name);
+  if (queue_->stop(folder_.name_of(run))) return;
+  const int process = process_in(run);
+  if (process == 0) throw Refusal(409, fmt::format("no process of this machine is at work in {}", name));
+  ::kill(process, SIGINT);
+}
+
+Runs::AtRest Runs::at_rest(const fs::path& run)
+{
+  const std::string of = identity_of(run);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = at_rest_.find(run.string());
+    if (known != at_rest_.end() && known->second.of == of) return known->second;
+  }
+  const AtRest seen{of, case_of(run), state_at_rest(run)};
+  const std::lock_guard lock(mutex_);
+  if (at_rest_.size() >= most_known) at_rest_.clear();
+  return at_rest_[run.string()] = seen;
+}
+
+/// A page asks once a second: the folders are not walked through as often.
+std::vector<fs::path> Runs::found()
+{
+  const std::lock_guard lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - looked_ > between_looks) {
+    found_ = folder_.runs();
+    looked_ = now;
+  }
+  return found_;
+}
+
+Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& entry)
+{
+  const fs::path run = folder_.root() / name;
+  const AtRest rest = at_rest(run);
+  const bool at_work = entry && (entry->state == WorkState::queued || entry->state == WorkState::running);
+  WorkState state = WorkState::running;
+  if (at_work || (entry && !fs::exists(run / "resolved.toml")))
+    state = entry->state;
+  else if (io::FolderLock::owner_of(run).empty())
+    state = entry && entry->state == WorkState::failed ? WorkState::failed : rest.state;
+  Json answer = {{"path", name},        {"case", rest.case_file}, {"status", word_of(state)},
+                 {"progress", nullptr}, {"time_left_s", nullptr}, {"began_here", entry.has_value()}};
+  if (state == WorkState::finished) answer["progress"] = 1;
+  if (const auto advance =
+          state == WorkState::queued || state == WorkState::finished ? std::nullopt : advance_in(tail_of(run / "run.log", log_bytes))) {
+    answer["progress"] = advance->done;
+    if (state == WorkState::running && std::isfinite(advance->left_s)) answer["time_left_s"] = advance->left_s;
+  }
+  return answer;
+}
+
+Json Runs::list()
+{
+  Json all = Json::array();
+  std::set<std::string> seen;
+  for (const Queue::Entry& entry : queue_->entries())
+    if (entry.work.kind == "run" && seen.insert(entry.work.name).second) all.push_back(state_of(entry.work.name, entry));
+  for (const fs::path& run : found())
+    if (seen.insert(folder_.name_of(run)).second) all.push_back(state_of(folder_.name_of(run), std::nullopt));
+  return all;
+}
+
+Json Runs::one(const std::string& name, std::size_t from_row)
+{
+  const fs::path run = folder_.inside(name);
+  const std::string known = folder_.name_of(run);
+  const auto entry = queue_->find(known);
+  if (!entry) folder_.run(name);
+  Json answer = state_of(known, entry);
+  answer.update(live_.rows(run, from_row));
+  const std::string messages = tail_of(run.string() + ".messages", log_bytes);
+  const std::string log = tail_of(run / "run.log", log_bytes);
+  answer["log_tail"] = log.empty() || answer["status"] == "failed" ? log + messages : log;
+  if (answer["status"] != "running" && fs::exists(run / "summary.json"))
+    answer["summary"] = run_folder::read_json(run / "summary.json", 10'000'000);
+  return answer;
+}
+
+}  // namespace berm::desk

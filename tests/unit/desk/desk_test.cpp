@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A desk from outside: cases, runs and their results over real sockets.
+#include "samples/desk_client.hpp"
+#include "samples/small_cases.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::desk::this_file {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class DeskTest : public testing::Test {
+protected:
+  DeskTest()
+  {
+    fs::create_directories(folder_ / "bay");
+    std::ofstream(folder_ / "bay/case.toml") << test::small_case;
+    desk_.emplace(folder_.path(), std::vector<std::string>{"--threads", "1"});
+  }
+  /// Waits for the state of a run.
+  bool becomes(const std::string& run, const std::string& state) const
+  {
+    return wait_until([&] { return status_of(run) == state; });
+  }
+  std::string status_of(const std::string& run) const { return desk_->get("/api/run?path=" + run).json().value("status", ""); }
+  void write_long_case() const { std::ofstream(folder_ / "bay/long.toml") << long_case(); }
+  static std::string long_case()
+  {
+    std::string text = test::small_case;
+    const std::string drag = "2 mm\"";
+    const std::size_t at = text.rfind(drag);
+    return at == std::string::npos ? text : text.replace(at, drag.size(), "900 mm\"");
+  }
+
+  TemporaryFolder folder_;
+  std::optional<DeskClient> desk_;
+};
+
+TEST_F(DeskTest, lists_reads_and_writes_cases)
+{
+  const Json contents = desk_->get("/api/folder?path=bay").json();
+  ASSERT_EQ(contents["cases"].size(), 1u) << contents;
+  EXPECT_EQ(contents["cases"][0]["path"], "bay/case.toml");
+  const Json read = desk_->get("/api/case?path=bay/case.toml").json();
+  EXPECT_EQ(read["text"], test::small_case);
+  const Json written = desk_->put("/api/case?path=bay/case.toml", {{"text", "title = \"bay\"\n"}, {"modified", read["modified"]}}).json();
+  EXPECT_EQ(text_of_file(folder_ / "bay/case.toml"), "title = \"bay\"\n");
+  EXPECT_EQ(desk_->get("/api/folder?path=bay").json()["cases"][0]["title"], "bay");
+  // Somebody else writes: the next one is refused, and nothing is lost.
+  std::ofstream(folder_ / "bay/case.toml") << "theirs";
+  EXPECT_EQ(desk_->put("/api/case?path=bay/case.toml", {{"text", "ours"}, {"modified", written["modified"]}}).status, 409);
+  EXPECT_EQ(text_of_file(folder_ / "bay/case.toml"), "theirs");
+  EXPECT_EQ(desk_->put("/api/case?path=new/case.toml", {{"text", "new"}}).status, 200);
+  EXPECT_EQ(text_of_file(folder_ / "new/case.toml"), "new");
+}
+
+TEST_F(DeskTest, runs_a_case_and_gives_its_rows)
+{
+  const std::string run = desk_->post("/api/runs", {{"case", "bay/case.toml"}}).json().value("path", "");
+  EXPECT_EQ(run, "out/bay/case");
+  ASSERT_TRUE(becomes(run, "finished")) << desk_->get("/api/run?path=" + run).body;
+  const Json whole = desk_->get("/api/run?path=" + run).json();
+  ASSERT_GT(whole["rows"].size(), 10u);
+  EXPECT_EQ(whole["columns"][0]["name"], "time_s");
+  EXPECT_EQ(whole["columns"].size(), whole["rows"][0].size());
+  EXPECT_EQ(whole["progress"], 1);
+  EXPECT_TRUE(whole["summary"]["checks"]["finished"]);
+  const Json rest = desk_->get(fmt::format("/api/run?path={}&from_row={}", run, whole["rows"].size() - 3)).json();
+  EXPECT_EQ(rest["rows"], Json(whole["rows"].end() - 3, whole["rows"].end()));
+  // Its folder is not used again.
+  EXPECT_EQ(desk_->post("/api/runs", {{"case", "bay/case.toml"}}).json()["path"], "out/bay/case_2");
+  ASSERT_TRUE(becomes("out/bay/case_2", "finished"));
+  const Json soil = desk_->get("/api/run/soil?path=" + run).json();
+  ASSERT_GT(soil["x"].size(), 10u);
+  EXPECT_EQ(soil["x"].size(), soil["y"].size());
+  EXPECT_FALSE(soil["rigids"].empty());
+  EXPECT_EQ(desk_->get(fmt::format("/api/run/soil?path={}&after={}", run, soil["frame"].get<int>())).status, 204);
+  EXPECT_EQ(desk_->get("/api/file?path=" + run + "/history.csv").body, text_of_file(folder_ / run / "history.csv"));
+}
+
+TEST_F(DeskTest, queues_stops_and_resumes_runs_which_outlive_it)
+{
+  write_long_case();
+  const std::string first = desk_->post("/api/runs", {{"case", "bay/long.toml"}}).json().value("path", ""),
+                    second = desk_->post("/api/runs", {{"case", "bay/case.toml"}}).json().value("path", "");
+  EXPECT_EQ(status_of(second), "queued");
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / first / "history.csv"); }));
+  EXPECT_EQ(status_of(first), "running");
+  EXPECT_EQ(desk_->post("/api/runs/stop", {{"path", first}}).status, 200);
+  ASSERT_TRUE(becomes(first, "stopped")) << desk_->get("/api/run?path=" + first).body;
+  ASSERT_TRUE(becomes(second, "finished"));
+  EXPECT_EQ(desk_->post("/api/runs", {{"resume", first}}).status, 200);
+  ASSERT_TRUE(becomes(first, "running"));
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / first / "lock"); }));
+  desk_->program().signal(SIGINT);
+  EXPECT_EQ(desk_->program().wait().status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / first / "lock"));
+  // Another desk finds it, though it began elsewhere, and stops it.
+  const DeskClient other(folder_.path());
+  const auto status = [&] { return other.get("/api/run?path=" + first).json().value("status", ""); };
+  EXPECT_EQ(status(), "running");
+  EXPECT_FALSE(other.get("/api/run?path=" + first).json()["began_here"]);
+  EXPECT_EQ(other.post("/api/runs/stop", {{"path", first}}).status, 200);
+  EXPECT_TRUE(wait_until([&] { return status() == "stopped"; }));
+  EXPECT_EQ(other.get("/api/runs").json().size(), 2u);
+}
+
+TEST_F(DeskTest, says_why_a_run_failed)
+{
+  std::ofstream(folder_ / "bay/wrong.toml") << test::small_case << "\n[nonsense]\n";
+  const std::string run = desk_->post("/api/runs", {{"case", "bay/wrong.toml"}}).json().value("path", "");
+  ASSERT_TRUE(becomes(run, "failed"));
+  EXPECT_NE(desk_->get("/api/run?path=" + run).json()["log_tail"].get<std::string>().find("nonsense"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace berm::desk::this_file
