@@ -10,7 +10,8 @@ import type { PageData } from "../src/data";
 
 const browsers = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
-function from_environment(name: string): string {
+/** A path that the tests are given. */
+export function from_environment(name: string): string {
   const value = process.env[name];
   if (!value) throw new Error(`${name} is not set`);
   return resolve(value);
