@@ -113,7 +113,8 @@ const Listed* next_selector(const Listed& table, const Chosen& chosen)
   return nullptr;
 }
 
-/// The keys that there are with these words.
+/// The keys that there are with these words. Of alternatives the words alone are required: what else an alternative needs may hang on values (a profile stands for a modulus),
+/// which berm check knows.
 Json keys_with(const Listed& table, const Chosen& chosen)
 {
   Json keys = Json::object(), required = Json::array();
@@ -121,7 +122,7 @@ Json keys_with(const Listed& table, const Chosen& chosen)
   for (const Listed& entry : table.children) {
     if (!applies(entry, chosen)) continue;
     Json& schema = keys[entry.key] = schema_of(entry);
-    bool is_required = entry.required;
+    bool is_required = entry.required && chosen.empty();
     if (const auto word = chosen.find(entry.key); word != chosen.end()) {
       title += fmt::format("{}{} = {}", title.empty() ? "" : ", ", word->first, in_quotes(word->second));
       schema["enum"] = Json::array({word->second});

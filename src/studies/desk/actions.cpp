@@ -139,7 +139,13 @@ std::string Actions::drawn(const std::string& text, const std::string& path)
 
 std::string Actions::picture(const std::string& kind)
 {
-  return drawn(written({{"kind", kind}}), kind + ".toml");
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = pictures_.find(kind); known != pictures_.end()) return known->second;
+  }
+  std::string svg = drawn(written({{"kind", kind}}), kind + ".toml");
+  const std::lock_guard lock(mutex_);
+  return pictures_[kind] = std::move(svg);
 }
 
 Json Actions::check(const Json& body)

@@ -5,6 +5,9 @@
 #include "desk/questions.hpp"
 #include "desk/queue.hpp"
 
+#include <map>
+#include <mutex>
+
 namespace berm::desk {
 
 /// What a desk does with cases and runs by the commands of berm, beside single runs.
@@ -45,6 +48,8 @@ private:
   std::shared_ptr<Queue> queue_;
   Questions& questions_;
   std::vector<std::string> more_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> pictures_;  ///< by kind: they are the same as long as the program is
 };
 
 }  // namespace berm::desk

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A curve that grows while a run is at work.
+import uPlot from "uplot";
+import { display_unit } from "../film_numbers";
+import { make } from "../film_elements";
+import { page_colour } from "../theme";
+import type { Column } from "./api";
+
+const height = 210;
+
+export class LiveChart {
+  readonly element = make("div", "live_chart");
+  private plot: uPlot | null = null;
+  private watch = new ResizeObserver(() => this.fit());
+  private count = -1;
+  private readonly again = () => {
+    this.count = -1;
+    this.plot?.destroy();
+    this.plot = null;
+    this.show(this.seen[0], this.seen[1]);
+  };
+  private seen: [(number | null)[], (number | null)[]] = [[], []];
+
+  constructor(readonly x: Column, readonly y: Column) {
+    this.element.setAttribute("role", "img");
+    this.element.setAttribute("aria-label", `${y.label} over ${x.label}`);
+    this.watch.observe(this.element);
+    document.addEventListener("theme", this.again);
+  }
+
+  end(): void {
+    this.watch.disconnect();
+    this.plot?.destroy();
+    document.removeEventListener("theme", this.again);
+  }
+
+  show(x: (number | null)[], y: (number | null)[]): void {
+    this.seen = [x, y];
+    if (x.length === this.count || this.element.clientWidth === 0) return;
+    this.count = x.length;
+    const largest = (values: (number | null)[]) => values.reduce<number>((most, value) => Math.max(most, Math.abs(value ?? 0)), 0);
+    const [of_x, of_y] = [display_unit(this.x.unit ?? "1", largest(x)), display_unit(this.y.unit ?? "1", largest(y))];
+    const scaled = (values: (number | null)[], factor: number) => values.map((value) => (value === null ? null : value / factor));
+    const data = [scaled(x, of_x.factor), scaled(y, of_y.factor)] as unknown as uPlot.AlignedData;
+    const label = (column: Column, unit: string) => `${column.label}${unit && unit !== "1" ? ` (${unit})` : ""}`;
+    if (this.plot === null) {
+      const axis = { stroke: page_colour("--quiet"), grid: { stroke: page_colour("--grid"), width: 1 }, ticks: { stroke: page_colour("--line"), width: 1 } };
+      this.plot = new uPlot(
+        {
+          mode: 2, width: this.element.clientWidth, height, legend: { show: false }, cursor: { drag: { x: true, y: true } },
+          scales: { x: { time: false }, y: {} },
+          axes: [{ ...axis, label: label(this.x, of_x.name), scale: "x" }, { ...axis, label: label(this.y, of_y.name), scale: "y", size: 62 }],
+          series: [null as unknown as uPlot.Series, { stroke: page_colour("--accent"), width: 1.8, facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: curve }],
+        } as unknown as uPlot.Options,
+        [null, data] as unknown as uPlot.AlignedData, this.element);
+      return;
+    }
+    this.plot.setData([null, data] as unknown as uPlot.AlignedData);
+  }
+
+  private fit(): void {
+    if (this.plot) this.plot.setSize({ width: this.element.clientWidth, height });
+    else if (this.seen[0].length > 0) this.count = -1, this.show(...this.seen);
+  }
+}
+
+/** Points in the order of the run: u goes back where a sweep turns. */
+function curve(plot: uPlot, series: number): null {
+  const { ctx } = plot, [x, y] = plot.data[series] as unknown as [(number | null)[], (number | null)[]];
+  const { left, top, width, height: tall } = plot.bbox;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(left, top, width, tall);
+  ctx.clip();
+  ctx.beginPath();
+  let drawn = false;
+  for (let k = 0; k < x.length; k++) {
+    if (x[k] === null || y[k] === null) {
+      drawn = false;
+      continue;
+    }
+    const px = plot.valToPos(x[k]!, "x", true), py = plot.valToPos(y[k]!, "y", true);
+    if (drawn) ctx.lineTo(px, py);
+    else ctx.moveTo(px, py);
+    drawn = true;
+  }
+  ctx.strokeStyle = page_colour("--accent");
+  ctx.lineWidth = 1.8 * devicePixelRatio;
+  ctx.stroke();
+  ctx.restore();
+  return null;
+}

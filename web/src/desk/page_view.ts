@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pages that berm made, in a frame: a report of one run or of several, a study, an envelope, tests of a soil.
+import { element } from "../element";
+import { make } from "../film_elements";
+import { api, type Job } from "./api";
+import type { Place } from "./place";
+import { Pulse, status_badge } from "./runs_view";
+import { download, say } from "./words";
+
+/** A page of berm in a frame, with a way to keep it. */
+async function framed(path: string, ...more: HTMLElement[]): Promise<HTMLElement[]> {
+  const { address } = await api.show(path);
+  const keep = element("button", { type: "button" }, "Keep the page"), alone = element("a", { href: address, target: "_blank", rel: "noopener" }, "Open alone");
+  keep.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)));
+  return [make("div", "bar", alone, keep, make("span", "quiet", path), ...more), element("iframe", { src: address, sandbox: "allow-scripts allow-downloads allow-popups", class: "page_frame", title: path })];
+}
+
+export class PageView implements Place {
+  readonly element = make("div", "page_view");
+  readonly title: string;
+
+  constructor(path: string) {
+    this.title = path;
+    framed(path).then((parts) => this.element.replaceChildren(...parts)).catch((error: Error) => this.element.replaceChildren(make("p", "bad", error.message)));
+  }
+}
+
+export class CompareView implements Place {
+  readonly element = make("div", "page_view");
+  readonly title = "Compare";
+
+  constructor(private readonly runs: string[]) {
+    this.element.append(make("p", "quiet", `The page of ${runs.length} runs is being made …`));
+    const pdf = element("button", { type: "button" }, "PDF");
+    pdf.addEventListener("click", () => void this.print());
+    api.report(runs, false)
+      .then(({ path }) => framed(path, pdf))
+      .then((parts) => this.element.replaceChildren(...parts))
+      .catch((error: Error) => this.element.replaceChildren(make("p", "bad", error.message)));
+  }
+
+  private async print(): Promise<void> {
+    try {
+      say("The page is being printed …");
+      const { pdf } = await api.report(this.runs, true);
+      if (pdf) download(await api.file(pdf), "compared.pdf");
+    } catch (error) {
+      say((error as Error).message, "bad");
+    }
+  }
+}
+
+export class JobView implements Place {
+  readonly element = make("div", "page_view");
+  readonly title: string;
+  private head = make("div", "bar");
+  private log = make("pre", "log");
+  private page = make("div", "job_page");
+  private shown = "";
+  private pulse: Pulse;
+
+  constructor(private readonly job: string) {
+    this.title = job;
+    this.element.append(make("h2", "", job), this.head, this.page, make("details", "", make("summary", "", "What it prints"), this.log));
+    this.pulse = new Pulse(1500, () => this.look());
+  }
+
+  leave(): void {
+    this.pulse.end();
+  }
+
+  private async look(): Promise<void> {
+    try {
+      const found = (await api.jobs()).find(({ job }) => job === this.job);
+      if (!found) return this.head.replaceChildren(make("p", "quiet", "This desk knows nothing of it: what it made lies in the folder."));
+      this.show(found);
+      if (found.status !== "running" && found.status !== "queued") await this.show_page(found);
+    } catch (error) {
+      this.head.replaceChildren(make("p", "bad", (error as Error).message));
+    }
+  }
+
+  private show({ command, status, log_tail, made }: Job): void {
+    this.log.textContent = log_tail;
+    const stop = element("button", { type: "button" }, "Stop");
+    stop.addEventListener("click", () => void api.stop_job(this.job).catch((error: Error) => say(error.message, "bad")));
+    const files = made.map((path) => {
+      const face = element("button", { type: "button", class: "file" }, path.split("/").pop()!);
+      face.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)));
+      return face;
+    });
+    this.head.replaceChildren(make("strong", "", command), status_badge(status), ...(status === "running" || status === "queued" ? [stop] : []), ...files);
+    if (status === "failed") this.page.replaceChildren(make("p", "bad", log_tail.trim().split("\n").filter((line) => line.startsWith("berm:")).pop() ?? "It failed: what it printed says why."));
+  }
+
+  private async show_page({ made }: Job): Promise<void> {
+    const page = made.find((path) => path.endsWith(".html"));
+    if (!page || this.shown === page) return;
+    this.shown = page;
+    this.page.replaceChildren(...(await framed(page)));
+  }
+}
+
+/** Programs that springs are written for, as berm export calls them. */
+const programs: [word: string, name: string][] = [
+  ["table", "tables (CSV)"], ["abaqus", "Abaqus"], ["orcaflex", "OrcaFlex"], ["ansys", "ANSYS"], ["sima", "SIMA (RIFLEX)"], ["calculix", "CalculiX"], ["opensees", "OpenSees"],
+  ["moordyn", "MoorDyn"], ["buckpy", "BuckPy"], ["json", "JSON"], ["line", "shapes of a pipeline"], ["py", "p-y curves of a pipeline"],
+];
+
+export class ExportView implements Place {
+  readonly element = make("div", "export_view");
+  readonly title = "Export";
+  private files = make("ul", "files");
+
+  constructor(private readonly runs: string[]) {
+    const to = element("select", { id: "export-to" }, ...programs.map(([word, name]) => element("option", { value: word }, name)));
+    const state = element("select", { id: "export-state" }, element("option", { value: "" }, "operation, else touchdown"), ...["touchdown", "laid", "flooded", "emptied", "operation"].map((word) => element("option", {}, word)));
+    const travels = element("input", { id: "export-travels", type: "text", placeholder: "all drags in that state" });
+    const form = element("form", { class: "stacked" });
+    form.append(
+      make("h2", "", "Springs for a pipeline program"), make("p", "quiet", `Of ${runs.join(", ")}. Each number is told with its run, state and formula.`),
+      element("label", { for: "export-to" }, "Program"), to, element("label", { for: "export-state" }, "State of the pipe"), state,
+      element("label", { for: "export-travels" }, "Travels: drags, with commas between them"), travels, element("button", { type: "submit", class: "primary" }, "Export"));
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.write({ to: to.value, state: state.value, travels: travels.value.trim() });
+    });
+    this.element.append(form, this.files);
+  }
+
+  private async write({ to, state, travels }: Record<string, string>): Promise<void> {
+    try {
+      const { files } = await api.springs({ runs: this.runs, to, ...(state ? { state } : {}), ...(travels ? { travels } : {}) });
+      this.files.replaceChildren(...files.map((path) => {
+        const face = element("button", { type: "button", class: "file" }, path);
+        face.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)).catch((error: Error) => say(error.message, "bad")));
+        return make("li", "", face);
+      }));
+      say(`${files.length} files are written.`);
+    } catch (error) {
+      this.files.replaceChildren(make("li", "bad", (error as Error).message));
+    }
+  }
+}

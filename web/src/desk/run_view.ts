@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run: how far it is, its curves as they grow, the soil as it moves, and what can be done with it.
+import { element } from "../element";
+import { digits } from "../film_numbers";
+import { make } from "../film_elements";
+import { api, type Column, type RunNow, type Summary } from "./api";
+import { LiveChart } from "./live_chart";
+import type { Place } from "./place";
+import { progress_bar, Pulse, status_badge, stop_or_resume } from "./runs_view";
+import { SoilPicture } from "./soil_picture";
+import { download, duration_words, say } from "./words";
+
+type Value = number | string | null;
+
+export class RunView implements Place {
+  readonly element = make("div", "run_view");
+  readonly title: string;
+  private head = make("div", "bar run_head");
+  private acts = make("div", "bar");
+  private charts: LiveChart[] = [];
+  private chart_place = make("div", "live_charts");
+  private soil = new SoilPicture();
+  private answer = make("div", "answer");
+  private log = make("pre", "log");
+  private rows: Value[][] = [];
+  private of = "";
+  private columns: Column[] = [];
+  private status = "";
+  private pulse: Pulse;
+
+  constructor(private readonly path: string) {
+    this.title = path;
+    this.element.append(
+      make("h2", "", path), this.head, this.acts,
+      make("div", "run_panes", make("section", "pane", make("h2", "", "Curves"), this.chart_place), make("section", "pane", make("h2", "", "Soil"), this.soil.element, make("h2", "", "Answer and trust"), this.answer)),
+      make("details", "", make("summary", "", "Log"), this.log));
+    this.pulse = new Pulse(1000, () => this.look());
+  }
+
+  leave(): void {
+    this.pulse.end();
+    this.charts.forEach((chart) => chart.end());
+  }
+
+  private async look(): Promise<void> {
+    try {
+      let now: RunNow;
+      do {
+        now = await api.run(this.path, this.rows.length);
+        if (now.of !== this.of) {
+          // It began anew or was resumed: what was read before may not hold.
+          const again = this.of !== "" && this.rows.length > 0;
+          this.of = now.of;
+          if (again) {
+            this.rows = [];
+            now = await api.run(this.path, 0);
+          }
+        }
+        this.rows.push(...now.rows);
+        this.columns = now.columns;
+      } while (now.more);
+      this.show(now);
+      if (now.status === "running" || this.soil.frame < 0) {
+        const soil = await api.soil(this.path, this.soil.frame);
+        if (soil) this.soil.show(soil);
+      }
+      if (now.status === "finished" && this.status === "running") say("The run has ended.");
+      this.status = now.status;
+    } catch (error) {
+      this.head.replaceChildren(make("p", "bad", (error as Error).message));
+    }
+  }
+
+  private show(now: RunNow): void {
+    const left = now.status === "running" && now.time_left_s !== null ? `${duration_words(now.time_left_s)} left` : "";
+    const words = now.progress === null ? "" : `${Math.round(100 * now.progress)} %`;
+    this.head.replaceChildren(status_badge(now.status), ...(now.status === "running" ? [progress_bar(now.progress)] : []), make("span", "", words), make("span", "quiet", left),
+      make("span", "quiet", now.case ? `of ${now.case}` : ""));
+    if (this.acts.dataset.of !== now.status) {
+      this.acts.dataset.of = now.status;
+      this.acts.replaceChildren(...stop_or_resume(now), ...this.buttons(now));
+    }
+    this.log.textContent = now.log_tail;
+    this.show_curves();
+    if (now.summary) this.show_answer(now.summary);
+    else this.answer.replaceChildren(...this.live_numbers());
+  }
+
+  private buttons(now: RunNow): HTMLElement[] {
+    const button = (words: string, title: string, does: () => void) => {
+      const face = element("button", { type: "button", title }, words);
+      face.addEventListener("click", does);
+      return face;
+    };
+    const report = (pdf: boolean) => () => void this.report(pdf);
+    return [
+      button("Report", "The page of this run (berm report)", report(false)), button("PDF", "The page, printed", report(true)),
+      ...(now.status === "finished" ? [
+        button("Export springs …", "Springs for pipeline programs (berm export)", () => (location.hash = `#/export?path=${encodeURIComponent(this.path)}`)),
+        button("How sure?", "Runs on coarser cells and at another speed, too (berm run --uncertainty): about as long again", () => void this.uncertainty())] : []),
+      ...(now.case.endsWith(".toml") ? [button("Its case", "Open the case as this run has it", () => (location.hash = `#/case?path=${encodeURIComponent(`${this.path}/case.toml`)}`))] : []),
+    ];
+  }
+
+  private async report(pdf: boolean): Promise<void> {
+    try {
+      say("The page is being made …");
+      const made = await api.report([this.path], pdf);
+      if (pdf && made.pdf) download(await api.file(made.pdf), made.pdf.split("/").pop()!);
+      else location.hash = `#/page?path=${encodeURIComponent(made.path)}`;
+    } catch (error) {
+      say((error as Error).message, "bad");
+    }
+  }
+
+  private async uncertainty(): Promise<void> {
+    try {
+      const { job } = await api.work("uncertainty", this.path);
+      location.hash = `#/job?job=${encodeURIComponent(job)}`;
+    } catch (error) {
+      say((error as Error).message, "bad");
+    }
+  }
+
+  private index(label: string): number {
+    return this.columns.findIndex((column) => column.label === label);
+  }
+
+  private numbers(index: number): (number | null)[] {
+    return this.rows.map((row) => (typeof row[index] === "number" ? (row[index] as number) : null));
+  }
+
+  /** H(u) and V(w) of a body that is driven, else what there is over time. */
+  private show_curves(): void {
+    if (this.rows.length === 0) {
+      if (this.charts.length === 0) this.chart_place.replaceChildren(make("p", "quiet", "No rows yet."));
+      return;
+    }
+    if (this.charts.length === 0) {
+      const pairs: [string, string][] = this.index("u") >= 0 && this.index("w") >= 0 ? [["V", "w"], ["H", "u"], ["w", "u"]] : this.columns.filter(({ name, unit }) => name !== "time_s" && unit !== null).slice(0, 3).map(({ label }) => [label, "time"]);
+      if (this.index("line_y") >= 0 || this.columns.some(({ name }) => name === "line_y_m")) pairs.unshift([this.columns.find(({ name }) => name === "line_y_m")!.label, "time"]);
+      this.charts = pairs.filter(([y, x]) => this.index(y) >= 0 && this.index(x) >= 0).map(([y, x]) => new LiveChart(this.columns[this.index(x)], this.columns[this.index(y)]));
+      this.chart_place.replaceChildren(...this.charts.map((chart) => chart.element));
+    }
+    for (const chart of this.charts) chart.show(this.numbers(this.index(chart.x.label)), this.numbers(this.index(chart.y.label)));
+  }
+
+  /** The last row of what an engineer watches, and of what tells whether the run is to be trusted. */
+  private live_numbers(): HTMLElement[] {
+    const last = this.rows[this.rows.length - 1];
+    if (!last) return [];
+    const watched = ["stage", "time", "u", "w", "H", "V", "energy error", "shaking of the soil at the body", "overlap"];
+    return [make("dl", "numbers", ...watched.flatMap((label) => {
+      const index = this.index(label);
+      if (index < 0 || last[index] === null) return [];
+      const value = last[index]!, { unit, meaning } = this.columns[index];
+      const term = make("dt", "", label);
+      term.title = meaning;
+      return [term, make("dd", "", typeof value === "number" ? `${digits(value)} ${unit === "1" || unit === null ? "" : unit}` : value)];
+    }))];
+  }
+
+  private show_answer({ quantities, checks, warnings, spoiled }: Summary): void {
+    const stages = Object.entries((quantities ?? {}) as Record<string, unknown>).slice(0, 40);
+    const row = (name: string, each: { value: number; unit: string; meaning: string }) => {
+      const term = make("td", "", name);
+      term.title = each.meaning;
+      return make("tr", "", term, make("td", "number", digits(each.value)), make("td", "quiet", each.unit === "1" ? "" : each.unit), make("td", "quiet", each.meaning));
+    };
+    const is_number = (each: unknown): each is { value: number; unit: string; meaning: string } => typeof (each as { value?: unknown } | null)?.value === "number";
+    const rows = stages.flatMap(([stage, all]) =>
+      is_number(all) ? [row(stage, all)] : Object.entries((all ?? {}) as Record<string, unknown>).filter((pair): pair is [string, { value: number; unit: string; meaning: string }] => is_number(pair[1])).map(([name, each]) => row(`${stage} ${name}`, each)));
+    const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);
+    this.answer.replaceChildren(
+      ...(spoiled && JSON.stringify(spoiled) !== "[]" && spoiled !== false ? [make("p", "bad", "The answer of this run is spoiled: its report says why.")] : []),
+      ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)),
+      make("div", "scrolls", make("table", "list", make("tbody", "", ...rows.slice(0, 60)))),
+      make("details", "", make("summary", "", "Checks"), make("dl", "numbers", ...trust.flatMap(([name, value]) => [make("dt", "", name.replaceAll("_", " ")), make("dd", "", typeof value === "number" ? digits(value) : String(value))]))));
+  }
+}

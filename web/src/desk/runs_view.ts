@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All runs of the folder, and the studies and other commands that start some; several runs are compared from here.
+import { element } from "../element";
+import { make } from "../film_elements";
+import { api, type Job, type RunState, type Status } from "./api";
+import type { Place } from "./place";
+import { duration_words, say } from "./words";
+
+export function status_badge(status: Status): HTMLElement {
+  return make("span", `badge ${status}`, status);
+}
+
+export function progress_bar(progress: number | null): HTMLElement {
+  const bar = element("progress", { max: 1, "aria-label": "part done" });
+  if (progress !== null) bar.value = progress;
+  return bar;
+}
+
+/** Asks again and again while the page is in sight. */
+export class Pulse {
+  private waiting = 0;
+  private ended = false;
+
+  constructor(private readonly every: number, private readonly beat: () => Promise<void>) {
+    document.addEventListener("visibilitychange", this.seen);
+    void this.again();
+  }
+
+  end(): void {
+    this.ended = true;
+    clearTimeout(this.waiting);
+    document.removeEventListener("visibilitychange", this.seen);
+  }
+
+  private seen = () => {
+    clearTimeout(this.waiting);
+    if (!document.hidden) void this.again();
+  };
+
+  private async again(): Promise<void> {
+    await this.beat();
+    clearTimeout(this.waiting);
+    if (!this.ended && !document.hidden) this.waiting = window.setTimeout(() => void this.again(), this.every);
+  }
+}
+
+export class RunsView implements Place {
+  readonly element = make("div", "runs_view");
+  readonly title = "Runs";
+  private chosen = new Set<string>();
+  private table = make("tbody", "");
+  private jobs = make("tbody", "");
+  private note = make("p", "quiet");
+  private compare = element("button", { type: "button", class: "primary" }, "Compare");
+  private export_all = element("button", { type: "button" }, "Export springs …");
+  private pulse: Pulse;
+
+  constructor() {
+    this.compare.addEventListener("click", () => (location.hash = `#/compare?${[...this.chosen].map((path) => `path=${encodeURIComponent(path)}`).join("&")}`));
+    this.export_all.addEventListener("click", () => (location.hash = `#/export?${[...this.chosen].map((path) => `path=${encodeURIComponent(path)}`).join("&")}`));
+    this.element.append(
+      make("h2", "", "Runs"), make("div", "bar", this.compare, this.export_all, this.note),
+      make("table", "list", make("thead", "", make("tr", "", ...["", "run", "case", "status", "", "left", ""].map((word) => make("th", "", word)))), this.table),
+      make("h2", "", "Studies, envelopes, tests"),
+      make("table", "list", make("thead", "", make("tr", "", ...["", "made in", "status", "says", ""].map((word) => make("th", "", word)))), this.jobs));
+    this.show_choice();
+    this.pulse = new Pulse(1500, () => this.look());
+  }
+
+  leave(): void {
+    this.pulse.end();
+  }
+
+  private show_choice(): void {
+    this.compare.disabled = this.chosen.size < 2;
+    this.export_all.disabled = this.chosen.size < 1;
+    this.note.textContent = this.chosen.size < 2 ? "Tick two runs or more to compare them on one page." : `${this.chosen.size} runs chosen`;
+  }
+
+  private async look(): Promise<void> {
+    try {
+      const [runs, jobs] = await Promise.all([api.runs(), api.jobs()]);
+      const order: Status[] = ["running", "queued", "stopped", "failed", "finished"];
+      const sorted = [...runs].sort((a, b) => order.indexOf(a.status) - order.indexOf(b.status) || a.path.localeCompare(b.path));
+      patch(this.table, sorted.map((run) => [run.path, JSON.stringify(run), () => this.row(run)]));
+      patch(this.jobs, jobs.map((job) => [job.job, JSON.stringify([job.status, job.log_tail, job.made]), () => this.job_row(job)]));
+      if (runs.length === 0) this.note.textContent = "There are no runs yet. Those that you start in a terminal appear here, too.";
+    } catch (error) {
+      this.note.textContent = (error as Error).message;
+    }
+  }
+
+  private row(run: RunState): HTMLTableRowElement {
+    const box = element("input", { type: "checkbox", "aria-label": `choose ${run.path}` });
+    box.checked = this.chosen.has(run.path);
+    box.addEventListener("change", () => {
+      if (box.checked) this.chosen.add(run.path);
+      else this.chosen.delete(run.path);
+      this.show_choice();
+    });
+    return make("tr", "", make("td", "", box), make("td", "", element("a", { href: `#/run?path=${encodeURIComponent(run.path)}` }, run.path)), make("td", "quiet", run.case),
+      make("td", "", status_badge(run.status)), make("td", "", ...(run.status === "running" ? [progress_bar(run.progress)] : [])),
+      make("td", "", run.status === "running" ? duration_words(run.time_left_s) : ""), make("td", "", ...stop_or_resume(run)));
+  }
+
+  private job_row(job: Job): HTMLTableRowElement {
+    const says = job.log_tail.trim().split("\n").pop() ?? "";
+    return make("tr", "", make("td", "", job.command), make("td", "", element("a", { href: `#/job?job=${encodeURIComponent(job.job)}` }, job.job)), make("td", "", status_badge(job.status)), make("td", "quiet", says),
+      make("td", "", ...(job.status === "running" || job.status === "queued" ? [act("Stop", () => api.stop_job(job.job))] : [])));
+  }
+}
+
+function act(words: string, does: () => Promise<unknown>): HTMLButtonElement {
+  const face = make("button", "", words);
+  face.type = "button";
+  face.addEventListener("click", () => {
+    face.disabled = true;
+    does().catch((error: Error) => say(error.message, "bad")).finally(() => (face.disabled = false));
+  });
+  return face;
+}
+
+export function stop_or_resume(run: RunState): HTMLElement[] {
+  if (run.status === "running" || run.status === "queued") return [act("Stop", () => api.stop(run.path))];
+  if (run.status === "stopped" || run.status === "failed") return [act("Resume", () => api.start({ resume: run.path }))];
+  return [];
+}
+
+/** Rows whose content is the same stay, with the focus in them. */
+function patch(body: HTMLElement, rows: [key: string, content: string, make_row: () => HTMLTableRowElement][]): void {
+  const old = new Map([...body.children].map((row) => [(row as HTMLElement).dataset.row!, row as HTMLElement]));
+  const next = rows.map(([key, content, make_row]) => {
+    const was = old.get(key);
+    if (was && was.dataset.content === content) return was;
+    const row = make_row();
+    Object.assign(row.dataset, { row: key, content });
+    return row;
+  });
+  if (next.length !== body.children.length || next.some((row, i) => body.children[i] !== row)) body.replaceChildren(...next);
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the desk begins: kinds of job by picture, and what the folder holds.
+import { element } from "../element";
+import { make } from "../film_elements";
+import { api, type FolderOf, type Kind, type RunState, type Soil } from "./api";
+import type { Place } from "./place";
+import { status_badge } from "./runs_view";
+import { picture_of, say } from "./words";
+
+const link = (to: string, path: string, words: string) => element("a", { href: `#/${to}?path=${encodeURIComponent(path)}` }, words);
+
+const drawn = new Map<string, string>();
+async function picture_of_kind(kind: string): Promise<string> {
+  const picture = drawn.get(kind) ?? (await api.picture(kind));
+  drawn.set(kind, picture);
+  return picture;
+}
+
+export class StartView implements Place {
+  readonly element = make("div", "start_view");
+  readonly title = "Start";
+  private dialog = make("dialog", "new_case");
+  private soils: Soil[] = [];
+  private here = "";
+  private list = make("div", "folder_list");
+  private waiting: HTMLElement[] = [];
+  private drawing = false;
+  private gone = false;
+  private pictures = new IntersectionObserver((seen) => {
+    this.waiting.push(...seen.filter((each) => each.isIntersecting).map((each) => each.target as HTMLElement));
+    void this.draw();
+  });
+
+  constructor(folder: string) {
+    const kinds = make("div", "kinds", make("p", "quiet", "Kinds of job are being read …"));
+    this.element.append(
+      make("section", "", make("h2", "", `In ${folder}`), this.list),
+      make("section", "", make("h2", "", "Begin a job"), kinds), this.dialog);
+    void this.show_folder("");
+    void Promise.all([api.kinds(), api.soils().catch(() => [])])
+      .then(([all, soils]) => {
+        this.soils = soils;
+        kinds.replaceChildren(...grouped(all).map(([group, list]) => make("div", "kind_group", make("h3", "", group), make("div", "cards", ...list.map((kind) => this.card(kind))))));
+      })
+      .catch((error: Error) => kinds.replaceChildren(make("p", "bad", error.message)));
+  }
+
+  leave(): void {
+    this.gone = true;
+    this.pictures.disconnect();
+  }
+
+  private card(kind: Kind): HTMLElement {
+    const picture = make("div", "card_picture");
+    picture.dataset.kind = kind.kind;
+    this.pictures.observe(picture);
+    const card = element("button", { type: "button", class: "card" });
+    card.append(picture, make("strong", "", kind.title), make("span", "quiet", kind.question));
+    card.addEventListener("click", () => this.ask(kind));
+    return card;
+  }
+
+  /** One picture at a time: the machine has other work. */
+  private async draw(): Promise<void> {
+    if (this.drawing) return;
+    this.drawing = true;
+    for (let picture = this.waiting.shift(); picture !== undefined && !this.gone; picture = this.waiting.shift()) {
+      this.pictures.unobserve(picture);
+      try {
+        picture.replaceChildren(picture_of(await picture_of_kind(picture.dataset.kind!), ""));
+      } catch {
+        picture.replaceChildren(make("span", "quiet", "no picture"));
+      }
+    }
+    this.drawing = false;
+  }
+
+  /** Name, size and soil of the new case. */
+  private ask(kind: Kind): void {
+    const file = element("input", { type: "text", id: "new-file", value: `${this.here === "" ? "" : `${this.here}/`}${kind.kind.replaceAll("-", "_")}.toml`, required: "" });
+    const size = element("select", { id: "new-size" }, ...kind.sizes.map((word) => element("option", {}, word)));
+    size.value = kind.sizes.includes("quick") ? "quick" : (kind.sizes[0] ?? "");
+    const fitting = this.soils.filter(({ soil }) => kind.soils.includes(soil)), source = make("p", "quiet");
+    const soil = element("select", { id: "new-soil" }, element("option", { value: "" }, "as in the template"), ...fitting.map((each) => element("option", { value: each.soil }, each.title)));
+    soil.addEventListener("change", () => {
+      const chosen = fitting.find((each) => each.soil === soil.value);
+      source.textContent = chosen ? `${chosen.source}. ${chosen.trust}` : "";
+    });
+    const form = element("form", { method: "dialog" });
+    const begin = element("button", { type: "submit", class: "primary" }, "Begin"), stop = element("button", { type: "button" }, "Cancel");
+    form.append(
+      make("h3", "", kind.title), make("p", "quiet", kind.question),
+      element("label", { for: "new-file" }, "File"), file,
+      element("label", { for: "new-size" }, "Size of the cells, and speed"), size,
+      ...(fitting.length > 0 ? [element("label", { for: "new-soil" }, "Soil"), soil, source] : []), make("div", "bar", begin, stop));
+    stop.addEventListener("click", () => this.dialog.close());
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      const path = file.value.endsWith(".toml") ? file.value : `${file.value}.toml`;
+      api.create({ kind: kind.kind, path, ...(size.value ? { size: size.value } : {}), ...(soil.value ? { soil: soil.value } : {}) })
+        .then(() => {
+          this.dialog.close();
+          location.hash = `#/case?path=${encodeURIComponent(path)}`;
+        })
+        .catch((error: Error) => say(error.message, "bad"));
+    });
+    this.dialog.replaceChildren(form);
+    this.dialog.showModal();
+    file.focus();
+    file.select();
+  }
+
+  private async show_folder(path: string): Promise<void> {
+    try {
+      const [found, runs] = await Promise.all([api.folder(path), api.runs()]);
+      this.here = path;
+      this.list.replaceChildren(...this.rows(found, runs));
+    } catch (error) {
+      this.list.replaceChildren(make("p", "bad", (error as Error).message));
+    }
+  }
+
+  private rows({ path, cases, studies, folders }: FolderOf, runs: RunState[]): HTMLElement[] {
+    const folder = (to: string, words: string) => {
+      const face = make("button", "folder", words);
+      face.type = "button";
+      face.addEventListener("click", () => void this.show_folder(to));
+      return face;
+    };
+    const up = path === "" || path === "." ? [] : [folder(path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : "", "↑ up")];
+    const study = (file: string) => {
+      const face = make("button", "", "Run the study");
+      face.type = "button";
+      face.addEventListener("click", () => api.work("study", file).then(({ job }) => (location.hash = `#/job?job=${encodeURIComponent(job)}`)).catch((error: Error) => say(error.message, "bad")));
+      return face;
+    };
+    const recent = [...runs].slice(-8).reverse();
+    return [
+      make("div", "folders", ...up, ...folders.filter((each) => each !== "out").map((each) => folder(each, `${each.split("/").pop()}/`))),
+      ...(cases.length > 0 ? [make("h3", "", "Cases"), make("ul", "files", ...cases.map((each) => make("li", "", link("case", each.path, each.path), make("span", "quiet", each.title ?? ""))))] : []),
+      ...(studies.length > 0 ? [make("h3", "", "Studies"), make("ul", "files", ...studies.map((each) => make("li", "", link("case", each.path, each.path), make("span", "quiet", each.title ?? ""), study(each.path))))] : []),
+      ...(recent.length > 0 ? [make("h3", "", "Runs"), make("ul", "files", ...recent.map((each) => make("li", "", link("run", each.path, each.path), status_badge(each.status), make("span", "quiet", each.case))))] : []),
+      ...(cases.length + studies.length + recent.length === 0 ? [make("p", "quiet", "There is nothing here yet: begin a job below.")] : []),
+    ];
+  }
+}
+
+function grouped(kinds: Kind[]): [string, Kind[]][] {
+  const groups = new Map<string, Kind[]>();
+  for (const kind of kinds) groups.set(kind.group, [...(groups.get(kind.group) ?? []), kind]);
+  return [...groups];
+}
