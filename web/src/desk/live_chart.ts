@@ -13,6 +13,7 @@ export class LiveChart {
   private plot: uPlot | null = null;
   private watch = new ResizeObserver(() => this.fit());
   private count = -1;
+  private units = "";
   private readonly again = () => {
     this.count = -1;
     this.plot?.destroy();
@@ -43,6 +44,9 @@ export class LiveChart {
     const scaled = (values: (number | null)[], factor: number) => values.map((value) => (value === null ? null : value / factor));
     const data = [scaled(x, of_x.factor), scaled(y, of_y.factor)] as unknown as uPlot.AlignedData;
     const label = (column: Column, unit: string) => `${column.label}${unit && unit !== "1" ? ` (${unit})` : ""}`;
+    const units = `${of_x.name} ${of_y.name}`;
+    if (this.plot !== null && units !== this.units) this.plot.destroy(), (this.plot = null);
+    this.units = units;
     if (this.plot === null) {
       const axis = { stroke: page_colour("--quiet"), grid: { stroke: page_colour("--grid"), width: 1 }, ticks: { stroke: page_colour("--line"), width: 1 } };
       this.plot = new uPlot(
