@@ -353,14 +353,57 @@ def dialect(tree):
                     yield f"{path}:{number}: '{word}' in {name}"
 
 
+def anchors_of(page):
+    """The anchors of the headings of a page, as GitHub and the site make them."""
+    headings = re.findall(r"^#+ +(.+?) *$", re.sub(r"^```.*?^```", "", page, flags=re.S | re.M), re.M)
+    plain = (re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower() for heading in headings)
+    return {re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in plain}
+
+
 def links(tree):
-    """Links between the pages of the manual lead somewhere."""
+    """Links between the pages of the manual lead somewhere: to a file and, where they name one, to a heading of the page."""
     for path in tree.ending(".md"):
-        for target in re.findall(r"\]\(([^)\s#]+)[^)]*\)", tree.read(path)):
+        for target, anchor in re.findall(r"\]\(([^)\s#]*)#?([^)\s]*)[^)]*\)", tree.read(path)):
             if re.match(r"[a-z]+:", target):
                 continue
-            if not os.path.exists(os.path.join(tree.root, os.path.dirname(path), target)):
+            page = os.path.normpath(os.path.join(os.path.dirname(path), target)) if target else path
+            if not os.path.exists(os.path.join(tree.root, page)):
                 yield f"{path}: {target} does not exist"
+            elif anchor and page.endswith(".md") and anchor not in anchors_of(tree.read(page)):
+                yield f"{path}: {target} has no heading #{anchor}"
+
+
+# Phrases that no geotechnical engineer writes, and what stands for them. Pages of parameters come from the program.
+PROSE = {
+    r"(?:cells|mesh) (?:without|of no) size": "zero cell size",
+    r"knows? (?:its|the) strain rate|softens and knows": "rate-dependent, strain-softening",
+    r"(?:row|frame) before[,.:;]": "the previous row",
+    r"the begin of": "the start of",
+    r"\bwavers?\b": "scatters, fluctuates",
+    r"[Hh]oped for": "the target",
+    r"no Lode angle": "circular in the deviatoric plane",
+    r"the interface is given": "you give the interface",
+    r"by repetition": "by Monte Carlo",
+    r"(?:do|does) not go with\b": "cannot be combined with",
+    r"driven body's way|pipe's way": "travel",
+    r"larger by a part of": "larger by a fraction of",
+    r"(?:is|are) told (?:as|with|in|for|velocities|beside)": "is given, is reported",
+}
+PAGE_LINES = 60  # of README.md and of an example's; measurements stand in results.md beside
+
+
+def prose(tree):
+    """The first pages are short, and pages are written in the words of the field (PROSE)."""
+    for path in tree.ending(".md"):
+        text = tree.read(path)
+        if re.fullmatch(r"(?:examples/\w+/)?README\.md", path) and len(text.splitlines()) > PAGE_LINES:
+            yield f"{path}: has {len(text.splitlines())} lines, {PAGE_LINES} at most"
+        if path.startswith("docs/decisions/") or path in ("CHANGELOG.md", "docs/parameters.md"):
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            for phrase, better in PROSE.items():
+                if found := re.search(phrase, line):
+                    yield f"{path}:{number}: '{found.group()}': {better}"
 
 
 SPDX = "// " + LICENCE + "\n"
@@ -465,7 +508,14 @@ CHECKS = {
         ],
         [{"src/a.hpp": '/// spin\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n", "python/a.py": "# spin\na = 'sticky'\n"}],
     ),
-    links: ([{"docs/a.md": "[b](b.md)"}], [{"docs/a.md": "[b](../b.md#part) [c](https://berm.example/c.md)", "b.md": ""}]),
+    prose: (
+        [{"README.md": "a\n" * 61}, {"examples/a/README.md": "a\n" * 61}, {"docs/a.md": "at zero cells.\nThe number wavers.\n"}],
+        [{"README.md": "a\n" * 60, "docs/README.md": "a\n" * 61, "docs/decisions/0001-a.md": "It wavers.\n", "examples/a/results.md": "a\n" * 61}],
+    ),
+    links: (
+        [{"docs/a.md": "[b](b.md)"}, {"docs/a.md": "[b](../b.md#other)", "b.md": "# Part\n"}, {"a.md": "[b](#b)\n```\n# b\n```\n"}],
+        [{"docs/a.md": "# One, `two`\n[b](../b.md#part-a_b) [1](#one-two) [c](https://berm.example/c.md#d)", "b.md": "## Part [a_b](c)\n", "c": ""}],
+    ),
 }
 
 

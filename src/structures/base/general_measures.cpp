@@ -46,8 +46,8 @@ inline constexpr Limit loose{0, 0.1, "increments that did not converge leave for
 inline constexpr Limit lag{0.01, 0.05,
                            "an increment is solved again until its own lag is 1 %; with the lag of large increments V is too small "
                            "(docs/decisions/0013)"};
-inline constexpr Limit overstress{0.01, 0.05,
-                                  "far below 0.01 it is right; above 0.05 the soil cannot carry the force (docs/how_to/run_a_case.md)"};
+inline constexpr Limit overstress{
+    0.01, 0.05, "far below 0.01 it is right; above 0.05 the soil cannot carry the force (docs/how_to/finite_elements.md)"};
 
 }  // namespace limits
 
