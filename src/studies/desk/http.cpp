@@ -51,6 +51,8 @@ private:
 
 class Listener : public httplib::Server {
 public:
+  /// Where many connect at once none waits for the system to try again, a second later.
+  void take_many() { ::listen(svr_sock_, most_connections); }
   /// Those that wait for a request end at once, others once they are answered.
   void stop_all()
   {
@@ -250,6 +252,7 @@ HttpServer::HttpServer(int port, Handler open, Handler with_token) : parts_(std:
   });
   p.port = port == 0 ? p.server.bind_to_any_port("127.0.0.1") : p.server.bind_to_port("127.0.0.1", port) ? port : -1;
   if (p.port < 0) throw RunError(port == 0 ? "no port of this machine is free" : fmt::format("port {} of this machine is taken", port));
+  p.server.take_many();
 }
 
 HttpServer::~HttpServer() = default;

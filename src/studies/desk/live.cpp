@@ -147,7 +147,7 @@ Json Live::rows(const fs::path& run, std::size_t from_row)
       if (place.row++ >= from_row) rows.push_back(row_of(fields));
     }
   }
-  answer["more"] = rows.size() >= most_rows;
+  answer["more"] = rows.size() >= most_rows && place.offset < history.size();
   const std::lock_guard lock(mutex_);
   if (places_.size() >= most_places) places_.clear();
   places_[run.string()] = place;

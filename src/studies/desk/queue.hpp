@@ -14,6 +14,7 @@ namespace berm::desk {
 struct Work {
   std::string kind;                ///< run, study, envelope ...
   std::string name;                ///< of the folder that it fills, as clients call it
+  std::string case_file;           ///< that it was made from, as clients call it
   std::vector<std::string> words;  ///< of its command
   std::filesystem::path folder;    ///< that it fills
   int threads = 1;

@@ -107,6 +107,7 @@ Json Runs::start(const Json& body)
   if (body.contains("resume")) {
     work.folder = folder_.run(text_in(body, "resume"));
     if (!io::FolderLock::owner_of(work.folder).empty()) throw Refusal(409, "the run is at work");
+    work.case_file = at_rest(work.folder).case_file;
     work.words = {"run", "--resume", folder_.name_of(work.folder)};
   } else {
     const fs::path file = folder_.input(text_in(body, "case"));
@@ -114,7 +115,8 @@ Json Runs::start(const Json& body)
     const std::string out = text_in(body, "out", "");
     work.folder = out.empty() ? free_place(file) : folder_.inside(out);
     if (work.folder == folder_.root() || fs::exists(work.folder)) throw Refusal(409, fmt::format("{} is there: name another folder", out));
-    work.words = {"run", folder_.name_of(file), "-o", folder_.name_of(work.folder)};
+    work.case_file = folder_.name_of(file);
+    work.words = {"run", work.case_file, "-o", folder_.name_of(work.folder)};
     const std::vector<std::string> changes = changes_in(body);
     work.words.insert(work.words.end(), changes.begin(), changes.end());
   }
@@ -171,8 +173,12 @@ Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& 
     state = entry->state;
   else if (io::FolderLock::owner_of(run).empty())
     state = entry && entry->state == WorkState::failed ? WorkState::failed : rest.state;
-  Json answer = {{"path", name},        {"case", rest.case_file}, {"status", word_of(state)},
-                 {"progress", nullptr}, {"time_left_s", nullptr}, {"began_here", entry.has_value()}};
+  Json answer = {{"path", name},
+                 {"case", entry ? entry->work.case_file : rest.case_file},
+                 {"status", word_of(state)},
+                 {"progress", nullptr},
+                 {"time_left_s", nullptr},
+                 {"began_here", entry.has_value()}};
   if (state == WorkState::finished) answer["progress"] = 1;
   if (const auto advance =
           state == WorkState::queued || state == WorkState::finished ? std::nullopt : advance_in(tail_of(run / "run.log", log_bytes))) {

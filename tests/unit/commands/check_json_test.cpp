@@ -127,7 +127,7 @@ TEST(WrongInputs, have_their_line_and_their_key_but_for_those_that_are_not_toml)
   std::vector<std::string> without_key, without_line;
   for (const WrongInput& wrong : test::wrong_inputs()) {
     const input::Located at = located(wrong);
-    if (at.key.empty()) without_key.push_back(wrong.name);
+    if (at.key.empty() && at.message.find("TOML") == std::string::npos) without_key.push_back(std::string(wrong.name) + ": " + at.message);
     if (at.line == 0 && at.override_key.empty()) without_line.push_back(wrong.name);
     EXPECT_TRUE(wrong.line == 0 || at.line == wrong.line) << wrong.name << ": " << at.text();
     for (const std::string& part : wrong.says) EXPECT_NE(at.text().find(part), std::string::npos) << at.text();

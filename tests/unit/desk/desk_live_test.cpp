@@ -17,11 +17,11 @@ TEST(DeskLive, gives_the_rows_that_were_written_since)
   std::ofstream history(run / "history.csv");
   history << "time_s,stage\n0,rest\n1,\"push, slow\"\n2,pu" << std::flush;
   Live live;
-  EXPECT_EQ(live.rows(run.path(), 0)["rows"], Json::parse(R"([[0.0,"rest"],[1.0,"push, slow"]])"));
-  EXPECT_EQ(live.rows(run.path(), 2)["rows"], Json::array());
+  EXPECT_EQ(live.rows(run.path(), 0).at("rows"), Json::parse(R"([[0.0,"rest"],[1.0,"push, slow"]])"));
+  EXPECT_EQ(live.rows(run.path(), 2).at("rows"), Json::array());
   history << "sh\nnan,push\n" << std::flush;
-  EXPECT_EQ(live.rows(run.path(), 2)["rows"], Json::parse(R"([[2.0,"push"],[null,"push"]])"));
-  EXPECT_EQ(live.rows(run.path(), 1)["rows"].size(), 3u);
+  EXPECT_EQ(live.rows(run.path(), 2).at("rows"), Json::parse(R"([[2.0,"push"],[null,"push"]])"));
+  EXPECT_EQ(live.rows(run.path(), 1).at("rows").size(), 3u);
 }
 
 TEST(DeskLive, gives_long_histories_in_parts)
@@ -37,9 +37,9 @@ TEST(DeskLive, gives_long_histories_in_parts)
   std::size_t count = 0;
   for (bool more = true; more;) {
     const Json part = live.rows(run.path(), count);
-    ASSERT_EQ(part["rows"][0][0], static_cast<double>(count));
-    count += part["rows"].size();
-    more = part["more"];
+    ASSERT_EQ(part.at("rows")[0][0], static_cast<double>(count));
+    count += part.at("rows").size();
+    more = part.at("more");
   }
   EXPECT_EQ(count, 300000u);
 }

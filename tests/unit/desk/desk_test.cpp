@@ -41,16 +41,17 @@ protected:
 TEST_F(DeskTest, lists_reads_and_writes_cases)
 {
   const Json contents = desk_->get("/api/folder?path=bay").json();
-  ASSERT_EQ(contents["cases"].size(), 1u) << contents;
-  EXPECT_EQ(contents["cases"][0]["path"], "bay/case.toml");
+  ASSERT_EQ(contents.at("cases").size(), 1u) << contents;
+  EXPECT_EQ(contents.at("cases")[0].at("path"), "bay/case.toml");
   const Json read = desk_->get("/api/case?path=bay/case.toml").json();
-  EXPECT_EQ(read["text"], test::small_case);
-  const Json written = desk_->put("/api/case?path=bay/case.toml", {{"text", "title = \"bay\"\n"}, {"modified", read["modified"]}}).json();
+  EXPECT_EQ(read.at("text"), test::small_case);
+  const Json written =
+      desk_->put("/api/case?path=bay/case.toml", {{"text", "title = \"bay\"\n"}, {"modified", read.at("modified")}}).json();
   EXPECT_EQ(text_of_file(folder_ / "bay/case.toml"), "title = \"bay\"\n");
-  EXPECT_EQ(desk_->get("/api/folder?path=bay").json()["cases"][0]["title"], "bay");
+  EXPECT_EQ(desk_->get("/api/folder?path=bay").json().at("cases")[0].at("title"), "bay");
   // Somebody else writes: the next one is refused, and nothing is lost.
   std::ofstream(folder_ / "bay/case.toml") << "theirs";
-  EXPECT_EQ(desk_->put("/api/case?path=bay/case.toml", {{"text", "ours"}, {"modified", written["modified"]}}).status, 409);
+  EXPECT_EQ(desk_->put("/api/case?path=bay/case.toml", {{"text", "ours"}, {"modified", written.at("modified")}}).status, 409);
   EXPECT_EQ(text_of_file(folder_ / "bay/case.toml"), "theirs");
   EXPECT_EQ(desk_->put("/api/case?path=new/case.toml", {{"text", "new"}}).status, 200);
   EXPECT_EQ(text_of_file(folder_ / "new/case.toml"), "new");
@@ -62,21 +63,21 @@ TEST_F(DeskTest, runs_a_case_and_gives_its_rows)
   EXPECT_EQ(run, "out/bay/case");
   ASSERT_TRUE(becomes(run, "finished")) << desk_->get("/api/run?path=" + run).body;
   const Json whole = desk_->get("/api/run?path=" + run).json();
-  ASSERT_GT(whole["rows"].size(), 10u);
-  EXPECT_EQ(whole["columns"][0]["name"], "time_s");
-  EXPECT_EQ(whole["columns"].size(), whole["rows"][0].size());
-  EXPECT_EQ(whole["progress"], 1);
-  EXPECT_TRUE(whole["summary"]["checks"]["finished"]);
-  const Json rest = desk_->get(fmt::format("/api/run?path={}&from_row={}", run, whole["rows"].size() - 3)).json();
-  EXPECT_EQ(rest["rows"], Json(whole["rows"].end() - 3, whole["rows"].end()));
+  ASSERT_GT(whole.at("rows").size(), 10u);
+  EXPECT_EQ(whole.at("columns")[0].at("name"), "time_s");
+  EXPECT_EQ(whole.at("columns").size(), whole.at("rows")[0].size());
+  EXPECT_EQ(whole.at("progress"), 1);
+  EXPECT_TRUE(whole.at("summary").at("checks").at("finished"));
+  const Json rest = desk_->get(fmt::format("/api/run?path={}&from_row={}", run, whole.at("rows").size() - 3)).json();
+  EXPECT_EQ(rest.at("rows"), Json(whole.at("rows").end() - 3, whole.at("rows").end()));
   // Its folder is not used again.
-  EXPECT_EQ(desk_->post("/api/runs", {{"case", "bay/case.toml"}}).json()["path"], "out/bay/case_2");
+  EXPECT_EQ(desk_->post("/api/runs", {{"case", "bay/case.toml"}}).json().at("path"), "out/bay/case_2");
   ASSERT_TRUE(becomes("out/bay/case_2", "finished"));
   const Json soil = desk_->get("/api/run/soil?path=" + run).json();
-  ASSERT_GT(soil["x"].size(), 10u);
-  EXPECT_EQ(soil["x"].size(), soil["y"].size());
-  EXPECT_FALSE(soil["rigids"].empty());
-  EXPECT_EQ(desk_->get(fmt::format("/api/run/soil?path={}&after={}", run, soil["frame"].get<int>())).status, 204);
+  ASSERT_GT(soil.at("x").size(), 10u);
+  EXPECT_EQ(soil.at("x").size(), soil.at("y").size());
+  EXPECT_FALSE(soil.at("rigids").empty());
+  EXPECT_EQ(desk_->get(fmt::format("/api/run/soil?path={}&after={}", run, soil.at("frame").get<int>())).status, 204);
   EXPECT_EQ(desk_->get("/api/file?path=" + run + "/history.csv").body, text_of_file(folder_ / run / "history.csv"));
 }
 
@@ -101,7 +102,7 @@ TEST_F(DeskTest, queues_stops_and_resumes_runs_which_outlive_it)
   const DeskClient other(folder_.path());
   const auto status = [&] { return other.get("/api/run?path=" + first).json().value("status", ""); };
   EXPECT_EQ(status(), "running");
-  EXPECT_FALSE(other.get("/api/run?path=" + first).json()["began_here"]);
+  EXPECT_FALSE(other.get("/api/run?path=" + first).json().at("began_here"));
   EXPECT_EQ(other.post("/api/runs/stop", {{"path", first}}).status, 200);
   EXPECT_TRUE(wait_until([&] { return status() == "stopped"; }));
   EXPECT_EQ(other.get("/api/runs").json().size(), 2u);
@@ -112,7 +113,7 @@ TEST_F(DeskTest, says_why_a_run_failed)
   std::ofstream(folder_ / "bay/wrong.toml") << test::small_case << "\n[nonsense]\n";
   const std::string run = desk_->post("/api/runs", {{"case", "bay/wrong.toml"}}).json().value("path", "");
   ASSERT_TRUE(becomes(run, "failed"));
-  EXPECT_NE(desk_->get("/api/run?path=" + run).json()["log_tail"].get<std::string>().find("nonsense"), std::string::npos);
+  EXPECT_NE(desk_->get("/api/run?path=" + run).json().at("log_tail").get<std::string>().find("nonsense"), std::string::npos);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(JsonSchema, has_an_alternative_with_all_of_its_keys_for_each_word_that_sele
   EXPECT_TRUE(sand["properties"].contains("friction_angle"));
   EXPECT_FALSE(sand["properties"].contains("undrained_strength"));
   EXPECT_TRUE(requires_key(sand, "law"));
-  EXPECT_TRUE(requires_key(sand, "young_modulus"));
+  EXPECT_FALSE(requires_key(sand, "young_modulus")) << "a profile may stand for it";
   EXPECT_EQ(sand["additionalProperties"], false);
 }
 

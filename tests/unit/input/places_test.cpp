@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/places.hpp"
 
+#include "core/error.hpp"
 #include "input/override.hpp"
 
 #include <gtest/gtest.h>
@@ -57,8 +58,8 @@ TEST(Places, of_what_ends_the_drags_of_a_sweep_are_its_amplitude)
 
 TEST(Places, of_a_case_without_a_file_are_keys_alone)
 {
-  EXPECT_EQ(Places().located("surface: is wrong"), "surface: is wrong");
-  EXPECT_EQ(Places().located("a message without a key"), "a message without a key");
+  EXPECT_EQ(Places().located(KeyError("surface: is wrong")).text(), "surface: is wrong");
+  EXPECT_EQ(Places().located(KeyError("a message without a key")).text(), "a message without a key");
   EXPECT_FALSE(Places().has("surface"));
 }
 
