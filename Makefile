@@ -69,6 +69,7 @@ slowest: ## the thirty tests that took longest when ctest ran last, in seconds
 verify: build ## the verification book but for its long runs, on from where it stopped; it is out/verification/index.html
 	@scripts/setup tests
 	@$(MAKE) --silent --no-print-directory -C examples/user_law
+	@scripts/gallery --check
 	@$(release)/berm verify
 
 bench: configure_tests build ## how fast a step is, and its single kernels: some minutes on a machine that does nothing else
