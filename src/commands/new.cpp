@@ -39,8 +39,13 @@ nlohmann::ordered_json kinds_as_json()
 {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const start::Kind& one : start::kinds())
-    all.push_back({{"kind", one.name}, {"title", one.title}, {"group", one.group}, {"question", one.question},
-                   {"sizes", start::sizes}, {"soils", start::soils_for(one)}, {"example", one.example}});
+    all.push_back({{"kind", one.name},
+                   {"title", one.title},
+                   {"group", one.group},
+                   {"question", one.question},
+                   {"sizes", start::sizes},
+                   {"soils", start::soils_for(one)},
+                   {"example", one.example}});
   return all;
 }
 
@@ -63,7 +68,8 @@ std::string schema_line()
 
 void list_soils()
 {
-  for (const start::Soil& one : start::soils()) fmt::print("  {:<24} {}\n  {:24} {}\n  {:24} {}\n", one.name, one.title, "", one.source, "", one.trust);
+  for (const start::Soil& one : start::soils())
+    fmt::print("  {:<24} {}\n  {:24} {}\n  {:24} {}\n", one.name, one.title, "", one.source, "", one.trust);
   fmt::print("berm new KIND --soil NAME writes a case with one of them.\n");
 }
 
@@ -91,7 +97,8 @@ void write_case(const NewOptions& options)
 /// Writes a case, or lists what there is where none is named.
 int act(const NewOptions& options)
 {
-  if (!options.kind.empty() && (options.soils || options.json)) throw InputError("berm new KIND writes a case: --soils and --json list what there is, without a KIND");
+  if (!options.kind.empty() && (options.soils || options.json))
+    throw InputError("berm new KIND writes a case: --soils and --json list what there is, without a KIND");
   if (!options.kind.empty())
     write_case(options);
   else if (options.json)
@@ -116,14 +123,17 @@ Command add_new(CLI::App& program)
   CLI::App* app = program.add_subcommand("new", "write a commented case to begin with; without a KIND, list the kinds");
   app->add_option("KIND", options->kind, "what to begin with")->type_name(fmt::format("{{{}}}", fmt::join(names_of_kinds(), ",")));
   app->add_option("FILE", options->file, "file to write (default: KIND.toml here)");
-  app->add_option("--size", options->size, "size of the cells, and speed (default: normal)")->type_name(fmt::format("{{{}}}", fmt::join(start::sizes, ",")));
+  app->add_option("--size", options->size, "size of the cells, and speed (default: normal)")
+      ->type_name(fmt::format("{{{}}}", fmt::join(start::sizes, ",")));
   app->add_option("--soil", options->soil, "a soil of `berm new --soils`, instead of the clay or the sand of the kind");
-  app->add_option("--cpt", options->cpt, "strength from a cone penetration test: a file of AGS 4 (.ags), GEF (.gef) or a table (.csv)")->type_name("FILE");
+  app->add_option("--cpt", options->cpt, "strength from a cone penetration test: a file of AGS 4 (.ags), GEF (.gef) or a table (.csv)")
+      ->type_name("FILE");
   app->add_option("--location", options->location, "which sounding of an AGS file, LOCA_ID or LOCA_ID/SCPG_TESN");
-  app->add_option("--n-kt", options->choice.N_kt, "cone factor of clay, s_u = (q_t - sigma_v0) / N_kt (default: 14)")->check(CLI::Range(5.0, 30.0));
+  app->add_option("--n-kt", options->choice.N_kt, "cone factor of clay, s_u = (q_t - sigma_v0) / N_kt (default: 14)")
+      ->check(CLI::Range(5.0, 30.0));
   app->add_option("--phi", options->choice.correlation, "correlation of sand (default: kulhawy-mayne)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, site::Correlation>{{"kulhawy-mayne", site::Correlation::kulhawy_mayne},
-                                                                                   {"robertson-campanella", site::Correlation::robertson_campanella}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, site::Correlation>{
+          {"kulhawy-mayne", site::Correlation::kulhawy_mayne}, {"robertson-campanella", site::Correlation::robertson_campanella}}));
   app->add_flag("--soils", options->soils, "list the soils that have names, with their sources");
   app->add_flag("--json", options->json, "list as JSON");
   return {app, [options] { return act(*options); }};

@@ -14,8 +14,11 @@
 namespace berm::site {
 namespace {
 
-const std::map<std::string, Reading> headings = {
-    {"SCPT_DPTH", Reading::depth}, {"SCPT_RES", Reading::q_c}, {"SCPT_QT", Reading::q_t}, {"SCPT_FRES", Reading::f_s}, {"SCPT_PWP2", Reading::u_2}};
+const std::map<std::string, Reading> headings = {{"SCPT_DPTH", Reading::depth},
+                                                 {"SCPT_RES", Reading::q_c},
+                                                 {"SCPT_QT", Reading::q_t},
+                                                 {"SCPT_FRES", Reading::f_s},
+                                                 {"SCPT_PWP2", Reading::u_2}};
 
 /// A group of the file: its headings, their units, and its rows of data, without the first word of each line.
 struct Group {
@@ -52,7 +55,8 @@ std::map<std::string, Group> read_groups(const std::string& file, const std::str
       group->line = number;
       continue;
     }
-    if (!group) throw InputError(fmt::format("{}begins with {}: a file of AGS 4 begins with \"GROUP\"", at(file, number), input::in_quotes(word)));
+    if (!group)
+      throw InputError(fmt::format("{}begins with {}: a file of AGS 4 begins with \"GROUP\"", at(file, number), input::in_quotes(word)));
     if (word == "HEADING")
       group->headings = fields;
     else if (word != "UNIT" && word != "TYPE" && word != "DATA")
@@ -84,15 +88,18 @@ Table read_ags(const std::string& file, const std::string& text, const std::stri
   std::vector<std::string> names;
   for (const Row& row : readings.rows)
     if (const std::string name = name_of(readings, row); std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  if (location.empty() && names.size() > 1) throw InputError(fmt::format("{}: has {} soundings: name one with --location ({})", file, names.size(), input::listed(names)));
+  if (location.empty() && names.size() > 1)
+    throw InputError(fmt::format("{}: has {} soundings: name one with --location ({})", file, names.size(), input::listed(names)));
   const std::string wanted = location.empty() && !names.empty() ? names[0] : location;
-  if (std::find(names.begin(), names.end(), wanted) == names.end()) throw InputError(fmt::format("{}: has no sounding {}{}", file, input::in_quotes(wanted), input::suggestion(wanted, names)));
+  if (std::find(names.begin(), names.end(), wanted) == names.end())
+    throw InputError(fmt::format("{}: has no sounding {}{}", file, input::in_quotes(wanted), input::suggestion(wanted, names)));
 
   Table table;
   table.file = file;
   for (std::size_t i = 0; i < readings.headings.size(); ++i) {
     const auto known = headings.find(readings.headings[i]);
-    table.columns.push_back({known == headings.end() ? Reading::other : known->second, readings.headings[i], readings.units[i], readings.line + 2});
+    table.columns.push_back(
+        {known == headings.end() ? Reading::other : known->second, readings.headings[i], readings.units[i], readings.line + 2});
   }
   for (const Row& row : readings.rows)
     if (name_of(readings, row) == wanted) table.rows.push_back(row);

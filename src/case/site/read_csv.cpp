@@ -12,13 +12,16 @@
 namespace berm::site {
 namespace {
 
-const std::map<std::string, Reading> names = {{"depth", Reading::depth}, {"z", Reading::depth}, {"qc", Reading::q_c}, {"qt", Reading::q_t}, {"fs", Reading::f_s}, {"u2", Reading::u_2}};
+const std::map<std::string, Reading> names = {{"depth", Reading::depth}, {"z", Reading::depth}, {"qc", Reading::q_c},
+                                              {"qt", Reading::q_t},      {"fs", Reading::f_s},  {"u2", Reading::u_2}};
 
 Column column_of(const std::string& field, const std::string& file, int line)
 {
   const std::size_t bracket = field.find_first_of("([");
   const std::size_t split = bracket != std::string::npos ? bracket : field.rfind('_');
-  if (split == std::string::npos) throw InputError(fmt::format("{}column {} says no unit: name it as in depth_m,q_c_MPa,f_s_kPa,u_2_kPa", at(file, line), input::in_quotes(field)));
+  if (split == std::string::npos)
+    throw InputError(
+        fmt::format("{}column {} says no unit: name it as in depth_m,q_c_MPa,f_s_kPa,u_2_kPa", at(file, line), input::in_quotes(field)));
   std::string name, unit = field.substr(split + 1);
   for (const char c : field.substr(0, split))
     if (c != '_' && c != ' ') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

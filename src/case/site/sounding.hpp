@@ -13,8 +13,8 @@ namespace berm::site {
 /// A cone penetration test (CPT): what the cone met over the depth below the seabed, in SI units.
 struct Sounding {
   std::string file;
-  std::vector<Real> depth;     ///< ascending
-  std::vector<Real> q_t;       ///< cone resistance, corrected for the pore pressure behind the cone where that is possible, else as measured
+  std::vector<Real> depth;  ///< ascending
+  std::vector<Real> q_t;    ///< cone resistance, corrected for the pore pressure behind the cone where that is possible, else as measured
   std::vector<Real> f_s, u_2;  ///< sleeve friction, pore pressure behind the cone; empty where the file has none
   std::string corrected;       ///< how q_t came about, in words
   Index left_out = 0;          ///< rows without a value

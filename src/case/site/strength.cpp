@@ -52,7 +52,8 @@ std::vector<Strength> undrained_strength(const Sounding& sounding, Real submerge
   for (const Layer& layer : layers_of(sounding)) {
     const Real s_u = (layer.q_t - (submerged_unit_weight + gamma_w) * layer.middle) / N_kt;
     if (s_u <= 0)
-      throw InputError(fmt::format("{}: at a depth of {:.2f} m the cone resistance is {:.1f} kPa, no more than the weight above: clay has no strength there. Is its zero that at the seabed?",
+      throw InputError(fmt::format("{}: at a depth of {:.2f} m the cone resistance is {:.1f} kPa, no more than the weight above: clay has "
+                                   "no strength there. Is its zero that at the seabed?",
                                    sounding.file, layer.middle, layer.q_t / 1000));
     all.push_back({layer.top, layer.middle, s_u});
   }
@@ -67,7 +68,8 @@ std::vector<Strength> friction_angle(const Sounding& sounding, Real submerged_un
   for (const Layer& layer : layers_of(sounding)) {
     const Real phi = layer.middle > 0 && layer.q_t > 0 ? std::min(friction_of(layer, submerged_unit_weight, correlation), 45 * degree) : 0;
     if (!(phi >= 25 * degree))
-      throw InputError(fmt::format("{}: at a depth of {:.2f} m the cone resistance of {:.0f} kPa is that of no sand, as the angle of friction would be less than 25 deg: begin with a kind in clay",
+      throw InputError(fmt::format("{}: at a depth of {:.2f} m the cone resistance of {:.0f} kPa is that of no sand, as the angle of "
+                                   "friction would be less than 25 deg: begin with a kind in clay",
                                    sounding.file, layer.middle, layer.q_t / 1000));
     low = together > 0 ? std::min(low, phi) : phi;
     high = together > 0 ? std::max(high, phi) : phi;

@@ -41,7 +41,8 @@ std::vector<site::Strength> down_to(Real base, std::vector<site::Strength> all)
 
 std::string source_of(const site::Sounding& sounding, Real submerged_unit_weight, const std::string& formula)
 {
-  std::string text = fmt::format("# From {}, {:.2f} to {:.2f} m, {}: {}.\n", sounding.file, sounding.depth.front(), sounding.depth.back(), sounding.corrected, formula);
+  std::string text = fmt::format("# From {}, {:.2f} to {:.2f} m, {}: {}.\n", sounding.file, sounding.depth.front(), sounding.depth.back(),
+                                 sounding.corrected, formula);
   if (const Real ratio = site::friction_ratio(sounding, submerged_unit_weight); ratio > 0)
     text += fmt::format("# Mean friction ratio {:.1f} %: sand has some 0.5 to 1 %, clay more than 2 %.\n", 100 * ratio);
   if (sounding.left_out > 0) text += fmt::format("# {} rows without a value are left out.\n", sounding.left_out);
@@ -56,9 +57,12 @@ std::string clay(const std::string& table, const site::Sounding& sounding, Real 
     depth.push_back(fmt::format("\"{:.2f} m\"", one.middle));
     s_u.push_back(fmt::format("\"{:.2f} kPa\"", one.value / 1000));
   }
-  const std::string formula = fmt::format("s_u = (q_t - sigma_v0) / N_kt with N_kt = {:.3g}, of a range of 8 to 25 (Mayne and Peuchen 2018)", N_kt);
-  return fmt::format("[material.clay]\n{}{}[material.clay.profile]               # means over layers of 0.1 m, and of a tenth of the depth below 1 m\ndepth = [{}]\nundrained_strength = [{}]\n",
-                     source_of(sounding, weight, formula), without(table, {"undrained_strength", "undrained_strength_gradient"}), fmt::join(depth, ", "), fmt::join(s_u, ", "));
+  const std::string formula =
+      fmt::format("s_u = (q_t - sigma_v0) / N_kt with N_kt = {:.3g}, of a range of 8 to 25 (Mayne and Peuchen 2018)", N_kt);
+  return fmt::format("[material.clay]\n{}{}[material.clay.profile]               # means over layers of 0.1 m, and of a tenth of the depth "
+                     "below 1 m\ndepth = [{}]\nundrained_strength = [{}]\n",
+                     source_of(sounding, weight, formula), without(table, {"undrained_strength", "undrained_strength_gradient"}),
+                     fmt::join(depth, ", "), fmt::join(s_u, ", "));
 }
 
 struct Sand {
@@ -69,15 +73,17 @@ Sand sand(const std::string& table, const site::Sounding& sounding, Real base, s
 {
   const Real weight = value_of(table, "submerged_unit_weight", "N/m^3");
   const bool kulhawy = correlation == site::Correlation::kulhawy_mayne;
-  const std::string formula = kulhawy ? "phi by Kulhawy and Mayne (1990), 17.6 deg + 11 deg log10((q_t / p_a) / sqrt(sigma'_v0 / p_a)), 45 deg at most"
-                                      : "phi by Robertson and Campanella (1983), tan phi = (log10(q_t / sigma'_v0) + 0.29) / 2.68, 45 deg at most";
+  const std::string formula =
+      kulhawy ? "phi by Kulhawy and Mayne (1990), 17.6 deg + 11 deg log10((q_t / p_a) / sqrt(sigma'_v0 / p_a)), 45 deg at most"
+              : "phi by Robertson and Campanella (1983), tan phi = (log10(q_t / sigma'_v0) + 0.29) / 2.68, 45 deg at most";
   Sand written;
   std::vector<std::string> tops;
   for (const site::Strength& one : down_to(base, site::friction_angle(sounding, weight, correlation))) {
     const std::string name = tops.empty() && written.materials.empty() ? "sand" : fmt::format("sand_{}", tops.size() + 2);
     if (name != "sand") tops.push_back(fmt::format("{{ top = \"{:.2f} m\", material = \"{}\" }}", one.top, name));
-    written.materials += fmt::format("{}[material.{}]\n{}{}friction_angle = \"{:.1f} deg\"\n", name == "sand" ? "" : "\n", name, name == "sand" ? source_of(sounding, weight, formula) : "",
-                                     without(table, {"friction_angle"}), one.value * 180 / std::numbers::pi);
+    written.materials += fmt::format("{}[material.{}]\n{}{}friction_angle = \"{:.1f} deg\"\n", name == "sand" ? "" : "\n", name,
+                                     name == "sand" ? source_of(sounding, weight, formula) : "", without(table, {"friction_angle"}),
+                                     one.value * 180 / std::numbers::pi);
   }
   if (!tops.empty()) written.layers = fmt::format("soil_layer = [{}]\n", fmt::join(tops, ", "));
   return written;
@@ -92,7 +98,8 @@ std::string with_cpt(const Kind& kind, const std::string& text, const site::Soun
   if (has_clay == has_sand || text.find("\nsoil_layer = ") != std::string::npos)
     throw InputError(fmt::format("--cpt: {} takes no sounding; write its strengths into the file", kind.name));
   const Table& table = has_clay ? of_clay : of_sand;
-  const std::string own = text.substr(table.begin, table.end - table.begin), before = text.substr(0, table.begin), after = text.substr(table.end);
+  const std::string own = text.substr(table.begin, table.end - table.begin), before = text.substr(0, table.begin),
+                    after = text.substr(table.end);
   const Real base = value_of(text, "depth", "m");
   if (has_clay) return before + clay(own, sounding, base, choice.N_kt) + after;
   const Sand written = sand(own, sounding, base, choice.correlation);

@@ -9,7 +9,7 @@ namespace berm::start {
 
 /// How a sounding is read as strength.
 struct CptChoice {
-  Real N_kt = 14;                                                  ///< of clay
+  Real N_kt = 14;                                                    ///< of clay
   site::Correlation correlation = site::Correlation::kulhawy_mayne;  ///< of sand
 };
 

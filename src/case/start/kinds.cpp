@@ -25,7 +25,12 @@ Kind read_kind(const CaseTemplate& one)
 {
   const std::string header = between(one.text, "\n# ", "\n");
   const std::size_t colon = header.find(": ");
-  return {one.kind, header.substr(0, colon), header.substr(colon + 2), between(one.text, "\ntitle = \"", "\""), between(one.text, " examples/", "\n"), one.text};
+  return {one.kind,
+          header.substr(0, colon),
+          header.substr(colon + 2),
+          between(one.text, "\ntitle = \"", "\""),
+          between(one.text, " examples/", "\n"),
+          one.text};
 }
 
 std::vector<Kind> read_kinds()
@@ -45,7 +50,9 @@ std::string line_at(const std::string& line, const std::string& size)
   const std::string values = line.substr(comment, end - comment);
   const std::size_t equals = line.find(" = ");
   const std::string normal = line.substr(equals + 3, line.find_last_not_of(' ', comment - 1) - equals - 2);
-  const std::string value = size == "quick" ? between(values, "[quick ", ", fine ") : size == "fine" ? values.substr(values.find(", fine ") + 7) : normal;
+  const std::string value = size == "quick"  ? between(values, "[quick ", ", fine ")
+                            : size == "fine" ? values.substr(values.find(", fine ") + 7)
+                                             : normal;
   return fmt::format("{:<39} # {}:{}", line.substr(0, equals + 3) + value, size, line.substr(end + 1));
 }
 

@@ -24,7 +24,8 @@ std::string with_soil(const Kind& kind, const std::string& text, const std::stri
   for (const Soil& one : soils()) {
     if (one.name != soil || std::find(names.begin(), names.end(), soil) == names.end()) continue;
     const Table table = table_of(text, one.material);
-    const std::string written = fmt::format("[material.{}]\n# {}\n# {}\n# {}\n{}", one.material, one.title, one.source, one.trust, one.keys);
+    const std::string written =
+        fmt::format("[material.{}]\n# {}\n# {}\n# {}\n{}", one.material, one.title, one.source, one.trust, one.keys);
     return text.substr(0, table.begin) + written + text.substr(table.end);
   }
   throw InputError(fmt::format("--soil: {} takes no soil {}{}", kind.name, input::in_quotes(soil), input::suggestion(soil, names)));

@@ -137,15 +137,13 @@ Estimate PipelineMethod::estimate(const Context& context)
 {
   const slices::LineOfCase& of = line_.of_case();
   Estimate e = MpmMethod<2>::estimate(context);
-  e.lines.insert(
-      e.lines.begin(),
-      fmt::format(
-          "pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice",
-          slices_in_words(of),
-          of.settings.slices.asleep == problem::SliceSleep::always ? ", asleep"
-          : of.may_sleep()                                         ? ", asleep until they slide"
-                                                                   : "",
-          of.line.nodes(), of.line.x.back()));
+  e.lines.insert(e.lines.begin(),
+                 fmt::format("pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice",
+                             slices_in_words(of),
+                             of.settings.slices.asleep == problem::SliceSleep::always ? ", asleep"
+                             : of.may_sleep()                                         ? ", asleep until they slide"
+                                                                                      : "",
+                             of.line.nodes(), of.line.x.back()));
   return e;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/desk/desk_guards_test.cpp, tests/unit/desk/desk_test.cpp
+// Tests: tests/unit/desk/desk_guards_test.cpp
 #include "desk/folder.hpp"
 
 #include "core/control_characters.hpp"

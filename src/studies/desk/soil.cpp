@@ -43,8 +43,7 @@ std::vector<float> sizes_of(const run_folder::FieldValues<float>& field)
 const run_folder::FieldValues<float>* chosen(const std::vector<run_folder::FieldValues<float>>& fields, const std::string& name)
 {
   const std::vector<std::string> wanted =
-      name.empty() ? std::vector<std::string>{"accumulated_deviatoric_strain", "displacement"}
-                   : std::vector{name};
+      name.empty() ? std::vector<std::string>{"accumulated_deviatoric_strain", "displacement"} : std::vector{name};
   for (const std::string& word : wanted)
     for (const run_folder::FieldValues<float>& field : fields)
       if (field.info.name == word && field.info.components <= 3) return &field;

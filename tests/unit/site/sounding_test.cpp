@@ -62,7 +62,10 @@ protected:
   {
     return test::error_of<InputError>([&] { read(name, text, location); });
   }
-  static std::string changed(std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); }
+  static std::string changed(std::string text, const std::string& from, const std::string& to)
+  {
+    return text.replace(text.find(from), from.size(), to);
+  }
   TemporaryFolder folder_;
 };
 
@@ -102,7 +105,8 @@ TEST_F(Soundings, of_gef_have_their_columns_by_quantity_and_no_void_rows)
 
 TEST_F(Soundings, of_gef_may_have_separators_and_a_corrected_depth)
 {
-  std::string text = changed(gef, "#COLUMNINFO= 5, deg, inclination, 8", "#COLUMNINFO= 5, m, corrected depth, 11\n#COLUMNSEPARATOR= ;\n#RECORDSEPARATOR= !");
+  std::string text = changed(gef, "#COLUMNINFO= 5, deg, inclination, 8",
+                             "#COLUMNINFO= 5, m, corrected depth, 11\n#COLUMNSEPARATOR= ;\n#RECORDSEPARATOR= !");
   text = text.substr(0, text.find("0.02 1.0")) + "0.02;1.0;0.010;40.0;0.01;!\n0.04;2.0;0.010;40.0;0.03;!\n";
   expect_near(read("cpt.gef", text).depth, {0.01, 0.03});
 }
@@ -128,7 +132,8 @@ TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
       {"a.csv", "depth_m,q_c_MPa\n-1,1\n1,2\n", "a.csv:2: column \"depth_m\": a depth of -1 m lies above the seabed"},
       {"a.csv", "depth_m,q_c_MPa\n1,1\n", "a.csv: has 1 rows with all values"},
       {"a.csv", "depth_m,f_s_MPa\n1,1\n2,1\n", "a.csv: has no column of the cone resistance"},
-      {"a.csv", "depth_m,q_c_MPa,qc_kPa\n1,1,1\n2,1,1\n", "a.csv:1: column \"qc_kPa\" is the cone resistance q_c, as column \"q_c_MPa\" is"},
+      {"a.csv", "depth_m,q_c_MPa,qc_kPa\n1,1,1\n2,1,1\n",
+       "a.csv:1: column \"qc_kPa\" is the cone resistance q_c, as column \"q_c_MPa\" is"},
       {"a.ags", "\"DATA\",\"x\"\n", "a.ags:1: begins with \"DATA\""},
       {"a.ags", "\"GROUP\",\"LOCA\"\n\"HEADING\",\"LOCA_ID\"\n\"DATA\",\"a\",\"b\"\n", "a.ags:3: has 2 values, and the group 1 headings"},
       {"a.ags", "\"GROUP\",\"LOCA\"\n", "a.ags: has no group SCPT"},

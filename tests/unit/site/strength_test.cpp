@@ -61,7 +61,8 @@ TEST(Strength, of_sand_by_robertson_and_campanella)
 
 TEST(Strength, of_sand_puts_layers_together_that_differ_by_two_degrees_at_most_and_ends_at_45_degrees)
 {
-  const std::vector<Strength> phi = friction_angle(made({10, 11, 12.1, 13.4}, {10e6, 11e6, 200e6, 200e6}), 10e3, Correlation::kulhawy_mayne);
+  const std::vector<Strength> phi =
+      friction_angle(made({10, 11, 12.1, 13.4}, {10e6, 11e6, 200e6, 200e6}), 10e3, Correlation::kulhawy_mayne);
   ASSERT_EQ(phi.size(), 2u);
   EXPECT_NEAR(phi[1].value / degree, 45, 1e-9);
 }

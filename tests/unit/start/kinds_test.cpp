@@ -23,7 +23,8 @@ TEST(Kinds, say_their_group_question_title_and_an_example_that_is_there)
     EXPECT_FALSE(one.group.empty()) << one.name;
     EXPECT_TRUE(one.question.ends_with('?')) << one.name << ": " << one.question;
     EXPECT_FALSE(one.title.empty()) << one.name;
-    EXPECT_TRUE(std::filesystem::is_directory(std::filesystem::path(BERM_SOURCE_DIR) / "examples" / one.example)) << one.name << ": " << one.example;
+    EXPECT_TRUE(std::filesystem::is_directory(std::filesystem::path(BERM_SOURCE_DIR) / "examples" / one.example))
+        << one.name << ": " << one.example;
     EXPECT_NE(one.text.find("# <-"), std::string::npos) << one.name;
   }
 }
