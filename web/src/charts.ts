@@ -9,8 +9,8 @@ import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_
 import type { PageData } from "./data";
 import { element } from "./element";
 
-/** Fills the section with the charts of all runs; gives those of the push and the drag. */
-export function show_charts(section: HTMLElement, data: PageData): ChartView[] {
+/** Fills the section with the charts of all runs, and ends that on trust with those of energies, contact and noise, folded; gives the charts of the push and the drag. */
+export function show_charts(section: HTMLElement, trust: HTMLElement, data: PageData): ChartView[] {
   const settings: Settings = { units: "model", raw: true, published: true, hidden: new Set() };
   const views: ChartView[] = [];
   const view = (plan: Plan, choices: HTMLElement | null = null) => {
@@ -27,12 +27,12 @@ export function show_charts(section: HTMLElement, data: PageData): ChartView[] {
   section.append(
     ...group("Push and drag", paths),
     ...group("Water in the pores", with_data(water_plans(data.runs)).map((plan) => view(plan))),
-    ...group(data.runs.some((run) => run.diameter !== null) ? "Energy, equilibrium, contact and noise" : "Energy and equilibrium", [
-      ...energy_views(data, view),
-      ...with_data([...quiet_plans(data.runs), ...contact_plans(data.runs), ...noise]).map((plan) => view(plan)),
-    ]),
-    ...group("Any column of history.csv", free_views(data, view)),
+    ...folded("Any column of history.csv over any other", free_views(data, view)),
   );
+  trust.append(...folded(`Charts of ${data.runs.some((run) => run.diameter !== null) ? "energy, equilibrium, contact and noise" : "energy and equilibrium"}`, [
+    ...energy_views(data, view),
+    ...with_data([...quiet_plans(data.runs), ...contact_plans(data.runs), ...noise]).map((plan) => view(plan)),
+  ]));
   for (const each of views) each.show(settings);
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((each) => each.draw()));
@@ -80,7 +80,15 @@ function free_views(data: PageData, view: View): ChartView[] {
   return [made];
 }
 
+function side_by_side(views: ChartView[]): HTMLElement {
+  return element("div", { class: "chart_group" }, ...views.map((each) => each.figure));
+}
+
 function group(title: string, views: ChartView[]): HTMLElement[] {
-  if (views.length === 0) return [];
-  return [element("h3", {}, title), element("div", { class: "chart_group" }, ...views.map((each) => each.figure))];
+  return views.length === 0 ? [] : [element("h3", {}, title), side_by_side(views)];
+}
+
+/** Charts are drawn when they are unfolded: they follow the size of their place. */
+function folded(title: string, views: ChartView[]): HTMLElement[] {
+  return views.length === 0 ? [] : [element("details", { class: "chart_fold" }, element("summary", {}, title), side_by_side(views))];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is seen without scrolling: H(u) and V(w) of the first run, of a pipeline the line at the ends of its stages, beside its last picture of the soil.
+// What is seen without scrolling: H(u) and V(w) of the first run, of a pipeline the line at the ends of its stages, beside its answer in words and its last picture of the soil.
 import { ChartView } from "./charts/chart_view";
 import { drag_plans, push_plans } from "./charts/path_charts";
 import type { Settings } from "./charts/scene";
@@ -10,7 +10,10 @@ import { PlanChart } from "./line_plan";
 import { is_line_run, type LineRun, read_line } from "./line_shapes";
 import { stage_ends, words_of_end } from "./line_stages";
 
-/** Puts the two charts before what the place holds and gives them; none where the page has no such place or the run no such curve. */
+// Words, picture and charts are seen without scrolling.
+const tallest = 220;  // px
+
+/** Puts the two charts behind what the place holds and gives them; none where the page has no such place or the run no such curve. */
 export function show_first_look(place: HTMLElement | null, data: PageData): ChartView[] {
   if (place === null) return [];
   const lead = { ...data, runs: data.runs.slice(0, 1) };
@@ -18,8 +21,8 @@ export function show_first_look(place: HTMLElement | null, data: PageData): Char
   const plans = [...drag_plans(lead).filter((plan) => plan.id === "H_u"), ...push_plans(lead).filter((plan) => plan.id === "V_w")];
   const views = plans
     .filter((plan) => plan.traces.length > 0)
-    .map((plan) => new ChartView({ ...plan, id: `look_${plan.id}` }, settings, lead.runs));
-  place.prepend(...views.map((view) => view.figure), ...lead.runs.filter(is_line_run).map(ends_of_line));
+    .map((plan) => new ChartView({ ...plan, id: `look_${plan.id}` }, settings, lead.runs, null, tallest));
+  place.append(...views.map((view) => view.figure), ...lead.runs.filter(is_line_run).map(ends_of_line));
   for (const view of views) view.show(settings);
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((view) => view.draw()));

@@ -14,7 +14,7 @@ const data = page_data();
 follow_theme();
 serve_copy_buttons();
 open_details_in_print();
-const curves = [...show_first_look(document.getElementById("first-look"), data), ...show_charts(document.getElementById("curves")!, data)];
+const curves = [...show_first_look(document.getElementById("first-look"), data), ...show_charts(document.getElementById("curves")!, document.getElementById("trust")!, data)];
 show_space(document.getElementById("soil")!, data.runs);
 const line = show_line(document.getElementById("line"), data, (moment) => films?.follow(moment));
 const films = show_films(document.getElementById("soil")!, data, (moments) => {

@@ -5,7 +5,7 @@ import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
 import type { RunData } from "../src/data";
 import { changed_report, launch_browser, open_report, read_history } from "./browser";
-import { assert_as_in_history, cells_of, chart_of, charts_of_report, csv_rows, downloaded, drag, history_numbers, point_at, unit_in } from "./charts";
+import { assert_as_in_history, cells_of, chart_of, charts_of_report, csv_rows, downloaded, drag, history_numbers, point_at, unfolded_charts, unit_in } from "./charts";
 
 let browser: Browser;
 before(async () => void (browser = await launch_browser()));
@@ -16,7 +16,7 @@ const { main_chart } = charts_of_report();
 test("csv_holds_the_rows_of_history", async () => {
   const { page, context } = await open_report(browser);
   let compared = 0;
-  for (const chart of await page.locator("#curves .chart").all()) {
+  for (const chart of await (await unfolded_charts(page)).all()) {
     const [time, ...cells] = await cells_of(chart);
     const column = cells.find((cell) => read_history(time.run).has(cell.column) && cell.column !== "time_s" && cell.row === time.row);
     if (column === undefined) continue;
@@ -48,7 +48,7 @@ test("svg_stands_alone_with_titles_units_and_legend", async () => {
   const label = `<b onload="x">"quoted" & 'odd'`;
   const file = changed_report((changed) => (changed.runs[0].name = label));
   const { page, context, errors } = await open_report(browser, { file });
-  for (const chart of await page.locator("#curves .chart").all()) {
+  for (const chart of await (await unfolded_charts(page)).all()) {
     const id = (await chart.getAttribute("data-chart"))!;
     const svg = await downloaded(page, chart, ".chart_svg");
     assert.match(svg.name, /^[A-Za-z0-9_]+\.svg$/);
@@ -106,6 +106,7 @@ test("files_are_named_after_the_chart_and_the_run_that_they_hold_or_how_many", a
   const long = "a run whose folder has a very long name, longer than sixty letters and a half";
   const file = changed_report((changed) => (changed.runs[0].name = long));
   const { page, context } = await open_report(browser, { file });
+  await unfolded_charts(page);
   const any = chart_of(page, "any"), names = (await cells_of(any)).map((cell) => cell.run);
   const shown = new Set(names).size;
   if (shown > 1) assert.equal((await downloaded(page, any, ".chart_svg")).name, `any_${shown}_runs.svg`);

@@ -4,7 +4,7 @@ import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
 import type { RunData } from "../src/data";
 import { changed_report, launch_browser, open_report, read_history, take_screenshot } from "./browser";
-import { assert_as_in_history, cells_of, chart_of, charts_of_report, drag, history_numbers, history_rows, pixels, point_at, range_of, unit_in } from "./charts";
+import { assert_as_in_history, cells_of, chart_of, charts_of_report, drag, history_numbers, history_rows, pixels, point_at, range_of, unfolded_charts, unit_in } from "./charts";
 
 let browser: Browser;
 before(async () => void (browser = await launch_browser()));
@@ -14,7 +14,7 @@ const { data, pushed, dragged, main_chart, main_column } = charts_of_report();
 
 test("hover_reads_rows_of_history_in_every_chart", async () => {
   const { page, context, errors } = await open_report(browser);
-  const charts = await page.locator("#curves .chart").all();
+  const charts = await (await unfolded_charts(page)).all();
   assert.ok(charts.length > 0);
   for (const chart of charts) {
     const id = await chart.getAttribute("data-chart");
@@ -91,7 +91,7 @@ test("run_checkbox_turns_the_run_off_in_all_charts", async () => {
   await box.click();
   assert.ok(Number(await chart.getAttribute("data-lines")) < lines);
   assert.ok((await pixels(chart)) !== drawn, "the picture has not changed");
-  for (const each of await page.locator("#curves .chart:not(.chart_own_key)").all())
+  for (const each of await (await unfolded_charts(page)).and(page.locator(":not(.chart_own_key)")).all())
     assert.ok(!(await cells_of(each)).some((cell) => cell.run === run), `${await each.getAttribute("data-chart")} still shows ${run}`);
   await box.press("Space");
   assert.ok((await pixels(chart)) === drawn, "the picture is not what it was");
@@ -204,6 +204,8 @@ test("a_finger_reads_rows_too", async () => {
 
 test("any_column_is_shown_over_any_other", async () => {
   const { page, context } = await open_report(browser);
+  assert.equal(await chart_of(page, "any").isVisible(), false, "it is folded");
+  await unfolded_charts(page);
   const chart = chart_of(page, "any");
   const columns = Object.keys(data.runs[0].columns);
   const [value, argument] = [columns.at(-1)!, columns.find((name) => name !== "time_s" && name !== columns.at(-1))!];
@@ -213,6 +215,19 @@ test("any_column_is_shown_over_any_other", async () => {
   const cells = await cells_of(chart);
   assert.deepEqual([...new Set(cells.map((cell) => cell.column))].sort(), [...new Set(["time_s", argument, value])].sort());
   for (const cell of cells.filter((each) => read_history(each.run).has(each.column))) assert.equal(cell.value, history_numbers(cell.run, cell.column)[cell.row]);
+  await context.close();
+});
+
+test("charts_of_energy_contact_and_noise_are_folded_below_trust", async () => {
+  const { page, context } = await open_report(browser);
+  const ids = (place: string) => page.locator(`${place} .chart`).evaluateAll((all) => all.map((each) => (each as HTMLElement).dataset.chart!));
+  const of_trust = await ids("#trust .chart_fold"), of_curves = await ids("#curves");
+  for (const id of ["energies", "kinetic_over_internal", "out_of_balance"]) assert.ok(of_trust.includes(id), of_trust.join());
+  if (dragged.length > 0) for (const id of ["gap", "H_noise"]) assert.ok(of_trust.includes(id), of_trust.join());
+  assert.ok(of_curves.every((id) => /^(V_w|H_u|w_u|H_over_V|H_V|water_|any)/.test(id)), of_curves.join());
+  assert.equal(await page.locator("#trust .chart").first().isVisible(), false);
+  await unfolded_charts(page);
+  assert.equal(await page.locator("#trust .chart").first().isVisible(), true);
   await context.close();
 });
 
@@ -239,6 +254,7 @@ test("charts_without_data_do_not_appear", async () => {
 
 test("runs_keep_their_colour_in_all_charts", async () => {
   const { page, context } = await open_report(browser);
+  await unfolded_charts(page);
   const look = (sample: string) => page.locator(sample).evaluateAll((all) =>
     all.map((each) => [each.parentElement!.textContent!.trim(), `${getComputedStyle(each).stroke} ${each.querySelector("line")!.getAttribute("stroke-dasharray")}`]));
   const legend = new Map((await look(".chart_runs .line_sample")) as [string, string][]);

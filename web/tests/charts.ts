@@ -42,6 +42,13 @@ export function chart_of(page: Page, id: string): Locator {
   return page.locator(`.chart[data-chart="${id}"]`);
 }
 
+/** All charts of the sections on curves and trust, unfolded and drawn. */
+export async function unfolded_charts(page: Page): Promise<Locator> {
+  await page.evaluate(() => document.querySelectorAll<HTMLDetailsElement>("details.chart_fold").forEach((each) => (each.open = true)));
+  await page.waitForFunction(() => [...document.querySelectorAll<HTMLElement>("#curves .chart, #trust .chart")].every((each) => each.dataset.x !== undefined));
+  return page.locator("#curves .chart, #trust .chart");
+}
+
 export async function cells_of(chart: Locator): Promise<Cell[]> {
   return chart.locator(".chart_readout").evaluate((table: HTMLTableElement) => {
     const heads = [...table.rows[0].cells].map((cell) => cell.textContent!);

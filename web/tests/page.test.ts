@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import { changed_report, launch_browser, open_report, report_data, report_file, scratch_folder, take_screenshot } from "./browser";
+import { unfolded_charts } from "./charts";
 
 let browser: Browser;
 before(async () => void (browser = await launch_browser()));
@@ -38,13 +39,26 @@ for (const colour of ["light", "dark"] as const)
       await context.close();
     });
 
+test("a_wide_page_has_the_answer_beside_its_picture_and_its_right_third_used", async () => {
+  const { page, context } = await open_report(browser, { viewport: { width: 1400, height: 900 } });
+  const words = (await page.locator("#first-look > div").first().boundingBox())!, picture = (await page.locator("#first-look img").boundingBox())!;
+  assert.ok(picture.x >= words.x + words.width && picture.y < words.y + words.height, "side by side");
+  const reached = await page.evaluate(() => ["answer", "soil", "curves", "model", "trust", "record"].map((id) => {
+    const section = document.getElementById(id)!;
+    const seen = [...section.querySelectorAll("table, p, li, img, canvas, svg")].map((each) => each.getBoundingClientRect()).filter((box) => box.width > 0);
+    return { id: section.id, right: Math.max(...seen.map((box) => box.right)), wide: section.getBoundingClientRect().right };
+  }));
+  for (const { id, right, wide } of reached) assert.ok(right > 0.75 * wide, `${id} ends at ${right} of ${wide} px`);
+  await context.close();
+});
+
 test("curves_and_soil_of_the_first_run_are_seen_without_scrolling", async () => {
   const { page, context } = await open_report(browser, { viewport: { width: 1400, height: 900 } });
   const run = report_data().runs[0];
   const charts = page.locator("#first-look .chart");
   const paths = [run.drag, run.push].filter((path) => run.diameter !== null && path.rows.length > 1).length;
   assert.equal(await charts.count(), paths);
-  for (const each of [...(await charts.all()), page.locator("#first-look img")]) {
+  for (const each of [...(await charts.locator(".chart_plot").all()), page.locator("#first-look img")]) {
     const box = (await each.boundingBox())!;
     assert.ok(box.width > 200 && box.height > 100 && box.y + box.height <= 900, `${box.y} + ${box.height} px`);
   }
@@ -141,6 +155,7 @@ test("text_of_the_user_is_never_markup", async () => {
   const images = await plain.locator("img").count();
   await plain_context.close();
   const { page, context, errors, requests } = await open_report(browser, { file });
+  await unfolded_charts(page);
   await page.locator(".chart .chart_argument").selectOption(markup);
   for (const plot of await page.locator(".chart_plot").all()) {
     await plot.focus();
@@ -334,7 +349,7 @@ test("every_control_has_a_name_and_every_canvas_says_what_is_seen", async () => 
     return [...document.querySelectorAll("button, select, input, a[href]")].filter((each) => !named(each)).map((each) => each.outerHTML);
   });
   assert.deepEqual(nameless, []);
-  for (const canvas of await page.locator("#curves canvas").all()) {
+  for (const canvas of await (await unfolded_charts(page)).locator("canvas").all()) {
     assert.equal(await canvas.getAttribute("role"), "img");
     assert.match((await canvas.getAttribute("aria-label"))!, /Across: .*up: .*Lines: /);
   }

@@ -221,7 +221,7 @@ void draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::fi
   const std::string title = c.title.empty() ? file.stem().string() : c.title;
   Canvas canvas(Canvas::Place::file);
   canvas.text({40, 34}, title, {.size = 17, .bold = true});
-  const std::string words = fmt::format("in space, {} cells; isometric", mesh.cell_count());
+  const std::string words = fmt::format("three-dimensional, {} cells; isometric", mesh.cell_count());
   canvas.text({40, 62}, words, {.color = quiet_color});
   draw_edges(canvas, at, whole, true);
   for (const auto& [body_name, body] : c.body)

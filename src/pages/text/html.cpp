@@ -46,9 +46,9 @@ void HtmlTable::row(std::vector<HtmlCell> cells, std::string row_class)
 
 std::string HtmlTable::html() const
 {
-  std::string html = fmt::format(
-      "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{1}\"><table id=\"{0}\">\n<caption><span>{1}</span></caption>\n",
-      html_text(id_), html_text(caption_));
+  std::string html = fmt::format("<div class=\"table\">\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{1}\"><table "
+                                 "id=\"{0}\">\n<caption><span>{1}</span></caption>\n",
+                                 html_text(id_), html_text(caption_));
   if (!columns_.empty()) {
     html += "<thead><tr>";
     for (const HtmlCell& cell : columns_)
@@ -57,14 +57,20 @@ std::string HtmlTable::html() const
   }
   html += "<tbody>\n";
   for (const auto& [row_class, cells] : rows_) html += fmt::format("<tr{}>{}</tr>\n", class_attribute(row_class), cells);
-  return html + fmt::format("</tbody>\n</table></div>\n<button type=\"button\" class=\"copy\" data-copy=\"{}\">Copy the table</button>\n",
-                            html_text(id_));
+  return html +
+         fmt::format("</tbody>\n</table></div>\n<button type=\"button\" class=\"copy\" data-copy=\"{}\">Copy the table</button>\n</div>\n",
+                     html_text(id_));
 }
 
 std::string html_section(const std::string& id, const std::string& title, const std::string& content)
 {
   return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n", id,
                      html_text(title), content);
+}
+
+std::string html_beside(const std::string& content)
+{
+  return "<div class=\"beside\">\n" + content + "</div>\n";
 }
 
 std::string html_paragraph(const std::string& text, const std::string& css_class)

@@ -44,6 +44,9 @@ private:
 /// A section of the page: `id`, its title (text), HTML below it.
 std::string html_section(const std::string& id, const std::string& title, const std::string& content);
 
+/// HTML whose tables and paragraphs stand beside one another as far as the page is wide.
+std::string html_beside(const std::string& content);
+
 /// A paragraph of text.
 std::string html_paragraph(const std::string& text, const std::string& css_class = "");
 

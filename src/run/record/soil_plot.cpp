@@ -11,7 +11,7 @@
 namespace berm::record {
 namespace {
 
-constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70;  // pixels; the plot's height follows from the view
+constexpr int width = 1280, left = 160, right = 190, bottom = 120, top = 110;  // pixels; the plot's height follows from the view
 constexpr int plot_width = width - left - right;
 
 /// A picture in the making: what it shows and in which unit.
@@ -122,12 +122,14 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
   std::string script = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
       part(left, width), 1 - part(right, width), part(bottom, height), 1 - part(top, height));
-  script += fmt::format("set title {} font 'DejaVu Sans,17'\nset size ratio -1\n", plot::gnuplot_text(title));
+  script += "set termoption font 'DejaVu Sans,22'\n";  // on half a page letters have half their size
+  script += fmt::format("set title {}.\"\\n\".{} font 'DejaVu Sans,20'\nset size ratio -1\n", plot::gnuplot_text(title),
+                        plot::gnuplot_text(picture.words()));
   const Vec<2> lower = picture.shown(view.lower), upper = picture.shown(view.upper);
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", lower[0], upper[0], lower[1], upper[1]);
   script += fmt::format("set xlabel '{}'\nset ylabel '{}'\nset tics out nomirror\nset border lc rgb '#444444'\n",
                         plot::axis_title("x", picture.base[0], unit.name), plot::axis_title("y", picture.base[1], unit.name));
-  script += fmt::format("set cblabel {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()), range.first, range.second);
+  script += fmt::format("set cbrange [{:g}:{:g}]\n", range.first, range.second);
   script += plot::viridis_palette();
   script += "unset key\nset style fill solid noborder\n";
   mesh::GroundLine line = view.ground;

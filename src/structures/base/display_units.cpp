@@ -44,7 +44,9 @@ std::string letters_of(ForceMeasure::Kind kind)
 
 std::string DisplayUnits::ForceUnit::heading(bool some_in_plane, bool some_in_space) const
 {
-  return some_in_plane && some_in_space ? fmt::format("{}, in space {}", plane.name, space.name) : some_in_space ? space.name : plane.name;
+  return some_in_plane && some_in_space ? fmt::format("{}, whole body {}", plane.name, space.name)
+         : some_in_space                ? space.name
+                                        : plane.name;
 }
 
 DisplayUnits::DisplayUnits(const std::vector<ScaledRun>& runs) : length_{1e-3, "mm"}
@@ -127,7 +129,7 @@ std::string DisplayUnits::scale_words() const
   for (const Real level : levels_) levels.push_back(text::short_number(level));
   return words + text::html_paragraph(
                      fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}){}.",
-                                 fmt::join(levels, ", "), in_space_ ? ", forces in space those times its square" : ""),
+                                 fmt::join(levels, ", "), in_space_ ? ", forces on whole bodies those times its square" : ""),
                      "quiet");
 }
 

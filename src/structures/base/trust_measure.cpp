@@ -4,9 +4,18 @@
 
 #include "text/quantity_words.hpp"
 
+#include <array>
 #include <fmt/format.h>
 
 namespace berm::base {
+
+const char* heading_of(Effect effect)
+{
+  constexpr std::array headings{"Dilation",       "Cells",       "Contact width", "Walls",   "Drive speed",      "Energy",
+                                "Out of balance", "Shaken soil", "Noise",         "Contact", "Bounds of volume", "Short travel"};
+  static_assert(headings.size() == static_cast<std::size_t>(Effect::count));
+  return headings[static_cast<std::size_t>(effect)];
+}
 
 text::Standing judge(const Limit& limit, Real value)
 {

@@ -8,10 +8,31 @@
 
 namespace berm::base {
 
-/// Up to which value something is good, beyond which it is bad, and why just there. With `large` it is the other way round: good from `good` on, bad
-/// below `bad`.
+/// The sections of docs/how_to/what_will_catch_you.md that limits are of.
+enum class Effect {
+  dilation,
+  cells,
+  contact_width,
+  walls,
+  drive_speed,
+  energy,
+  balance,
+  shaking,
+  noise,
+  contact,
+  volume_bounds,
+  short_travel,
+  count
+};
+
+/// The heading of that section.
+const char* heading_of(Effect effect);
+
+/// Up to which value something is good, beyond which it is bad, of which effect it is, and why just there. With `large` it is the other way round: good from `good`
+/// on, bad below `bad`.
 struct Limit {
   Real good, bad;
+  Effect effect;
   const char* reason;
   bool large = false;
 };
@@ -19,10 +40,10 @@ struct Limit {
 /// How a value stands; unknown where it is NaN.
 text::Standing judge(const Limit& limit, Real value);
 
-/// One thing that tells whether a run can be trusted.
+/// One thing that shows whether a run can be trusted.
 struct TrustMeasure {
   std::string what;
-  const Limit* limit;  ///< null: it is told, not judged
+  const Limit* limit;  ///< null: it is stated, not judged
   std::function<bool(const record::RunRecord&)> applies;
   std::function<Real(const record::RunRecord&)> value;
   std::function<std::string(const record::RunRecord&, Real)> words;    ///< of a value that is known

@@ -12,7 +12,7 @@ namespace {
 using formulas::Base;
 using penetration::Comparison, penetration::PenetrationRun;
 
-constexpr base::Limit cells{100, 20,
+constexpr base::Limit cells{100, 20, base::Effect::contact_width,
                             "soil beside the edge moves with a footing up to a cell beyond it: q is 2 h/D too large at most, around an "
                             "axis twice that (examples/circular_footing)",
                             true};

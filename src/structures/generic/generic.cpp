@@ -71,12 +71,12 @@ std::vector<std::string> curve_columns(const problem::Case& c, const run_folder:
 namespace limits {
 
 inline constexpr base::Limit mechanism{
-    40, 4,
+    40, 4, base::Effect::cells,
     "a vertical cut of clay that is loaded 10 % beyond its limit comes to rest where 7 % too much is carried with 20 cells over its "
     "height, 6 % with 40 (examples/vertical_cut); a cavity with five cells across the clay that flows is 4 % low (examples/cavity)",
     true};
 
-inline constexpr base::Limit radius{16, 5,
+inline constexpr base::Limit radius{16, 5, base::Effect::cells,
                                     "the rim of an elastic disk is straight across a cell: with 16 cells over its radius it rolls 2 % too "
                                     "slowly, with 8 some 4 % (examples/cylinder); "
                                     "with 4 it loses 3 % of its angular momentum in a turn (examples/spinning_disk)",

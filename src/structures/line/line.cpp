@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 
 namespace berm::line {
 
@@ -36,21 +37,32 @@ bool Line::draw_curves(const run_folder::RunFolder& folder, const record::RunRec
   return draw_load_curves(folder, run);
 }
 
+/// The extremes of all stages, and in which they came: the numbers of each stage are in the table.
 std::string Line::in_words(const record::RunRecord& run, const base::DisplayUnits&) const
 {
-  std::string words;
-  for (const StageEnd& end : stage_ends(run)) {
-    const auto of = [&](const char* name) {
-      const run_folder::Quantity* found = run.quantity(fmt::format("{}.{}", end.name, name));
-      return found == nullptr ? nan : found->value;
-    };
-    if (std::isnan(of("y"))) continue;
-    words += fmt::format("At the end of {} the line stands {:.3g} m from its axis at x = {:.3g} m, with {:.4g} kN of effective "
-                         "compression, a bending moment of {:.4g} kN m and strains of {:.2g} and {:.2g} %. ",
-                         text::html_text(end.name), of("y"), of("x_of_y"), of("P") / 1e3, of("M") / 1e3, 100 * of("strain_max"),
-                         100 * of("strain_min"));
-  }
-  return words.empty() ? "The line has not been loaded yet." : words;
+  const std::vector<StageEnd> ends = stage_ends(run);
+  struct Extreme {
+    Real value = nan;
+    std::string stage;
+  };
+  const auto extreme = [&](const char* name, const auto& is_beyond) {
+    Extreme found;
+    for (const StageEnd& end : ends)
+      if (const run_folder::Quantity* q = run.quantity(fmt::format("{}.{}", end.name, name));
+          q != nullptr && (found.stage.empty() || is_beyond(q->value, found.value)))
+        found = {q->value, text::html_text(end.name)};
+    return found;
+  };
+  const auto larger = [](Real a, Real b) { return std::abs(a) > std::abs(b); };
+  const Extreme y = extreme("y", larger);
+  if (y.stage.empty()) return "The line has not been loaded yet.";
+  const Extreme P = extreme("P", std::greater<>()), M = extreme("M", larger), tension = extreme("strain_max", std::greater<>()),
+                compression = extreme("strain_min", std::less<>());
+  return fmt::format(
+      "At the ends of its stages the line is displaced sideways by at most {:.3g} m ({}); its effective compression at x = 0 is at most "
+      "{:.4g} kN ({}), its bending moment at most {:.4g} kN m ({}), and its strains range from {:.2g} % ({}) to {:.2g} % ({}).",
+      std::abs(y.value), y.stage, P.value / 1e3, P.stage, std::abs(M.value) / 1e3, M.stage, 100 * compression.value, compression.stage,
+      100 * tension.value, tension.stage);
 }
 
 std::string Line::published_values(const base::Runs& runs, const base::DisplayUnits&) const

@@ -155,7 +155,7 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
              "<p>Hobbs (1984) has a straight line without imperfection on friction of {:.3g} W sideways and {:.3g} W along "
              "(<code>far_soil</code>): rigid, with V = W everywhere, and against the displacement. Real friction is against the motion: "
              "under that the same line has, with three lobes and at the same P, a sixth less amplitude and a quarter more moment "
-             "(docs/theory.md, section 16). Hobbs knows no berms, no embedment, no time and no cycles.</p>\n",
+             "(docs/theory.md, section 16). His theory has no berms, no embedment, no time and no cycles.</p>\n",
              run.settings.pipeline->far_soil.friction, run.settings.pipeline->far_soil.axial_friction);
 }
 

@@ -59,8 +59,8 @@ TEST_F(SoilPlot, the_soil_is_drawn_in_both_colourings)
   const SoilView view{Vec<2>(0, 0), Vec<2>(0.2, 0.1), 0.09};
   ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", view, "soil"}));
   ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil_increment", "incremental_deviatoric_strain", view, "increment of nothing"}));
-  EXPECT_EQ(png_size(folder.file("soil.png")).first, 1200);
-  EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1200);
+  EXPECT_EQ(png_size(folder.file("soil.png")).first, 1280);
+  EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1280);
 }
 
 TEST_F(SoilPlot, triangles_are_filled_with_the_colour_of_their_strain)
@@ -68,10 +68,10 @@ TEST_F(SoilPlot, triangles_are_filled_with_the_colour_of_their_strain)
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   const SoilView view{Vec<2>(-0.1, -0.1), Vec<2>(0.3, 0.3), {}};
   ASSERT_TRUE(draw_soil(folder.path(), two_triangles(), {"soil", "deviatoric_strain", view, "two triangles"}));
-  ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1200, 1080}));
-  // The view is 930 pixels wide and high, 95 from the left and 70 from the top.
+  ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1280, 1160}));
+  // The view is 930 pixels wide and high, 160 from the left and 110 from the top.
   const auto color = [&](Real x, Real y) {
-    return color_at(folder.file("soil.png"), 95 + static_cast<int>(930 * (x + 0.1) / 0.4), 70 + static_cast<int>(930 * (0.3 - y) / 0.4));
+    return color_at(folder.file("soil.png"), 160 + static_cast<int>(930 * (x + 0.1) / 0.4), 110 + static_cast<int>(930 * (0.3 - y) / 0.4));
   };
   const Color below = color(0.15, 0.05), above = color(0.05, 0.15), white = {255, 255, 255};
   EXPECT_GT(below[1], above[1] + 60);  // strain 0.75 is green: 96 200 96; strain 0.25 is blue: 59 81 138

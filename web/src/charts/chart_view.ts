@@ -33,7 +33,10 @@ export class ChartView {
   /** Points of the traces in the readout, by trace; null before the reader pointed at one. */
   private picked: (number | null)[] | null = null;
 
-  constructor(private plan: Plan, private settings: Settings, private readonly runs: RunData[], choices: HTMLElement | null = null) {
+  /** `tallest`: px, of the plot. */
+  constructor(
+    private plan: Plan, private settings: Settings, private readonly runs: RunData[], choices: HTMLElement | null = null, private readonly tallest = 340,
+  ) {
     const csv = element("button", { type: "button", class: "chart_csv" }, "CSV");
     const svg = element("button", { type: "button", class: "chart_svg" }, "SVG");
     csv.addEventListener("click", () => download(this.file_name("csv"), "text/csv", table_csv(this.scene)));
@@ -88,7 +91,7 @@ export class ChartView {
   draw(): void {
     const width = Math.floor(this.holder.clientWidth);
     if (width === 0 || this.scene === undefined) return;
-    this.plot.show(this.scene, this.view(), width, Math.round(Math.min(340, Math.max(240, 0.62 * width))));
+    this.plot.show(this.scene, this.view(), width, Math.round(Math.min(this.tallest, Math.max(240, 0.62 * width))));
     this.tell();
   }
 

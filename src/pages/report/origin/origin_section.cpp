@@ -133,23 +133,23 @@ std::string origin_section(const Runs& runs)
 {
   text::RunColumns columns("");
   for (const record::RunRecord& run : runs) columns.run(run.name, entries_of(run));
-  std::string html = documents_table(runs);
-  html += columns.table("origin", "What each run is made from, and by which program").html();
+  std::string html = columns.table("origin", "What each run is made from, and by which program").html();
   if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.origin.has_value(); }))
     html += text::html_paragraph(
-        "The hashes were noted in origin.json of each run folder when the run began; berm has compared them with the files in the folder, "
-        "and "
-        "says where one was changed. case.toml is the input as it was given, resolved.toml the whole of it with overrides and defaults.",
+        "The hashes were noted in origin.json of each run folder when the run began and have been compared with the files in the folder: a "
+        "file that was changed is named. case.toml is the input as it was given, resolved.toml the whole of it with overrides and "
+        "defaults.",
         "quiet");
-  html += "<h3>Units and signs</h3>\n" + text::html_paragraph(units_words(runs));
+  html = documents_table(runs) + text::html_beside(html);
+  std::string words = "<div><h3>Units and signs</h3>\n" + text::html_paragraph(units_words(runs)) + "</div>\n";
   if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return base::drives_a_body(run.settings); }))
-    html += "<h3>Codes and papers</h3>\n" +
-            text::html_paragraph(
-                "The source of each formula stands beside its value. berm has the formulas of design codes as public programs implement "
-                "them, with the editions and clauses that these programs name: they were not compared with the text of the code. They do "
-                "not replace a check "
-                "against the edition that governs the project.");
-  return text::html_section("record", "Record", html);
+    words += "<div><h3>Codes and papers</h3>\n" +
+             text::html_paragraph(
+                 "The source of each formula stands beside its value. berm has the formulas of design codes as public programs implement "
+                 "them, with the editions and clauses that these programs name: they were not compared with the text of the code. They do "
+                 "not replace a check against the edition that governs the project.") +
+             "</div>\n";
+  return text::html_section("record", "Record", html + text::html_beside(words));
 }
 
 }  // namespace berm::report

@@ -41,15 +41,15 @@ std::string picture_of(const std::filesystem::path& file)
 
 }  // namespace
 
-std::string first_look(const record::RunRecord& run)
+FirstLook first_look(const record::RunRecord& run)
 {
-  std::string html = fmt::format("<p class=\"quiet\">Stages: {}.</p>\n<div id=\"first-look\">", stages_in_a_line(run.settings));
+  FirstLook look{fmt::format("<p class=\"quiet\">Stages: {}.</p>\n", stages_in_a_line(run.settings)), ""};
   if (const std::string picture = picture_of(run.folder / "soil.png"); !picture.empty())
-    html +=
+    look.picture =
         fmt::format("<figure><img src=\"data:image/png;base64,{}\" alt=\"The soil around the driven body at the end, coloured by strain\">"
-                    "<figcaption class=\"quiet\">The soil at the end of {}</figcaption></figure>",
+                    "<figcaption class=\"quiet\">The soil at the end of {}</figcaption></figure>\n",
                     picture, text::html_text(run.name));
-  return html + "</div>\n";
+  return look;
 }
 
 }  // namespace berm::report

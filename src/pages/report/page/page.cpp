@@ -48,7 +48,7 @@ std::string title_of(const std::vector<record::RunRecord>& runs)
   const record::RunRecord& first = runs.front();
   const auto other =
       std::count_if(runs.begin(), runs.end(), [&](const record::RunRecord& run) { return run.settings.title != first.settings.title; });
-  const std::string title = text::html_text(first.settings.title.empty() ? first.name : first.settings.title);
+  const std::string title = first.settings.title.empty() ? first.name : first.settings.title;
   return other == 0 ? title : fmt::format("{}, and {} of other titles", title, other == 1 ? "a run" : fmt::format("{} runs", other));
 }
 
@@ -65,15 +65,33 @@ std::string style_of_foot(const std::string& text)
   return fmt::format("@page{{@bottom-left{{content:\"{}\";font:8pt sans-serif;color:#56606b}}}}", safe);
 }
 
+/// The question of the runs, in plain text; where they have none in common their titles.
+std::string page_heading(const std::vector<record::RunRecord>& runs)
+{
+  const std::string question = question_of(runs);
+  return question.empty() ? title_of(runs) : question;
+}
+
+/// The same as HTML. Names have no _, so that there is none but that of s_u.
+std::string page_heading_html(const std::vector<record::RunRecord>& runs)
+{
+  std::string html = text::html_text(page_heading(runs));
+  const std::string symbol = "s_u";
+  if (const std::size_t place = html.find(symbol); place != std::string::npos && !question_of(runs).empty())
+    html.replace(place, symbol.size(), "s<sub>u</sub>");
+  return html;
+}
+
 std::string header_of(const std::vector<record::RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
 {
   std::vector<std::string> names, links;
   for (const record::RunRecord& run : runs) names.push_back(text::html_text(run.name));
   for (const auto& [id, word] : sections) links.push_back(fmt::format("<a href=\"#{}\">{}</a>", id, word));
+  const std::string heading = page_heading(runs), title = title_of(runs);
   return fmt::format(
-      "<header>\n<h1>{}</h1>\n{}<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
-      title_of(runs), document_lines(runs.front()), runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "),
-      BERM_VERSION, fmt::join(links, " "));
+      "<header>\n<h1>{}</h1>\n{}{}<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
+      page_heading_html(runs), title == heading ? "" : text::html_paragraph(title, "subtitle"), document_lines(runs.front()),
+      runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "), BERM_VERSION, fmt::join(links, " "));
 }
 
 /// What a reader must know first of runs that did not end well.
@@ -139,7 +157,7 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
 
   const std::string what_is_expected = expectations_section(runs, expected), what_is_claimed = claims_section(runs, expected);
   std::vector<std::pair<std::string, std::string>> sections = {
-      {"answer", "Answer"}, {"model", "Model"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
+      {"answer", "Answer"}, {"soil", "Soil"}, {"curves", "Curves"}, {"model", "Model"}, {"trust", "Trust"}};
   if (with_line) sections.insert(sections.begin() + 1, {"line", "Line"});
   if (!what_is_expected.empty()) sections.emplace_back("expected", "Expected");
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
@@ -147,18 +165,18 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
 
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + text::content_policy(source_of_script());
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style,
+  page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", text::html_text(page_heading(runs)), page_style,
                       style_of_foot(document_foot(runs.front())));
   const std::vector<Judgement> judgements = judgements_of(runs);
   page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, judgements, first_look(runs.front()));
   if (with_line)
     page += text::html_section("line", "The line in plan, moving",
                                "<noscript><p>The moving line needs scripts, which this browser does not run.</p></noscript>\n");
-  page += setup_section(runs);
-  page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
-  page += quality_section(runs, judgements) + what_is_expected + what_is_claimed + origin_section(runs) + licences() + "</main>\n";
+  page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
+  page += setup_section(runs) + quality_section(runs, judgements) + what_is_expected + what_is_claimed + origin_section(runs) + licences() +
+          "</main>\n";
   page += blocks;
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
   page += page_script;

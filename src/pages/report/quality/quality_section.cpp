@@ -22,8 +22,8 @@ std::string reason_of(const base::TrustMeasure& measure)
   if (measure.limit == nullptr) return "";
   const base::Limit& limit = *measure.limit;
   const std::string good = measure.limit_words(limit.good), bad = measure.limit_words(limit.bad);
-  return fmt::format("<span class=\"quiet\">good {} {}, bad {} {}: {}</span>", limit.large ? "from" : "up to", good,
-                     limit.large ? "below" : "above", bad, text::html_text(limit.reason));
+  return fmt::format("<span class=\"quiet\">good {} {}, bad {} {}: {}. See <cite>{}</cite></span>", limit.large ? "from" : "up to", good,
+                     limit.large ? "below" : "above", bad, text::html_text(limit.reason), heading_of(limit.effect));
 }
 
 std::string content_of(const JudgedMeasure& judged, const record::RunRecord& run)
@@ -67,7 +67,7 @@ std::string words_on_cells(const Runs& runs, const Judgements& judgements)
       names.push_back("<strong>" + text::html_text(runs[k].name) + "</strong>");
   if (names.empty()) return "";
   return fmt::format("<p class=\"cells\">Cells are not judged: {}. No body of a width is driven, and the frames show no soil that yields "
-                     "in cells, so no measure tells how far the answer depends on the "
+                     "in cells, so no measure shows how far the answer depends on the "
                      "mesh. Run the case again with cells half as large: coarse cells carry too much before the soil fails.</p>\n",
                      fmt::join(names, ", "));
 }
@@ -81,7 +81,7 @@ std::string warning_list(const Runs& runs, const Judgements& judgements)
   const std::string cells = words_on_cells(runs, judgements);
   if (!items.empty()) return fmt::format("<ul class=\"warnings\">\n{}</ul>\n", items) + cells;
   return cells.empty() ? text::html_paragraph("By these measures nothing is wrong.")
-                       : text::html_paragraph("These measures find nothing, but do not tell whether the cells are fine enough.") + cells;
+                       : text::html_paragraph("These measures find nothing, but do not show whether the cells are fine enough.") + cells;
 }
 
 }  // namespace
@@ -91,6 +91,8 @@ std::string quality_section(const Runs& runs, const Judgements& judgements)
   std::string content = warning_list(runs, judgements);
   content += table_of(runs, judgements, problem::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
   content += table_of(runs, judgements, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
+  content += "<p class=\"quiet\">See: sections of <cite>What will catch you</cite> in the documentation of berm "
+             "(docs/how_to/what_will_catch_you.md), which say how large each effect is and what to do.</p>\n";
   for (const base::Structure* structure : structures::all_structures())
     content += structure->quality_note(structures::runs_of(*structure, runs));
   return text::html_section("trust", "Can it be trusted?", content);

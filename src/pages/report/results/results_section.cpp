@@ -38,11 +38,11 @@ std::string words_of(const record::RunRecord& run, const Judgement& judgement, c
                      doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
 }
 
-/// The sentences of the first run, and folded those of the others.
-std::string words_of(const Runs& runs, const std::vector<Judgement>& judgements, const base::DisplayUnits& shown,
-                     const std::string& first_look)
+/// The sentences of the first run with its first look, and folded those of the others.
+std::string words_of(const Runs& runs, const std::vector<Judgement>& judgements, const base::DisplayUnits& shown, const FirstLook& look)
 {
-  std::string html = words_of(runs.front(), judgements.front(), shown, runs.size() > 1) + first_look;
+  std::string html = fmt::format("<div id=\"first-look\">\n<div>\n{}{}</div>\n{}</div>\n",
+                                 words_of(runs.front(), judgements.front(), shown, runs.size() > 1), look.stages, look.picture);
   if (runs.size() == 1) return html;
   std::vector<std::string> names;
   std::string others;
@@ -63,10 +63,10 @@ base::DisplayUnits units_of(const Runs& runs)
 
 }  // namespace
 
-std::string results_section(const Runs& runs, const std::vector<Judgement>& judgements, const std::string& first_look)
+std::string results_section(const Runs& runs, const std::vector<Judgement>& judgements, const FirstLook& first_look)
 {
   const base::DisplayUnits shown = units_of(runs);
-  std::string html = words_of(runs, judgements, shown, first_look), key, published;
+  std::string html, key, published;
   for (const base::Structure* structure : structures::all_structures()) {
     const base::Runs of_structure = structures::runs_of(*structure, runs);
     key += structure->key_results(of_structure, shown);
@@ -78,6 +78,7 @@ std::string results_section(const Runs& runs, const std::vector<Judgement>& judg
     const std::string id = fmt::format("results-{}", k);
     html += structures::structure_of(runs[k].settings).other_results(runs[k], id) + depth::profile_section(runs[k], id);
   }
+  html = words_of(runs, judgements, shown, first_look) + text::html_beside(html);
   // Tables of several runs name the run, with its mark, in each row; of one run the style of the class puts the mark behind each number.
   if (runs.size() == 1 && is_spoiled(runs.front())) html = "<div class=\"spoiled\">\n" + html + "</div>\n";
   return text::html_section("answer", "Answer", html);

@@ -6,10 +6,16 @@
 
 namespace berm::report {
 
-/// Key results of all runs of the page, as HTML, beside what design codes and published formulas give for the same soil. What the first run met stands first, then
-/// `first_look`, HTML, and the other runs below it.
+/// What stands beside the words on the first run, as HTML: its stages in one line, and its last picture of the soil, "" where the run folder has none. The page's
+/// script adds its curves.
+struct FirstLook {
+  std::string stages, picture;
+};
+
+/// Key results of all runs of the page, as HTML, beside what design codes and published formulas give for the same soil. What the first run met stands first, with
+/// its first look, and the other runs below it.
 std::string results_section(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements,
-                            const std::string& first_look = "");
+                            const FirstLook& first_look = {});
 
 /// How the water drained in each stage, of the runs whose water flows, as HTML with its heading; "" where none does.
 std::string consolidation_table(const std::vector<record::RunRecord>& runs);

@@ -56,12 +56,15 @@ std::string drawings_of(const std::vector<record::RunRecord>& runs)
 
 std::string setup_section(const std::vector<record::RunRecord>& runs)
 {
-  std::string content = drawings_of(runs);
-  content += compact_table(runs).html();
+  const std::string drawings = drawings_of(runs), table = compact_table(runs).html(), computation = computation_table(runs).html();
+  // The table of one run has two columns: it stands beside the drawings.
+  std::string content = runs.size() == 1
+                            ? fmt::format("<div id=\"one-model\">\n<div>\n{}{}</div>\n{}</div>\n", drawings, computation, table)
+                            : drawings + table;
   content += soil_over_depth(runs);
   content += fmt::format("<details class=\"for_screen everything\"><summary>All parameters</summary>\n{}</details>\n",
                          parameter_columns(runs).html());
-  content += computation_table(runs).html();
+  if (runs.size() > 1) content += computation;
   return text::html_section("model", "Model", content);
 }
 

@@ -104,7 +104,7 @@ std::string y_label(const Chart& chart, Real max, const DrivenRuns& runs)
   };
   const plot::PlotUnit plane = chart.unit(max, 2), space = chart.unit(max, 3);
   if (!is_of(2) || !is_of(3) || std::string(plane.name) == space.name) return label_with(chart.y_label, is_of(2) ? plane : space);
-  return fmt::format("{} ({}, in space {})", chart.y_label, plane.name, space.name);
+  return fmt::format("{} ({}, whole body {})", chart.y_label, plane.name, space.name);
 }
 
 bool draw_chart(const DrivenRuns& runs, const base::PublishedPoints& published, const Chart& chart, const fs::path& folder)

@@ -149,10 +149,10 @@ constexpr StageColumn stage_columns[] = {
     {StageUnit::width, "berm ahead by/D", [](const DragResults& d) { return d.berm_distance; }},
     {StageUnit::width, "remoulded below/D", [](const DragResults& d) { return d.remoulded_depth; }}};  // the last: of clay that softens
 
-/// A row for each drag and other push of the runs that have more than one push and one drag.
+/// A row for each drag and other push of the runs that have more than one push and one drag: the main drag, then the others in the order of time.
 std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
-  text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one");
+  text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one; the drag that the numbers above are of stands first");
   const bool softens = std::any_of(runs.begin(), runs.end(), [](const DrivenRun& run) {
     const auto& drags = run.results().drags;
     return std::any_of(drags.begin(), drags.end(), [](const DragResults& drag) { return drag.remoulded_depth.has_value(); });
@@ -177,7 +177,10 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
       table.row(cells);
     };
     if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
-    for (const Stage& stage : run.stages) {
+    Stages stages = run.stages;
+    const auto main = results.drags.empty() ? stages.end() : std::ranges::find(stages, results.main_drag().stage, &Stage::name);
+    if (main != stages.end()) std::rotate(stages.begin(), main, main + 1);
+    for (const Stage& stage : stages) {
       const auto push = std::ranges::find(results.other_pushes, stage.name, &OtherPushResults::stage);
       const auto drag = std::ranges::find(results.drags, stage.name, &DragResults::stage);
       if (push != results.other_pushes.end()) add(stage.name, [&](const StageColumn& c) { return c.of_push(*push); });
@@ -257,6 +260,14 @@ std::string averaging_words(const DrivenRuns& runs)
       "quiet");
 }
 
+/// The states of a run between its travels, the operating one first.
+States operation_first(States states)
+{
+  const auto operation = std::ranges::find(states, "operation", &State::name);
+  if (operation != states.end()) std::rotate(states.begin(), operation, operation + 1);
+  return states;
+}
+
 /// Where a run lies between its travels.
 std::string states_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
@@ -266,7 +277,7 @@ std::string states_table(const DrivenRuns& runs, const base::DisplayUnits& shown
     const States states = states_of(run.record);
     if (!has_states_between(states)) continue;
     if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
-    for (const State& state : states)
+    for (const State& state : operation_first(states))
       if (!state.name.starts_with("after_"))
         table.row(side_by_side({{{state.name}},
                                 shown.length_cells(run.scale, state.w),
@@ -368,10 +379,10 @@ std::string rigid_contact_notes(const DrivenRuns& runs)
 std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
   const bool several = runs.size() > 1;
-  const std::string tables = states_table(runs, shown) + push_table(runs, shown, several) + drag_table(runs, shown, several) +
-                             resistance_table(runs, shown, several) + displacements_table(runs, shown) + uplift_table(runs, shown) +
+  const std::string tables = states_table(runs, shown) + resistance_table(runs, shown, several) + displacements_table(runs, shown) +
+                             uplift_table(runs, shown) + push_table(runs, shown, several) + drag_table(runs, shown, several) +
                              folded(stages_table(runs, shown));
-  return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + rigid_contact_notes(runs) + converged_notes(runs) + tables;
+  return tables.empty() ? "" : tables + shown.scale_words() + averaging_words(runs) + rigid_contact_notes(runs) + converged_notes(runs);
 }
 
 }  // namespace berm::driven

@@ -23,7 +23,7 @@ constexpr Real reached = 1e-3;     // of D: a stage that ends at a displacement 
 constexpr Real noise_of_V_from = 0.02, noise_of_H_from = 0.1;  // of D: the forces grow from zero before
 constexpr Real widest_spacing = 0.005;                         // of D: rows farther apart tell no noise
 
-/// The standard deviation of a force about its moving mean, over its mean, from a travel on; NaN where there are too few rows for it.
+/// The standard deviation of a force about its moving mean, over the mean of its magnitude, from a travel on; NaN where there are too few rows for it.
 Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, Real from, const BodyScale& scale)
 {
   if (!scale.noisy) return nan;
@@ -37,11 +37,11 @@ Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, R
     const Real off = travel[k] >= from ? force[k] - mean.at(travel[k], 0) : nan;
     if (std::isnan(off)) continue;
     squares += off * off;
-    sum += force[k];
+    sum += std::abs(force[k]);  // a force that changes its direction has a mean near zero
     ++count;
   }
   if (count < 2 || curve.end() - from > (count - 1) * widest_spacing * D) return nan;
-  return std::sqrt(squares / count) / std::abs(sum / count);
+  return std::sqrt(squares / count) / (sum / count);
 }
 
 std::optional<Real> if_known(Real value)

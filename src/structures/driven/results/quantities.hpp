@@ -11,7 +11,7 @@ namespace berm::driven {
 /// What a run gives that pushes a pipe into the bed and drags it, as far as it came; by the names of quantities_of: of the push, the way down before the first drag, without what unloads:
 ///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
 ///   V_at_travel_{0.0025,0.005,0.01,0.02,0.03}D of a push that begins with the pipe in the bed (0.02 D or deeper), with the travel from there;
-///   V_noise, the standard deviation of V about its moving mean (as below) over its mean, from 0.02 D after where the push began in the soil.
+///   V_noise, the standard deviation of V about its moving mean (as below) over the mean of |V|, from 0.02 D after where the push began in the soil.
 /// Of each drag, u counted along it from where it began:
 ///   H, w and H_over_V _at_u_{0.1,...,1,1.5,2,3,4,5,6,8,10}D; H_max and u_at_H_max, of the drag to its very end;
 ///   H_breakout, u_at_breakout, H_residual and H_berm (results/resistance.hpp); H, V, u and w _end_of_drag;

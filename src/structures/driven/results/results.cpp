@@ -143,7 +143,8 @@ void describe_push(Visitor& v, Results& r, Real D)
     return v.force("V_end_of_push", p.V, "vertical reaction at the end of the push", kind_of(r.push_given.V)) &&
            v.length("w_end_of_push", p.w, "embedment at the end of the push", kind_of(r.push_given.w));
   });
-  v.optional(r.V_noise, [&](Real& value) { return v.ratio("V_noise", value, "noise of V in the push over its mean", Kind::quality); });
+  v.optional(r.V_noise,
+             [&](Real& value) { return v.ratio("V_noise", value, "noise of V in the push over the mean of |V|", Kind::quality); });
   v.each(
       r.travel, &TravelPoint::travel, [] { return std::vector<Real>(std::begin(travel_points), std::end(travel_points)); },
       [&](TravelPoint& p) {
@@ -165,7 +166,8 @@ void describe_drag(Visitor& v, DragResults& r, Real D)
         p.V = p.H / ratio;
         return there;
       });
-  v.optional(r.H_noise, [&](Real& value) { return v.ratio("H_noise", value, "noise of H in the drag over its mean", Kind::quality); });
+  v.optional(r.H_noise,
+             [&](Real& value) { return v.ratio("H_noise", value, "noise of H in the drag over the mean of |H|", Kind::quality); });
   v.optional(r.largest, [&](DragPeak& p) {
     return v.force("H_max", p.H, "largest horizontal resistance of the drag", kind_of(r.given.H)) &&
            v.length("u_at_H_max", p.u, "displacement at which it is");

@@ -27,7 +27,7 @@ PipeSoil pipe_soil(const record::RunRecord& run)
   if (!circle) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
   if (c.geometry != problem::Geometry::plane_strain)
     return NoFormula{fmt::format("The published formulas are per metre of pipe in plane strain; this run is {}.",
-                                 c.geometry == problem::Geometry::space ? "in space" : "axisymmetric")};
+                                 c.geometry == problem::Geometry::space ? "three-dimensional" : "axisymmetric")};
   if (std::isnan(base::modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
   const std::optional<problem::BodySoil> touched = base::touched_soil(run);

@@ -71,7 +71,7 @@ bool is_confirmed(const Comparison& comparison)
   return comparison.published.source.label != formulas::Label::recalled;
 }
 
-/// Remarks, then a table with the run's states as groups. `id` names the table. Formulas that are only recalled are not shown: nobody is to take them for
+/// A table with the run's states as groups, then remarks. `id` names the table. Formulas that are only recalled are not shown: nobody is to take them for
 /// quotations.
 std::string published_table(const driven::DrivenRun& run, const base::DisplayUnits& shown, const std::string& id)
 {
@@ -87,7 +87,7 @@ std::string published_table(const driven::DrivenRun& run, const base::DisplayUni
     for (const Comparison& comparison : state.comparisons)
       if (is_confirmed(comparison)) table.row(cells_of(comparison, run, shown), comparison.published.valid ? "" : "out_of_range");
   }
-  return html + (table.empty() ? "" : table.html());
+  return (table.empty() ? "" : table.html()) + html;
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ std::string published_values(const driven::DrivenRuns& runs, const base::Display
   if (html.empty()) return "";
   const std::string heading = "<h3>Design codes and published formulas</h3>\n";
   if (html.find("<table") == std::string::npos) return heading + html;
-  return heading +
+  return heading + html +
          text::html_paragraph(
              "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Kinds: "
              "exact is a closed form or computed to convergence; lower bound is what the soil carries at least, so that berm may be above "
@@ -117,8 +117,7 @@ std::string published_values(const driven::DrivenRuns& runs, const base::Display
              "these programs name (docs/formulas.md): the printed texts were not at hand. Low (LE), best (BE) and high (HE) estimates are "
              "those "
              "of the source.",
-             "quiet") +
-         html;
+             "quiet");
 }
 
 }  // namespace berm::pipe

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/quality/quality_section.hpp"
 
+#include "io/atomic_file.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/pipe_case.hpp"
 #include "structures/base/general_measures.hpp"
@@ -45,6 +46,20 @@ TEST(trust, nothing_wrong_is_said)
       trust_of({sample_record(sample_case({"material.sand.friction_angle=9 deg", "material.sand.dilation_angle=9 deg"}))});
   EXPECT_TRUE(contains(html, "nothing is wrong")) << html;
   EXPECT_FALSE(contains(html, "li class=\"warning\"")) << html;
+}
+
+TEST(trust, each_limit_names_a_section_of_what_will_catch_you)
+{
+  const std::string page = io::read_text_file(std::string(BERM_SOURCE_DIR) + "/docs/how_to/what_will_catch_you.md");
+  for (int effect = 0; effect < static_cast<int>(base::Effect::count); ++effect) {
+    const std::string heading = base::heading_of(static_cast<base::Effect>(effect));
+    EXPECT_TRUE(contains(page, "\n## " + heading + "\n")) << heading;
+  }
+  const std::string html = trust_of({sample_record(sample_case())});
+  EXPECT_TRUE(contains(row_of(html, "energy that does not balance"), "See <cite>Energy</cite>")) << html;
+  EXPECT_TRUE(contains(row_of(html, "kinetic energy over the work, push"), "See <cite>Drive speed</cite>"));
+  EXPECT_TRUE(contains(row_of(html, "cells at the pipe"), "See <cite>Cells</cite>"));
+  EXPECT_TRUE(contains(html, "docs/how_to/what_will_catch_you.md"));
 }
 
 TEST(trust, cells_that_are_fine_enough_for_other_soil_are_bad_where_it_dilates)

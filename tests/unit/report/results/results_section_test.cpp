@@ -29,6 +29,26 @@ TEST(answer, says_which_drag_came_before)
       << answer_of({run});
 }
 
+/// Where the row of a table begins; npos: it has none.
+std::size_t row_of(const std::string& html, const std::string& table, const std::string& heading)
+{
+  const std::size_t begin = html.find("<table id=\"" + table + "\"");
+  return begin == std::string::npos ? begin : html.find("<th scope=\"row\">" + heading + "</th>", begin);
+}
+
+TEST(answer, begins_its_tables_with_the_operating_state_and_the_drag_in_it)
+{
+  record::RunRecord run = lived_pipe();
+  std::string html = answer_of({run});
+  EXPECT_LT(row_of(html, "key-states", "operation"), row_of(html, "key-states", "touchdown")) << html;
+  EXPECT_LT(html.find("id=\"key-states\""), html.find("id=\"key-resistance\""));
+  EXPECT_LT(html.find("id=\"key-resistance\""), html.find("id=\"key-push\""));
+  EXPECT_LT(row_of(html, "key-stages", "sweep_1"), row_of(html, "key-stages", "lay_1")) << html;
+  run.settings.stage[5].role = problem::StageRole::breakout;
+  html = answer_of({run});
+  EXPECT_LT(row_of(html, "key-stages", "sweep_2"), row_of(html, "key-stages", "sweep_1")) << html;
+}
+
 TEST(answer, says_in_words_what_the_pipe_met)
 {
   MadeRun made;

@@ -44,7 +44,7 @@ TEST(ForceMeasure, is_an_entry_of_the_summary_where_there_is_one)
 TEST(DisplayUnits, name_both_units_on_a_page_of_both)
 {
   const DisplayUnits shown({{plane, &pushed}, {space, &pushed_in_space}});
-  EXPECT_EQ(shown.force_columns("V")[0].content, "V, kN/m, in space kN");
+  EXPECT_EQ(shown.force_columns("V")[0].content, "V, kN/m, whole body kN");
   EXPECT_EQ(shown.force_text(plane, 100).substr(0, 8), "0.1 kN/m");
 }
 

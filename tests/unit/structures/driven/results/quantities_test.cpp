@@ -191,7 +191,7 @@ TEST(PipeQuantities, noise_from_row_to_row_is_averaged_away_and_its_size_is_told
   EXPECT_NEAR(value(list, "V_rms_error_in_drag"), 100 / (pipe.stiffness * 0.25 * pipe.D), 1e-4);
 }
 
-TEST(PipeQuantities, noise_is_the_deviation_from_the_moving_mean_over_the_mean)
+TEST(PipeQuantities, noise_is_the_deviation_from_the_moving_mean_over_the_mean_magnitude)
 {
   const SamplePipe quiet;
   const auto without = quantities_of(quiet);
@@ -205,6 +205,8 @@ TEST(PipeQuantities, noise_is_the_deviation_from_the_moving_mean_over_the_mean)
   for (int k = 50; k <= 250; ++k) H += pipe.H(k * 0.002 * pipe.D) / 201;
   EXPECT_NEAR(value(list, "V_noise"), 100 / (pipe.stiffness * 0.135 * pipe.D), 0.001);
   EXPECT_NEAR(value(list, "H_noise"), 100 / H, 0.001);
+  pipe.H_end = 0;
+  EXPECT_NEAR(value(quantities_of(pipe), "H_noise"), 1, 0.02) << "a force without a mean is no larger than its noise";
   EXPECT_EQ(find(list, "V_noise")->unit, "1");
 }
 

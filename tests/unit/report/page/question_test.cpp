@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page/page.hpp"
+
+#include "samples/pipe_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::report::this_file {
+namespace {
+
+record::RunRecord asked(const std::vector<std::string>& changes)
+{
+  return sample_record(sample_case(changes));
+}
+
+TEST(question, of_one_run_is_its_body_its_soil_and_its_stages)
+{
+  EXPECT_EQ(question_of({asked({})}), "Pipe of 20 mm in sand: push to w = 2 mm, drag 20 mm");
+}
+
+TEST(question, of_soil_without_friction_gives_its_strength)
+{
+  const std::string words =
+      question_of({asked({"material.sand.friction_angle=0", "material.sand.dilation_angle=0", "material.sand.cohesion=2e3"})});
+  EXPECT_EQ(words, "Pipe of 20 mm in sand with s_u = 2 kPa: push to w = 2 mm, drag 20 mm");
+}
+
+TEST(question, of_several_runs_is_what_they_have_in_common)
+{
+  EXPECT_EQ(question_of({asked({}), asked({"stage.drag.until.displacement=10e-3"})}), "Pipe of 20 mm in sand");
+  record::RunRecord cable = asked({});
+  cable.settings.rigid.front().first = "power_cable";
+  for (problem::StageSettings& stage : cable.settings.stage) stage.rigid.clear();
+  EXPECT_EQ(question_of({cable}), "Power cable of 20 mm in sand: push to w = 2 mm, drag 20 mm");
+  EXPECT_EQ(question_of({asked({}), cable}), "") << "no common body: the page is named by titles";
+}
+
+TEST(question, counts_stages_of_one_kind_behind_one_another)
+{
+  record::RunRecord run = asked({});
+  run.settings.stage.push_back(run.settings.stage.back());
+  run.settings.stage.back().name = "back";
+  EXPECT_EQ(question_of({run}), "Pipe of 20 mm in sand: push to w = 2 mm, 2 drags");
+}
+
+TEST(question, of_runs_that_drive_no_body_is_not_known)
+{
+  record::RunRecord run = asked({});
+  run.settings.rigid.clear();
+  run.settings.stage.clear();
+  EXPECT_EQ(question_of({run}), "");
+}
+
+/// Where a section begins in a page; npos: it has none.
+std::size_t place_of(const std::string& page, const std::string& section)
+{
+  return page.find("<section id=\"" + section + "\"");
+}
+
+TEST(page, begins_with_the_answer_and_the_film_and_is_named_by_its_question)
+{
+  record::RunRecord run = asked({"title=\"A <test>\""});
+  const std::string page = report_page({run});
+  EXPECT_NE(page.find("<title>Pipe of 20 mm in sand: push to w = 2 mm, drag 20 mm</title>"), std::string::npos);
+  EXPECT_NE(page.find("<h1>Pipe of 20 mm in sand: push to w = 2 mm, drag 20 mm</h1>\n<p class=\"subtitle\">A &lt;test&gt;</p>"),
+            std::string::npos);
+  std::size_t last = 0;
+  for (const char* section : {"answer", "soil", "curves", "model", "trust", "record"}) {
+    const std::size_t place = place_of(page, section);
+    ASSERT_NE(place, std::string::npos) << section;
+    EXPECT_GT(place, last) << section;
+    last = place;
+  }
+  EXPECT_EQ(place_of(page, "line"), std::string::npos);
+  EXPECT_LT(page.find("href=\"#soil\""), page.find("href=\"#curves\""));
+  EXPECT_LT(page.find("href=\"#curves\""), page.find("href=\"#model\""));
+}
+
+}  // namespace
+}  // namespace berm::report::this_file
