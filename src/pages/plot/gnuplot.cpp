@@ -33,6 +33,19 @@ std::string gnuplot_text(const std::string& text)
   return quoted + "'";
 }
 
+std::string font_that_fits(const std::string& text, Real size, Real pixels)
+{
+  constexpr Real pixels_per_letter = 0.75;  // and point, of DejaVu Sans
+  const auto letters = std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
+  return fmt::format("'DejaVu Sans,{:.3g}'", std::min(size, pixels / (pixels_per_letter * std::max<Real>(1, static_cast<Real>(letters)))));
+}
+
+std::string title_over(const std::string& title, int width, Real level)
+{
+  return fmt::format("set label 1 {} at screen 0.5,{:.4f} center font {}\n", gnuplot_text(title), level,
+                     font_that_fits(title, 17, 0.97 * width));
+}
+
 PlotUnit length_unit(Real size)
 {
   return size < 1 ? PlotUnit{1000, "mm"} : PlotUnit{1, "m"};

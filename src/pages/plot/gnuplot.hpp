@@ -11,6 +11,12 @@ namespace berm::plot {
 /// A text as gnuplot takes it between single quotes, quotes included.
 std::string gnuplot_text(const std::string& text);
 
+/// The font of a text of one line, between quotes: of this size in points, or smaller where the text is longer than so many pixels.
+std::string font_that_fits(const std::string& text, Real size, Real pixels);
+
+/// The command that writes a title over the middle of a picture of this width; level: of its middle, in parts of the picture's height.
+std::string title_over(const std::string& title, int width, Real level);
+
 /// A length or force in the unit that suits its size.
 struct PlotUnit {
   Real per_si;  ///< numbers in the plot per number in SI

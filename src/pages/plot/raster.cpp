@@ -3,6 +3,7 @@
 
 #include "plot/gnuplot.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,7 +30,8 @@ Raster::Raster(const Vec<2>& lower, const Vec<2>& upper, Index columns, Index ro
       pixels_per_metre_(columns / (upper[0] - lower[0]), rows / (upper[1] - lower[1])),
       columns_(columns),
       rows_(rows),
-      values_(static_cast<std::size_t>(columns) * rows, nan)
+      values_(static_cast<std::size_t>(columns) * rows, nan),
+      nearest_(values_.size(), infinity)
 {
 }
 
@@ -52,6 +54,26 @@ void Raster::paint(const std::array<Vec<2>, 3>& corners, const std::array<Real, 
       const Real N_0 = 1 - N_1 - N_2;
       if (std::min({N_0, N_1, N_2}) < -slack) continue;
       values_[static_cast<std::size_t>(row) * columns_ + column] = N_0 * values[0] + N_1 * values[1] + N_2 * values[2];
+    }
+}
+
+void Raster::paint_ellipse(const Vec<2>& center, const Matrix<2>& A, Real value)
+{
+  const Vec<2> metres(1 / pixels_per_metre_[0], 1 / pixels_per_metre_[1]);
+  const Vec<2> half = A.rowwise().norm();  // of the box around it
+  const Vec<2> lower = (center - half - lower_).cwiseQuotient(metres) - Vec<2>(0.5, 0.5),
+               upper = (center + half - lower_).cwiseQuotient(metres) - Vec<2>(0.5, 0.5);
+  const auto [first_column, last_column] = whole_between(lower[0], upper[0], columns_);
+  const auto [first_row, last_row] = whole_between(lower[1], upper[1], rows_);
+  const Matrix<2> to_circle = A.inverse();
+  for (Index row = first_row; row <= last_row; ++row)
+    for (Index column = first_column; column <= last_column; ++column) {
+      const Vec<2> x = lower_ + Vec<2>(column + 0.5, row + 0.5).cwiseProduct(metres);
+      const std::size_t pixel = static_cast<std::size_t>(row) * columns_ + column;
+      const Real away = (to_circle * (x - center)).squaredNorm();
+      if (away > 1 || away >= nearest_[pixel]) continue;
+      nearest_[pixel] = away;
+      values_[pixel] = value;
     }
 }
 

@@ -11,7 +11,7 @@
 
 namespace berm::plot {
 
-/// Values at the middles of the equal pixels of a rectangle; none where no triangle was painted.
+/// Values at the middles of the equal pixels of a rectangle; none where nothing was painted.
 class Raster {
 public:
   /// lower and upper: the rectangle's corners, m.
@@ -19,6 +19,9 @@ public:
 
   /// Gives the pixels whose middles lie in the triangle what its corners have, linear between them. The corners may go either way round.
   void paint(const std::array<Vec<2>, 3>& corners, const std::array<Real, 3>& values);
+
+  /// Gives the pixels whose middles lie in the ellipse x = center + A c, |c| <= 1, a value, but for those that lie nearer to the center of another one, as their |c| tells.
+  void paint_ellipse(const Vec<2>& center, const Matrix<2>& A, Real value);
 
   /// The value of a pixel, NaN where there is none; row 0 is the lowest.
   Real at(Index column, Index row) const { return values_[static_cast<std::size_t>(row) * columns_ + column]; }
@@ -29,6 +32,7 @@ private:
   Vec<2> lower_, pixels_per_metre_;
   Index columns_, rows_;
   std::vector<Real> values_;
+  std::vector<Real> nearest_;  ///< least |c|^2 of ellipses, by pixel
 };
 
 /// Where a point is in an isometric picture, seen from the positive side of all axes with y up: m to the right and m up.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/record/soil_plot_test.cpp
 #include "record/soil_plot.hpp"
+
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/raster.hpp"
+#include "record/particle_shapes.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,8 +13,8 @@
 namespace berm::record {
 namespace {
 
-constexpr int width = 1280, left = 160, right = 190, bottom = 120, top = 110;  // pixels; the plot's height follows from the view
-constexpr int plot_width = width - left - right;
+constexpr int left = 160, right = 190, bottom = 120, top = 110;  // pixels around the plot
+constexpr int widest = 930, highest = 1000, narrowest = 100;  // pixels of the plot
 
 /// A picture in the making: what it shows and in which unit.
 struct Picture {
@@ -23,17 +25,20 @@ struct Picture {
   plot::PlotUnit unit;
   Vec<2> base;  ///< m, what places are told from (plot::axis_base)
   Vec<2> size() const { return view.upper - view.lower; }
-  int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
+  /// Of the plot, with equal axes.
+  Real pixels_per_metre() const { return std::min(widest / size()[0], highest / size()[1]); }
+  int plot_width() const { return std::max(static_cast<int>(std::lround(size()[0] * pixels_per_metre())), narrowest); }
+  int plot_height() const { return std::max(static_cast<int>(std::lround(size()[1] * pixels_per_metre())), narrowest); }
+  int width() const { return left + plot_width() + right; }
+  int height() const { return bottom + plot_height() + top; }
   std::string words() const { return field.info.label + (field.info.unit.empty() ? "" : " (" + field.info.unit + ")"); }
   Real value(Index point) const { return field.at(point); }
   Vec<2> x(Index point) const { return frame.points[point]; }
   /// A place in the plot's unit, from the base.
   Vec<2> shown(const Vec<2>& x) const { return (x - base) * unit.per_si; }
-  /// Of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
+  /// Of the circle that stands for a particle before it is deformed: larger than its share, so that neighbours close the ground between them.
   Real radius(Index point) const { return std::sqrt(frame.volume[point]); }
 };
-
-constexpr std::size_t max_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
 
 std::vector<Index> points_in_view(const Picture& picture)
 {
@@ -46,46 +51,42 @@ std::vector<Index> points_in_view(const Picture& picture)
   return shown;
 }
 
-/// The data of a picture of disks.
-std::string disks(const Picture& picture, const std::vector<Index>& points)
-{
-  const plot::PlotUnit& unit = picture.unit;
-  std::string data = fmt::format("# x, y, radius ({}), {}\n", unit.name, picture.words());
-  for (const Index k : points) {
-    const Vec<2> x = picture.shown(picture.x(k));
-    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", x[0], x[1], picture.radius(k) * unit.per_si, picture.value(k));
-  }
-  return data;
-}
-
-/// The data of a picture of triangles: each is painted as four, between its corners and the middles of its sides.
-std::string pixels(const Picture& picture)
+/// Each triangle is painted as four, between its corners and the middles of its sides.
+void paint_triangles(const Picture& picture, Real side, plot::Raster& raster)
 {
   constexpr int parts[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-  plot::Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
   for (const std::array<Index, 6>& nodes : picture.frame.triangles)
     for (const auto& part : parts) {
       std::array<Vec<2>, 3> corners;
       std::array<Real, 3> values;
       for (int k = 0; k < 3; ++k) {
-        corners[k] = picture.x(nodes[part[k]]);
+        const Vec<2> x = picture.x(nodes[part[k]]);
+        corners[k] = {side * x[0], x[1]};
         values[k] = picture.value(nodes[part[k]]);
       }
       raster.paint(corners, values);
     }
-  return raster.floats();
 }
 
-/// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes, and gnuplot takes more
-/// than a kilobyte of memory for each.
+/// Each particle is painted as the ellipse that its circle has become.
+void paint_particles(const Picture& picture, const std::vector<Index>& points, Real side, plot::Raster& raster)
+{
+  const Eigen::DiagonalMatrix<Real, 2> to_side(side, 1);
+  const std::vector<Matrix<2>> shapes = particle_shapes(picture.frame, points);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    raster.paint_ellipse(to_side * picture.x(points[k]), to_side * shapes[k] * picture.radius(points[k]), picture.value(points[k]));
+}
+
+/// The data of the soil.
 std::string pixels(const Picture& picture, const std::vector<Index>& points)
 {
-  plot::Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
-  for (const Index k : points) {
-    const Real half = picture.radius(k), value = picture.value(k);
-    const Vec<2> x = picture.x(k), across(half, -half), up(half, half);
-    raster.paint({x - up, Vec<2>(x + across), Vec<2>(x + up)}, {value, value, value});
-    raster.paint({x - up, Vec<2>(x + up), Vec<2>(x - across)}, {value, value, value});
+  plot::Raster raster(picture.view.lower, picture.view.upper, picture.plot_width(), picture.plot_height());
+  for (const Real side : {1., -1.}) {
+    if (side < 0 && !picture.view.mirrored) break;
+    if (picture.frame.triangles.empty())
+      paint_particles(picture, points, side, raster);
+    else
+      paint_triangles(picture, side, raster);
   }
   return raster.floats();
 }
@@ -115,7 +116,7 @@ std::pair<Real, Real> range_of(const Picture& picture, const std::vector<Index>&
 /// Axes, colours and the line of the surface.
 std::string axes(const Picture& picture, const std::pair<Real, Real>& range, const std::string& title)
 {
-  const int height = picture.plot_height() + bottom + top;
+  const int width = picture.width(), height = picture.height();
   const SoilView& view = picture.view;
   const plot::PlotUnit& unit = picture.unit;
   const auto part = [](int pixels, int of) { return static_cast<Real>(pixels) / of; };
@@ -123,13 +124,18 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
       part(left, width), 1 - part(right, width), part(bottom, height), 1 - part(top, height));
   script += "set termoption font 'DejaVu Sans,22'\n";  // on half a page letters have half their size
-  script += fmt::format("set title {}.\"\\n\".{} font 'DejaVu Sans,20'\nset size ratio -1\n", plot::gnuplot_text(title),
-                        plot::gnuplot_text(picture.words()));
+  script += plot::title_over(title, width, part(height - top / 2, height));
   const Vec<2> lower = picture.shown(view.lower), upper = picture.shown(view.upper);
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", lower[0], upper[0], lower[1], upper[1]);
   script += fmt::format("set xlabel '{}'\nset ylabel '{}'\nset tics out nomirror\nset border lc rgb '#444444'\n",
                         plot::axis_title("x", picture.base[0], unit.name), plot::axis_title("y", picture.base[1], unit.name));
-  script += fmt::format("set cbrange [{:g}:{:g}]\n", range.first, range.second);
+  constexpr Real room = 700;  // pixels for a whole set of tics
+  script += fmt::format("set xtics {:g}\n", plot::tic_step((upper[0] - lower[0]) * std::max<Real>(1, room / picture.plot_width())));
+  script += fmt::format("set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
+                        part(left + picture.plot_width() + 24, width), part(bottom, height), part(26, width),
+                        part(picture.plot_height(), height));
+  script += fmt::format("set cblabel {} offset 2,0 font {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()),
+                        plot::font_that_fits(picture.words(), 20, picture.plot_height()), range.first, range.second);
   script += plot::viridis_palette();
   script += "unset key\nset style fill solid noborder\n";
   mesh::GroundLine line = view.ground;
@@ -148,25 +154,15 @@ std::string data_file(const std::string& name)
   return plot::gnuplot_text("./" + name);
 }
 
-/// Where the data of the soil are: as text or as the floats of a raster.
-std::string soil_file(const Picture& picture, bool as_disks)
-{
-  return picture.name + (as_disks ? ".dat" : ".bin");
-}
-
 /// The command that draws the data.
-std::string plot(const Picture& picture, bool as_disks)
+std::string plot(const Picture& picture)
 {
-  std::string command;
-  if (as_disks) {
-    command = fmt::format("plot {} using 1:2:3:4 with circles lc palette", data_file(soil_file(picture, true)));
-  } else {
-    const int rows = picture.plot_height();
-    const Vec<2> pixel = (picture.size() * picture.unit.per_si).cwiseQuotient(Vec<2>(plot_width, rows));
-    const Vec<2> first = picture.shown(picture.view.lower) + 0.5 * pixel;
-    command = fmt::format("plot {} binary array=({},{}) format='%float32' origin=({:.9g},{:.9g}) dx={:.9g} dy={:.9g} using 1 with image",
-                          data_file(soil_file(picture, false)), plot_width, rows, first[0], first[1], pixel[0], pixel[1]);
-  }
+  const int columns = picture.plot_width(), rows = picture.plot_height();
+  const Vec<2> pixel = (picture.size() * picture.unit.per_si).cwiseQuotient(Vec<2>(columns, rows));
+  const Vec<2> first = picture.shown(picture.view.lower) + 0.5 * pixel;
+  std::string command =
+      fmt::format("plot {} binary array=({},{}) format='%float32' origin=({:.9g},{:.9g}) dx={:.9g} dy={:.9g} using 1 with image",
+                  data_file(picture.name + ".bin"), columns, rows, first[0], first[1], pixel[0], pixel[1]);
   if (!picture.frame.rigid_bodies.empty())
     command += fmt::format(", \\\n     {} with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
                            data_file(picture.name + "_rigid.dat"));
@@ -180,6 +176,12 @@ void SoilView::show(const mesh::GroundLine& line)
   if (line.level()) return;
   ground = within(line, lower, upper);
   surface.reset();
+}
+
+void SoilView::mirror()
+{
+  mirrored = true;
+  lower[0] = -upper[0];
 }
 
 SoilView view_around(Real x, Real lowest, Real width_of_body, Real surface, const std::vector<Vec<2>>& soil)
@@ -209,13 +211,10 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& 
   const std::vector<Index> points = points_in_view(picture);
   const std::filesystem::path plots = io::make_inner_folder(folder, "plots");
   if (points.empty()) return false;
-  const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && points.size() <= max_disks;
-  io::write_atomically(plots / soil_file(picture, as_disks), as_disks                  ? disks(picture, points)
-                                                             : frame.triangles.empty() ? pixels(picture, points)
-                                                                                       : pixels(picture));
+  io::write_atomically(plots / (picture.name + ".bin"), pixels(picture, points));
   io::write_atomically(plots / (picture.name + "_rigid.dat"), outlines(picture));
-  return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
-              axes(picture, range_of(picture, points), wanted.title) + plot(picture, as_disks), format);
+  return draw(folder, picture.name, picture.width(), picture.height(),
+              axes(picture, range_of(picture, points), wanted.title) + plot(picture), format);
 }
 
 }  // namespace berm::record

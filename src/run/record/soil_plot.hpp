@@ -14,9 +14,12 @@ struct SoilView {
   Vec<2> lower, upper;           ///< m
   std::optional<Real> surface;   ///< m, level of the original surface, drawn as a dashed line
   mesh::GroundLine ground = {};  ///< instead, where that is not level
+  bool mirrored = false;         ///< around the axis x = 0, whose other side is shown too
 
   /// Shows a ground that is not level as far as it lies in the view; nothing changes where it is level.
   void show(const mesh::GroundLine& line);
+  /// Shows both sides of the axis x = 0 of soil that is computed at x >= 0.
+  void mirror();
 };
 
 /// The view around a rigid body: its centre at `x`, its lowest point at `lowest`, m. It reaches up to a berm of these points that stands in it, but for the highest
@@ -31,7 +34,7 @@ struct SoilPicture {
   std::string title;
 };
 
-/// Particles as disks (in SVG as an image within it), or the triangles of the frame filled, coloured by a field; rigid bodies grey, equal
+/// Particles as the ellipses that circles have become (particle_shapes.hpp), or the triangles of the frame filled, coloured by a field; rigid bodies grey, equal
 /// axes. The colours span from zero to the value that one particle or node in a hundred exceeds. Script and data go to FOLDER/plots.
 /// False, with a warning, where it could not be drawn.
 bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& frame, const SoilPicture& picture,

@@ -119,8 +119,8 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<3>& 
   std::string script = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
       part(paper_left, paper_width), 1 - part(paper_right, paper_width), part(paper_bottom, height), 1 - part(paper_top, height));
-  script += fmt::format("set title {} font 'DejaVu Sans,17'\nunset tics\nunset border\nunset key\nset cbtics\n",
-                        plot::gnuplot_text(wanted.title));
+  script += plot::title_over(wanted.title, paper_width, part(height - paper_top / 2, height));
+  script += "unset tics\nunset border\nunset key\nset cbtics\n";
   script += fmt::format("set xrange [0:{}]\nset yrange [0:{}]\nset cbrange [{:g}:{:g}]\n", raster.columns(), raster.rows(), range.first,
                         range.second);
   const std::string words = field.info.label + (field.info.unit.empty() ? "" : " (" + field.info.unit + ")");

@@ -32,6 +32,7 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
     view = record::view_around(center_now<2>(body, now)[0], lowest_level<2>(placed<2>(body, now), model.axes.up_vector()), width,
                                model.surface, last.points);
   }
+  if (model.mesh.metric == mesh::Metric::axisymmetric) view.mirror();
   view.show(model.ground.line);
   const auto draw_one = [&](const std::string& name, const std::string& field) {
     record::draw_soil(folder.path(), last, {name, field, view, settings.title});

@@ -44,6 +44,36 @@ TEST(Raster, paints_nothing_of_triangles_beyond_it_or_without_area)
   for (Index k = 0; k < 16; ++k) EXPECT_TRUE(std::isnan(raster.at(k % 4, k / 4)));
 }
 
+// An ellipse of 4 by 1 m that is turned by 30 degrees.
+TEST(Raster, paints_the_middles_of_pixels_in_an_ellipse)
+{
+  Raster raster({-5, -5}, {5, 5}, 100, 200);
+  const Vec<2> along(std::sqrt(3.) / 2, 0.5), across(-0.5, std::sqrt(3.) / 2);
+  raster.paint_ellipse({0.5, 0}, 4 * along * along.transpose() + across * across.transpose(), 3);
+  int painted = 0;
+  for (Index row = 0; row < 200; ++row)
+    for (Index column = 0; column < 100; ++column) {
+      const Vec<2> x = Vec<2>(-5 + (column + 0.5) / 10, -5 + (row + 0.5) / 20) - Vec<2>(0.5, 0);
+      const Real away = std::hypot(along.dot(x) / 4, across.dot(x));
+      if (away < 1 - digits) {
+        EXPECT_EQ(raster.at(column, row), 3);
+      }
+      if (away > 1 + digits) {
+        EXPECT_TRUE(std::isnan(raster.at(column, row)));
+      }
+      painted += away < 1 ? 1 : 0;
+    }
+  EXPECT_NEAR(painted, 4 * pi * 200, 100);
+}
+
+TEST(Raster, gives_a_pixel_of_two_ellipses_the_value_of_the_nearer_centre)
+{
+  Raster raster({0, 0}, {3, 1}, 30, 10);
+  raster.paint_ellipse({1, 0.5}, Matrix<2>::Identity(), 1);
+  raster.paint_ellipse({2, 0.5}, Matrix<2>::Identity(), 2);
+  for (Index column = 5; column < 25; ++column) EXPECT_EQ(raster.at(column, 5), column < 15 ? 1 : 2) << column;
+}
+
 TEST(Raster, as_floats_goes_row_by_row_from_the_lowest_up)
 {
   Raster raster({0, 0}, {2, 2}, 2, 2);

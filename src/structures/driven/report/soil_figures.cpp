@@ -27,7 +27,8 @@ run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folde
   frame.body = soil.body;
   frame.id = soil.id;
   for (const run_folder::FieldValues<float>& field : soil.fields)
-    if (field.info.components == 1) frame.fields.push_back({field.info, std::vector<Real>(field.values.begin(), field.values.end())});
+    if (field.info.components == 1 || field.info.name == "displacement")
+      frame.fields.push_back({field.info, std::vector<Real>(field.values.begin(), field.values.end())});
   run_folder::FrameRigid<2> all{{}, Vec<2>::Zero()};
   for (std::size_t k = 0; k < rigid_bodies.x.size(); ++k) all.surface.points.emplace_back(rigid_bodies.x[k], rigid_bodies.y[k]);
   for (const std::vector<Index>& cell : rigid_bodies.cells) all.surface.add(bodies::SurfaceMesh<2>::Kind::polygon, cell);
@@ -43,6 +44,7 @@ std::vector<std::string> draw_frame(const DrivenRun& run, const BodyFrames& fram
   const Real D = run.scale.width, surface = run.record.surface_at(pipe.x);
   const run_folder::Frame<2> frame = frame_of(frames.soil(number), frames.rigid_bodies(number));
   record::SoilView view = record::view_around(pipe.x, surface - pipe.w, D, surface, frame.points);
+  if (run.settings.geometry == problem::Geometry::axisymmetric) view.mirror();
   view.show(run.record.ground.line);
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;
