@@ -29,10 +29,10 @@ std::string described(const Listed& entry)
   return text;
 }
 
-/// A number, or a text that begins with one and may have a unit, or a word.
+/// A number, or a text that is one with a unit behind it, if any, or a word.
 Json number_schema(const Listed& entry)
 {
-  std::string pattern = R"(^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)";
+  std::string pattern = R"(^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(\s*[^\d\s.,].*|\s+1/.*|\s*)$)";
   for (const std::string& word : entry.number_words) pattern += "|^" + word + "$";
   Json number = Json::object({{"type", Json::array({"number", "string"})}, {"pattern", pattern}});
   const Range& range = entry.range;

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The schemas that `berm params --json-schema` prints: the examples fit them, for a validator and for the program that editors check TOML with; wrong inputs do not.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import Ajv from "ajv-draft-04";
+import { getStaticTOMLValue, parseTOML } from "toml-eslint-parser";
+import { from_environment } from "./browser";
+
+const program = from_environment("BERM_PROGRAM");
+const source = from_environment("BERM_SOURCE");
+const folder = mkdtempSync(join(tmpdir(), "berm-schema-"));
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+type Kind = "case" | "element";
+
+const schema_files = Object.fromEntries(
+  (["case", "element"] as const).map((kind) => {
+    const file = join(folder, `${kind}.schema.json`);
+    writeFileSync(file, execFileSync(program, ["params", "--json-schema", kind]));
+    return [kind, file];
+  }),
+) as Record<Kind, string>;
+
+function validator(kind: Kind) {
+  const ajv = new Ajv({ allErrors: true, strict: true, strictTypes: false, allowUnionTypes: true, keywords: ["x-unit"] });
+  return ajv.compile(JSON.parse(readFileSync(schema_files[kind], "utf8")));
+}
+
+const value_of = (text: string): unknown => getStaticTOMLValue(parseTOML(text));
+
+/** The inputs among the examples; what is neither a case nor of element tests is a study or expected numbers. */
+function examples(): Record<Kind, string[]> {
+  const found: Record<Kind, string[]> = { case: [], element: [] };
+  for (const name of readdirSync(join(source, "examples"), { recursive: true }) as string[]) {
+    if (!name.endsWith(".toml") || name.endsWith("expected.toml") || name.endsWith("study.toml")) continue;
+    const file = join(source, "examples", name);
+    found[/^\[\[test\]\]/m.test(readFileSync(file, "utf8")) ? "element" : "case"].push(file);
+  }
+  return found;
+}
+
+for (const kind of ["case", "element"] as const) {
+  test(`the_examples_fit_the_schema_of_${kind}`, () => {
+    const fits = validator(kind);
+    const files = examples()[kind];
+    assert.ok(files.length >= (kind === "case" ? 100 : 2), `${files.length} examples`);
+    const wrong = files.filter((file) => !fits(value_of(readFileSync(file, "utf8")))).map((file) => `${file}: ${JSON.stringify(fits.errors?.slice(0, 3))}`);
+    assert.deepEqual(wrong, []);
+  });
+}
+
+const taplo = join(dirname(dirname(fileURLToPath(import.meta.url))), "node_modules", "@taplo", "cli", "dist", "cli.js");
+
+/** Of the program that editors check TOML with. */
+function lint(files: string[], schema?: string) {
+  const arguments_ = ["lint", "--no-auto-config", ...(schema ? ["--schema", pathToFileURL(schema).href] : []), ...files];
+  return spawnSync(process.execPath, [taplo, ...arguments_], { cwd: folder, encoding: "utf8" });
+}
+
+test("taplo_takes_the_examples_by_the_schema", () => {
+  for (const kind of ["case", "element"] as const) {
+    const { status, stderr } = lint(examples()[kind], schema_files[kind]);
+    assert.equal(status, 0, stderr.slice(0, 2000));
+  }
+});
+
+test("new_cases_of_all_kinds_fit_the_schema_and_taplo_finds_it_by_their_first_line", () => {
+  const fits = validator("case");
+  const kinds = (JSON.parse(execFileSync(program, ["new", "--json"], { encoding: "utf8" })) as { kind: string }[]).map(({ kind }) => kind);
+  assert.ok(kinds.length >= 10, `${kinds.length} kinds`);
+  const files = kinds.map((kind) => {
+    const file = join(folder, `${kind}.toml`);
+    execFileSync(program, ["new", kind, file], { stdio: "ignore" });
+    const text = readFileSync(file, "utf8");
+    assert.match(text, /^#:schema file:\/\/.*\/berm\/case\.schema\.json\n/);
+    assert.ok(fits(value_of(text)), `${kind}: ${JSON.stringify(fits.errors?.slice(0, 3))}`);
+    return file;
+  });
+  const taken = lint(files);
+  assert.equal(taken.status, 0, taken.stderr.slice(0, 2000));
+  writeFileSync(files[0], readFileSync(files[0], "utf8").replace(/^gravity\b/m, "gravty"));
+  const refused = lint([files[0]]);
+  assert.notEqual(refused.status, 0);
+  assert.match(refused.stderr, /gravty/);
+});
+
+// What a schema cannot see: units of another dimension, numbers in texts that are out of range, names that nothing has, and keys that depend on values or on other tables.
+test("the_schema_refuses_wrong_keys_words_and_types", () => {
+  const fits = validator("case");
+  const all = JSON.parse(execFileSync(from_environment("BERM_WRONG_INPUTS"), { encoding: "utf8" })) as Record<string, string>;
+  const passed = Object.keys(all).filter((name) => {
+    try {
+      return fits(value_of(all[name]));
+    } catch {
+      return false; // no TOML
+    }
+  });
+  const seen = Object.keys(all).filter((name) => !passed.includes(name));
+  assert.deepEqual(passed.filter((name) => /misspelt|former|unknown_(word|law)|key_(without|of|twice)|(truth|number|text|date|list)_for_a/.test(name)), []);
+  assert.ok(seen.length >= 48, `not: ${passed.join(", ")}`);
+});
