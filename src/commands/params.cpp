@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/command.hpp"
 #include "element/element_settings.hpp"
+#include "expectations/expectation.hpp"
 #include "input/catalogue.hpp"
 #include "structures/structures.hpp"
+#include "study/study_settings.hpp"
 
 #include <fmt/format.h>
 
 namespace berm::commands {
 namespace {
 
+struct Schema {
+  const char *word, *title;
+  input::Listed (*catalogue)();
+};
+
+constexpr Schema schemas[] = {{"case", "A case of berm", structures::case_catalogue},
+                              {"element", "Element tests of berm", element::element_catalogue},
+                              {"study", "A study of berm", study::study_catalogue},
+                              {"expected", "Numbers that runs of berm are expected to give", expectations::expected_catalogue}};
+
 int print_schema(const std::string& of)
 {
-  const bool of_case = of == "case";
-  fmt::print("{}", input::json_schema(of_case ? structures::case_catalogue() : element::element_catalogue(),
-                                      of_case ? "A case of berm" : "Element tests of berm"));
+  for (const auto& [word, title, catalogue] : schemas)
+    if (word == of) fmt::print("{}", input::json_schema(catalogue(), title));
   return 0;
 }
 
@@ -39,8 +50,8 @@ Command add_params(CLI::App& program)
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("params", "list all parameters of a case, and of element tests");
   CLI::Option* markdown = app->add_flag("--markdown", options->markdown, "as Markdown");
-  app->add_option("--json-schema", options->schema_of, "as JSON Schema (draft 4), for editors: that of a case, or of element tests")
-      ->check(CLI::IsMember({"case", "element"}))
+  app->add_option("--json-schema", options->schema_of, "as JSON Schema (draft 4), for editors: of a case, element tests, a study, or expected.toml")
+      ->check(CLI::IsMember({"case", "element", "study", "expected"}))
       ->excludes(markdown);
   return {app, [options] { return options->schema_of.empty() ? print_list(options->markdown) : print_schema(options->schema_of); }};
 }

@@ -16,10 +16,12 @@ const source = from_environment("BERM_SOURCE");
 const folder = mkdtempSync(join(tmpdir(), "berm-schema-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
-type Kind = "case" | "element";
+const kinds = ["case", "element", "study", "expected"] as const;
+type Kind = (typeof kinds)[number];
+const at_least: Record<Kind, number> = { case: 100, element: 2, study: 3, expected: 50 };
 
 const schema_files = Object.fromEntries(
-  (["case", "element"] as const).map((kind) => {
+  kinds.map((kind) => {
     const file = join(folder, `${kind}.schema.json`);
     writeFileSync(file, execFileSync(program, ["params", "--json-schema", kind]));
     return [kind, file];
@@ -33,22 +35,23 @@ function validator(kind: Kind) {
 
 const value_of = (text: string): unknown => getStaticTOMLValue(parseTOML(text));
 
-/** The inputs among the examples; what is neither a case nor of element tests is a study or expected numbers. */
+/** The inputs among the examples. */
 function examples(): Record<Kind, string[]> {
-  const found: Record<Kind, string[]> = { case: [], element: [] };
+  const found: Record<Kind, string[]> = { case: [], element: [], study: [], expected: [] };
   for (const name of readdirSync(join(source, "examples"), { recursive: true }) as string[]) {
-    if (!name.endsWith(".toml") || name.endsWith("expected.toml") || name.endsWith("study.toml")) continue;
-    const file = join(source, "examples", name);
-    found[/^\[\[test\]\]/m.test(readFileSync(file, "utf8")) ? "element" : "case"].push(file);
+    if (!name.endsWith(".toml")) continue;
+    const file = join(source, "examples", name), text = readFileSync(file, "utf8");
+    const has = (table: string) => text.includes(`\n${table}`);
+    found[name.endsWith("expected.toml") ? "expected" : has("[[test]]") ? "element" : has("[[case]]") ? "study" : "case"].push(file);
   }
   return found;
 }
 
-for (const kind of ["case", "element"] as const) {
+for (const kind of kinds) {
   test(`the_examples_fit_the_schema_of_${kind}`, () => {
     const fits = validator(kind);
     const files = examples()[kind];
-    assert.ok(files.length >= (kind === "case" ? 100 : 2), `${files.length} examples`);
+    assert.ok(files.length >= at_least[kind], `${files.length} examples`);
     const wrong = files.filter((file) => !fits(value_of(readFileSync(file, "utf8")))).map((file) => `${file}: ${JSON.stringify(fits.errors?.slice(0, 3))}`);
     assert.deepEqual(wrong, []);
   });
@@ -63,7 +66,7 @@ function lint(files: string[], schema?: string) {
 }
 
 test("taplo_takes_the_examples_by_the_schema", () => {
-  for (const kind of ["case", "element"] as const) {
+  for (const kind of kinds) {
     const { status, stderr } = lint(examples()[kind], schema_files[kind]);
     assert.equal(status, 0, stderr.slice(0, 2000));
   }
@@ -71,9 +74,9 @@ test("taplo_takes_the_examples_by_the_schema", () => {
 
 test("new_cases_of_all_kinds_fit_the_schema_and_taplo_finds_it_by_their_first_line", () => {
   const fits = validator("case");
-  const kinds = (JSON.parse(execFileSync(program, ["new", "--json"], { encoding: "utf8" })) as { kind: string }[]).map(({ kind }) => kind);
-  assert.ok(kinds.length >= 10, `${kinds.length} kinds`);
-  const files = kinds.map((kind) => {
+  const new_kinds = (JSON.parse(execFileSync(program, ["new", "--json"], { encoding: "utf8" })) as { kind: string }[]).map(({ kind }) => kind);
+  assert.ok(new_kinds.length >= 10, `${new_kinds.length} kinds`);
+  const files = new_kinds.map((kind) => {
     const file = join(folder, `${kind}.toml`);
     execFileSync(program, ["new", kind, file], { stdio: "ignore" });
     const text = readFileSync(file, "utf8");

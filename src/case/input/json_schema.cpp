@@ -150,6 +150,7 @@ void add_alternatives(const Listed& table, Chosen chosen, Json& all)
 
 Json table_schema(const Listed& table)
 {
+  if (table.children.empty()) return by_name(text_schema(true));  // its keys are names
   Json all = Json::array();
   add_alternatives(table, {}, all);
   if (all.size() == 1) return all.front();

@@ -207,6 +207,11 @@ void describe(Describe& d, Expectations& all)
     d.check(std::find(needed.begin(), needed.end(), name) != needed.end(), "run." + name, "no [[expect]] is about this run");
 }
 
+input::Listed expected_catalogue()
+{
+  return input::catalogue_of<Expectations>();
+}
+
 Expectations read_expectations(const std::filesystem::path& file)
 {
   return read_document(input::parse_file(file));

@@ -3,6 +3,7 @@
 
 #include "expectations/chapter.hpp"
 #include "expectations/observable.hpp"
+#include "input/catalogue.hpp"
 #include "structures/base/published_point.hpp"
 
 namespace berm::expectations {
@@ -65,6 +66,9 @@ struct Expectations {
 
 /// The file, in the folder of an example and in that of each of its runs.
 constexpr const char* expected_file = "expected.toml";
+
+/// The keys of expected.toml, for its schema.
+input::Listed expected_catalogue();
 
 /// Read it, or its text. Throw InputError with file, line and key.
 Expectations read_expectations(const std::filesystem::path& file);

@@ -231,6 +231,13 @@ void describe(Describe& d, Study& study)
   }
 }
 
+input::Listed study_catalogue()
+{
+  input::Listed all = input::catalogue_of<Study>();
+  std::ranges::find(all.children, "skip", &input::Listed::key)->children.clear();  // its keys are the names of axes
+  return all;
+}
+
 Study read_study(const std::filesystem::path& file)
 {
   input::Document document = input::parse_file(file);

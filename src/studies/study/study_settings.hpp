@@ -2,6 +2,7 @@
 #pragma once
 
 #include "expectations/observable.hpp"
+#include "input/catalogue.hpp"
 #include "study/sample.hpp"
 
 namespace berm::study {
@@ -62,6 +63,9 @@ void describe(Describe& d, StudySkip& skip);
 void describe(Describe& d, StudyMeasure& measure);
 void describe(Describe& d, StudyFigure& figure);
 void describe(Describe& d, Study& study);
+
+/// The keys of a study, for its schema.
+input::Listed study_catalogue();
 
 /// Reads a study and its tables, and draws its sample. Throws InputError with file, line and key.
 Study read_study(const std::filesystem::path& file);
