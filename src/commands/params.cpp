@@ -50,7 +50,8 @@ Command add_params(CLI::App& program)
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("params", "list all parameters of a case, and of element tests");
   CLI::Option* markdown = app->add_flag("--markdown", options->markdown, "as Markdown");
-  app->add_option("--json-schema", options->schema_of, "as JSON Schema (draft 4), for editors: of a case, element tests, a study, or expected.toml")
+  app->add_option("--json-schema", options->schema_of,
+                  "as JSON Schema (draft 4), for editors: of a case, element tests, a study, or expected.toml")
       ->check(CLI::IsMember({"case", "element", "study", "expected"}))
       ->excludes(markdown);
   return {app, [options] { return options->schema_of.empty() ? print_list(options->markdown) : print_schema(options->schema_of); }};

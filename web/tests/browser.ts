@@ -4,9 +4,10 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, 
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { chromium, firefox } from "playwright-core";
 import type { Browser, BrowserContext, BrowserContextOptions, Page } from "playwright-core";
 import type { PageData } from "../src/data";
+import { in_few_colours } from "./palette_png";
 
 const browsers = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
@@ -17,11 +18,16 @@ export function from_environment(name: string): string {
   return resolve(value);
 }
 
-/** The browser that the tests use; WebGL is drawn by software. */
-export async function launch_browser(): Promise<Browser> {
+/** The browser that the tests use, or the Firefox of the distribution where BERM_BROWSER says so; WebGL is drawn by software. Downloads go to a folder, if it is named. */
+export async function launch_browser(downloadsPath?: string): Promise<Browser> {
+  if (process.env.BERM_BROWSER === "firefox") {
+    const found = ["/usr/bin/firefox-esr", "/usr/bin/firefox"].find((path) => existsSync(path));
+    if (!found) throw new Error("Firefox is not installed"); // ctest takes these words for a test that is skipped
+    return firefox.launch({ channel: "moz-firefox", executablePath: found, downloadsPath });
+  }
   const found = process.env.CHROMIUM ?? browsers.find((path) => existsSync(path));
   if (!found) throw new Error(`no browser: set CHROMIUM, or install one of ${browsers.join(", ")}`);
-  return chromium.launch({ executablePath: found, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+  return chromium.launch({ executablePath: found, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"], downloadsPath });
 }
 
 // Software draws a long page in seconds, and in a minute where the machine does other work; a test that hangs is ended by its own limit.
@@ -120,5 +126,5 @@ export async function take_screenshot(page: Page, name: string, whole_page = fal
   const folder = process.env.BERM_SCREENSHOTS;
   if (!folder) return;
   mkdirSync(folder, { recursive: true });
-  await page.screenshot({ path: join(folder, `${name}.png`), fullPage: whole_page });
+  writeFileSync(join(folder, `${name}.png`), await in_few_colours(page, await page.screenshot({ fullPage: whole_page })));
 }

@@ -2,18 +2,19 @@
 // A job at the desk, from a case to springs, in a browser: a form that changes the text, a run that grows, stops and goes on, two runs compared, springs, a printed page.
 import assert from "node:assert/strict";
 import { type ChildProcess, spawn } from "node:child_process";
-import { copyFileSync, existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { copyFileSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import { from_environment, launch_browser, take_screenshot } from "./browser";
 
-const folder = mkdtempSync(join(tmpdir(), "berm desk ")), program = from_environment("BERM_PROGRAM");
+const folder = mkdtempSync(join(tmpdir(), "berm desk ")), downloads = mkdtempSync(join(tmpdir(), "berm downloads ")), program = from_environment("BERM_PROGRAM");
 let browser: Browser, desk: ChildProcess, address = "", page: Page;
 const errors: string[] = [];
 
 before(async () => {
+  browser = await launch_browser(downloads);
   copyFileSync(from_environment("BERM_CASE"), join(folder, "pipe.toml"));
   desk = spawn(program, ["desk", folder, "--no-browser", "--threads", "2"], { stdio: ["ignore", "pipe", "inherit"] });
   address = await new Promise((found) => {
@@ -24,7 +25,6 @@ before(async () => {
       if (line) found(line[0]);
     });
   });
-  browser = await launch_browser();
   const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, acceptDownloads: true });
   context.setDefaultTimeout(240_000);
   page = await context.newPage();
@@ -32,14 +32,47 @@ before(async () => {
   page.on("dialog", (dialog) => void dialog.accept());
 });
 after(async () => {
-  await browser.close();
-  desk.kill("SIGINT");
-  await new Promise((ended) => desk.once("exit", ended));
+  await browser?.close();
+  if (desk) {
+    const ended = new Promise((end) => desk.once("exit", end));
+    desk.kill("SIGINT");
+    await ended;
+  }
+  rmSync(downloads, { recursive: true, force: true });
   rmSync(folder, { recursive: true, force: true });
 });
 
 const go = (hash: string) => page.goto(`${address.split("#")[0]}#${hash}`);
 const badge = (word: string) => page.locator(`.run_head .badge.${word}`);
+
+/** What a click downloads: the next file in the folder of downloads, once it no longer grows. Firefox tells nobody of downloads of what a page made itself. */
+async function downloaded(click: () => Promise<unknown>): Promise<Buffer> {
+  const before_it = new Set(readdirSync(downloads));
+  await click();
+  for (let waited = 0, size = -1; waited < 120_000; waited += 250) {
+    await page.waitForTimeout(250);
+    const found = readdirSync(downloads).find((name) => !before_it.has(name) && !name.endsWith(".part")), bytes = found ? readFileSync(join(downloads, found)) : Buffer.alloc(0);
+    if (bytes.length > 0 && bytes.length === size) return bytes;
+    size = bytes.length;
+  }
+  throw new Error("nothing was downloaded");
+}
+
+/** Presses Tab until the focus is on something of that name, which must show it. */
+async function tab_to(name: RegExp): Promise<void> {
+  for (let pressed = 0; pressed < 120; ++pressed) {
+    await page.keyboard.press("Tab");
+    const [here, outline] = await page.evaluate(() => {
+      const face = document.activeElement as HTMLElement, labels = (face as HTMLInputElement).labels;
+      return [face.getAttribute("aria-label") ?? labels?.[0]?.textContent ?? face.textContent ?? "", getComputedStyle(face).outlineStyle];
+    });
+    if (!name.test(here)) continue;
+    assert.notEqual(outline, "none", `the focus on ${here} is in sight`);
+    return;
+  }
+  throw new Error(`Tab does not reach ${name}`);
+}
+
 const rows = async () => (existsSync(join(folder, "out/pipe/history.csv")) ? readFileSync(join(folder, "out/pipe/history.csv"), "utf8").split("\n").length : 0);
 
 test("the_token_leaves_the_address_and_a_page_without_it_shows_nothing", async () => {
@@ -66,7 +99,9 @@ test("a_field_changes_the_text_and_the_text_the_field", async () => {
   // Some ten seconds.
   await page.locator('[data-key="stage.drag.velocity"] input').fill("0.1");
   await page.locator('[data-key="stage.drag.velocity"] input').blur();
-  assert.match(await page.locator(".cm-content").innerText(), /# A pipe on sand/, "comments stay");
+  await page.keyboard.press("Control+s");
+  await page.getByText("saved", { exact: true }).waitFor();
+  assert.match(readFileSync(join(folder, "pipe.toml"), "utf8"), /# A pipe on sand/, "comments stay");
   await take_screenshot(page, "desk_case");
 });
 
@@ -120,14 +155,77 @@ test("two_runs_are_compared_and_springs_are_written", async () => {
   await page.getByRole("button", { name: "Export" }).click();
   const file = page.locator("button.file").first();
   await file.waitFor();
-  const [download] = await Promise.all([page.waitForEvent("download"), file.click()]);
-  assert.ok(readFileSync(await download.path(), "utf8").length > 0);
+  assert.ok((await downloaded(() => file.click())).length > 0);
+});
+
+test("a_study_of_low_and_high_values_shows_its_table_and_tornado", async () => {
+  await go("/run?path=out%2Fpipe_2");
+  await page.getByRole("button", { name: "Low, best, high …" }).click();
+  await page.getByLabel("vary material.sand.friction_angle").check();
+  await page.locator("#sample").fill("3");
+  await page.getByText("6 runs of the case.").waitFor();
+  await page.getByRole("button", { name: "Run the study" }).click();
+  await page.locator("h3", { hasText: "All runs" }).waitFor();
+  for (const words of ["Low, best and high estimate", "Sensitivity"]) await page.locator("h3", { hasText: words }).waitFor();
+  await page.locator(".picture img[alt^=Tornado]").first().waitFor();
+  await page.waitForFunction(() => [...document.querySelectorAll<HTMLImageElement>(".picture img")].every((image) => image.naturalWidth > 100));
+  await go("/case?path=pipe_study.toml");
+  await page.getByRole("button", { name: "Run the study" }).waitFor();
+  await page.locator('[data-key="sample.size"] input').waitFor({ state: "attached" });
+});
+
+test("the_keyboard_is_enough", async () => {
+  await page.bringToFront(); // no other window has the focus
+  await go("/");
+  await page.locator(".card").first().waitFor();
+  await tab_to(/^A pipe of 0.5 m in sand/);
+  await page.keyboard.press("Enter");
+  await page.locator("#new-file").waitFor();
+  await page.keyboard.type("typed");
+  await tab_to(/^Create$/);
+  await page.keyboard.press("Enter");
+  await page.locator(".finding, .findings .good").first().waitFor();
+  await tab_to(/^title$/);
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type("Typed");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.querySelector(".cm-content")!.textContent!.includes('"Typed"'));
+  await page.keyboard.press("Control+Enter");
+  await badge("running").waitFor();
+  await tab_to(/^Stop$/);
+  await page.keyboard.press("Enter");
+  await badge("stopped").waitFor();
+  await tab_to(/^Report$/);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("g");
+  await page.keyboard.press("r");
+  await page.locator(".runs_view").waitFor();
+  await tab_to(/^out\/typed$/);
+  await page.keyboard.press("Enter");
+  await page.locator(".run_view").waitFor();
+});
+
+test("a_tablet_shows_form_or_text_and_cuts_nothing_off", async () => {
+  await page.setViewportSize({ width: 820, height: 1180 });
+  for (const place of ["/", "/case?path=pipe.toml", "/run?path=out%2Fpipe", "/runs", "/vary?path=out%2Fpipe_2"]) {
+    await go(place);
+    await page.locator("main :is(.files, .finding, .badge, .vary)").first().waitFor();
+    const beyond = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>("header *, main :is(button, input, select, canvas, img, p, h2, h3)")].filter((face) => face.getBoundingClientRect().right > innerWidth + 1 && !face.closest(".cm-editor, .scrolls")).map((face) => face.outerHTML.slice(0, 80)));
+    assert.deepEqual(beyond, [], place);
+  }
+  await go("/case?path=pipe.toml");
+  await page.locator(".form_pane").waitFor();
+  assert.ok(!(await page.locator(".text_pane").isVisible()));
+  await page.getByRole("button", { name: "Text", exact: true }).click();
+  await page.locator(".text_pane").waitFor();
+  assert.ok(!(await page.locator(".form_pane").isVisible()));
+  await page.setViewportSize({ width: 1280, height: 860 });
 });
 
 test("a_page_is_printed", async () => {
   await go("/run?path=out%2Fpipe");
   await badge("finished").waitFor();
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "PDF" }).click()]);
-  assert.equal(readFileSync(await download.path()).subarray(0, 5).toString(), "%PDF-");
+  const pdf = await downloaded(() => page.getByRole("button", { name: "PDF" }).click());
+  assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
   assert.deepEqual(errors, []);
 });

@@ -113,6 +113,11 @@ Json Actions::printed(const std::vector<std::string>& words)
   return json_in(answer_of({.words = words}));
 }
 
+Json Actions::schema(const std::string& of)
+{
+  return printed({"params", "--json-schema", plain_word(of, "of")});
+}
+
 std::string Actions::written(const Json& body)
 {
   std::vector<std::string> words = {"new", plain_word(text_in(body, "kind"), "kind")};

@@ -22,8 +22,10 @@ public:
   {
   }
 
-  /// JSON that a command prints: the schema of cases, kinds of new cases, named soils.
+  /// JSON that a command prints: kinds of new cases, named soils.
   Json printed(const std::vector<std::string>& words);
+  /// Of a case, element tests or a study.
+  Json schema(const std::string& of);
   Json new_case(const Json& body);
   /// An SVG of a kind of new case.
   std::string picture(const std::string& kind);

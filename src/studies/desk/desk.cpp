@@ -101,7 +101,7 @@ struct Desk::Parts {
     all["GET /api/about"] = [this](const Request&) {
       return json({{"version", io::version_words()}, {"folder", folder.root().string()}, {"cores", queue->threads()}});
     };
-    all["GET /api/schema"] = [this](const Request&) { return json(actions.printed({"params", "--json-schema", "case"})); };
+    all["GET /api/schema"] = [this](const Request& r) { return json(actions.schema(query(r, "of"))); };
     all["GET /api/kinds"] = [this](const Request&) { return json(actions.printed({"new", "--json"})); };
     all["GET /api/soils"] = [this](const Request&) { return json(actions.printed({"new", "--soils", "--json"})); };
     all["POST /api/new"] = [this](const Request& r) { return json(actions.new_case(r.body)); };

@@ -42,10 +42,10 @@ double time_of(const fs::path& path)
   return none ? 0 : std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
-/// What an input is by its first tables, without reading it as one: a study has cases, expected.toml has runs. Its title where it says one in a line.
+/// What an input is by its first tables, without reading it as one: a study has cases, an input of element tests has tests, expected.toml has runs. Its title where it says one in a line.
 struct Glance {
   std::string title;
-  bool study = false, other = false;
+  bool study = false, tests = false, other = false;
 };
 
 Glance glance_at(const fs::path& file)
@@ -54,6 +54,7 @@ Glance glance_at(const fs::path& file)
   std::istringstream lines(io::read_text_file(file, most_bytes_of_body));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("[[case]]")) seen.study = true;
+    if (line.starts_with("[[test]]")) seen.tests = true;
     if (line.starts_with("[run.")) seen.other = true;
     if (!seen.title.empty() || !line.starts_with("title")) continue;
     const auto begin = line.find('"'), end = line.rfind('"');
@@ -130,7 +131,7 @@ Json Folder::contents(const std::string& name) const
 {
   const fs::path folder = inside(name);
   if (!fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is no folder", name));
-  Json cases = Json::array(), studies = Json::array(), runs = Json::array(), folders = Json::array();
+  Json cases = Json::array(), studies = Json::array(), tests = Json::array(), runs = Json::array(), folders = Json::array();
   std::vector<fs::path> entries;
   for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied))
     if (!is_hidden(entry.path()) && entries.size() < most_entries) entries.push_back(entry.path());
@@ -143,10 +144,13 @@ Json Folder::contents(const std::string& name) const
     } else if (fs::is_regular_file(status) && path.extension() == ".toml" && fs::file_size(path, none) <= most_bytes_of_body) {
       const Glance seen = glance_at(path);
       if (!seen.other)
-        (seen.study ? studies : cases).push_back({{"path", name_of(path)}, {"title", seen.title}, {"modified", time_of(path)}});
+        (seen.study   ? studies
+         : seen.tests ? tests
+                      : cases)
+            .push_back({{"path", name_of(path)}, {"title", seen.title}, {"modified", time_of(path)}});
     }
   }
-  return {{"path", name_of(folder)}, {"cases", cases}, {"studies", studies}, {"runs", runs}, {"folders", folders}};
+  return {{"path", name_of(folder)}, {"cases", cases}, {"studies", studies}, {"tests", tests}, {"runs", runs}, {"folders", folders}};
 }
 
 std::vector<fs::path> Folder::runs() const

@@ -174,7 +174,7 @@ Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& 
   else if (io::FolderLock::owner_of(run).empty())
     state = entry && entry->state == WorkState::failed ? WorkState::failed : rest.state;
   Json answer = {{"path", name},
-                 {"case", entry ? entry->work.case_file : rest.case_file},
+                 {"case", entry && !entry->work.case_file.empty() ? entry->work.case_file : rest.case_file},
                  {"status", word_of(state)},
                  {"progress", nullptr},
                  {"time_left_s", nullptr},

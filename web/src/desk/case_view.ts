@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A case: form and text side by side and always in step, the model as it changes, and what berm check finds.
+// A case: form and text side by side and always in step, the model as it changes, and what berm check finds. A study and element tests have form and text.
 import { createEditor, type Editor, type Finding } from "../editor/editor";
 import type { Schema } from "../editor/schema";
 import { element } from "../element";
 import { make } from "../film_elements";
-import { api, type Checked, Refusal } from "./api";
+import { api, type Checked, type InputKind, Refusal } from "./api";
 import { CaseText, type Path } from "./case_text";
 import { Form } from "./form";
 import type { Place } from "./place";
 import { bytes_words, duration_words, hurry, picture_of, say } from "./words";
+
+/** A study has cases, an input of element tests has tests. */
+export function kind_of(text: string): InputKind {
+  return /^\[\[case\]\]/m.test(text) ? "study" : /^\[\[test\]\]/m.test(text) ? "element" : "case";
+}
+
+const run_words: Record<InputKind, string> = { case: "Run", study: "Run the study", element: "Run the tests" };
 
 export class CaseView implements Place {
   readonly element = make("div", "case_view");
@@ -23,14 +30,15 @@ export class CaseView implements Place {
   private model = make("div", "model");
   private state = make("span", "quiet");
   private save_button = element("button", { type: "button", class: "primary" }, "Save");
-  private run_button = element("button", { type: "button", class: "primary" }, "Run");
+  private run_button: HTMLButtonElement;
   private from_form = false;
   private last_check: Promise<Finding[]> = Promise.resolve([]);
   private draw_later = hurry(500, () => void this.draw());
   private gone = false;
 
-  constructor(private readonly path: string, read: { text: string; modified: string | number }, schema: Schema, cores: number) {
+  constructor(private readonly path: string, read: { text: string; modified: string | number }, private readonly kind: InputKind, schema: Schema, cores: number) {
     this.title = path;
+    this.run_button = element("button", { type: "button", class: "primary" }, run_words[kind]);
     this.saved = read.text;
     this.modified = read.modified;
     this.text = new CaseText(read.text);
@@ -38,20 +46,42 @@ export class CaseView implements Place {
     const threads = element("input", { type: "number", min: 1, max: cores, value: cores, id: "threads", "aria-label": "threads" });
     this.run_button.addEventListener("click", () => void this.run(Number(threads.value)));
     this.save_button.addEventListener("click", () => void this.save());
-    const element_test = element("button", { type: "button" }, "Test its soil"), envelope = element("button", { type: "button" }, "Envelope");
-    element_test.title = "Put the soils of this case into laboratory tests (berm element): triaxial, simple shear, oedometer";
-    envelope.title = "Find the loads that the soil can carry (berm envelope); it starts many runs";
-    element_test.addEventListener("click", () => void this.test_soil());
-    envelope.addEventListener("click", () => void this.work("envelope"));
-    const text_box = make("div", "text_box");
+    const is_case = kind === "case", text_box = make("div", "text_box");
+    const job = (words: string, title: string, does: () => void) => {
+      const face = element("button", { type: "button", title }, words);
+      face.addEventListener("click", does);
+      return face;
+    };
+    const jobs = is_case ? [
+      job("Element tests", "Put the soils of this case into laboratory tests (berm element): triaxial, simple shear", () => void this.test_soil()),
+      job("Envelope", "Find the loads that the soil can carry (berm envelope): many runs", () => void this.work("envelope")),
+      job("Factor of safety", "Find by how much the strength can fall until the soil fails (berm safety): some ten runs", () => void this.work("safety"))] : [];
+    const checked = make("section", "pane side_pane", make("h2", "", "Model"), this.model, make("h2", "", "Findings"), this.estimate, this.findings);
+    this.element.classList.toggle("no_model", !is_case);
     this.element.append(
-      make("div", "bar", this.save_button, this.run_button, make("label", "threads", "threads ", threads), element_test, envelope, this.state),
-      make("div", "panes", make("section", "pane form_pane", this.form.element), make("section", "pane text_pane", text_box), make("section", "pane side_pane",
-        make("h2", "", "Model"), this.model, make("h2", "", "Findings"), this.estimate, this.findings)));
-    this.editor = createEditor(text_box, { schema, text: read.text, onChange: (now) => this.typed(now), check: (now) => (this.last_check = this.check(now)) });
+      make("div", "bar", this.save_button, this.run_button, make("label", "threads", "threads ", threads), ...jobs, this.state, this.switcher()),
+      make("div", "panes", make("section", "pane form_pane", this.form.element), make("section", "pane text_pane", text_box), ...(is_case ? [checked] : [])));
+    this.editor = createEditor(text_box, { schema, text: read.text, onChange: (now) => this.typed(now), ...(is_case ? { check: (now: string) => (this.last_check = this.check(now)) } : {}) });
     this.form.show(this.text);
     this.show_state();
     void this.draw();
+  }
+
+  /** Where there is no room for both, form or text. */
+  private switcher(): HTMLElement {
+    const faces = (["form", "text"] as const).map((side) => {
+      const face = element("button", { type: "button", "aria-pressed": String(side === "form") }, side === "form" ? "Form" : "Text");
+      face.addEventListener("click", () => this.show_side(side));
+      face.dataset.side = side;
+      return face;
+    });
+    return make("span", "switch", ...faces);
+  }
+
+  private show_side(side: "form" | "text"): void {
+    this.element.classList.toggle("text_side", side === "text");
+    for (const face of this.element.querySelectorAll<HTMLElement>(".switch button")) face.setAttribute("aria-pressed", String(face.dataset.side === side));
+    this.editor.view.requestMeasure();
   }
 
   /** Asks before changes are lost. */
@@ -131,7 +161,7 @@ export class CaseView implements Place {
       face.addEventListener("click", () => this.go_to(finding));
       return make("li", "", face);
     }));
-    if (shown.every(({ level }) => level === "note")) this.findings.prepend(make("li", "good", "Nothing speaks against this case."));
+    if (shown.every(({ level }) => level === "note")) this.findings.prepend(make("li", "good", "No errors and no warnings."));
     this.run_button.disabled = shown.some(({ level }) => level === "error");
   }
 
@@ -140,10 +170,14 @@ export class CaseView implements Place {
       const { doc } = this.editor.view.state, at = doc.line(Math.min(line, doc.lines)).from;
       this.editor.view.dispatch({ selection: { anchor: at }, scrollIntoView: true });
     }
-    if (!key || !this.form.go_to(key)) this.editor.view.focus();
+    if (key) this.show_side("form");
+    if (key && this.form.go_to(key)) return;
+    this.show_side("text");
+    this.editor.view.focus();
   }
 
   private async draw(): Promise<void> {
+    if (this.kind !== "case") return;
     const now = this.editor.text();
     try {
       const svg = await api.draw(this.path, now);
@@ -168,6 +202,7 @@ export class CaseView implements Place {
   }
 
   private async run(threads: number): Promise<void> {
+    if (this.kind !== "case") return this.work(this.kind, { threads, replace: true });
     if (this.editor.text() !== this.saved && !(await this.save())) return;
     await this.last_check;
     try {
@@ -192,10 +227,10 @@ export class CaseView implements Place {
     }
   }
 
-  private async work(what: string): Promise<void> {
+  private async work(what: string, more: Record<string, unknown> = {}): Promise<void> {
     if (this.editor.text() !== this.saved && !(await this.save())) return;
     try {
-      const { job } = await api.work(what, this.path);
+      const { job } = await api.work(what, this.path, more);
       location.hash = `#/job?job=${encodeURIComponent(job)}`;
     } catch (error) {
       say((error as Error).message, "bad");

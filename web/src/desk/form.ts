@@ -109,10 +109,10 @@ export class Form {
       (details.open ? this.folded : this.open).delete(name);
     });
     details.append(
-      make("summary", "", make("span", "group_name", path.length === 0 ? "case" : name), make("span", "quiet group_digest", digest(set, text, path))),
+      make("summary", "", make("span", "group_name", path.length === 0 ? "general" : name), make("span", "quiet group_digest", digest(set, text, path))),
       ...set.map((field) => this.field(text, field, path)));
     if (unset.length > 0) {
-      const more = make("details", "advanced", make("summary", "", `${unset.length} more keys`)), key = `${name}/more`;
+      const more = make("details", "advanced", make("summary", "", unset.length === 1 ? "1 more key" : `${unset.length} more keys`)), key = `${name}/more`;
       more.open = this.open.has(key);
       const fill = () => more.childElementCount === 1 && more.append(...unset.map((field) => this.field(text, field, path)));
       if (more.open) fill();

@@ -4,13 +4,14 @@ import type { Schema } from "../editor/schema";
 import { element } from "../element";
 import { make } from "../film_elements";
 import { follow_theme } from "../theme";
-import { type About, api, take_token, use_token } from "./api";
-import { CaseView } from "./case_view";
+import { type About, api, type InputKind, take_token, use_token } from "./api";
+import { CaseView, kind_of } from "./case_view";
 import { CompareView, ExportView, JobView, PageView } from "./page_view";
 import type { Place } from "./place";
 import { RunView } from "./run_view";
 import { RunsView } from "./runs_view";
 import { StartView } from "./start_view";
+import { VaryView } from "./vary_view";
 
 const KEYS: [keys: string, what: string][] = [
   ["g s", "start"], ["g r", "runs"], ["Ctrl+S", "save the case"], ["Ctrl+Enter", "run the case"], ["Ctrl+Space", "offer keys and words, in the text"], ["?", "this list"], ["Esc", "close"],
@@ -21,7 +22,7 @@ class Desk {
   private shown = "";
   private main = make("main", "");
   private links = new Map<string, HTMLAnchorElement>();
-  private schema: Promise<Schema> | null = null;
+  private schemas = new Map<InputKind, Schema>();
   private keys = make("dialog", "keys");
   private before = "";
 
@@ -34,6 +35,7 @@ class Desk {
     const help = element("button", { type: "button", title: "Keys (?)", "aria-label": "Keys" }, "?");
     help.addEventListener("click", () => this.keys.showModal());
     this.main.id = "main";
+    this.main.tabIndex = -1;
     this.keys.append(make("h2", "", "Keys"), make("dl", "numbers", ...KEYS.flatMap(([keys, what]) => [make("dt", "", make("kbd", "", keys)), make("dd", "", what)])), element("form", { method: "dialog" }, element("button", {}, "Close")));
     const messages = make("div", "messages");
     document.body.append(
@@ -41,7 +43,7 @@ class Desk {
       make("header", "", make("nav", "", make("strong", "brand", "berm desk"), link("", "Start"), link("runs", "Runs"), make("span", "quiet where", about.folder), help)), this.main, this.keys, messages);
     document.querySelector(".skip")!.addEventListener("click", (event) => {
       event.preventDefault();
-      this.main.querySelector<HTMLElement>("a, button, input, select")?.focus();
+      this.main.focus();
     });
     follow_theme();
     addEventListener("hashchange", () => void this.go());
@@ -78,17 +80,19 @@ class Desk {
       else link.removeAttribute("aria-current");
     }
     scrollTo(0, 0);
+    this.main.focus({ preventScroll: true }); // the next Tab goes to the first control of what is shown
   }
 
   private async place_at(hash: string): Promise<Place> {
     const [word, query = ""] = hash.slice(2).split("?"), asked = new URLSearchParams(query), path = asked.get("path") ?? "";
     if (word === "case") {
-      this.schema ??= api.schema() as Promise<Schema>;
-      const [read, schema] = await Promise.all([api.read(path), this.schema]);
-      return new CaseView(path, read, schema, this.about.cores);
+      const read = await api.read(path), kind = kind_of(read.text), schema = this.schemas.get(kind) ?? ((await api.schema(kind)) as Schema);
+      this.schemas.set(kind, schema);
+      return new CaseView(path, read, kind, schema, this.about.cores);
     }
     if (word === "runs") return new RunsView();
     if (word === "run") return new RunView(path);
+    if (word === "vary") return new VaryView(path);
     if (word === "compare") return new CompareView(asked.getAll("path"));
     if (word === "export") return new ExportView(asked.getAll("path"));
     if (word === "page") return new PageView(path);

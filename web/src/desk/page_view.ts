@@ -4,13 +4,14 @@ import { element } from "../element";
 import { make } from "../film_elements";
 import { api, type Job } from "./api";
 import type { Place } from "./place";
+import { results_of } from "./results";
 import { Pulse, status_badge } from "./runs_view";
 import { download, say } from "./words";
 
 /** A page of berm in a frame, with a way to keep it. */
 async function framed(path: string, ...more: HTMLElement[]): Promise<HTMLElement[]> {
   const { address } = await api.show(path);
-  const keep = element("button", { type: "button" }, "Keep the page"), alone = element("a", { href: address, target: "_blank", rel: "noopener" }, "Open alone");
+  const keep = element("button", { type: "button" }, "Save the page"), alone = element("a", { href: address, target: "_blank", rel: "noopener" }, "Open in a new tab");
   keep.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)));
   return [make("div", "bar", alone, keep, make("span", "quiet", path), ...more), element("iframe", { src: address, sandbox: "allow-scripts allow-downloads allow-popups", class: "page_frame", title: path })];
 }
@@ -61,7 +62,7 @@ export class JobView implements Place {
 
   constructor(private readonly job: string) {
     this.title = job;
-    this.element.append(make("h2", "", job), this.head, this.page, make("details", "", make("summary", "", "What it prints"), this.log));
+    this.element.append(make("h2", "", job), this.head, this.page, make("details", "", make("summary", "", "Output"), this.log));
     this.pulse = new Pulse(1500, () => this.look());
   }
 
@@ -72,7 +73,7 @@ export class JobView implements Place {
   private async look(): Promise<void> {
     try {
       const found = (await api.jobs()).find(({ job }) => job === this.job);
-      if (!found) return this.head.replaceChildren(make("p", "quiet", "This desk knows nothing of it: what it made lies in the folder."));
+      if (!found) return this.head.replaceChildren(make("p", "quiet", "It was not started from this desk since the desk began. Its files are in the folder of that name."));
       this.show(found);
       if (found.status !== "running" && found.status !== "queued") await this.show_page(found);
     } catch (error) {
@@ -82,22 +83,28 @@ export class JobView implements Place {
 
   private show({ command, status, log_tail, made }: Job): void {
     this.log.textContent = log_tail;
+    const content = JSON.stringify([status, made]);
+    if (this.head.dataset.content === content) return; // buttons stay, with the focus in them
+    this.head.dataset.content = content;
     const stop = element("button", { type: "button" }, "Stop");
     stop.addEventListener("click", () => void api.stop_job(this.job).catch((error: Error) => say(error.message, "bad")));
-    const files = made.map((path) => {
+    const of_run = command === "uncertainty";
+    const files = (of_run ? [] : made).map((path) => {
       const face = element("button", { type: "button", class: "file" }, path.split("/").pop()!);
       face.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)));
       return face;
     });
-    this.head.replaceChildren(make("strong", "", command), status_badge(status), ...(status === "running" || status === "queued" ? [stop] : []), ...files);
-    if (status === "failed") this.page.replaceChildren(make("p", "bad", log_tail.trim().split("\n").filter((line) => line.startsWith("berm:")).pop() ?? "It failed: what it printed says why."));
+    this.head.replaceChildren(make("strong", "", command), status_badge(status), ...(status === "running" || status === "queued" ? [stop] : []), ...files,
+      ...(of_run ? [element("a", { href: `#/run?path=${encodeURIComponent(this.job)}` }, "To the run, with the uncertainty of its key results")] : []));
+    if (status === "failed") this.page.replaceChildren(make("p", "bad", log_tail.trim().split("\n").filter((line) => line.startsWith("berm:")).pop() ?? "It failed: see the output below."));
   }
 
-  private async show_page({ made }: Job): Promise<void> {
-    const page = made.find((path) => path.endsWith(".html"));
-    if (!page || this.shown === page) return;
-    this.shown = page;
-    this.page.replaceChildren(...(await framed(page)));
+  private async show_page({ command, made }: Job): Promise<void> {
+    const content = JSON.stringify(made);
+    if (command === "uncertainty" || this.shown === content) return;
+    this.shown = content;
+    const page = made.find((path) => path.endsWith(".html")), results = page ? await framed(page) : await results_of(made);
+    this.page.append(...results);
   }
 }
 

@@ -32,7 +32,7 @@ export class RunView implements Place {
     this.title = path;
     this.element.append(
       make("h2", "", path), this.head, this.acts,
-      make("div", "run_panes", make("section", "pane", make("h2", "", "Curves"), this.chart_place), make("section", "pane", make("h2", "", "Soil"), this.soil.element, make("h2", "", "Answer and trust"), this.answer)),
+      make("div", "run_panes", make("section", "pane", make("h2", "", "Curves"), this.chart_place), make("section", "pane", make("h2", "", "Soil"), this.soil.element, make("h2", "", "Key results"), this.answer)),
       make("details", "", make("summary", "", "Log"), this.log));
     this.pulse = new Pulse(1000, () => this.look());
   }
@@ -77,13 +77,18 @@ export class RunView implements Place {
     this.head.replaceChildren(status_badge(now.status), ...(now.status === "running" ? [progress_bar(now.progress)] : []), make("span", "", words), make("span", "quiet", left),
       make("span", "quiet", now.case ? `of ${now.case}` : ""));
     if (this.acts.dataset.of !== now.status) {
+      const focused = this.acts.contains(document.activeElement);
       this.acts.dataset.of = now.status;
       this.acts.replaceChildren(...stop_or_resume(now), ...this.buttons(now));
+      if (focused) this.acts.querySelector("button")?.focus();
     }
     this.log.textContent = now.log_tail;
     this.show_curves();
-    if (now.summary) this.show_answer(now.summary);
-    else this.answer.replaceChildren(...this.live_numbers());
+    const content = now.summary ? JSON.stringify(now.summary) : "";
+    if (now.summary && this.answer.dataset.content !== content) this.show_answer(now.summary); // else what is open stays open
+    this.answer.dataset.content = content;
+    if (now.summary) return;
+    this.answer.replaceChildren(...this.live_numbers());
   }
 
   private buttons(now: RunNow): HTMLElement[] {
@@ -97,8 +102,9 @@ export class RunView implements Place {
       button("Report", "The page of this run (berm report)", report(false)), button("PDF", "The page, printed", report(true)),
       ...(now.status === "finished" ? [
         button("Export springs …", "Springs for pipeline programs (berm export)", () => (location.hash = `#/export?path=${encodeURIComponent(this.path)}`)),
-        button("How sure?", "Runs on coarser cells and at another speed, too (berm run --uncertainty): about as long again", () => void this.uncertainty())] : []),
-      ...(now.case.endsWith(".toml") ? [button("Its case", "Open the case as this run has it", () => (location.hash = `#/case?path=${encodeURIComponent(`${this.path}/case.toml`)}`))] : []),
+        button("Low, best, high …", "Vary what is not known well (berm study)", () => (location.hash = `#/vary?path=${encodeURIComponent(this.path)}`)),
+        button("Uncertainty", "Also runs on coarser cells and at another speed (berm run --uncertainty): about twice as long as the run", () => void this.uncertainty())] : []),
+      ...(now.case.endsWith(".toml") ? [button("Case of this run", "Open the case as this run has it", () => (location.hash = `#/case?path=${encodeURIComponent(`${this.path}/case.toml`)}`))] : []),
     ];
   }
 
@@ -133,7 +139,7 @@ export class RunView implements Place {
   /** H(u) and V(w) of a body that is driven, else what there is over time. */
   private show_curves(): void {
     if (this.rows.length === 0) {
-      if (this.charts.length === 0) this.chart_place.replaceChildren(make("p", "quiet", "No rows yet."));
+      if (this.charts.length === 0) this.chart_place.replaceChildren(make("p", "quiet", "No results yet."));
       return;
     }
     if (this.charts.length === 0) {
@@ -160,21 +166,23 @@ export class RunView implements Place {
     }))];
   }
 
-  private show_answer({ quantities, checks, warnings, spoiled }: Summary): void {
+  private show_answer({ quantities, checks, warnings, spoiled, uncertainty }: Summary): void {
     const stages = Object.entries((quantities ?? {}) as Record<string, unknown>).slice(0, 40);
     const row = (name: string, each: { value: number; unit: string; meaning: string }) => {
       const term = make("td", "", name);
       term.title = each.meaning;
-      return make("tr", "", term, make("td", "number", digits(each.value)), make("td", "quiet", each.unit === "1" ? "" : each.unit), make("td", "quiet", each.meaning));
+      const band = uncertainty?.quantities[name];
+      return make("tr", "", term, make("td", "number", digits(each.value)), ...(uncertainty ? [make("td", "number band", band ? `${digits(band.converged)} ± ${digits(band.half_width)}` : "")] : []),
+        make("td", "quiet unit", each.unit === "1" ? "" : each.unit), make("td", "quiet", each.meaning));
     };
     const is_number = (each: unknown): each is { value: number; unit: string; meaning: string } => typeof (each as { value?: unknown } | null)?.value === "number";
     const rows = stages.flatMap(([stage, all]) =>
       is_number(all) ? [row(stage, all)] : Object.entries((all ?? {}) as Record<string, unknown>).filter((pair): pair is [string, { value: number; unit: string; meaning: string }] => is_number(pair[1])).map(([name, each]) => row(`${stage} ${name}`, each)));
     const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);
     this.answer.replaceChildren(
-      ...(spoiled && JSON.stringify(spoiled) !== "[]" && spoiled !== false ? [make("p", "bad", "The answer of this run is spoiled: its report says why.")] : []),
+      ...(spoiled && JSON.stringify(spoiled) !== "[]" && spoiled !== false ? [make("p", "bad", "Do not use the results of this run: its report says why.")] : []),
       ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)),
-      make("div", "scrolls", make("table", "list", make("tbody", "", ...rows.slice(0, 60)))),
+      make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...rows.slice(0, 60)))),
       make("details", "", make("summary", "", "Checks"), make("dl", "numbers", ...trust.flatMap(([name, value]) => [make("dt", "", name.replaceAll("_", " ")), make("dd", "", typeof value === "number" ? digits(value) : String(value))]))));
   }
 }

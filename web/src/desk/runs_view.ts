@@ -44,6 +44,9 @@ export class Pulse {
   }
 }
 
+/** Whether a study, an envelope or another command made it, and its own page shows it. */
+export const is_part = (path: string) => /\/runs\//.test(path) || path.startsWith("out/element/");
+
 export class RunsView implements Place {
   readonly element = make("div", "runs_view");
   readonly title = "Runs";
@@ -53,16 +56,18 @@ export class RunsView implements Place {
   private note = make("p", "quiet");
   private compare = element("button", { type: "button", class: "primary" }, "Compare");
   private export_all = element("button", { type: "button" }, "Export springs …");
+  private parts = element("input", { type: "checkbox", id: "parts" });
   private pulse: Pulse;
 
   constructor() {
+    this.parts.addEventListener("change", () => void this.look());
     this.compare.addEventListener("click", () => (location.hash = `#/compare?${[...this.chosen].map((path) => `path=${encodeURIComponent(path)}`).join("&")}`));
     this.export_all.addEventListener("click", () => (location.hash = `#/export?${[...this.chosen].map((path) => `path=${encodeURIComponent(path)}`).join("&")}`));
     this.element.append(
-      make("h2", "", "Runs"), make("div", "bar", this.compare, this.export_all, this.note),
+      make("h2", "", "Runs"), make("div", "bar", this.compare, this.export_all, this.note, make("label", "", this.parts, " also runs of studies, envelopes and factors of safety")),
       make("table", "list", make("thead", "", make("tr", "", ...["", "run", "case", "status", "", "left", ""].map((word) => make("th", "", word)))), this.table),
-      make("h2", "", "Studies, envelopes, tests"),
-      make("table", "list", make("thead", "", make("tr", "", ...["", "made in", "status", "says", ""].map((word) => make("th", "", word)))), this.jobs));
+      make("h2", "", "Studies, envelopes, factors of safety, element tests"),
+      make("table", "list", make("thead", "", make("tr", "", ...["", "results", "status", "last message", ""].map((word) => make("th", "", word)))), this.jobs));
     this.show_choice();
     this.pulse = new Pulse(1500, () => this.look());
   }
@@ -81,7 +86,7 @@ export class RunsView implements Place {
     try {
       const [runs, jobs] = await Promise.all([api.runs(), api.jobs()]);
       const order: Status[] = ["running", "queued", "stopped", "failed", "finished"];
-      const sorted = [...runs].sort((a, b) => order.indexOf(a.status) - order.indexOf(b.status) || a.path.localeCompare(b.path));
+      const sorted = runs.filter(({ path }) => this.parts.checked || !is_part(path)).sort((a, b) => order.indexOf(a.status) - order.indexOf(b.status) || a.path.localeCompare(b.path));
       patch(this.table, sorted.map((run) => [run.path, JSON.stringify(run), () => this.row(run)]));
       patch(this.jobs, jobs.map((job) => [job.job, JSON.stringify([job.status, job.log_tail, job.made]), () => this.job_row(job)]));
       if (runs.length === 0) this.note.textContent = "There are no runs yet. Those that you start in a terminal appear here, too.";

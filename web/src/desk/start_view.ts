@@ -2,9 +2,9 @@
 // Where the desk begins: kinds of job by picture, and what the folder holds.
 import { element } from "../element";
 import { make } from "../film_elements";
-import { api, type FolderOf, type Kind, type RunState, type Soil } from "./api";
+import { api, type FileOf, type FolderOf, type Kind, type RunState, type Soil } from "./api";
 import type { Place } from "./place";
-import { status_badge } from "./runs_view";
+import { is_part, status_badge } from "./runs_view";
 import { picture_of, say } from "./words";
 
 const link = (to: string, path: string, words: string) => element("a", { href: `#/${to}?path=${encodeURIComponent(path)}` }, words);
@@ -32,10 +32,10 @@ export class StartView implements Place {
   });
 
   constructor(folder: string) {
-    const kinds = make("div", "kinds", make("p", "quiet", "Kinds of job are being read …"));
+    const kinds = make("div", "kinds", make("p", "quiet", "Loading …"));
     this.element.append(
       make("section", "", make("h2", "", `In ${folder}`), this.list),
-      make("section", "", make("h2", "", "Begin a job"), kinds), this.dialog);
+      make("section", "", make("h2", "", "New case"), kinds), this.dialog);
     void this.show_folder("");
     void Promise.all([api.kinds(), api.soils().catch(() => [])])
       .then(([all, soils]) => {
@@ -87,7 +87,7 @@ export class StartView implements Place {
       source.textContent = chosen ? `${chosen.source}. ${chosen.trust}` : "";
     });
     const form = element("form", { method: "dialog" });
-    const begin = element("button", { type: "submit", class: "primary" }, "Begin"), stop = element("button", { type: "button" }, "Cancel");
+    const begin = element("button", { type: "submit", class: "primary" }, "Create"), stop = element("button", { type: "button" }, "Cancel");
     form.append(
       make("h3", "", kind.title), make("p", "quiet", kind.question),
       element("label", { for: "new-file" }, "File"), file,
@@ -120,7 +120,7 @@ export class StartView implements Place {
     }
   }
 
-  private rows({ path, cases, studies, folders }: FolderOf, runs: RunState[]): HTMLElement[] {
+  private rows({ path, cases, studies, tests, folders }: FolderOf, runs: RunState[]): HTMLElement[] {
     const folder = (to: string, words: string) => {
       const face = make("button", "folder", words);
       face.type = "button";
@@ -128,19 +128,13 @@ export class StartView implements Place {
       return face;
     };
     const up = path === "" || path === "." ? [] : [folder(path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : "", "↑ up")];
-    const study = (file: string) => {
-      const face = make("button", "", "Run the study");
-      face.type = "button";
-      face.addEventListener("click", () => api.work("study", file).then(({ job }) => (location.hash = `#/job?job=${encodeURIComponent(job)}`)).catch((error: Error) => say(error.message, "bad")));
-      return face;
-    };
-    const recent = [...runs].slice(-8).reverse();
+    const files = (words: string, all: FileOf[]) => (all.length > 0 ? [make("h3", "", words), make("ul", "files", ...all.map((each) => make("li", "", link("case", each.path, each.path), make("span", "quiet", each.title ?? ""))))] : []);
+    const recent = runs.filter(({ path }) => !is_part(path)).slice(-8).reverse();
     return [
       make("div", "folders", ...up, ...folders.filter((each) => each !== "out").map((each) => folder(each, `${each.split("/").pop()}/`))),
-      ...(cases.length > 0 ? [make("h3", "", "Cases"), make("ul", "files", ...cases.map((each) => make("li", "", link("case", each.path, each.path), make("span", "quiet", each.title ?? ""))))] : []),
-      ...(studies.length > 0 ? [make("h3", "", "Studies"), make("ul", "files", ...studies.map((each) => make("li", "", link("case", each.path, each.path), make("span", "quiet", each.title ?? ""), study(each.path))))] : []),
+      ...files("Cases", cases), ...files("Studies", studies), ...files("Element tests", tests),
       ...(recent.length > 0 ? [make("h3", "", "Runs"), make("ul", "files", ...recent.map((each) => make("li", "", link("run", each.path, each.path), status_badge(each.status), make("span", "quiet", each.case))))] : []),
-      ...(cases.length + studies.length + recent.length === 0 ? [make("p", "quiet", "There is nothing here yet: begin a job below.")] : []),
+      ...(cases.length + studies.length + tests.length + recent.length === 0 ? [make("p", "quiet", "No cases yet: choose a kind below.")] : []),
     ];
   }
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An editor of cases: keys and words are completed and explained by the schema, and what `berm check --json` finds is underlined.
 import { autocompletion, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
-import { StreamLanguage } from "@codemirror/language";
+import { StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { type Diagnostic, linter, lintGutter } from "@codemirror/lint";
 import type { EditorState, Text } from "@codemirror/state";
 import { EditorView, hoverTooltip } from "@codemirror/view";
+import { classHighlighter } from "@lezer/highlight";
 import { basicSetup } from "codemirror";
 import { type Place, place_at } from "./place";
 import { header_of, is_table, keys_of, type Schema, value_of } from "./schema";
@@ -110,6 +111,7 @@ export function createEditor(parent: HTMLElement, { schema, text, onChange, chec
       // Of a page that allows no other styles.
       EditorView.cspNonce.of(document.querySelector<HTMLElement>("[nonce]")?.nonce ?? ""),
       StreamLanguage.define(toml),
+      syntaxHighlighting(classHighlighter),
       autocompletion({ override: [(context) => complete(schema, context)] }),
       explanation(schema),
       lintGutter(),
