@@ -75,13 +75,16 @@ private:
     Connection connection(socket);
     bool closed = false;
     while (!closed && !stopping_ && connection.next_request())
-      if (!process_request(connection, stopping_, closed, nullptr)) break;
+      if (!process_request(connection, stopping_, closed, &not_compressed)) break;
     connection.take_leave();
     const std::lock_guard lock(mutex_);
     sockets_.erase(socket);
     ::close(socket);
     return true;
   }
+
+  /// To press a page together takes a second, to send it to the same machine a millisecond.
+  static void not_compressed(httplib::Request& request) { request.headers.erase("Accept-Encoding"); }
 
   std::mutex mutex_;
   std::set<socket_t> sockets_;
