@@ -199,7 +199,7 @@ test("the_keyboard_is_enough", async () => {
   await page.keyboard.press("Escape");
   await page.keyboard.press("g");
   await page.keyboard.press("r");
-  await page.locator(".runs_view").waitFor();
+  await page.locator(".runs_view a", { hasText: "out/typed" }).waitFor();
   await tab_to(/^out\/typed$/);
   await page.keyboard.press("Enter");
   await page.locator(".run_view").waitFor();
