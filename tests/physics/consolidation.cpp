@@ -21,7 +21,7 @@ problem::Case column(int cells, material::PoreWater water)
   size[1] = height, count[1] = cells;
   problem::Case c = elastic_box(dim, size, count, young_modulus, poisson_ratio, 1990);
   c.material[0].second.get<material::LinearElastic>().water = water;
-  c.body[0].second.particles_per_cell = dim == 2 ? 9 : 4;
+  c.body[0].second.particles_per_cell = dim == 2 ? 9 : 8;
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}};
   if (dim == 3) c.support.push_back({"back", {"back", {"z"}}}), c.support.push_back({"front", {"front", {"z"}}});
   boundary::TractionSettings traction;

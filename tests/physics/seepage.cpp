@@ -35,7 +35,7 @@ problem::Case column(Real permeability = fast)
   law.water->bulk_modulus = bulk_modulus;
   law.water->porosity = porosity;
   law.water->permeability = permeability;
-  c.body[0].second.particles_per_cell = dim == 2 ? 9 : 4;
+  c.body[0].second.particles_per_cell = dim == 2 ? 9 : 8;
   c.body[0].second.damping = 0.3;
   boundary::SupportSettings base{"bottom", {"y"}};
   base.drained = true;

@@ -169,6 +169,8 @@ public:
   /// Whether any cell is inactive; whether this one is.
   bool some_inactive() const { return inactive_ != nullptr; }
   bool is_inactive(Index cell) const { return inactive_ != nullptr && (*inactive_)[cell] != 0; }
+  /// Whether a cell is one of active().
+  bool is_active(Index cell) const { return count_[cell] > 0 && !is_inactive(cell); }
 
   void insert(Index cell, const Particle<dim>& particle);
   /// Removes the particle with this index (0 ... count - 1) from a cell; the cell's last particle gets its index.

@@ -74,11 +74,11 @@ void for_each(const char* label, const Chunks& chunks, const Body& body)
     for (Index i = chunks.begin[k]; i < chunks.begin[k + 1]; ++i) body(i);
 }
 
-/// Sum of term(i) over the entries of the list, on all ranks that have a part of it. Sum needs a default value of zero and +=, and is copied by its bytes. Each
-/// thread gets the chunks that it has in for_each. Runs then(i) soon after term(i), when what both touch is in the cache still; no term(j) may read what then(i)
-/// writes, but where i = j.
-template <class Sum, class Term, class Then>
-Sum sum_of(const char* label, const Chunks& chunks, const Term& term, const Then& then)
+/// Sum of first(i, carried) and then(i, carried) over the entries of the list, on all ranks that have a part of it. Sum needs a default value of zero and +=, and
+/// is copied by its bytes. Each thread gets the chunks that it has in for_each. then(i) runs soon after first(i), when what both touch is in the cache still, with
+/// the Carried that first(i) left; no first(j) may read what then(i) writes, but where i = j.
+template <class Sum, class Carried, class First, class Then>
+Sum sum_in_two_steps(const char* label, const Chunks& chunks, const First& first_step, const Then& then)
 {
   constexpr Index group = 16;  // entries
   const Timer timer(label);
@@ -93,10 +93,11 @@ Sum sum_of(const char* label, const Chunks& chunks, const Term& term, const Then
 #pragma omp parallel for schedule(static, 1)
   for (Index k = 0; k < chunks.count(); ++k) {
     Sum sum{};
+    Carried carried[group];
     for (Index first = chunks.begin[k]; first < chunks.begin[k + 1]; first += group) {
       const Index end = std::min(first + group, chunks.begin[k + 1]);
-      for (Index i = first; i < end; ++i) sum += term(i);
-      for (Index i = first; i < end; ++i) then(i);
+      for (Index i = first; i < end; ++i) sum += first_step(i, carried[i - first]);
+      for (Index i = first; i < end; ++i) sum += then(i, carried[i - first]);
     }
     parts[ranks.divided() ? chunks.number[k] : k] = sum;
   }
@@ -105,10 +106,13 @@ Sum sum_of(const char* label, const Chunks& chunks, const Term& term, const Then
   for (const Sum& part : parts) total += part;
   return total;
 }
+/// Sum of term(i) over the entries of the list, likewise.
 template <class Sum, class Term>
 Sum sum_of(const char* label, const Chunks& chunks, const Term& term)
 {
-  return sum_of<Sum>(label, chunks, term, [](Index) {});
+  struct Nothing {};
+  return sum_in_two_steps<Sum, Nothing>(
+      label, chunks, [&](Index i, Nothing&) { return term(i); }, [](Index, const Nothing&) { return Sum{}; });
 }
 
 }  // namespace berm

@@ -127,7 +127,10 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       const Real wave_speed = body.waves.mean_speed;
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * body.waves.mean_density * wave_speed;
       if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
-      if (grids[b].filter_speed > 0) grids[b].filter = CellField<FilterOfCell<dim>>::zeros(model.mesh.cell_count());
+      if (grids[b].filter_speed > 0) {
+        grids[b].filter = CellField<FilterOfCell<dim>>::zeros(model.mesh.cell_count());
+        grids[b].kinetic = CellField<Real>::zeros(model.mesh.cell_count());
+      }
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     for (Index cell : grids[b].halo.outer) grids[b].enter(model.mesh, cell);

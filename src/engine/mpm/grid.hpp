@@ -131,6 +131,7 @@ struct BodyGrid {
   CellField<Moments<dim>> moments;
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
   CellField<HoopMoments> hoop;  ///< as the moments; empty but in axisymmetry
+  CellField<Real> kinetic;      ///< sum m v.v, twice the kinetic energy, J; as the moments; empty without the filter
   CellField<VolumeChange> volume_change;
   WaterGrid<dim> water;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
@@ -185,6 +186,7 @@ struct BodyGrid {
     corners[cell] = {};
     volume_change[cell] = {};
     if (hoop.size() > 0) hoop[cell] = {};
+    if (kinetic.size() > 0) kinetic[cell] = 0;
     if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {}, water.outflow[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
   }

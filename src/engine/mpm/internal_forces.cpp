@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/internal_forces.hpp"
 
+#include "mpm/filter.hpp"
 #include "mpm/hoop.hpp"
 
 namespace berm::mpm {
@@ -29,60 +30,77 @@ template <mesh::Metric metric, int dim>
   return trace / strained_directions<dim, metric>;
 }
 
+/// The viscous mean stress of the cells of a patch, Pa.
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline Real viscous_stress_of(const PatchCells& patch, const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid)
+{
+  Real volume = 0, height = 0, divergence = 0;
+  for (const Index member : patch) {
+    const Real of_cell = grid.moments[member].volume;
+    volume += of_cell;
+    height += of_cell * grid.height[member];
+    divergence += of_cell * divergence_in<metric>(grid.shape(mesh, member), mesh.nodes[member], grid, member, grid.velocity);
+  }
+  return grid.bulk_viscosity * (height / volume) * (divergence / volume);
+}
+
+/// The internal forces of a cell, whose volume times mean stress changes by `change` (N m).
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline void spread_forces_of(const mesh::Mesh<dim>& mesh, Index cell, Real change, BodyGrid<dim>& grid)
+{
+  const Moments<dim>& t = grid.moments[cell];
+  Matrix<dim> stress;
+  for (int a = 0; a < dim; ++a)
+    for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
+  const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+  auto& corners = grid.corners[cell];
+  Vec<dim> of_others = Vec<dim>::Zero();
+  for (int k = 1; k <= dim; ++k) {
+    const Vec<dim> force = stress * shape.gradient(k);
+    Eigen::Map<Vec<dim>>(corners[k].sum) = -force;
+    of_others += force;
+  }
+  Eigen::Map<Vec<dim>>(corners[0].sum) = of_others;
+  if constexpr (metric == mesh::Metric::axisymmetric) {
+    const Real hoop_stress = (grid.hoop[cell].stress + change) / t.volume;
+    for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].sum[0] -= share * hoop_stress; });
+  }
+}
+
 template <mesh::Metric metric, int dim>
 void find_viscous_stress_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  const mesh::Mesh<dim>& mesh = model.mesh;
-  const auto& active = particles.active();
-  for_each("viscous stress of cells", particles.active_chunks(), [&](Index c) {
-    Real volume = 0, height = 0, divergence = 0;
-    mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
-      const Real of_cell = grid.moments[member].volume;
-      volume += of_cell;
-      height += of_cell * grid.height[member];
-      // An empty cell has no hoop strain, which is a mean over its volume.
-      if (metric == mesh::Metric::cartesian || of_cell > 0)
-        divergence += of_cell * divergence_in<metric>(grid.shape(mesh, member), mesh.nodes[member], grid, member, grid.velocity);
-    });
-    grid.viscous_stress[active[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
+  for_each_patch("viscous stress of cells", model.patches, particles, grid, [&](const PatchCells& patch) {
+    const Real viscous_stress = viscous_stress_of<metric>(patch, model.mesh, grid);
+    for (const Index member : patch)
+      if (particles.is_active(member)) grid.viscous_stress[member] = viscous_stress;
   });
 }
 
 template <mesh::Metric metric, int dim>
-void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const auto& active = particles.active();
-  const bool project = model.mpm.volumetric_projection;
-  for_each("internal forces of cells", particles.active_chunks(), [&](Index c) {
-    const Index cell = active[c];
-    const Moments<dim>& t = grid.moments[cell];
-    Real change = 0;  // of volume times mean stress
-    if (project) {
-      Real volume = 0, volume_stress = 0;
-      mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
+  const bool project = model.mpm.volumetric_projection, filters = grid.filter.size() > 0, shifts = grid.pressure_shift.size() > 0;
+  const bool is_viscous = grid.bulk_viscosity > 0 && !model.update_stress_first;
+  for_each_patch("internal forces of cells", model.patches, particles, grid, [&](const PatchCells& patch) {
+    const Vec<dim> shift = filters ? filter_shift_of(patch, mesh, dt, grid) : Vec<dim>(Vec<dim>::Zero());
+    const Real viscous_stress = is_viscous ? viscous_stress_of<metric>(patch, mesh, grid) : 0;
+    Real volume = 0, volume_stress = 0;
+    if (project)
+      for (const Index member : patch) {
         volume += grid.moments[member].volume;
         volume_stress += volume_times_mean_stress<metric>(grid, member);
-      });
-      change = volume_stress / volume * t.volume - volume_times_mean_stress<metric>(grid, cell);
-    }
-    if (grid.pressure_shift.size() > 0) grid.pressure_shift[cell] = change / t.volume;
-    change += t.volume * grid.viscous_stress[cell];
-    Matrix<dim> stress;
-    for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
-    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    auto& corners = grid.corners[cell];
-    Vec<dim> of_others = Vec<dim>::Zero();
-    for (int k = 1; k <= dim; ++k) {
-      const Vec<dim> force = stress * shape.gradient(k);
-      Eigen::Map<Vec<dim>>(corners[k].sum) = -force;
-      of_others += force;
-    }
-    Eigen::Map<Vec<dim>>(corners[0].sum) = of_others;
-    if constexpr (metric == mesh::Metric::axisymmetric) {
-      const Real hoop_stress = (grid.hoop[cell].stress + change) / t.volume;
-      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].sum[0] -= share * hoop_stress; });
+      }
+    const Real mean_stress = volume_stress / volume;
+    for (const Index member : patch) {
+      if (!particles.is_active(member)) continue;
+      const Real of_cell = grid.moments[member].volume;
+      const Real change = project ? mean_stress * of_cell - volume_times_mean_stress<metric>(grid, member) : 0;
+      if (filters) grid.filter[member] = {filter_part(dt, member, grid), shift};
+      if (is_viscous) grid.viscous_stress[member] = viscous_stress;
+      if (shifts) grid.pressure_shift[member] = change / of_cell;
+      spread_forces_of<metric>(mesh, member, change + of_cell * grid.viscous_stress[member], grid);
     }
   });
 }
@@ -118,9 +136,9 @@ void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particl
 }
 
 template <int dim>
-void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
-  with_metric(model.mesh, [&](auto metric) { spread_internal_forces_in<metric()>(model, particles, grid); });
+  with_metric(model.mesh, [&](auto metric) { spread_internal_forces_in<metric()>(model, particles, dt, grid); });
 }
 
 template <int dim>
@@ -131,7 +149,7 @@ void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void find_viscous_stress(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
-  template void spread_internal_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                         \
+  template void spread_internal_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                   \
   template Real divergence(const mesh::Mesh<dim>&, const BodyGrid<dim>&, Index, const NodeField<Vec<dim>>&);                               \
   template void sum_volume_changes(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)

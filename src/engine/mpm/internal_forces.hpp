@@ -14,7 +14,7 @@ void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particl
 /// the cell's mean stress is replaced by the volume average over its patch, the same average that the strain gets, so that
 /// strain and force stay conjugate. The viscous mean stress is added.
 template <int dim>
-void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
+void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 
 /// The divergence of a nodal field in a cell with particles, with its part around an axis, 1/s of m/s.
 template <int dim>

@@ -14,7 +14,7 @@ struct LaneMoments {
 
   static constexpr int width = lanes_of<WidePart>;
 
-  WidePart of[(count + width - 1) / width * width];
+  WidePart of[(count + width - 1) / width * width], kinetic{};
 
   [[gnu::always_inline]] void clear()
   {
@@ -37,16 +37,18 @@ struct LaneMoments {
   [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q, const Vec<dim>& corner_0)
   {
     const WidePart p_mass = widened(part.get(p.mass, q.mass)), p_volume = widened(part.get(p.volume, q.volume));
-    WidePart x[dim], v[dim], at[dim];
+    WidePart x[dim], v[dim], at[dim], square{};
     of[0] += p_mass;
     of[volume] += p_volume;
     for (int a = 0; a < dim; ++a) {
       x[a] = widened(V(part.get(p.x[a], q.x[a]) - corner_0[a]));
       v[a] = widened(part.get(p.v[a], q.v[a]));
       at[a] = p_mass * x[a];
+      square += v[a] * v[a];
       of[mx + a] += at[a];
       of[mv + a] += p_mass * v[a];
     }
+    kinetic += p_mass * square;
     for (int a = 0; a < dim; ++a)
       for (int b = a; b < dim; ++b) {
         of[mxx + Moments<dim>::pair(a, b)] += at[a] * x[b];
@@ -100,6 +102,7 @@ template <mesh::Metric metric, int dim>
   });
   Moments<dim>& t = grid.moments[cell];
   sums.total(t);
+  if (grid.kinetic.size() > 0) grid.kinetic[cell] = sum(sums.kinetic);
   if constexpr (metric == mesh::Metric::axisymmetric) grid.hoop[cell] = {sum(hoop_sums.area), sum(hoop_sums.area_y), sum(hoop_sums.stress)};
 
   const mesh::Shape<dim> shape = grid.shape(mesh, cell);

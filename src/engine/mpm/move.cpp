@@ -52,11 +52,10 @@ void move_particles(const problem::Model<dim>& model, problem::State<dim>& state
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const LinearField<dim> gain = velocity_gain(shape, nodes, grid, state.dt, {}), velocity(shape, nodes, grid.mapped_velocity);
-    WorkDone done;
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
-      const V min_shape = move_part<V>(part, p, q, shape, gain, velocity, state.dt, 0, 1, done);
+      const V min_shape = move_part<V>(part, p, q, shape, gain, velocity, state.dt, 1);
       note_cell_changes(part, min_shape, mesh, workspace, cell, p, q);
     });
     sum_moments_of(mesh, particles, cell, grid);

@@ -125,6 +125,24 @@ Real kinetic_gain(const LinearField<dim>& acceleration, const Moments<dim>& t, R
   return dt * (acceleration.dot(t.mv, t.mvx) + 0.5 * dt * acceleration.dot(ma, max));
 }
 
+/// What the energies after the move of a cell's particles need from before it.
+template <int dim>
+struct BeforeMove {
+  SymTensor<dim> strain;  ///< of the cell
+};
+
+/// The stress of a cell, summed over its volume, times the strain: work in the strained directions, J.
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline Real work_of(const BodyGrid<dim>& grid, Index cell, const SymTensor<dim>& strain)
+{
+  const Moments<dim>& t = grid.moments[cell];
+  Real work = 0;
+  for (int a = 0; a < dim; ++a)
+    for (int b = a; b < dim; ++b) work += (a == b ? 1 : 2) * t.stress[Moments<dim>::pair(a, b)] * strain[tensor_index(a, b)];
+  if constexpr (metric == mesh::Metric::axisymmetric) work += grid.hoop[cell].stress * strain[2];
+  return work;
+}
+
 /// The dilation that the cells of a patch share, over their volume; of their water, or of the soil.
 inline Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeChange>& of_cells, Index cell)
 {
@@ -148,7 +166,8 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   for (auto& list : workspace.cell_changes) list.clear();
 
-  const auto move_in_cell = [&](Index c) {
+  const bool filters = motion > 0 && grid.filter.size() > 0;
+  const auto move_in_cell = [&](Index c, BeforeMove<dim>& before) {
     const Index cell = particles.active()[c];
     particles.prefetch_after(c);
     const Index first_law = soil.first_in(cell);
@@ -157,7 +176,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const FilterOfCell<dim> filter = motion > 0 ? grid.filter_of(cell) : FilterOfCell<dim>{};
-    const Real filtered = filter.part, unfiltered = 1 - filtered;
+    const Real unfiltered = 1 - filter.part;
     const LinearField<dim> gain = velocity_gain(shape, nodes, grid, motion, filter), velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
     if constexpr (metric == mesh::Metric::axisymmetric)
@@ -178,12 +197,17 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
       if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.section(cell)) : std::cbrt(mesh.section(cell));
 
     WorkDone done;
+    before.strain = cell_strain.strain;
+    done.internal = 0.5 * work_of<metric>(grid, cell, before.strain);
+    if (filters)
+      done.filtered =
+          0.5 * grid.kinetic[cell] + kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], motion);
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
       using Mask = typename Part<V>::Mask;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
       const Mask alive = part.alive();
-      const V min_shape = move_part<V>(part, p, q, shape, gain, velocity, motion, filtered, unfiltered, done);
+      const V min_shape = move_part<V>(part, p, q, shape, gain, velocity, motion, unfiltered);
       const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
       material::Increment<dim, V> increment{.strain = {},
                                             .dt = dt,
@@ -193,11 +217,10 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
                                             .exchange = exchange,
                                             .level = level,
                                             .active = alive};
-      SymTensor<dim, V>& strain = increment.strain;
-      SymTensor<dim, V> stress, both_stresses;
+      SymTensor<dim, V> stress;
       for (int k = 0; k < tensor_size<dim>; ++k) {
-        strain[k] = cell_strain.strain[k] - V{};
-        stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
+        increment.strain[k] = cell_strain.strain[k] - V{};
+        stress[k] = part.get(p.stress[k], q.stress[k]);
       }
       for (int a = 0; a < 2; ++a) stress[a] += shift;
       stress[2] += grid.shift_across * shift;
@@ -215,12 +238,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
             particles.state(part.block), particles.state(part.other), state_count(law),
             [&](V* law_state) { update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state); });
       }
-      for (int k = 0; k < tensor_size<dim>; ++k) {
-        const V kept = alive ? stress[k] : V{};
-        both_stresses[k] += kept;
-        part.set(p.stress[k], q.stress[k], kept);
-      }
-      done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
+      for (int k = 0; k < tensor_size<dim>; ++k) part.set(p.stress[k], q.stress[k], alive ? stress[k] : V{});
       if constexpr (local_strength)
         part.set(p.volume, q.volume, smaller(larger(volume * stretch, bounds.min), bounds.max));
       else
@@ -229,15 +247,21 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
 
       if (motion > 0) note_cell_changes(part, min_shape, mesh, workspace, cell, p, q);
     });
-    if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], motion);
-    if (grid.full_cells) done.internal *= grid.weight[cell];
     done.viscous = grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
     done.internal += done.viscous;
     return done;
   };
-  // The particles are in the cache still where their moments follow at once.
-  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.active_chunks(), move_in_cell,
-                                              [&](Index c) { sum_moments_of(mesh, particles, particles.active()[c], grid); });
+  // The particles are in the cache still where their moments follow at once. Energies are sums of cells before the move and after it.
+  const auto sum_in_cell = [&](Index c, const BeforeMove<dim>& before) {
+    const Index cell = particles.active()[c];
+    sum_moments_of(mesh, particles, cell, grid);
+    WorkDone done;
+    done.internal = 0.5 * (grid.full_cells ? grid.weight[cell] : 1) * work_of<metric>(grid, cell, before.strain);
+    if (filters) done.filtered = -0.5 * grid.kinetic[cell];
+    return done;
+  };
+  const WorkDone work_done =
+      sum_in_two_steps<WorkDone, BeforeMove<dim>>("move and strain particles", particles.active_chunks(), move_in_cell, sum_in_cell);
   state.totals.internal += work_done.internal;
   state.totals.viscosity += work_done.viscous;
   state.totals.filter += work_done.filtered;

@@ -68,26 +68,24 @@ template <class P, class V, int dim>
 // Numbers are handed to these parts of the pass by reference: by value the compiler fuses other multiplications with additions, and the last bits change.
 // The strain is not cut out for the same reason; where the bits stay, its law is not inlined and the pass takes a quarter longer.
 
-/// Moves a part of a cell's particles and gives their smallest shape function where they are then; adds the kinetic energy that the filter takes.
+/// Moves a part of a cell's particles and gives their smallest shape function where they are then.
 /// All is found by the place from the cell's corner 0; only what is stored is rounded to the resolution of the coordinates.
 template <class V, int dim, class P>
 [[gnu::always_inline]] inline V move_part(const P& part, bodies::Block<dim>& p, bodies::Block<dim>& q, const mesh::Shape<dim>& shape,
                                           const LinearField<dim>& gain, const LinearField<dim>& velocity, const Real& dt,
-                                          const Real& filtered, const Real& unfiltered, WorkDone& done)
+                                          const Real& unfiltered)
 {
   const typename Part<V>::Mask alive = part.alive();
-  V old_x[dim], from_corner[dim], at[dim], kinetic_loss{};
+  V old_x[dim], from_corner[dim], at[dim];
   for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]), from_corner[d] = old_x[d] - shape.origin[d];
   for (int d = 0; d < dim; ++d) {
     const V v = part.get(p.v[d], q.v[d]);
     const V new_v = alive ? unfiltered * v + gain.at(d, from_corner) : v;
     part.set(p.v[d], q.v[d], new_v);
-    if (filtered > 0) kinetic_loss += part.get(p.mass, q.mass) * (v * v - new_v * new_v);
     const V x = alive ? old_x[d] + dt * velocity.at(d, from_corner) : old_x[d];
     part.set(p.x[d], q.x[d], x);
     at[d] = x - shape.origin[d];
   }
-  if (filtered > 0) done.filtered += 0.5 * sum(kinetic_loss);
   V min_shape = 1 - V{}, of_corner_0 = 1 - V{};
   for (int k = 0; k < dim; ++k) {
     V n = shape.gradients[k][0] * at[0];

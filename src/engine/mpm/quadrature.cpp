@@ -2,6 +2,8 @@
 #include "mpm/quadrature.hpp"
 
 #include "mpm/exchange.hpp"
+#include "mpm/linear_field.hpp"
+#include "mpm/moments.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -35,28 +37,49 @@ void fill_hoop(const mesh::Mesh<dim>& mesh, Index cell, const mesh::CellPart<dim
   hoop.stress *= weight;
 }
 
+template <int dim>
+void integrate_full_cell(const mesh::Mesh<dim>& mesh, Index cell, BodyGrid<dim>& grid)
+{
+  Moments<dim>& t = grid.moments[cell];
+  const mesh::CellPart<dim> part = grid.cut.used() ? grid.cut.parts[cell] : mesh::CellPart<dim>{};
+  const Real zeta = part.cut && part.volume < least_part * t.volume ? 0 : fullness(mesh, grid, cell);
+  const Real weight = 1 - zeta + zeta * (part.cut ? part.volume : grid.volume[cell]) / t.volume;
+  grid.weight[cell] = weight;
+  t.volume *= weight;
+  for (Real& stress : t.stress) stress *= weight;
+  if (grid.hoop.size() > 0) fill_hoop(mesh, cell, part, zeta, weight, grid.hoop[cell]);
+}
+
+/// The momentum that the corners would have if the particles had the velocity of the nodes.
+template <int dim>
+void spread_nodal_momentum(const mesh::Mesh<dim>& mesh, Index cell, BodyGrid<dim>& grid)
+{
+  const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+  const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
+  auto& corners = grid.corners[cell];
+  for (int d = 0; d < dim; ++d) {
+    Real times_x[dim];
+    const Real momentum = velocity.momentum(d, grid.moments[cell], times_x);
+    share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
+  }
+}
+
 }  // namespace
 
 template <int dim>
-void integrate_full_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const auto& active = particles.active();
-  if (!grid.full_cells) return;
-  for_each("quadrature of full cells", particles.active_chunks(), [&](Index c) {
-    const Index cell = active[c];
-    Moments<dim>& t = grid.moments[cell];
-    const mesh::CellPart<dim> part = grid.cut.used() ? grid.cut.parts[cell] : mesh::CellPart<dim>{};
-    const Real zeta = part.cut && part.volume < least_part * t.volume ? 0 : fullness(model.mesh, grid, cell);
-    const Real weight = 1 - zeta + zeta * (part.cut ? part.volume : grid.volume[cell]) / t.volume;
-    grid.weight[cell] = weight;
-    t.volume *= weight;
-    for (Real& stress : t.stress) stress *= weight;
-    if (grid.hoop.size() > 0) fill_hoop(model.mesh, cell, part, zeta, weight, grid.hoop[cell]);
+  const bool filters = grid.filter.size() > 0;
+  if (!grid.full_cells && !filters) return;
+  for_each("quadrature, nodal momentum", particles.active_chunks(), [&](Index c) {
+    if (grid.full_cells) integrate_full_cell(model.mesh, active[c], grid);
+    if (filters) spread_nodal_momentum(model.mesh, active[c], grid);
   });
   exchange_moments(model.mesh, particles, grid);
 }
 
-template void integrate_full_cells(const problem::Model<2>&, const bodies::Particles<2>&, BodyGrid<2>&);
-template void integrate_full_cells(const problem::Model<3>&, const bodies::Particles<3>&, BodyGrid<3>&);
+template void prepare_cells(const problem::Model<2>&, const bodies::Particles<2>&, BodyGrid<2>&);
+template void prepare_cells(const problem::Model<3>&, const bodies::Particles<3>&, BodyGrid<3>&);
 
 }  // namespace berm::mpm

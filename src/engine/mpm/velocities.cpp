@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/velocities.hpp"
 
-#include "mpm/exchange.hpp"
 #include "mpm/linear_field.hpp"
 #include "mpm/moments.hpp"
 #include "problem/stages.hpp"
@@ -39,57 +38,10 @@ Vec<dim> held_velocity(const problem::Model<dim>& model, const NodeField<std::ui
 
 }  // namespace
 
-namespace {
-
-/// The filter of the cells, which moves no momentum between patches. There are as many patches as nodes, about, and twice as many cells: velocities of cells that
-/// cancel at the nodes would stay where each cell kept its own.
 template <int dim>
-void find_filter(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+void smooth_velocities(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
-  const mesh::Mesh<dim>& mesh = model.mesh;
-  const auto& active = particles.active();
-  const auto part_of = [&](Index cell) { return std::min(Real(1), dt * grid.filter_speed / grid.height[cell]); };
-  const auto pull_on = [&](Index cell, Real part) {
-    const Moments<dim>& t = grid.moments[cell];
-    Vec<dim> lost;  // momentum, N s
-    for (int d = 0; d < dim; ++d) {
-      lost[d] = t.mv[d];
-      for (int k = 0; k <= dim; ++k) lost[d] -= grid.corners[cell][k].mass * grid.smooth_velocity[mesh.nodes[cell][k]][d];
-    }
-    return Vec<dim>(part * lost);
-  };
-  for_each("filter of cells", particles.active_chunks(), [&](Index c) {
-    Vec<dim> of_patch = Vec<dim>::Zero();
-    Real mass = 0;
-    mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
-      if (!(grid.moments[member].m > 0)) return;
-      of_patch += pull_on(member, part_of(member));
-      mass += grid.moments[member].m;
-    });
-    grid.filter[active[c]] = {part_of(active[c]), of_patch / mass};
-  });
-}
-
-}  // namespace
-
-template <int dim>
-void smooth_velocities(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
-{
-  if (!(grid.filter_speed > 0)) return;
-  const mesh::Mesh<dim>& mesh = model.mesh;
-  const auto& active = particles.active();
-  for_each("momentum of nodal velocities", particles.active_chunks(), [&](Index c) {
-    const Index cell = active[c];
-    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
-    auto& corners = grid.corners[cell];
-    for (int d = 0; d < dim; ++d) {
-      Real times_x[dim];
-      const Real momentum = velocity.momentum(d, grid.moments[cell], times_x);
-      share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
-    }
-  });
-  exchange_corner_sums(grid);
+  if (grid.filter.size() == 0) return;
   for_each("smooth velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
@@ -97,7 +49,6 @@ void smooth_velocities(const problem::Model<dim>& model, const bodies::Particles
       momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
     grid.smooth_velocity[i] = grid.mass[i] > 0 ? Vec<dim>(2 * grid.velocity[i] - momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
   });
-  find_filter(model, particles, dt, grid);
 }
 
 template <int dim>
@@ -167,7 +118,7 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, const std:
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void smooth_velocities(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                        \
+  template void smooth_velocities(const mesh::Mesh<dim>&, BodyGrid<dim>&);                                                                 \
   template void spread_new_momentum(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                          \
   template void move_supports(const problem::Model<dim>&, const problem::State<dim>&, Workspace<dim>&);                                    \
   template void gather_new_velocities(const problem::Model<dim>&, const std::vector<Vec<dim>>&, Index, BodyGrid<dim>&);                    \

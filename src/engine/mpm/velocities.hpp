@@ -6,10 +6,10 @@
 namespace berm::mpm {
 
 /// Smooth nodal velocities for the filter of step 5: v_i^(2) = 2 v_i - sum m N_i v(x_p) / M_i, the velocity before the step
-/// of second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone; and the
-/// filter of each cell in a step of dt (s). No effect without the filter.
+/// of second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the sums that prepare_cells left at the corners. No effect
+/// without the filter.
 template <int dim>
-void smooth_velocities(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
+void smooth_velocities(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid);
 
 /// Steps 5 and 6: the momentum that the corners get from the particles with the corrected acceleration, from the moments
 /// alone: sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x. The filter's part of it

@@ -94,7 +94,7 @@ TEST(SumOfChunks, is_that_of_the_chunks_one_after_the_other_on_any_number_of_thr
   }
 }
 
-TEST(SumOfChunks, does_the_rest_for_each_entry_once_and_after_its_term)
+TEST(SumOfChunks, in_two_steps_takes_what_the_first_left_to_the_second_once_for_each_entry)
 {
   constexpr Index count = 9000;
   const std::vector<Real> numbers = rough_numbers(count);
@@ -102,15 +102,20 @@ TEST(SumOfChunks, does_the_rest_for_each_entry_once_and_after_its_term)
   const auto number_of = [&](Index i) { return numbers[list.numbers[i]]; };
   for (const int threads : {1, 3}) {
     omp_set_num_threads(threads);
-    std::vector<int> terms(list.numbers.size(), 0), rests(list.numbers.size(), 0);
-    const auto term = [&](Index i) {
-      ++terms[i];
-      return number_of(i);
+    std::vector<int> firsts(list.numbers.size(), 0), seconds(list.numbers.size(), 0);
+    const auto first = [&](Index i, Real& left) {
+      ++firsts[i];
+      left = number_of(i);
+      return Real(0);
     };
-    EXPECT_EQ(sum_of<Real>("test", list.chunks, term, [&](Index i) { rests[i] += terms[i]; }),
-              sum_of<Real>("test", list.chunks, number_of));
-    EXPECT_EQ(std::count(terms.begin(), terms.end(), 1), static_cast<std::ptrdiff_t>(terms.size()));
-    EXPECT_EQ(rests, terms);
+    const auto second = [&](Index i, const Real& left) {
+      seconds[i] += firsts[i];
+      return left;
+    };
+    const auto sum = sum_in_two_steps<Real, Real>("test", list.chunks, first, second);
+    EXPECT_EQ(sum, sum_of<Real>("test", list.chunks, number_of));
+    EXPECT_EQ(std::count(firsts.begin(), firsts.end(), 1), static_cast<std::ptrdiff_t>(firsts.size()));
+    EXPECT_EQ(seconds, firsts);
   }
 }
 

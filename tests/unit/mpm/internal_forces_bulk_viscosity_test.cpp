@@ -33,7 +33,7 @@ struct Moving {
     sum_moments(problem.model.mesh, particles, workspace.grids[0]);
     gather_mass_and_momentum(problem.model.mesh, workspace.grids[0]);
     find_viscous_stress(problem.model, particles, workspace.grids[0]);
-    spread_internal_forces(problem.model, particles, workspace.grids[0]);
+    spread_internal_forces(problem.model, particles, 0, workspace.grids[0]);
   }
 
   Real largest_force() const

@@ -41,7 +41,7 @@ void expect_no_force_of_a_uniform_stress(const mesh::Mesh<dim>& mesh)
       });
       sum_moments(mesh, particles, workspace.grids[0]);
       gather_mass_and_momentum(mesh, workspace.grids[0]);
-      spread_internal_forces(problem.model, particles, workspace.grids[0]);
+      spread_internal_forces(problem.model, particles, 0, workspace.grids[0]);
       const auto at_boundary = boundary_flags(mesh);
       Real inner = 0, outer = 0;
       for (Index i = 0; i < mesh.node_count(); ++i) {

@@ -43,7 +43,7 @@ struct Resting {
     problem.state.dt = 1e-3;
     sum_moments(mesh, particles(), grid());
     gather_mass_and_momentum(mesh, grid());
-    spread_internal_forces(problem.model, particles(), grid());
+    spread_internal_forces(problem.model, particles(), 0, grid());
     for (Index i = 0; i < mesh.node_count(); ++i) grid().mapped_velocity[i].setZero();
     sum_volume_changes(mesh, particles(), problem.state.dt, grid());
     move_and_strain(problem.model, problem.state, workspace, 0);

@@ -25,8 +25,8 @@ struct Uneven {
   {
     sum_moments(mesh(), particles(), grid());
     gather_mass_and_momentum(mesh(), grid());
-    integrate_full_cells(problem.model, particles(), grid());
-    spread_internal_forces(problem.model, particles(), grid());
+    prepare_cells(problem.model, particles(), grid());
+    spread_internal_forces(problem.model, particles(), 0, grid());
   }
 
   template <class Stress, class Kept>

@@ -55,7 +55,7 @@ struct RandomBody {
     problem.model.mpm.volumetric_projection = project;
     sum_moments(mesh(), particles(), grid());
     gather_mass_and_momentum(mesh(), grid());
-    spread_internal_forces(problem.model, particles(), grid());
+    spread_internal_forces(problem.model, particles(), 0, grid());
   }
   Vec<dim> force(Index node) const
   {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/body_sums.hpp"
 #include "mpm/change_cells.hpp"
+#include "mpm/internal_forces.hpp"
 #include "mpm/moments.hpp"
 #include "mpm/move.hpp"
+#include "mpm/quadrature.hpp"
 #include "mpm/velocities.hpp"
 #include "sample_problem.hpp"
 
@@ -39,7 +41,9 @@ struct Drifting {
     const mesh::Mesh<dim>& mesh = problem.model.mesh;
     sum_moments(mesh, particles(), grid());
     gather_mass_and_momentum(mesh, grid());
-    smooth_velocities(problem.model, particles(), problem.state.dt, grid());
+    prepare_cells(problem.model, particles(), grid());
+    smooth_velocities(mesh, grid());
+    spread_internal_forces(problem.model, particles(), problem.state.dt, grid());
     spread_new_momentum(mesh, particles(), problem.state.dt, grid());
     gather_new_velocities(problem.model, {}, 0, grid());
     move_and_strain(problem.model, problem.state, workspace, 0);
