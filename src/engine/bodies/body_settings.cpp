@@ -50,7 +50,8 @@ void describe(Describe& d, BodySettings& body)
           {.meaning = "names of other materials with the same law in some regions, by the region's name"});
   d.value("regions", body.regions, {.meaning = "regions of the mesh that it fills at the start"});
   d.value("particles_per_cell", body.particles_per_cell,
-          {.meaning = "particles per cell at the start: 1, 4, 9, 16 ... in triangles, 1, 8, 27 ... in tetrahedra; 0 = 9 or 8",
+          {.meaning = "particles per cell at the start: n^2 or 2 n^2 (1, 2, 4, 8, 9, 16, 18 ...) in triangles, n^3 (1, 8, 27 ...) in "
+                      "tetrahedra; 0 = 9 or 8",
            .range = {0, 400}});
   d.value("region_particles_per_cell", body.region_particles_per_cell,
           {.meaning = "particles per cell in some regions, by the region's name", .range = {1, 400}});

@@ -69,7 +69,7 @@ struct BodySettings {
   std::vector<SoilLayerSettings> soil_layer;           ///< downwards, below `material`
   std::map<std::string, std::string> region_material;  ///< other materials in some regions, instead of layers
   std::vector<std::string> regions;                    ///< of the mesh, filled cell by cell
-  int particles_per_cell = 0;                          ///< n^dim; 0 = 9 in triangles, 8 in tetrahedra
+  int particles_per_cell = 0;                          ///< n^dim, in triangles also 2 n^2; 0 = 9 in triangles, 8 in tetrahedra
   std::map<std::string, int> region_particles_per_cell;
   std::optional<BlockSettings> block;  ///< instead of regions
   std::optional<DiskSettings> disk;    ///< instead of regions

@@ -21,18 +21,11 @@ struct Seed {
 };
 
 template <int dim>
-int per_side(int particles_per_cell)
-{
-  if (particles_per_cell == 0) return dim == 2 ? 3 : 2;
-  return static_cast<int>(std::lround(std::pow(particles_per_cell, 1. / dim)));
-}
-
-/// Particles along a side of the cells of a region.
-template <int dim>
-int side_in(const BodySettings& body, const std::string& region)
+int particles_in_cells_of(const BodySettings& body, const std::string& region)
 {
   const auto special = body.region_particles_per_cell.find(region);
-  return per_side<dim>(special == body.region_particles_per_cell.end() ? body.particles_per_cell : special->second);
+  const int count = special == body.region_particles_per_cell.end() ? body.particles_per_cell : special->second;
+  return count > 0 ? count : usual_particles_per_cell<dim>;
 }
 
 /// Particles along each side of a block; 1 where there is no such direction.
@@ -54,25 +47,17 @@ void check_count(const std::string& key, Real count)
 template <int dim>
 std::vector<Seed<dim>> seeds_in_regions(const mesh::Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
 {
-  std::vector<int> sides(mesh.region_names.size(), 0);
-  for (const std::string& region : body.regions) {
-    const Index r = filled_region(mesh, name, region);
-    sides[r] = side_in<dim>(body, region);
-  }
-  std::vector<std::vector<std::array<Real, dim + 1>>> points;
-  for (int side : sides) points.push_back(side > 0 ? points_in_simplex<dim>(side) : std::vector<std::array<Real, dim + 1>>{});
+  std::vector<CellPoints<dim>> points(mesh.region_names.size());
+  for (const std::string& region : body.regions)
+    points[filled_region(mesh, name, region)] = CellPoints<dim>(particles_in_cells_of<dim>(body, region));
 
   Real total = 0;
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) total += static_cast<Real>(points[mesh.region[cell]].size());
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) total += points[mesh.region[cell]].count();
   check_count(fmt::format("body.{}.particles_per_cell", name), total);
   std::vector<Seed<dim>> seeds;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto& of_cell = points[mesh.region[cell]];
-    for (const auto& point : of_cell) {
-      Vec<dim> x = Vec<dim>::Zero();
-      for (int k = 0; k <= dim; ++k) x += point[k] * mesh.position[mesh.nodes[cell][k]];
-      seeds.push_back({x, cell, mesh.section(cell) / static_cast<Real>(of_cell.size())});
-    }
+    for (int k = 0; k < of_cell.count(); ++k) seeds.push_back({of_cell.at(mesh, cell, k), cell, mesh.section(cell) / of_cell.count()});
   }
   return seeds;
 }
@@ -210,6 +195,72 @@ std::vector<std::array<Real, 4>> points_in_simplex<3>(int n)
   return points;
 }
 
+namespace {
+
+/// Points of a triangle that share it equally where the n^2 parts of a regular subdivision are cut in two, from the corner parallel to the triangle's corner 0.
+std::vector<std::array<Real, 3>> points_in_halves(int n)
+{
+  std::vector<std::array<Real, 3>> points;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i + j < n; ++i)
+      for (const int up : {1, -1}) {
+        if (up < 0 && i + j + 1 == n) continue;
+        // (2 a + 3 b + c)/6 and (2 a + b + 3 c)/6, with a the corner that is cut
+        const Real a[2] = {up > 0 ? Real(i) : i + 1, up > 0 ? Real(j) : j + 1};
+        for (const Real to_b : {3. / 6, 1. / 6}) {
+          const Real s = (a[0] + up * to_b) / n, t = (a[1] + up * (4. / 6 - to_b)) / n;
+          points.push_back({1 - s - t, s, t});
+        }
+      }
+  return points;
+}
+
+/// n where count is times n^dim, else 0.
+int root_of(int count, int times, int dim)
+{
+  const auto n = static_cast<int>(std::lround(std::pow(Real(count) / times, 1. / dim)));
+  return times * (dim == 2 ? n * n : n * n * n) == count ? n : 0;
+}
+
+/// The corner opposite to the longest side.
+template <int dim>
+int across_longest_side(const mesh::Mesh<dim>& mesh, Index cell)
+{
+  int found = 0;
+  Real longest = 0;
+  for (int k = 0; k <= dim; ++k) {
+    const auto corner = [&](int after) { return mesh.position[mesh.nodes[cell][(k + after) % (dim + 1)]]; };
+    // Of sides that are equal but for rounding the first is taken.
+    if (const Real side = (corner(2) - corner(1)).norm(); side > longest * (1 + 1e-9)) longest = side, found = k;
+  }
+  return found;
+}
+
+}  // namespace
+
+template <int dim>
+bool shares_cell(int count)
+{
+  return count > 0 && (root_of(count, 1, dim) > 0 || (dim == 2 && root_of(count, 2, dim) > 0));
+}
+
+template <int dim>
+CellPoints<dim>::CellPoints(int count)
+{
+  if (const int n = root_of(count, 1, dim); n > 0) points_ = points_in_simplex<dim>(n);
+  if constexpr (dim == 2)
+    if (const int n = root_of(count, 2, dim); n > 0) points_ = points_in_halves(n), cuts_longest_side_ = true;
+}
+
+template <int dim>
+Vec<dim> CellPoints<dim>::at(const mesh::Mesh<dim>& mesh, Index cell, int k) const
+{
+  const int corner_0 = cuts_longest_side_ ? across_longest_side(mesh, cell) : 0;
+  Vec<dim> x = Vec<dim>::Zero();
+  for (int c = 0; c <= dim; ++c) x += points_[static_cast<std::size_t>(k)][c] * mesh.position[mesh.nodes[cell][(corner_0 + c) % (dim + 1)]];
+  return x;
+}
+
 template <int dim>
 Real particles_in(const BlockSettings& block)
 {
@@ -224,9 +275,9 @@ Real particles_in(const DiskSettings& disk)
 }
 
 template <int dim>
-Real particles_per_cell(const BodySettings& body, const std::string& region)
+int particles_per_cell(const BodySettings& body, const std::string& region)
 {
-  return std::pow(side_in<dim>(body, region), dim);
+  return particles_in_cells_of<dim>(body, region);
 }
 
 template <int dim>
@@ -269,10 +320,14 @@ Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const 
   return particles;
 }
 
+template bool shares_cell<2>(int);
+template bool shares_cell<3>(int);
+template class CellPoints<2>;
+template class CellPoints<3>;
 template Real particles_in<2>(const BlockSettings&);
 template Real particles_in<3>(const BlockSettings&);
-template Real particles_per_cell<2>(const BodySettings&, const std::string&);
-template Real particles_per_cell<3>(const BodySettings&, const std::string&);
+template int particles_per_cell<2>(const BodySettings&, const std::string&);
+template int particles_per_cell<3>(const BodySettings&, const std::string&);
 template Index filled_region<2>(const mesh::Mesh<2>&, const std::string&, const std::string&);
 template Index filled_region<3>(const mesh::Mesh<3>&, const std::string&, const std::string&);
 template Particles<2> fill(const mesh::Mesh<2>&, const std::string&, const BodySettings&, const StartState<2>&);

@@ -13,12 +13,36 @@ namespace berm::bodies {
 template <int dim>
 std::vector<std::array<Real, dim + 1>> points_in_simplex(int n);
 
+/// Particles of a cell where the case does not say how many.
+template <int dim>
+constexpr int usual_particles_per_cell = dim == 2 ? 9 : 8;
+
+/// Whether so many particles can share a cell: n^dim, in the plane also 2 n^2.
+template <int dim>
+bool shares_cell(int count);
+
+/// Points that share a cell equally: the centroids of n^dim equal parts, or of 2 n^2, which are those of n^2 cut in two across the cell's longest side.
+template <int dim>
+class CellPoints {
+public:
+  CellPoints() = default;
+  explicit CellPoints(int count);
+
+  int count() const { return static_cast<int>(points_.size()); }
+  /// The place of point k in a cell.
+  Vec<dim> at(const mesh::Mesh<dim>& mesh, Index cell, int k) const;
+
+private:
+  std::vector<std::array<Real, dim + 1>> points_;
+  bool cuts_longest_side_ = false;  ///< corner 0 is the one opposite to it
+};
+
 /// Number of particles that fill() makes of a block or disk (estimated), and of a cell of a region, ignoring holes.
 template <int dim>
 Real particles_in(const BlockSettings& block);
 Real particles_in(const DiskSettings& disk);
 template <int dim>
-Real particles_per_cell(const BodySettings& body, const std::string& region);
+int particles_per_cell(const BodySettings& body, const std::string& region);
 
 /// The region of the mesh that the body `name` fills. Throws InputError where the mesh has none of that name.
 template <int dim>

@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "problem/case.hpp"
 
+#include "bodies/fill.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/drainage.hpp"
 #include "problem/earthworks.hpp"
@@ -19,13 +20,6 @@
 
 namespace berm::problem {
 namespace {
-
-bool is_power(int count, int dimension)
-{
-  for (int n = 1, power = 1; power <= count; ++n, power = dimension == 2 ? n * n : n * n * n)
-    if (power == count) return true;
-  return false;
-}
 
 /// Whether up is +y.
 bool upwards(const Case& c)
@@ -48,11 +42,13 @@ void check_bodies(Describe& d, const Case& c)
     d.check(body.initial_stress.empty() || !body.has_k0(), path + ".initial_stress", "does not go with k0");
     d.check(body.initial_stress.empty() || body.initial_stress.size() == 3, path + ".initial_stress",
             fmt::format("needs 3 numbers, xx, yy and zz, and has {}", body.initial_stress.size()));
-    const char* counts = c.dimension() == 2 ? "must be 1, 4, 9, 16, ... in triangles" : "must be 1, 8, 27, ... in tetrahedra";
-    d.check(body.particles_per_cell == 0 || is_power(body.particles_per_cell, c.dimension()), path + ".particles_per_cell", counts);
+    const char* counts =
+        c.dimension() == 2 ? "must be 1, 2, 4, 8, 9, 16, 18, ... (n^2 or 2 n^2) in triangles" : "must be 1, 8, 27, ... in tetrahedra";
+    const auto shares_cell = [&](int count) { return c.dimension() == 2 ? bodies::shares_cell<2>(count) : bodies::shares_cell<3>(count); };
+    d.check(body.particles_per_cell == 0 || shares_cell(body.particles_per_cell), path + ".particles_per_cell", counts);
     for (const auto& [region, count] : body.region_particles_per_cell) {
       const std::string key = path + ".region_particles_per_cell." + region;
-      d.check(is_power(count, c.dimension()), key, counts);
+      d.check(shares_cell(count), key, counts);
       d.check(among(region, body.regions), key, "the body does not fill this region", body.regions);
     }
     for (const auto& entry : body.region_damping)

@@ -73,23 +73,18 @@ Real top_at(const Earthwork<dim>& work, Real x)
 /// Points of a cell where particles of a fill would be, but for what is there already.
 template <int dim>
 std::vector<Vec<dim>> points_in(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, Index cell,
-                                const std::vector<std::array<Real, dim + 1>>& points)
+                                const bodies::CellPoints<dim>& points)
 {
   std::vector<Vec<dim>> inside;
-  for (const std::array<Real, dim + 1>& point : points) {
-    Vec<dim> x = Vec<dim>::Zero();
-    for (int k = 0; k <= dim; ++k) x += point[k] * model.mesh.position[model.mesh.nodes[cell][k]];
-    if (is_within(work, slab, x)) inside.push_back(x);
-  }
+  for (int k = 0; k < points.count(); ++k)
+    if (const Vec<dim> x = points.at(model.mesh, cell, k); is_within(work, slab, x)) inside.push_back(x);
   return inside;
 }
 
 template <int dim>
-std::vector<std::vector<std::array<Real, dim + 1>>> points_of_regions(const Earthwork<dim>& work)
+std::vector<bodies::CellPoints<dim>> points_of_regions(const Earthwork<dim>& work)
 {
-  std::vector<std::vector<std::array<Real, dim + 1>>> points;
-  for (const int side : work.per_side) points.push_back(bodies::points_in_simplex<dim>(side));
-  return points;
+  return {work.per_cell.begin(), work.per_cell.end()};
 }
 
 /// What an earthwork does in a cell.
@@ -236,7 +231,7 @@ std::vector<InCell<dim>> place(const Model<dim>& model, const Earthwork<dim>& wo
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     if (!Ranks::of_run().owns_cell(cell) || !comes_near(model, work, slab, cell)) continue;
     const auto& of_cell = points[mesh.region[cell]];
-    const Real section = mesh.section(cell) / static_cast<Real>(of_cell.size());
+    const Real section = mesh.section(cell) / of_cell.count();
     std::vector<Vec<dim>> free = points_in(model, work, slab, cell, of_cell);
     std::erase_if(free, [&](const Vec<dim>& x) {
       return !around.has_room(cell, x, section) ||
@@ -339,8 +334,7 @@ void add_earthworks(const bodies::BodySettings& settings, Index body, Model<dim>
     Earthwork<dim>& work = model.earthworks.back();
     work.material = model.bodies[body].soil.of_fill[k];
     work.k0 = settings.fill[k].k0;
-    for (const std::string& region : model.mesh.region_names)
-      work.per_side.push_back(static_cast<int>(std::lround(std::pow(bodies::particles_per_cell<dim>(settings, region), 1. / dim))));
+    for (const std::string& region : model.mesh.region_names) work.per_cell.push_back(bodies::particles_per_cell<dim>(settings, region));
     if (work.top > model.mesh.upper[1])
       throw KeyError(
           fmt::format("body.{}.fill[{}].y: reaches y = {:.4g} m, and the mesh ends at {:.4g} m: draw it lower, or make the mesh higher",

@@ -30,7 +30,7 @@ struct Earthwork {
   // Of a fill.
   Index material = none;           ///< number among those of the body
   std::optional<Real> k0 = {};     ///< of each lift under its own weight
-  std::vector<int> per_side = {};  ///< particles along the side of a cell, by region of the mesh
+  std::vector<int> per_cell = {};  ///< particles of a cell, by region of the mesh
 };
 
 /// What an earthwork has done so far, per metre run (in space: in all; around an axis per radian).

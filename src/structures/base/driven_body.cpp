@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/driven_body.hpp"
+#include "bodies/fill.hpp"
 
 #include "mesh/seabed.hpp"
 #include "problem/axes.hpp"
@@ -219,7 +220,9 @@ bool covers_the_mesh(const problem::Case& c)
 
 int filled_particles(const bodies::BodySettings& body, int dim)
 {
-  return body.particles_per_cell > 0 ? body.particles_per_cell : dim == 2 ? 9 : 8;
+  return body.particles_per_cell > 0 ? body.particles_per_cell
+         : dim == 2                  ? bodies::usual_particles_per_cell<2>
+                                     : bodies::usual_particles_per_cell<3>;
 }
 
 }  // namespace berm::base

@@ -78,5 +78,30 @@ TYPED_TEST(PointsInSimplex, integrate_products_with_an_error_that_falls_with_the
   }
 }
 
+TEST(CellPoints, twice_a_square_share_a_triangle_equally_across_its_longest_side)
+{
+  // A right triangle with the longest side between corners 0 and 1; the mean of x is that of the area, and mirroring the triangle at its axis maps the points
+  // onto each other.
+  mesh::Mesh<2> mesh;
+  for (const Vec<2>& corner : {Vec<2>(0, 0), Vec<2>(1, 1), Vec<2>(1, 0)}) mesh.position.push_back(corner);
+  mesh.nodes.push_back({0, 2, 1});
+  for (const int count : {2, 8, 18, 32}) {
+    const CellPoints<2> points(count);
+    ASSERT_EQ(points.count(), count);
+    Vec<2> mean = Vec<2>::Zero();
+    for (int k = 0; k < count; ++k) mean += points.at(mesh, 0, k) / count;
+    EXPECT_NEAR((mean - Vec<2>(2. / 3, 1. / 3)).norm(), 0, 1e-14) << count;
+    for (int k = 0; k < count; ++k) {
+      const Vec<2> x = points.at(mesh, 0, k), mirrored(1 - x[1], 1 - x[0]);
+      EXPECT_GT(std::min({x[1], 1 - x[0], x[0] - x[1]}), 0) << count;
+      Real nearest = infinity;
+      for (int other = 0; other < count; ++other) nearest = std::min(nearest, (points.at(mesh, 0, other) - mirrored).norm());
+      EXPECT_NEAR(nearest, 0, 1e-14) << count << ' ' << k;
+    }
+  }
+  EXPECT_TRUE(shares_cell<2>(8) && shares_cell<2>(9) && shares_cell<3>(8));
+  EXPECT_FALSE(shares_cell<2>(3) || shares_cell<2>(0) || shares_cell<3>(2) || shares_cell<3>(9));
+}
+
 }  // namespace
 }  // namespace berm::bodies::this_file
