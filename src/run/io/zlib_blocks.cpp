@@ -5,23 +5,32 @@
 
 #include <algorithm>
 #include <cstring>
+#include <libdeflate.h>
+#include <memory>
 #include <new>
 #include <vector>
-#include <zlib.h>
 
 namespace berm::io {
 namespace {
 
 constexpr std::size_t block_size = 1 << 17, worth_threads = 8;  // blocks: below, waiting for threads takes as long
 
+using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
+using Decompressor = std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>;
+
+template <class Kept>
+Kept checked(Kept made)
+{
+  if (!made) throw std::bad_alloc();
+  return made;
+}
+
 std::string packed_block(std::string_view block)
 {
-  uLongf size = compressBound(block.size());
-  std::string packed(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(block.data()), block.size(), Z_BEST_SPEED) !=
-      Z_OK)
-    throw std::bad_alloc();  // all else is right
-  packed.resize(size);
+  constexpr int fastest = 1;
+  thread_local const Compressor compressor = checked(Compressor(libdeflate_alloc_compressor(fastest), &libdeflate_free_compressor));
+  std::string packed(libdeflate_zlib_compress_bound(compressor.get(), block.size()), '\0');
+  packed.resize(libdeflate_zlib_compress(compressor.get(), block.data(), block.size(), packed.data(), packed.size()));
   packed.shrink_to_fit();
   return packed;
 }
@@ -72,10 +81,8 @@ std::uint64_t ZlibHeader::unpacked(std::uint64_t room) const
 
 bool unpack_zlib(std::string_view packed, void* to, std::size_t count)
 {
-  uLongf size = count;
-  const int end = uncompress(static_cast<Bytef*>(to), &size, reinterpret_cast<const Bytef*>(packed.data()), packed.size());
-  if (end == Z_MEM_ERROR) throw std::bad_alloc();  // the block may be whole
-  return end == Z_OK && size == count;
+  thread_local const Decompressor decompressor = checked(Decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor));
+  return libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(), to, count, nullptr) == LIBDEFLATE_SUCCESS;
 }
 
 }  // namespace berm::io

@@ -8,7 +8,7 @@
 namespace berm::io {
 
 /// Bytes as VTK's vtkZLibDataCompressor stores an array: UInt64 numbers of blocks, bytes of a block, bytes of the last one if it is shorter (else 0) and bytes of each
-/// compressed block, then these. By zlib at its fastest level: higher ones take several times as long for a few per cent of the noise that fields are. Blocks are
+/// compressed block, then these. By libdeflate at its fastest level: higher ones take several times as long for a few per cent of the noise that fields are. Blocks are
 /// compressed in parallel; the result does not depend on the number of threads.
 std::string zlib_blocks(std::string_view bytes);
 
