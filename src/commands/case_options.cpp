@@ -62,7 +62,7 @@ void CaseOptions::take_stdin(CLI::App& command)
 
 void CaseOptions::take_threads(CLI::App& command)
 {
-  command.add_option("--threads", threads, "threads to use (default: all processors)")->check(CLI::Range(1, 1024));
+  command.add_option("--threads", threads, "threads to use (default: OMP_NUM_THREADS, else all processors)")->check(CLI::Range(1, 1024));
 }
 
 void CaseOptions::take_jobs(CLI::App& command)

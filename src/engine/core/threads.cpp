@@ -86,6 +86,13 @@ int processor_count()
   return std::max(1, static_cast<int>(std::min<Real>(count, processors_of_groups())));
 }
 
+int usual_thread_count()
+{
+  const char* named = std::getenv("OMP_NUM_THREADS");
+  const int count = named == nullptr ? 0 : std::atoi(named);  // of nested loops, which there are none, the first
+  return count > 0 ? std::min(count, processor_count()) : processor_count();
+}
+
 void bind_to_cores(int index, int count)
 {
   std::vector<int>& all = allowed_processors();
@@ -94,7 +101,7 @@ void bind_to_cores(int index, int count)
 }
 
 Threads::Threads(int count)
-    : count_(count > 0 ? count : processor_count()),
+    : count_(count > 0 ? count : usual_thread_count()),
       count_before_(omp_get_max_threads()),
       arithmetic_before_(arithmetic())
 {

@@ -7,6 +7,8 @@ namespace berm {
 
 /// The number of processors that this process may use.
 int processor_count();
+/// Threads where none are asked for: OMP_NUM_THREADS, at most the processors; else all of them.
+int usual_thread_count();
 
 /// From now on this process may use one of `count` equal parts of them, that of this index; all, where there are fewer than parts.
 void bind_to_cores(int index, int count);
