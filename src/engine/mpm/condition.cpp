@@ -111,6 +111,17 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
   return {sums.at_min_volume / sums.all, sums.at_max_volume / sums.all, sums.in_the_air / sums.all};
 }
 
+namespace {
+
+/// Whether a soil has less strength under less pressure.
+bool needs_pressure(const material::Material& material)
+{
+  const std::optional<material::Strength> strength = strength_at_rest(material);
+  return yields(material) && (!strength || strength->friction_angle > 0);
+}
+
+}  // namespace
+
 template <int dim>
 Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace)
 {
@@ -119,7 +130,7 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
   const Real reach = 0.5 * width_of<dim>(shape);
   ShakenSoil all;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    if (!yields(model.bodies[b].soil.materials.front())) continue;
+    if (!needs_pressure(model.bodies[b].soil.materials.front())) continue;
     const bodies::Particles<dim>& particles = state.particles[b];
     const BodyGrid<dim>& grid = workspace.grids[b];
     const Real impedance = model.bodies[b].waves.mean_impedance;

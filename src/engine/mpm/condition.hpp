@@ -19,7 +19,7 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
 ///
 ///   rho c_P v' / p,   v'^2 = mean over particles and directions of the square of v_p - (mean velocity of the cell) - grad v_i (x_p - mean position).
 ///
-/// At 1, sand has lost its strength. NaN where there is no such body or soil, or no pressure.
+/// At 1, sand has lost its strength. NaN where there is no such body or no pressure, or where the strength of the soil does not depend on the pressure.
 template <int dim>
 Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace);
 

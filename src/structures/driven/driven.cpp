@@ -81,8 +81,12 @@ base::TrustMeasures Driven::measures(const problem::Case& c) const
 
 std::string Driven::quality_note(const base::Runs& runs) const
 {
-  if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.record->settings.method == problem::Method::mpm; }))
-    return "";
+  const auto may_localise = [](const base::PageRun& run) {
+    const problem::Case& c = run.record->settings;
+    return c.method == problem::Method::mpm &&
+           std::any_of(c.material.begin(), c.material.end(), [](const auto& soil) { return non_associated(soil.second); });
+  };
+  if (std::none_of(runs.begin(), runs.end(), may_localise)) return "";
   return "<p>V depends on the mesh (examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells, unless "
          "its d50 is known "
          "(examples/localisation). "
