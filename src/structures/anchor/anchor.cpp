@@ -61,11 +61,11 @@ std::string Anchor::table_of(const record::RunRecord& run) const
   return table;
 }
 
-std::string Anchor::in_words(const record::RunRecord& run, const base::DisplayUnits&) const
+std::string Anchor::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
 {
   const TowResults r = tow_results(tow_path(run), base::body_scale(run));
+  if (!std::isfinite(r.travel)) return Driven::in_words(run, shown);  // pulled out, say
   const std::string name = text::html_text(base::body_word(run.settings));
-  if (!std::isfinite(r.travel)) return fmt::format("The {} was not dragged.", name);
   const int dimension = run.settings.force_dimension();
   const auto length = [](Real metres) { return text::length_words(metres); };
   const std::string goes_on =
@@ -115,9 +115,10 @@ std::vector<std::string> Anchor::draw_report_curves(const base::Runs& runs, cons
                      "set key below\nset yrange [*:*] reverse\n", width,        height};
   for (const auto& [record, number] : runs) {
     const TowPath path = tow_path(*record);
+    if (path.travel.empty()) continue;
     depth.curves.push_back({record->name, plot::curve_style(number, number), path.travel, path.depth});
   }
-  if (!runs.empty() && draw_png_and_svg(folder, "anchor_depth", depth)) drawn.emplace_back("anchor_depth");
+  if (!depth.curves.empty() && draw_png_and_svg(folder, "anchor_depth", depth)) drawn.emplace_back("anchor_depth");
   return drawn;
 }
 

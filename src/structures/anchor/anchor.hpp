@@ -9,7 +9,7 @@
 namespace berm::anchor {
 
 /// An anchor, plough or grapnel that is dragged through the bed: depth of its lowest point and tow force over travel. What it has in common with any driven body is that
-/// of driven::Driven. It is named in the input.
+/// of driven::Driven, such as the uplift resistance of a plate that is pulled out. It is named in the input.
 class Anchor : public driven::Driven {
 public:
   const char* word() const override { return "anchor"; }

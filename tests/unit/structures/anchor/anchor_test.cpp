@@ -72,6 +72,10 @@ TEST(Anchor, that_was_not_dragged_has_no_tow)
   const record::RunRecord run = made.record();
   EXPECT_TRUE(tow_path(run).travel.empty());
   EXPECT_TRUE(quantities_of(tow_results(tow_path(run), base::body_scale(run)), 2).empty());
+  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
+  const std::string words = Anchor().in_words(run, shown);
+  EXPECT_EQ(words.find("ragged"), std::string::npos) << words;
+  EXPECT_NE(words.find("V = "), std::string::npos) << words;
 }
 
 }  // namespace
