@@ -31,6 +31,7 @@ export interface RunData {
   row: number[] | null;
   push: PathData;
   drag: PathData;
+  lift: PathData;
   /** How sure the curves of charts are, where the run was asked. */
   bands: BandData[];
   film: FilmData | null;

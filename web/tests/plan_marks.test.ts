@@ -15,7 +15,7 @@ function run_to(to: number, H: [number, number] = [-3, 100], V: [number, number]
     name: "made", title: "", method: "mpm", diameter: 0.02, measure: null, prototype: null, of_test: true,
     quantities: { time_s: quantity("time", "s"), u_m: quantity("u", "m"), w_m: quantity("w", "m"), V_N_m: quantity("V", "N/m"), H_N_m: quantity("H", "N/m") },
     columns: { time_s: [0, 1], u_m: [0.002, to], w_m: [0.01, 0.02], V_N_m: V, H_N_m: H },
-    stage: ["drag", "drag"], row: null, push: path([]), drag: path([0, 1]), bands: [], film: null,
+    stage: ["drag", "drag"], row: null, push: path([]), drag: path([0, 1]), lift: path([]), bands: [], film: null,
   };
 }
 

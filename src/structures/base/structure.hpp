@@ -31,6 +31,7 @@ struct StagePath {
 struct StagePaths {
   StagePath push;
   std::vector<StagePath> drags;
+  std::vector<StagePath> lifts;  ///< travel upwards
 };
 
 /// A curve of a chart: at travel s it stands at x = begin + direction s.

@@ -98,8 +98,15 @@ base::StagePaths Driven::paths(const record::RunRecord& run) const
 {
   if (run.history.rows() == 0) return {};
   const Path path = path_of(run.history, stages_of(run.settings));
-  base::StagePaths paths{{path.push.rows, path.push.w}, {}};
+  base::StagePaths paths{{path.push.rows, path.push.w}, {}, {}};
   for (const DragPath& drag : path.drags) paths.drags.push_back({drag.rows, drag.travel});
+  for (const OtherPush& push : path.other_pushes) {
+    if (!push.upwards || push.rows.empty()) continue;
+    const std::vector<Real>& w = run.history["w_m"];
+    base::StagePath lift{push.rows, {}};
+    for (const Index k : push.rows) lift.travel.push_back(w[push.rows.front()] - w[k]);
+    paths.lifts.push_back(lift);
+  }
   return paths;
 }
 

@@ -99,7 +99,7 @@ base::StagePaths Shaft::paths(const record::RunRecord& run) const
 {
   if (is_pushed(run)) return Penetration::paths(run);
   const LateralPath path = lateral_path(run);
-  return path.empty() ? base::StagePaths{} : base::StagePaths{{}, {{path.rows, path.u}}};
+  return path.empty() ? base::StagePaths{} : base::StagePaths{{}, {{path.rows, path.u}}, {}};
 }
 
 std::vector<std::string> Shaft::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,

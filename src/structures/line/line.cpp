@@ -58,11 +58,14 @@ std::string Line::in_words(const record::RunRecord& run, const base::DisplayUnit
   if (y.stage.empty()) return "The line has not been loaded yet.";
   const Extreme P = extreme("P", std::greater<>()), M = extreme("M", larger), tension = extreme("strain_max", std::greater<>()),
                 compression = extreme("strain_min", std::less<>());
+  const Real imperfection = run.settings.pipeline ? std::abs(run.settings.pipeline->imperfection.amplitude) : 0;
   return fmt::format(
-      "At the ends of its stages the line is displaced sideways by at most {:.3g} m ({}); its effective compression at x = 0 is at most "
+      "At the ends of its stages the line lies at most {:.3g} m ({}) from its straight axis{}; its effective compression at x = 0 is at "
+      "most "
       "{:.4g} kN ({}), its bending moment at most {:.4g} kN m ({}), and its strains range from {:.2g} % ({}) to {:.2g} % ({}).",
-      std::abs(y.value), y.stage, P.value / 1e3, P.stage, std::abs(M.value) / 1e3, M.stage, 100 * compression.value, compression.stage,
-      100 * tension.value, tension.stage);
+      std::abs(y.value), y.stage, imperfection > 0 ? fmt::format(", {:.3g} m of which is the imperfection", imperfection) : "",
+      P.value / 1e3, P.stage, std::abs(M.value) / 1e3, M.stage, 100 * compression.value, compression.stage, 100 * tension.value,
+      tension.stage);
 }
 
 std::string Line::published_values(const base::Runs& runs, const base::DisplayUnits&) const

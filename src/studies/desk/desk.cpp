@@ -52,7 +52,8 @@ Answer page()
               "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
               "initial-scale=1\">"
               "<title>berm desk</title><link rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" href=\"/desk.css\" nonce=\"{}\">"
-              "<script src=\"/desk.js\" defer></script></head><body></body></html>\n",
+              "<script src=\"/desk.js\" defer></script></head><body><header><nav><strong class=\"brand\">berm "
+              "desk</strong></nav></header></body></html>\n",
               nonce),
           .type = "text/html; charset=utf-8",
           .policy = fmt::format("default-src 'none'; script-src 'self'; style-src 'self' 'nonce-{}'; connect-src 'self'; img-src 'self' "

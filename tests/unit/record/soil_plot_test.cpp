@@ -160,9 +160,9 @@ TEST_F(SoilPlot, a_narrow_picture_has_no_empty_part_and_the_whole_of_its_title)
   draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", narrow, title});
   EXPECT_EQ(pixels("soil").size(), 200U * 1000U);
   const std::string script = content_of(folder.file("plots/soil.gp"));
-  EXPECT_NE(script.find("size 470,1150"), std::string::npos) << script;
+  EXPECT_NE(script.find("size 550,1230"), std::string::npos) << script;
   EXPECT_NE(script.find("'" + title + "' at screen 0.5"), std::string::npos) << script;
-  EXPECT_NE(script.find("'DejaVu Sans,8.68'"), std::string::npos) << "0.97 x 470 pixels for 70 letters of 0.75 x 8.68";
+  EXPECT_NE(script.find("'DejaVu Sans,10.2'"), std::string::npos) << "0.97 x 550 pixels for 70 letters of 0.75 x 10.2";
 }
 
 TEST_F(SoilPlot, at_survey_coordinates_places_count_from_a_round_number_that_the_axis_names)

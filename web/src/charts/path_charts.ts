@@ -86,6 +86,20 @@ export function drag_plans(data: PageData): Plan[] {
   ];
 }
 
+/** The chart of a body that is lifted, as an uplift resistance is read: R = -V. */
+export function lift_plans(data: PageData): Plan[] {
+  const upwards: Quantity = { words: "travel upwards", symbol: "s", kind: "length", unit: "m" };
+  return force_columns(data, "V").map(({ name: V, suffix, title }) => plan({
+    id: `R_lift${suffix}`, title: `Lift: R(s)${title}`, argument: upwards, zero: true,
+    value: { ...quantity_of_column(data.runs, V), words: "uplift resistance", symbol: "R" },
+    traces: run_traces(data.runs, (run) => {
+      const w = at_rows(run, "w_m", run.lift.rows), negative = (values: Numbers | null) => values?.map((each) => (each === null ? null : -each)) ?? null;
+      const travelled_up = w === null || w.length === 0 ? null : w.map((each) => (each === null ? null : (w[0] ?? 0) - each));
+      return curve_of(run, run.lift, travelled_up, "w_begin - w_m", negative(at_rows(run, V, run.lift.rows)), `-${V}`, negative(run.lift.V_mean));
+    }),
+  }));
+}
+
 function curve_of(
   run: RunData, path: PathData, argument: Numbers | null, argument_column: string, value: Numbers | null, value_column: string, mean: Numbers | null,
 ): Curve | null {

@@ -38,7 +38,7 @@ class Desk {
     this.main.tabIndex = -1;
     this.keys.append(make("h2", "", "Keys"), make("dl", "numbers", ...KEYS.flatMap(([keys, what]) => [make("dt", "", make("kbd", "", keys)), make("dd", "", what)])), element("form", { method: "dialog" }, element("button", {}, "Close")));
     const messages = make("div", "messages");
-    document.body.append(
+    document.body.replaceChildren(
       element("a", { href: "#main", class: "skip" }, "To the content"),
       make("header", "", make("nav", "", make("strong", "brand", "berm desk"), link("", "Start"), link("runs", "Runs"), make("span", "quiet where", about.folder), help)), this.main, this.keys, messages);
     document.querySelector(".skip")!.addEventListener("click", (event) => {
@@ -113,8 +113,8 @@ class Desk {
 
 const token = take_token();
 if (token === null) {
-  document.body.append(make("main", "", make("h1", "", "berm desk"), make("p", "", "This address lacks its token. Open the one that berm desk printed in its terminal.")));
+  document.body.replaceChildren(make("main", "", make("h1", "", "berm desk"), make("p", "", "This address lacks its token. Open the one that berm desk printed in its terminal.")));
 } else {
   use_token(token);
-  api.about().then((about) => new Desk(about)).catch((error: Error) => document.body.append(make("main", "", make("h1", "", "berm desk"), make("p", "bad", error.message))));
+  api.about().then((about) => new Desk(about)).catch((error: Error) => document.body.replaceChildren(make("main", "", make("h1", "", "berm desk"), make("p", "bad", error.message))));
 }

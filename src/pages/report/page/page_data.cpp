@@ -122,6 +122,7 @@ Json run_data(const record::RunRecord& run)
   const base::StagePaths paths = structures::structure_of(run.settings).paths(run);
   data["push"] = path_json(run, kept, {paths.push});
   data["drag"] = path_json(run, kept, paths.drags);
+  data["lift"] = path_json(run, kept, paths.lifts);
   data["bands"] = bands_json(run);
   data["film"] = nullptr;
   return data;

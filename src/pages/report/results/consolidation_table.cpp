@@ -25,6 +25,16 @@ std::string sentence_of(const record::RunRecord& run, const problem::Consolidati
                                      text::stress_words(soil.modulus)));
 }
 
+/// A time of the run, and beside it that of the soil which is modelled.
+std::string times(Real in_run, const std::optional<Real>& part)
+{
+  constexpr Real hour = 3600, day = 24 * hour;  // s
+  if (!part) return text::time_words(in_run);
+  const Real of_soil = in_run / *part;
+  return fmt::format("{} ({})", of_soil < 2 * day ? fmt::format("{:.3g} h", of_soil / hour) : fmt::format("{:.3g} days", of_soil / day),
+                     text::time_words(in_run));
+}
+
 std::string inertia_cell(const problem::Case& c, const problem::StageDrainage& stage, const problem::Consolidation& soil, Real width)
 {
   if (!(width > 0)) return "–";
@@ -35,6 +45,7 @@ std::string inertia_cell(const problem::Case& c, const problem::StageDrainage& s
 void add_rows(const record::RunRecord& run, Real width, const problem::Consolidation& soil, text::HtmlTable& table)
 {
   const std::vector<base::Dissipation> rests = base::dissipation_of(run);
+  const std::optional<Real> part = problem::part_of_real_time(run.settings);
   for (const problem::StageDrainage& stage : drainage_of_stages(run.settings, width, soil.c_v)) {
     const std::string& name = run.settings.stage[stage.stage].name;
     const auto rest = std::find_if(rests.begin(), rests.end(), [&](const base::Dissipation& d) { return d.stage == name; });
@@ -47,7 +58,7 @@ void add_rows(const record::RunRecord& run, Real width, const problem::Consolida
                {inertia_cell(run.settings, stage, soil, width)},
                {width > 0 ? known(T, fmt::format("{:.3g}", T)) : "–", true},
                {known(d.degree, text::percent_words(d.degree)), true},
-               {known(d.t50, text::time_words(d.t50)), true},
+               {known(d.t50, times(d.t50, part)), true},
                {known(d.T50, fmt::format("{:.3g}", d.T50)), true}});
   }
 }
@@ -78,7 +89,7 @@ std::string consolidation_table(const std::vector<record::RunRecord>& runs)
   const std::string how = fmt::format(
       "Soil is drained up to v D/c_v = {:g} and undrained from {:g} on, within 5 %, and partially drained between. U is 1 less the "
       "largest excess pore pressure in the soil over "
-      "the largest of the stage; t50 is the time until U = 50 %.",
+      "the largest of the stage; t50 is the time until U = 50 %, in brackets in the run where that is another.",
       problem::drained_up_to, problem::undrained_from);
   return "<h3>Consolidation</h3>\n<p>" + soils + "</p>\n" + text::html_paragraph(how, "quiet") + (table.empty() ? "" : table.html());
 }

@@ -30,6 +30,7 @@ TEST(question, of_several_runs_is_what_they_have_in_common)
   EXPECT_EQ(question_of({asked({}), asked({"stage.drag.until.displacement=10e-3"})}), "Pipe of 20 mm in sand");
   record::RunRecord cable = asked({});
   cable.settings.rigid.front().first = "power_cable";
+  for (auto& contact : cable.settings.contact) contact.second.rigid = "power_cable";
   for (problem::StageSettings& stage : cable.settings.stage) stage.rigid.clear();
   EXPECT_EQ(question_of({cable}), "Power cable of 20 mm in sand: push to w = 2 mm, drag 20 mm");
   EXPECT_EQ(question_of({asked({}), cable}), "") << "no common body: the page is named by titles";
