@@ -68,8 +68,7 @@ export async function range_of(chart: Locator, axis: "x" | "y"): Promise<[number
 /** Moves the mouse to parts of the plotting area's width and height; gives what parts they are to the pixel. */
 export async function point_at(page: Page, chart: Locator, across: number, down: number): Promise<[number, number]> {
   const over = chart.locator(".u-over");
-  await over.scrollIntoViewIfNeeded();
-  // Out from under what sticks to the top of the window.
+  // Out from under what sticks to the top of the window. At once: a chart is drawn anew where its size or its columns change.
   await over.evaluate((each) => each.scrollIntoView({ block: "center" }));
   const box = (await over.boundingBox())!;
   const x = Math.round(box.x + across * box.width), y = Math.round(box.y + down * box.height);

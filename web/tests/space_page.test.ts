@@ -35,7 +35,7 @@ test("film_in_space_begins_at_the_end_of_the_run_and_says_so", () =>
     assert.equal(await space(page).getAttribute("data-painter"), "webgl");
     const label = await space(page).locator("canvas[role=img]").first().getAttribute("aria-label");
     assert.match(label!, /In space: .*stage drag.* N; seen from the direction \(0\.58, 0\.58, 0\.58\)/);
-    assert.ok((await covered(page)) > 0.15);
+    assert.ok((await covered(page)) > 0.1);  // the block stands in the middle of a wide stage
     await take_screenshot(page, "space");
   }));
 
@@ -122,7 +122,7 @@ test("without_webgl_there_is_a_picture_and_a_sentence", () =>
   with_page("2d", async (page) => {
     assert.equal(await space(page).getAttribute("data-painter"), "2d");
     assert.match((await space(page).locator(".film-note").textContent())!, /no WebGL/);
-    assert.ok((await covered(page)) > 0.15);
+    assert.ok((await covered(page)) > 0.1);  // the block stands in the middle of a wide stage
     await take_screenshot(page, "space_2d");
   }));
 

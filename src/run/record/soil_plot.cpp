@@ -13,7 +13,7 @@
 namespace berm::record {
 namespace {
 
-constexpr int left = 160, right = 190, bottom = 120, top = 110;  // pixels around the plot
+constexpr int left = 160, right = 240, bottom = 120, top = 110;  // pixels around the plot
 constexpr int widest = 930, highest = 1000, narrowest = 100;     // pixels of the plot
 
 /// A picture in the making: what it shows and in which unit.
@@ -134,8 +134,8 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
   script += fmt::format("set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
                         part(left + picture.plot_width() + 24, width), part(bottom, height), part(26, width),
                         part(picture.plot_height(), height));
-  script += fmt::format("set cblabel {} offset 2,0 font {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()),
-                        plot::font_that_fits(picture.words(), 20, picture.plot_height()), range.first, range.second);
+  script += fmt::format("set cblabel {} offset 0,0 font {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()),
+                        plot::font_that_fits(picture.words(), 18, picture.plot_height()), range.first, range.second);
   script += plot::viridis_palette();
   script += "unset key\nset style fill solid noborder\n";
   mesh::GroundLine line = view.ground;

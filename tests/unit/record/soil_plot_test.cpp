@@ -67,8 +67,8 @@ TEST_F(SoilPlot, the_soil_is_drawn_in_both_colourings)
   const SoilView view{Vec<2>(0, 0), Vec<2>(0.2, 0.1), 0.09};
   ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", view, "soil"}));
   ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil_increment", "incremental_deviatoric_strain", view, "increment of nothing"}));
-  EXPECT_EQ(png_size(folder.file("soil.png")).first, 1280);
-  EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1280);
+  EXPECT_EQ(png_size(folder.file("soil.png")).first, 1330);
+  EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1330);
 }
 
 TEST_F(SoilPlot, triangles_are_filled_with_the_colour_of_their_strain)
@@ -76,7 +76,7 @@ TEST_F(SoilPlot, triangles_are_filled_with_the_colour_of_their_strain)
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   const SoilView view{Vec<2>(-0.1, -0.1), Vec<2>(0.3, 0.3), {}};
   ASSERT_TRUE(draw_soil(folder.path(), two_triangles(), {"soil", "deviatoric_strain", view, "two triangles"}));
-  ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1280, 1160}));
+  ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1330, 1160}));
   // The view is 930 pixels wide and high, 160 from the left and 110 from the top.
   const auto color = [&](Real x, Real y) {
     return color_at(folder.file("soil.png"), 160 + static_cast<int>(930 * (x + 0.1) / 0.4), 110 + static_cast<int>(930 * (0.3 - y) / 0.4));
@@ -160,9 +160,9 @@ TEST_F(SoilPlot, a_narrow_picture_has_no_empty_part_and_the_whole_of_its_title)
   draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", narrow, title});
   EXPECT_EQ(pixels("soil").size(), 200U * 1000U);
   const std::string script = content_of(folder.file("plots/soil.gp"));
-  EXPECT_NE(script.find("size 550,1230"), std::string::npos) << script;
+  EXPECT_NE(script.find("size 600,1230"), std::string::npos) << script;
   EXPECT_NE(script.find("'" + title + "' at screen 0.5"), std::string::npos) << script;
-  EXPECT_NE(script.find("'DejaVu Sans,10.2'"), std::string::npos) << "0.97 x 550 pixels for 70 letters of 0.75 x 10.2";
+  EXPECT_NE(script.find("'DejaVu Sans,11.1'"), std::string::npos) << "0.97 x 600 pixels for 70 letters of 0.75 x 11.1";
 }
 
 TEST_F(SoilPlot, at_survey_coordinates_places_count_from_a_round_number_that_the_axis_names)
