@@ -174,7 +174,10 @@ test("a_study_of_low_and_high_values_shows_its_table_and_tornado", async () => {
   await page.locator('[data-key="sample.size"] input').waitFor({ state: "attached" });
 });
 
-test("the_keyboard_is_enough", async () => {
+// Firefox without a screen draws no ring around what has the focus, and gives a PDF that a page fetched to nobody.
+const in_chromium = { skip: process.env.BERM_BROWSER === "firefox" };
+
+test("the_keyboard_is_enough", in_chromium, async () => {
   await page.bringToFront(); // no other window has the focus
   await go("/");
   await page.locator(".card").first().waitFor();
@@ -222,7 +225,7 @@ test("a_tablet_shows_form_or_text_and_cuts_nothing_off", async () => {
   await page.setViewportSize({ width: 1280, height: 860 });
 });
 
-test("a_page_is_printed", async () => {
+test("a_page_is_printed", in_chromium, async () => {
   await go("/run?path=out%2Fpipe");
   await badge("finished").waitFor();
   const pdf = await downloaded(() => page.getByRole("button", { name: "PDF" }).click());
