@@ -7,6 +7,7 @@
 #include "io/scratch_folder.hpp"
 #include "text/html.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -136,6 +137,20 @@ Real Canvas::width_of(const std::string& words, Real size)
   std::size_t letters = 0;
   for (const char c : words) letters += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;
   return 0.8 * size * static_cast<Real>(letters);
+}
+
+std::vector<std::string> Canvas::wrapped(const std::string& words, Real size, Real width)
+{
+  std::vector<std::string> lines(1);
+  std::size_t begin = 0;
+  while (begin < words.size()) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    const std::string word = words.substr(begin, end - begin);
+    if (!lines.back().empty() && width_of(lines.back() + " " + word, size) > width) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return lines;
 }
 
 std::string Canvas::svg(const Vec<2>& size, const std::string& title, const std::string& description, Real scale) const

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace berm::picture {
 
@@ -59,6 +60,8 @@ public:
   static Points circle(const Vec<2>& center, Real radius);
   /// How wide words are, pixels, by the mean width of a letter.
   static Real width_of(const std::string& words, Real size);
+  /// The lines that they take within a width, pixels.
+  static std::vector<std::string> wrapped(const std::string& words, Real size, Real width);
 
   /// An SVG element, `scale` times as large as drawn; title and description (plain text) are for those who cannot see it.
   std::string svg(const Vec<2>& size, const std::string& title, const std::string& description, Real scale = 1) const;

@@ -19,21 +19,6 @@ namespace {
 constexpr Real line_height = 19, indent = 34, letters = 11;
 constexpr std::size_t max_stages = 14;
 
-/// The lines that words take within a width.
-std::vector<std::string> wrapped(const std::string& words, Real width)
-{
-  std::vector<std::string> lines(1);
-  std::size_t begin = 0;
-  while (begin < words.size()) {
-    const std::size_t end = std::min(words.find(' ', begin), words.size());
-    const std::string word = words.substr(begin, end - begin);
-    if (!lines.back().empty() && Canvas::width_of(lines.back() + " " + word, letters) > width) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-    begin = end + 1;
-  }
-  return lines;
-}
-
 /// Entries below one another: a sign, then words beside it.
 class Column {
 public:
@@ -50,7 +35,7 @@ public:
   void entry(const std::string& words, const std::function<void(const Vec<2>&)>& sign)
   {
     sign(at_ + Vec<2>(12, 6));
-    for (const std::string& line : wrapped(words, width_ - indent)) {
+    for (const std::string& line : Canvas::wrapped(words, letters, width_ - indent)) {
       canvas_.text(at_ + Vec<2>(indent, 6), line, {.size = letters});
       at_[1] += line_height;
     }

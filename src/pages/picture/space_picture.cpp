@@ -188,8 +188,10 @@ void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& me
 {
   Real level = box_top;
   const auto write = [&](const std::string& words, bool bold = false) {
-    canvas.text({words_left, level}, words, {.bold = bold});
-    level += row_height;
+    for (const std::string& line : Canvas::wrapped(words, TextStyle{}.size, picture_width - words_left - 20)) {
+      canvas.text({words_left, level}, line, {.bold = bold});
+      level += row_height;
+    }
   };
   if (!c.rigid.empty()) write("Rigid bodies", true);
   for (const auto& [name, rigid] : c.rigid) {

@@ -12,6 +12,7 @@
 #include "structures/driven/results/mechanism.hpp"
 #include "structures/driven/results/quantities.hpp"
 #include "structures/driven/results/states.hpp"
+#include "structures/driven/results/uplift.hpp"
 
 #include <algorithm>
 
@@ -102,10 +103,8 @@ base::StagePaths Driven::paths(const record::RunRecord& run) const
   for (const DragPath& drag : path.drags) paths.drags.push_back({drag.rows, drag.travel});
   for (const OtherPush& push : path.other_pushes) {
     if (!push.upwards || push.rows.empty()) continue;
-    const std::vector<Real>& w = run.history["w_m"];
-    base::StagePath lift{push.rows, {}};
-    for (const Index k : push.rows) lift.travel.push_back(w[push.rows.front()] - w[k]);
-    paths.lifts.push_back(lift);
+    const LiftPath lift = lift_path(push, run.history);
+    paths.lifts.push_back({lift.rows, lift.travel});
   }
   return paths;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <omp.h>
+#include <optional>
 #include <sched.h>
 
 namespace berm::this_file {
@@ -29,6 +30,20 @@ TEST(Threads, are_bound_while_they_are_needed_and_let_go_behind_that)
   }
   EXPECT_EQ(processors_of_this_thread(), all);
   EXPECT_EQ(omp_get_max_threads(), before);
+}
+
+TEST(Threads, are_as_many_as_the_environment_says_where_none_are_asked_for)
+{
+  const char* before = std::getenv("OMP_NUM_THREADS");
+  const std::optional<std::string> kept = before == nullptr ? std::nullopt : std::optional<std::string>(before);
+  for (const auto& [named, count] : {std::pair{"1", 1}, std::pair{"100000", processor_count()}, std::pair{"none", processor_count()}}) {
+    setenv("OMP_NUM_THREADS", named, 1);
+    EXPECT_EQ(usual_thread_count(), count) << named;
+    EXPECT_EQ(Threads(0).count(), count) << named;
+  }
+  unsetenv("OMP_NUM_THREADS");
+  EXPECT_EQ(usual_thread_count(), processor_count());
+  if (kept) setenv("OMP_NUM_THREADS", kept->c_str(), 1);
 }
 
 TEST(Threads, give_the_caller_back_the_processors_that_it_had)

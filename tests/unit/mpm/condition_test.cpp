@@ -9,9 +9,9 @@ namespace berm::mpm::this_file {
 namespace {
 
 /// A box of sand under 10 kPa, and a circle so large that half its width reaches all of it.
-problem::Problem<2> pressed_box()
+problem::Problem<2> pressed_box(const material::MohrCoulomb& soil)
 {
-  auto problem = problem_on<2>(shaken_box<2>(), sample_sand(), 9);
+  auto problem = problem_on<2>(shaken_box<2>(), soil, 9);
   bodies::RigidBody<2> pipe;
   pipe.shape = bodies::Circle<2>{.center = problem.model.mesh.upper + Vec<2>(0, 10), .radius = 10};
   problem.model.rigid_bodies.push_back(pipe);
@@ -25,9 +25,9 @@ problem::Problem<2> pressed_box()
 
 /// What shaking() says where particles have these velocities and nodes those of node_velocity(x).
 template <class Velocity, class NodeVelocity>
-Real shaking_of(const Velocity& velocity_at, const NodeVelocity& node_velocity)
+Real shaking_of(const Velocity& velocity_at, const NodeVelocity& node_velocity, const material::MohrCoulomb& soil = sample_sand())
 {
-  problem::Problem<2> problem = pressed_box();
+  problem::Problem<2> problem = pressed_box(soil);
   for_each_particle(problem.state.particles[0], [&](bodies::Block<2>& p, int l) { set_velocity<2>(p, l, velocity_at(position<2>(p, l))); });
   Workspace<2> workspace(problem.model, problem.state);
   for (Index i = 0; i < problem.model.mesh.node_count(); ++i)
@@ -50,6 +50,16 @@ TEST(Shaking, is_none_where_particles_move_as_the_nodes_do)
 {
   const auto shear = [](const Vec<2>& x) { return Vec<2>(3 + 2 * x[1], 1 - x[0]); };
   EXPECT_LT(shaking_of(shear, shear), 1e-12);
+}
+
+TEST(Shaking, is_not_asked_of_soil_whose_strength_does_not_depend_on_pressure)
+{
+  material::MohrCoulomb clay = sample_sand();
+  clay.friction_angle = clay.dilation_angle = 0;
+  clay.cohesion = 1e4;
+  const auto still = [](const Vec<2>&) { return Vec<2>(0, 0); };
+  EXPECT_TRUE(std::isnan(shaking_of(still, still, clay)));
+  EXPECT_FALSE(std::isnan(shaking_of(still, still)));
 }
 
 TEST(SoilCondition, counts_grains_in_the_air_and_at_the_bounds_of_volume)

@@ -49,5 +49,19 @@ TEST(Canvas, words_keep_their_quotes)
       << content_of(folder / "words.svg");
 }
 
+TEST(Canvas, words_are_wrapped_between_words_and_none_is_lost)
+{
+  const std::string words = "2  drag (tow) 0.5 m/s, V = 85.32 kN, rotation about z on a spring";
+  const std::vector<std::string> lines = Canvas::wrapped(words, 11, 300);
+  ASSERT_GT(lines.size(), 1u);
+  std::string all;
+  for (const std::string& line : lines) {
+    EXPECT_LE(Canvas::width_of(line, 11), 300);
+    all += (all.empty() ? "" : " ") + line;
+  }
+  EXPECT_EQ(all, words);
+  EXPECT_EQ(Canvas::wrapped("word", 11, 1), std::vector<std::string>{"word"});
+}
+
 }  // namespace
 }  // namespace berm::picture::this_file

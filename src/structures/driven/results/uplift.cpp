@@ -14,8 +14,9 @@ LiftPath lift_path(const OtherPush& lift, const run_folder::History& history)
   const std::vector<Real>&w = history["w_m"], &V = history.by_label("V");
   const Index first = std::max<Index>(0, lift.rows.front() - 1);
   path.w_begin = w[first];
-  if (first != lift.rows.front()) path.travel.push_back(0), path.R.push_back(-V[first]);
-  for (const Index k : lift.rows) path.travel.push_back(path.w_begin - w[k]), path.R.push_back(-V[k]);
+  if (first != lift.rows.front()) path.rows.push_back(first);
+  path.rows.insert(path.rows.end(), lift.rows.begin(), lift.rows.end());
+  for (const Index k : path.rows) path.travel.push_back(path.w_begin - w[k]), path.R.push_back(-V[k]);
   return path;
 }
 

@@ -6,8 +6,9 @@
 
 namespace berm::driven {
 
-/// A lift by row: how far up the body came, and R = -V, the force of the soil against it.
+/// A lift by row, from the row before its first: how far up the body came, and R = -V, the force of the soil against it.
 struct LiftPath {
+  std::vector<Index> rows;      ///< of the history
   std::vector<Real> travel, R;  ///< m, N/m
   Real w_begin = nan;           ///< m
 };

@@ -44,6 +44,20 @@ TEST(PageData, short_history_has_all_its_rows)
   EXPECT_EQ(data["columns"]["time_s"].size(), std::size_t(run.history.rows()));
 }
 
+TEST(PageData, a_lift_begins_with_the_row_before_it)
+{
+  record::RunRecord run = long_run(10, 20);
+  run.settings.stage.push_back(MadeRun::stage_of("lift", problem::StageKind::push));
+  run.settings.stage.back().velocity = -0.1;
+  for (Index k = 1; k <= 5; ++k) {
+    const Real row[] = {100. + k, 0.01, 0.002 - 1e-4 * k, 0, -50. * k};
+    for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);
+    run.history.stage.emplace_back("lift");
+  }
+  EXPECT_EQ(report::run_data(run)["lift"]["rows"].get<std::vector<Index>>(), (std::vector<Index>{30, 31, 32, 33, 34, 35}));
+  EXPECT_TRUE(report::run_data(long_run(10, 20))["lift"]["rows"].empty());
+}
+
 TEST(PageData, thinned_history_keeps_the_ends_of_each_stage_and_the_row_before_the_drag)
 {
   const record::RunRecord run = long_run(1000, 5000);
