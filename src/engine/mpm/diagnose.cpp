@@ -4,6 +4,7 @@
 #include "bodies/particle_fields.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
+#include "mpm/time_step.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ template <int dim>
 void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim>& state, Index body)
 {
   const std::string when = fmt::format("at t = {:.6g} s (step {})", state.time, state.step),
-                    advice = fmt::format("try a smaller mpm.courant (now {}), and check stiffness, strength and loads", model.mpm.courant);
+                    advice = fmt::format("try {}, and check stiffness, strength and loads", smaller_step(model.mpm));
   const bodies::Particles<dim>& particles = state.particles[body];
   Trouble worst;
   bodies::Particle<dim> p;

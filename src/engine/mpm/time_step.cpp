@@ -150,9 +150,9 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     if (body < bodies) throw_not_finite(model, state, body);
   }
   if (!std::isfinite(fastest))
-    throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time,
-                               state.step, model.mpm.courant));
+    throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try {}", state.time, state.step, smaller_step(model.mpm)));
 
+  const Real courant = model.mpm.courant.value_or(default_courant), most = stable_courant(model);
   Real min = infinity, min_at_rest = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Real wave_speed = model.bodies[b].waves.fastest;
@@ -160,21 +160,27 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     const Real steepest = ranks.largest(largest_of("smallest height", static_cast<Index>(occupied.size()), 0, [&](Index c) {
       return stiffest_square(model.mesh, occupied[c], workspace.grids[b].shape(model.mesh, occupied[c]));
     }));
-    const Real height = 1 / std::sqrt(steepest);
-    min = std::min(min, height / (wave_speed + fastest));
-    min_at_rest = std::min(min_at_rest, height / wave_speed);
+    const Real length =
+        std::max(std::min(courant, most) / std::sqrt(steepest), default_stable_part * most * model.bodies[b].critical_length);
+    min = std::min(min, length / (wave_speed + fastest));
+    min_at_rest = std::min(min_at_rest, length / wave_speed);
   }
-  const Real courant = std::min(model.mpm.courant, stable_courant(model));
-  const Real dt = std::min(courant * min, courant * limit_of_springs(model, state));
+  const Real dt = std::min(min, std::min(courant, most) * limit_of_springs(model, state));
   if (min < min_part * min_at_rest || state.time + dt == state.time) {
     const auto [of_rank, words] = fastest_of(model, state, workspace);
     const Real speed = ranks.largest(of_rank);
     const std::string what = ranks.text_of_largest(of_rank, words);
     throw RunError(fmt::format("the time step has fallen to {:.3g} s (at rest it is {:.3g} s) at t = {:.6g} s (step {}), because of {}, "
-                               "which moves at {:.3g} m/s; try a smaller mpm.courant (now {}), and check velocities and loads",
-                               dt, model.mpm.courant * min_at_rest, state.time, state.step, what, speed, model.mpm.courant));
+                               "which moves at {:.3g} m/s; try {}, and check velocities and loads",
+                               dt, min_at_rest, state.time, state.step, what, speed, smaller_step(model.mpm)));
   }
   return dt;
+}
+
+std::string smaller_step(const problem::MpmSettings& settings)
+{
+  return settings.courant ? fmt::format("a smaller mpm.courant (now {:g})", *settings.courant)
+                          : "mpm.courant = 0.4 or less (now it is not set)";
 }
 
 template Real stable_time_step(const problem::Model<2>&, const problem::State<2>&, const Workspace<2>&);

@@ -8,10 +8,17 @@ namespace berm::mpm {
 /// Number of steps after which the time step is computed again.
 constexpr BigIndex steps_between_time_steps = 16;
 
-/// courant times the minimum of height / (c + v) over the cells with particles, s: c = sqrt(M / density) the speed of
-/// pressure waves, v the maximum speed of a node or rigid body. Throws RunError where speeds are not finite, or so large
-/// that the time step is less than a thousandth of that at rest.
+/// The part of the longest stable time step of the mesh, and of the time that a wave needs across the smallest height, that a step takes where a case does not
+/// set mpm.courant: the longer of both.
+constexpr Real default_stable_part = 0.75, default_courant = 0.5;
+
+/// length / (c + v), s: c = sqrt(M / density) the speed of pressure waves, v the maximum speed of a node or rigid body; length is courant times the smallest
+/// height of the cells with particles or default_stable_part of Body::critical_length. Throws RunError where speeds are not finite, or so large that the time
+/// step is less than a thousandth of that at rest.
 template <int dim>
 Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace);
+
+/// What to try where a run has become unstable: `a smaller mpm.courant (now 0.5)`.
+std::string smaller_step(const problem::MpmSettings& settings);
 
 }  // namespace berm::mpm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
+#include "mesh/critical_length.hpp"
 #include "problem/absorbing.hpp"
 #include "problem/equilibrium.hpp"
 #include "problem/heads.hpp"
@@ -277,6 +278,20 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   return model;
 }
 
+/// Where the time step is not by the smallest cell: of soil with the largest ratio of shear to pressure waves. Water that flows has waves of its own.
+template <int dim>
+void set_critical_lengths(Model<dim>& model)
+{
+  if (model.mpm.courant) return;
+  for (Body<dim>& body : model.bodies) {
+    if (body.flows()) continue;
+    Real shear_ratio = 0;
+    for (const material::Material& material : body.soil.materials)
+      shear_ratio = std::max(shear_ratio, elasticity(material).shear / p_wave_modulus(material));
+    body.critical_length = critical_length(model.mesh, model.patches, shear_ratio);
+  }
+}
+
 template <int dim>
 Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder)
 {
@@ -291,6 +306,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   State<dim>& state = problem.state;
   model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, model.mpm.volumetric_projection ? mesh::patch_cells<dim> : 1);
+  set_critical_lengths(model);
   state.rigid_bodies.resize(model.rigid_bodies.size());
   state.contact_sums.resize(model.rigid_bodies.size());
   for (const DepthSlices& slices : model.depth_slices) {

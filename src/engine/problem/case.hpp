@@ -30,7 +30,8 @@ enum class Geometry {
 
 /// How the material point method runs.
 struct MpmSettings {
-  Real courant = 0.5;                 ///< time step over the time that a wave needs across the smallest height
+  /// Time step over the time that a wave needs across the smallest height; empty: by the longest time step for which the mesh is stable.
+  std::optional<Real> courant;
   bool volumetric_projection = true;  ///< the cure against volumetric locking
   Quadrature quadrature = Quadrature::full_cells;
   Real min_volume_ratio = 0.8;  ///< bounds of a particle's volume over its first

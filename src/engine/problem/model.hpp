@@ -29,6 +29,7 @@ struct Body {
   NodeField<Real> damping;    ///< local damping factor of each node for this body
   Real weight_over_mass = 1;  ///< density over inertia density: the part of gravity that acts on its particles
   SoilWaves waves = waves_of(soil.materials.front());
+  Real critical_length = 0;  ///< m, of the mesh (mesh/critical_length.hpp); 0: the time step is that of the smallest cell
 
   /// Whether water flows through its pores.
   bool flows() const { return hydraulics(soil.materials.front()).has_value(); }

@@ -455,10 +455,9 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
   if (-state().totals.friction > max_contact_work * recorder_.largest_work()) {
     const bool coupled = std::all_of(model().contacts.begin(), model().contacts.end(),
                                      [](const auto& contact) { return contact.scheme == contact::Scheme::musl_coupled; });
-    spdlog::warn(
-        "contact gave {:.2g} J instead of taking energy: use {}a smaller mpm.courant (now {:g}), and let no rigid body scrape over "
-        "a boundary that is held",
-        -state().totals.friction, coupled ? "" : "scheme = \"musl_coupled\" or ", model().mpm.courant);
+    spdlog::warn("contact gave {:.2g} J instead of taking energy: use {}{}, and let no rigid body scrape over "
+                 "a boundary that is held",
+                 -state().totals.friction, coupled ? "" : "scheme = \"musl_coupled\" or ", mpm::smaller_step(model().mpm));
   }
   if (model().mpm.active_distance && stopped_over_work() > max_stopped)
     spdlog::warn("soil still moved when it came to rest: {:.2g} of the work; enlarge mpm.active_distance (now {:g} m)", stopped_over_work(),

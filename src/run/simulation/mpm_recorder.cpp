@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "mpm/condition.hpp"
 #include "mpm/interface.hpp"
+#include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/heads.hpp"
 #include "problem/stages.hpp"
@@ -132,8 +133,8 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
   const problem::Totals<dim>& t = state.totals;
   const Real error = kinetic + taken_out(state).kinetic - first_kinetic_ + t.internal + t.damping + t.filter + t.friction - t.external;
   if (!std::isfinite(error))
-    throw RunError(fmt::format("energies are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
-                               model.mpm.courant));
+    throw RunError(
+        fmt::format("energies are not finite at t = {} s (step {}); try {}", state.time, state.step, mpm::smaller_step(model.mpm)));
   Recorder<dim>::observe_energies({kinetic, t.damping, t.filter, t.internal, t.friction, t.external, error}, first_kinetic_);
 }
 

@@ -58,7 +58,7 @@ std::string message_of(const std::string& text, const GmshFile& settings = {})
 
 std::string whole(const std::vector<Vec<3>>& points, const char* second)
 {
-  return std::string(head) + entities + nodes(points) + elements(second);
+  return fmt::format("{}{}{}{}", head, entities, nodes(points), elements(second));
 }
 
 TEST(MeshFiles, are_scaled_turned_and_shifted_in_this_order)

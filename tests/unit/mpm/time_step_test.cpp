@@ -55,6 +55,23 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / (wave + 9)), 1, 1e-14);
 }
 
+TYPED_TEST(TimeStep, is_a_part_of_the_longest_stable_one_where_courant_is_not_set)
+{
+  constexpr int dim = TypeParam::value;
+  auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(0.2), 0);
+  problem.model.mpm.courant.reset();
+  problem.model.bodies[0].critical_length = 3;
+  const Real wave = std::sqrt(2e6 * 0.8 / (1.2 * 0.6) / 1500);
+  Workspace<dim> workspace(problem.model, problem.state);
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.75 * 3 / wave), 1, 1e-14);
+
+  // Never less than half the time that a wave needs across the smallest cell with soil: smaller ones may lie elsewhere.
+  problem.model.bodies[0].critical_length = 0;
+  Real height = infinity;
+  for (const Index cell : problem.state.particles[0].occupied()) height = std::min(height, problem.model.mesh.height(cell));
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.5 * height / wave), 1, 1e-14);
+}
+
 TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_and_advice)
 {
   constexpr int dim = TypeParam::value;
