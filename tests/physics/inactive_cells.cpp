@@ -22,6 +22,7 @@ problem::Case pipe_in_long_bed(std::optional<Real> active_distance)
   c.body[0].second.block->size[0] = 0.36;
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[0] = 0.14;
   c.mpm.active_distance = active_distance;
+  c.mpm.courant = 0.5;
   problem::StageSettings first, last;
   first.name = "at rest";
   first.until.time = infinity;

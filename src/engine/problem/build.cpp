@@ -278,15 +278,17 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   return model;
 }
 
-/// Where the time step is not by the smallest cell: of soil with the largest ratio of shear to pressure waves. Water that flows has waves of its own.
+/// Where the time step is by the whole mesh: of soil that can yield, with the filter that takes out what the nodes cannot carry. Elastic bodies have no filter and
+/// shake before the mesh does, and so does soil whose stress is updated first; water that flows has waves of its own. A line feels its soil one step late.
 template <int dim>
-void set_critical_lengths(Model<dim>& model)
+void set_critical_lengths(const Case& c, Model<dim>& model)
 {
-  if (model.mpm.courant) return;
+  if (c.pipeline || model.mpm.courant || model.update_stress_first || model.mpm.velocity_filter == 0) return;
   for (Body<dim>& body : model.bodies) {
-    if (body.flows()) continue;
+    const std::vector<material::Material>& materials = body.soil.materials;
+    if (body.flows() || !std::all_of(materials.begin(), materials.end(), [](const material::Material& m) { return yields(m); })) continue;
     Real shear_ratio = 0;
-    for (const material::Material& material : body.soil.materials)
+    for (const material::Material& material : materials)
       shear_ratio = std::max(shear_ratio, elasticity(material).shear / p_wave_modulus(material));
     body.critical_length = critical_length(model.mesh, model.patches, shear_ratio);
   }
@@ -306,7 +308,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   State<dim>& state = problem.state;
   model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, model.mpm.volumetric_projection ? mesh::patch_cells<dim> : 1);
-  set_critical_lengths(model);
+  set_critical_lengths(c, model);
   state.rigid_bodies.resize(model.rigid_bodies.size());
   state.contact_sums.resize(model.rigid_bodies.size());
   for (const DepthSlices& slices : model.depth_slices) {

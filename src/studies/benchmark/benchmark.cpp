@@ -18,6 +18,7 @@
 #include <malloc.h>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <omp.h>
 
 namespace berm::benchmark {
 namespace {
@@ -397,8 +398,10 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   const bodies::Particles<dim>& body = problem.state.particles[0];
   const Real per_cell = static_cast<Real>(body.size()) / static_cast<Real>(body.occupied().size());
   const std::vector<Timing> loops = context.timings().table();
-  const Real ceiling =
-      sum_of_ranks(roofline::run_roofline_kernel<dim>(body.size(), static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s());
+  const auto kernel_speed = [&] {
+    return sum_of_ranks(roofline::run_roofline_kernel<dim>(body.size(), static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s());
+  };
+  const Real ceiling = kernel_speed();
   const Demand demand = demand_of(body, workspace.grids[0]);
 
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
@@ -427,7 +430,19 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
     result["loops"].push_back({{"label", label}, {"ns_per_particle_step", nanoseconds}});
   };
   for (const Timing& loop : loops) tell(loop.label, loop.seconds);
-  if (ranks.count() == 1) return result;
+  if (ranks.count() == 1) {
+    if (context.threads() == 1) return result;
+    omp_set_num_threads(1);
+    const BigIndex first = problem.state.step;
+    const Real wall_alone = seconds(3, 32);
+    const Real alone = static_cast<Real>(particles * (problem.state.step - first)) / wall_alone, kernel_alone = kernel_speed();
+    omp_set_num_threads(context.threads());
+    fmt::print("    {} threads are {:.2f} times as fast as one, those of the bare kernel {:.2f} times\n", context.threads(), speed / alone,
+               ceiling / kernel_alone);
+    result["over_one_thread"] = speed / alone;
+    result["ceiling_over_one_thread"] = ceiling / kernel_alone;
+    return result;
+  }
   const auto of_rank = [&](auto Traffic::*part) {
     return sum_of_ranks(static_cast<Real>(traffic_after.*part - traffic_before.*part)) / ranks.count();
   };

@@ -240,8 +240,11 @@ TEST(Run, with_a_report_table_writes_the_same_history_and_notes_where_it_comes_f
 TEST(Run, takes_an_override)
 {
   const Place place;
-  const Words shorter = {
-      "run", "small.toml", "--threads", "1", "--set", "stage.push.until.embedment=1 mm", "--set", "stage.drag.until.displacement=0.1 mm"};
+  const Words shorter = {"run",       "small.toml",
+                         "--threads", "1",
+                         "--set",     "stage.push.until.embedment=1 mm",
+                         "--set",     "stage.drag.until.displacement=0.1 mm",
+                         "--set",     "mpm.courant=0.5"};
   ASSERT_EQ(place.berm(shorter).status, 0);
   EXPECT_NEAR(place.json("out/small/summary.json")["quantities"]["w_end_of_push"]["value"].get<double>(), 1e-3, 15e-6);
 }

@@ -165,7 +165,7 @@ TEST_F(Library, resumes_a_run_that_was_stopped_to_the_same_bytes)
   OneRun(path("case.toml"), into("whole")).finish();
   {
     OneRun run(path("case.toml"), into("parts"));
-    run.step(300);
+    run.step(150);
     run.stop();
     EXPECT_TRUE(run.ended());
     EXPECT_FALSE(run.finished());

@@ -89,7 +89,7 @@ TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
 {
   ASSERT_TRUE(run("whole", all));
   int parts = 1;
-  const int steps = is_fem() ? 4 : 83;
+  const int steps = is_fem() ? 4 : 41;
   bool finished = run("parts", steps);
   while (!finished) {
     const auto summary = run_folder::read_summary(folder_ / "parts");
