@@ -105,7 +105,7 @@ Table read_ags(const std::string& file, const std::string& text, const std::stri
     if (name_of(readings, row) == wanted) table.rows.push_back(row);
   for (const Row& row : groups["SCPG"].rows)
     if (const std::string ratio = groups["SCPG"].of(row, "SCPG_CAR"); name_of(groups["SCPG"], row) == wanted && !ratio.empty())
-      table.area_ratio = number_of(ratio, file, row.line, "SCPG_CAR");
+      table.area_ratio = area_ratio_of(ratio, file, row.line, "SCPG_CAR");
   return table;
 }
 

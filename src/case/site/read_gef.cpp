@@ -40,7 +40,7 @@ void take(Header& header, const std::string& file, int line, const std::string& 
   } else if (key == "COLUMNVOID") {
     header.no_value[whole(0)] = fields[1];
   } else if (key == "MEASUREMENTVAR" && whole(0) == 3) {
-    header.area_ratio = number_of(fields[1], file, line, "#MEASUREMENTVAR 3, the area ratio of the cone");
+    header.area_ratio = area_ratio_of(fields[1], file, line, "#MEASUREMENTVAR 3");
   } else if ((key == "REPORTCODE" || key == "PROCEDURECODE") && value.find("GEF-CPT") == std::string::npos) {
     throw InputError(fmt::format("{}#{} is {}: a sounding has GEF-CPT-Report", at(file, line), key, input::in_quotes(fields[0])));
   } else if (key == "COLUMNSEPARATOR" && !fields[0].empty()) {

@@ -63,9 +63,12 @@ Sounding sounding_of(const Table& table)
   const bool correct = !q_t.place && u_2.place && table.area_ratio;
   Sounding sounding;
   sounding.file = table.file;
-  sounding.corrected = q_t.place ? "q_t as in the file"
-                       : correct ? fmt::format("q_t = q_c + (1 - {:.3g}) u_2", *table.area_ratio)
-                                 : "q_c for q_t: the file does not say u_2 and the area ratio of the cone";
+  sounding.corrected =
+      q_t.place ? "q_t as in the file"
+      : correct ? fmt::format("q_t = q_c + (1 - {:.3g}) u_2", *table.area_ratio)
+                : fmt::format("q_c for q_t: the file does not say {}", u_2.place          ? "the area ratio of the cone"
+                                                                       : table.area_ratio ? "u_2"
+                                                                                          : "u_2 and the area ratio of the cone");
   for (const Row& row : table.rows) {
     if (row.fields.size() != table.columns.size())
       throw InputError(
@@ -150,6 +153,16 @@ Real number_of(const std::string& text, const std::string& file, int line, const
   if (error != std::errc() || rest != last || !std::isfinite(number))
     throw InputError(fmt::format("{}{}: {} is no number", at(file, line), of, input::in_quotes(text)));
   return number;
+}
+
+Real area_ratio_of(const std::string& text, const std::string& file, int line, const std::string& of)
+{
+  const Real ratio = number_of(text, file, line, of);
+  if (!(ratio > 0 && ratio <= 1))
+    throw InputError(fmt::format(
+        "{}{}: the area ratio of a cone is above 0 and at most 1, such as 0.8, and this is {:g}; leave it out where it is not known",
+        at(file, line), of, ratio));
+  return ratio;
 }
 
 std::string at(const std::string& file, int line)

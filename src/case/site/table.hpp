@@ -43,6 +43,9 @@ std::vector<std::string> fields_of(std::string_view line, char separator);
 /// The number that a text is. Throws InputError, with file, line and what it is of.
 Real number_of(const std::string& text, const std::string& file, int line, const std::string& of);
 
+/// The area ratio of a cone, above 0 and at most 1, that a text is. Throws InputError, too.
+Real area_ratio_of(const std::string& text, const std::string& file, int line, const std::string& of);
+
 /// "FILE:LINE: " of a message.
 std::string at(const std::string& file, int line);
 

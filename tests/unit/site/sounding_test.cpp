@@ -119,6 +119,20 @@ TEST_F(Soundings, of_tables_have_names_with_units)
   expect_near(read("cpt.csv", "Depth (cm);qt [MPa];note [-]\n10;1.5;soft\n20;2.5;\n").q_t, {1.5e6, 2.5e6});
 }
 
+TEST_F(Soundings, of_tables_may_say_the_area_ratio_of_their_cone_in_a_comment)
+{
+  const std::string rows = "depth_m,q_c_MPa,u_2_kPa\n0.1,1,100\n0.2,2,200\n";
+  for (const char* line : {"# area_ratio = 0.75\n", "#Area ratio: 0.75,,\r\n", "# made\n# area_ratio=0.75\n"}) {
+    const Sounding one = read("cpt.csv", line + rows);
+    expect_near(one.q_t, {1.025e6, 2.05e6});  // q_c + 0.25 u_2
+    EXPECT_EQ(one.corrected, "q_t = q_c + (1 - 0.75) u_2");
+  }
+  const Sounding without = read("cpt.csv", "# the area ratio is not known\n" + rows);
+  expect_near(without.q_t, {1e6, 2e6});
+  EXPECT_EQ(without.corrected, "q_c for q_t: the file does not say the area ratio of the cone");
+  EXPECT_EQ(read("cpt.csv", "# area_ratio = 0.75\ndepth_m,q_c_MPa\n0.1,1\n0.2,2\n").corrected, "q_c for q_t: the file does not say u_2");
+}
+
 TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
 {
   const struct {
@@ -134,6 +148,11 @@ TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
       {"a.csv", "depth_m,f_s_MPa\n1,1\n2,1\n", "a.csv: has no column of the cone resistance"},
       {"a.csv", "depth_m,q_c_MPa,qc_kPa\n1,1,1\n2,1,1\n",
        "a.csv:1: column \"qc_kPa\" is the cone resistance q_c, as column \"q_c_MPa\" is"},
+      {"a.csv", "# area_ratio = 80 %\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: \"80 %\" is no number"},
+      {"a.csv", "# area_ratio = 80\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: the area ratio of a cone is above 0 and at most 1"},
+      {"a.csv", "# area_ratio =\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: \"\" is no number"},
+      {"a.csv", "# area_ratio = 0.8\n# area_ratio = 0.7\ndepth_m,q_c_MPa\n", "a.csv:2: area_ratio stands in the file twice"},
+      {"a.gef", "#MEASUREMENTVAR= 3, 15, cm2, area\n#EOH=\n1 1\n", "a.gef:1: #MEASUREMENTVAR 3: the area ratio of a cone is above 0"},
       {"a.ags", "\"DATA\",\"x\"\n", "a.ags:1: begins with \"DATA\""},
       {"a.ags", "\"GROUP\",\"LOCA\"\n\"HEADING\",\"LOCA_ID\"\n\"DATA\",\"a\",\"b\"\n", "a.ags:3: has 2 values, and the group 1 headings"},
       {"a.ags", "\"GROUP\",\"LOCA\"\n", "a.ags: has no group SCPT"},
