@@ -111,13 +111,18 @@ void add_breakout(PublishedValues& values, const driven::DrivenRun& run, const d
   values.states.push_back({ComparedState::Kind::breakout, u, w, nan, displacement_at_breakout(run.scale.width, w, u)});
 }
 
-void put_out_of_range(PublishedValues& values, const char* range)
+void put_out_of_range(ComparedState& state, const char* range)
 {
-  for (ComparedState& state : values.states)
-    for (Comparison& comparison : state.comparisons) {
-      comparison.published.valid = false;
-      comparison.published.source.range = range;
-    }
+  for (Comparison& comparison : state.comparisons) {
+    comparison.published.valid = false;
+    comparison.published.source.range = range;
+  }
+}
+
+/// The depth of the stress that formulas of a state take: that of a buried pipe's centre, else of the invert.
+Real depth_of(const ComparedState& state, Real diameter)
+{
+  return state.kind == ComparedState::Kind::uplift ? state.w - diameter / 2 : state.w;
 }
 
 /// Each drag of a diameter or more, at its end: the first beside what the residual is said to be, those that follow in clay beside sweeps between berms.
@@ -221,10 +226,12 @@ PublishedValues published_beside(const driven::DrivenRun& run)
           {ComparedState::Kind::uplift, lift.largest.u, lift.w_begin, nan, std::move(beside), lift.falls(), lift.stage});
   if (clay != nullptr)
     for (ComparedState& state : values.states) state.strength = clay->at(state.w).strength;
-  if (sand != nullptr && sand->cohesion > 0) put_out_of_range(values, "sand without cohesion");
+  for (ComparedState& state : values.states)
+    if (sand != nullptr && depth_of(state, sand->diameter) < sand->depth_of_little_cohesion())
+      put_out_of_range(state, "sand without cohesion");
   if (!level) {
     values.remarks.insert(values.remarks.begin(), remark_on_ground(run));
-    put_out_of_range(values, "a level bed");
+    for (ComparedState& state : values.states) put_out_of_range(state, "a level bed");
   }
   if (clay != nullptr && !points.drag.empty())
     values.remarks.emplace_back("Formulas for H give what the soil can do at most; early in a drag H is still on its way there.");

@@ -320,6 +320,21 @@ TEST(published, formulas_leave_out_a_little_cohesion_of_sand_and_say_so)
   EXPECT_FALSE(says(clean, "without cohesion"));
 }
 
+TEST(published, cohesion_that_is_small_beside_the_stress_at_the_depth_of_a_state_leaves_its_formulas_in_range)
+{
+  // c cot(35 deg) = 2 % of gamma' z at z = 3 mm, 0.15 D: above it formulas are out of range, below it as without cohesion.
+  MadeRun damp;
+  damp.pushed_to = 0.01;
+  damp.law.cohesion = 0.02 * 430e3 * 0.003 * std::tan(damp.law.friction_angle);
+  const PublishedValues values = published_beside(driven::DrivenRun(damp.record()));
+  const ComparedState *shallow = state_at(values, Kind::push, 0.002), *deep = state_at(values, Kind::push, 0.005);
+  ASSERT_NE(by(shallow, characteristics), nullptr);
+  ASSERT_NE(by(deep, characteristics), nullptr);
+  EXPECT_FALSE(by(shallow, characteristics)->published.valid);
+  EXPECT_TRUE(by(deep, characteristics)->published.valid);
+  EXPECT_TRUE(says(values, "more than 2 % of γ' z down to z = 0.15 D"));
+}
+
 TEST(published, what_is_no_whole_pipe_has_no_formulas)
 {
   record::RunRecord run = MadeRun{}.record();
