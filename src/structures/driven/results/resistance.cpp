@@ -11,7 +11,21 @@ namespace {
 
 using record::TravelCurve;
 
-std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale)
+/// How much averaged H swings about its mean over +-0.1 D, N/m: 1.48 times the median of its distances from it, the standard deviation of normal noise, which neither the
+/// rise at the begin nor a peak changes. 0 without noise.
+Real swing_of(const TravelCurve& smooth, const BodyScale& scale)
+{
+  constexpr Real normal = 1.4826;
+  if (!scale.noisy || smooth.empty()) return 0;
+  std::vector<Real> off;
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k)
+    off.push_back(std::abs(smooth.value()[k] - smooth.at(smooth.travel()[k], breakout_stays * scale.width)));
+  std::nth_element(off.begin(), off.begin() + off.size() / 2, off.end());
+  return normal * off[off.size() / 2];
+}
+
+/// The first peak that H falls from by min_fall of it, and by this fall.
+std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale, Real least_fall)
 {
   if (smooth.empty()) return std::nullopt;
   const Real half = averaging_half(scale), over_D = breakout_stays * scale.width,
@@ -26,7 +40,7 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Bo
       fallen = false;
       continue;
     }
-    fallen = fallen || here <= (1 - min_fall) * peak.H;
+    fallen = fallen || here <= peak.H - std::max(min_fall * peak.H, least_fall);
     if (!fallen || !(peak.H > 0) || u < peak.u + stays) continue;
     // A single increment that relaxes falls, too: without noise the mean of so long a way must be lower by as much.
     if (scale.noisy || smooth.at(u - stays / 2, stays / 2) <= (1 - min_fall) * peak.H) return peak;
@@ -93,7 +107,8 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
   resistance.travel = H.end();
   const TravelCurve smooth = H.smoothed(averaging_half(scale));
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
-  resistance.breakout = breakout_in(smooth, scale);
+  resistance.breakout = breakout_in(smooth, scale, min_fall_over_swing * swing_of(smooth, scale));
+  resistance.peak_in_noise = !resistance.breakout && breakout_in(smooth, scale, 0);
   const Real travel = H.end() - H.begin();
   const Real half = residual_travel(travel, scale) / 2;
   const Real mean = H.at(H.end() - half, half);
@@ -126,8 +141,9 @@ Resistance resistance_of(const DrivenRun& run)
 
 std::string no_peak_words(const Resistance& resistance, const std::string& end)
 {
-  if (resistance.residual) return "no peak: H levels off";
-  return resistance.last_change > 0 ? fmt::format("no peak: H grows {}", end) : "no peak";
+  const char* none = resistance.peak_in_noise ? "no peak that stands out of the noise of H" : "no peak";
+  if (resistance.residual) return fmt::format("{}: H levels off", none);
+  return resistance.last_change > 0 ? fmt::format("{}: H grows {}", none, end) : none;
 }
 
 }  // namespace berm::driven

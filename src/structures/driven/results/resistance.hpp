@@ -19,8 +19,10 @@ struct Resistance {
   Real V_at_largest = 0;  ///< N/m, averaged as well; NaN where it is not known
   /// The first peak of H that H falls from by at least 5 % before it grows beyond it. H is averaged as all forces are (averaging_half), the ends of the drag
   /// are left out by half of that window; H must also stay below the peak over the next 0.1 D, which shorter waves of a dynamic method do not. Without noise
-  /// that is a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
+  /// The fall must also be four times what averaged H swings about its mean over +-0.1 D elsewhere: from its highest to its lowest wiggle noise falls as much. Without noise
+  /// that way is a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
   std::optional<Point> breakout;
+  bool peak_in_noise = false;  ///< there is no breakout, but where H swings less there would be one
   /// N/m, the plateau of H: the mean over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes
   /// by less than 5 % of it. Where H rises beyond an earlier such stretch by more than min_berm it has met a berm: then the plateau is the lowest of those after the
   /// breakout; without one it is a quarter of the travel long, after H has first come to half of its mean at the end.
@@ -34,6 +36,8 @@ struct Resistance {
 
 /// The fall after a peak that makes it the breakout, and the change at the end of the drag below which H is called residual.
 constexpr Real min_fall = 0.05, max_residual_change = 0.05;
+/// The same fall over how much averaged H swings (a standard deviation).
+constexpr Real min_fall_over_swing = 4;
 /// The rise from the plateau to the end that makes the end the resistance of a berm, and the travel (over D) that a drag must have to meet one.
 constexpr Real min_berm = 0.15, min_travel_to_a_berm = 1;
 /// The travel (over D) over which noisy H must stay below the breakout.

@@ -82,6 +82,21 @@ TEST(resistance, waves_of_a_dynamic_method_are_no_breakout)
   EXPECT_FALSE(of(waves, D, problem::Method::fem).breakout);
 }
 
+// H that is level but for wiggles of 0.25 D, longer than what a peak has to stay: each falls by 10 %, and so it is no peak.
+TEST(resistance, a_wiggle_among_others_is_no_breakout_and_a_peak_that_stands_out_of_them_is)
+{
+  const auto wiggles = [](Real x) { return 15 * std::sin(2 * pi * x / 0.25); };
+  const Resistance level = of([&](Real x) { return 300 * std::min(1., x / 0.05) + wiggles(x); }, 2 * D);
+  EXPECT_FALSE(level.breakout);
+  EXPECT_TRUE(level.peak_in_noise);
+  EXPECT_EQ(no_peak_words(level, "to the end of the drag").find("no peak that stands out of the noise of H"), 0U);
+  const Resistance peak = of([&](Real x) { return with_a_peak(x, 150) + wiggles(x); }, 2 * D);
+  ASSERT_TRUE(peak.breakout);
+  EXPECT_NEAR(peak.breakout->u, 0.3 * D, 0.02 * D);
+  const Resistance quiet = of([](Real x) { return 300 * std::min(1., x / 0.05); }, 2 * D);
+  EXPECT_FALSE(quiet.breakout || quiet.peak_in_noise);
+}
+
 TEST(resistance, of_finite_elements_an_increment_that_relaxes_is_no_breakout)
 {
   const auto H = [](Real x) { return 300 * std::min(1., x / 0.05); };
