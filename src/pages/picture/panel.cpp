@@ -348,7 +348,8 @@ void draw_whole(Canvas& canvas, const Model& model, const Scale& scale, bool wit
   scale_bar(canvas, scale, Vec<2>(scale.window().upper_left[0], scale.window().lower_right[1] + 78));
   if (const std::optional<Extent> detail = detail_extent(model); detail && !with_path) {
     frame(canvas, *detail, scale);
-    canvas.text(scale({detail->upper[0], detail->upper[1]}) + Vec<2>(5, 8), "enlarged", {.size = 10});
+    // Beside its foot: words of supports stand above and below the mesh.
+    canvas.text(scale({detail->upper[0], std::max(detail->lower[1], model.ground.lower[1])}) + Vec<2>(5, -9), "enlarged", {.size = 10});
   }
 }
 

@@ -117,6 +117,25 @@ TEST_F(ModelPicture, a_small_body_is_drawn_once_more_enlarged)
             std::string::npos);
 }
 
+/// The level of the middle of some words in an SVG, pixels; NaN where they are not there.
+Real level_of(const std::string& svg, const std::string& words)
+{
+  std::smatch found;
+  const std::regex text("<text x=\"[-0-9.]+\" y=\"([-0-9.]+)\"[^>]*>" + words + "</text>");
+  return std::regex_search(svg, found, text) ? std::stod(found[1]) : nan;
+}
+
+TEST_F(ModelPicture, the_word_beside_the_frame_of_what_is_enlarged_lies_on_no_words_of_a_support)
+{
+  // The frame reaches out of the top of the mesh, and ends beside its middle.
+  const std::string svg = content_of(draw({"rigid.pipe.diameter=\"0.1 m\"", "rigid.pipe.center=[\"0.3 m\", \"1 m\"]",
+                                           "stage.push.until.embedment=\"0.06 m\"", "support.top={boundary=\"top\", fixed=[\"y\"]}"},
+                                          "model.svg"));
+  constexpr Real line = 14;  // pixels, of letters of 10 points
+  EXPECT_GT(std::abs(level_of(svg, "enlarged") - level_of(svg, "y fixed")), line);
+  EXPECT_LT(level_of(svg, "enlarged"), level_of(svg, "x, y fixed") - line);
+}
+
 TEST_F(ModelPicture, a_title_with_quotes_is_no_command)
 {
   EXPECT_NE(content_of(draw({"title=\"it's a 'pipe'; exit\""}, "model.svg")).find("it's a 'pipe'; exit"), std::string::npos);
