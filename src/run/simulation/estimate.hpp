@@ -14,7 +14,7 @@ struct Estimate {
   BigIndex cells = 0, nodes = 0;
   BigIndex particles = 0;  ///< 0 in finite elements
   Real memory = nan;       ///< largest, bytes
-  Real time = nan;         ///< wall time, s; NaN where no stage says how long it takes
+  Real time = nan;         ///< wall time on a free machine, s; NaN where no stage says how long it takes
   Real disk = nan;         ///< bytes
 };
 

@@ -18,6 +18,7 @@
 #include "run_folder/progress.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
+#include "simulation/processor_clock.hpp"
 #include "simulation/run_place.hpp"
 
 #include <algorithm>
@@ -498,8 +499,8 @@ Estimate MpmMethod<d>::estimate(const Context& context)
     if (!(expected_time(stage) > 0)) say("stage \"{}\": its duration is not known in advance and is not counted below", stage.name);
   for (const std::string& line : load_history_lines()) e.lines.push_back(line);
   say("steps        about {:.0f}, {} rows of history", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
-  say("time         about {} with {} ({:.3g} million particle-steps/s)", run_folder::words_of_duration(time), words_of_workers(context),
-      static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
+  say("time         about {} with {} of a free machine ({:.3g} million particle-steps/s)", run_folder::words_of_duration(time),
+      words_of_workers(context), static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
   return e;
 }
 
@@ -542,13 +543,19 @@ typename MpmMethod<d>::Pace MpmMethod<d>::measure_pace()
   if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
   mpm::Workspace<d>& workspace = workspace_.emplace(model(), state());
   const Real dt = stable_time_step(model(), problem_.state, workspace), total = expected_time(model().stages);
-  const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  Real wall = 0;
-  while (wall < 0.25 && (total <= 0 || state().time < total)) {
-    step();
-    wall = Ranks::of_run().largest(std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count());
+  const auto goes_on = [&] { return total <= 0 || state().time < total; };
+  const ProcessorClock clock;
+  Real least = infinity;
+  for (Real now = 0; now < 0.25 && goes_on();) {
+    const Real begin = now;
+    const BigIndex first = state().step;
+    while (now < begin + 0.02 && goes_on()) {
+      step();
+      now = Ranks::of_run().largest(clock.passed());
+    }
+    least = std::min(least, (now - begin) / static_cast<Real>(state().step - first));
   }
-  return {dt, wall / static_cast<Real>(state().step)};
+  return {dt, least};
 }
 
 template class MpmMethod<2>;

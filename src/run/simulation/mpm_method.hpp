@@ -92,7 +92,7 @@ protected:
   void expect_slices(std::size_t count, Real memory) { slices_ = static_cast<Real>(count), memory_of_slices_ = memory; }
 
 private:
-  /// Wall time of a step, s, measured on the first steps, for a quarter of a second at most; dt = the stable time step before them.
+  /// What a step takes on a free machine, s: the least of trials of 20 ms of processor time, a quarter of a second in all; dt = the stable time step before them.
   struct Pace {
     Real dt, seconds_a_step;
   };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sched.h>
 
 namespace berm::commands::this_file {
 namespace {
@@ -42,6 +43,48 @@ protected:
   }
   TemporaryFolder folder_;
 };
+
+/// This process and its children share one processor with so many others, which always have work.
+class BusyProcessor {
+public:
+  explicit BusyProcessor(int others)
+  {
+    ::sched_getaffinity(0, sizeof before_, &before_);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    int first = 0;
+    while (first < CPU_SETSIZE - 1 && !CPU_ISSET(first, &before_)) ++first;
+    CPU_SET(first, &one);
+    ::sched_setaffinity(0, sizeof one, &one);
+    for (int k = 0; k < others; ++k) {
+      const pid_t id = ::fork();
+      for (volatile int turn = 0; id == 0;) turn = 1 - turn;
+      others_.push_back(id);
+    }
+  }
+  ~BusyProcessor()
+  {
+    for (const pid_t id : others_) ::kill(id, SIGKILL), ::waitpid(id, nullptr, 0);
+    ::sched_setaffinity(0, sizeof before_, &before_);
+  }
+  BusyProcessor(const BusyProcessor&) = delete;
+  BusyProcessor& operator=(const BusyProcessor&) = delete;
+
+private:
+  cpu_set_t before_{};
+  std::vector<pid_t> others_;
+};
+
+// By the clock on the wall a step takes six times as long there, at least; what is shared is the cache.
+TEST_F(CheckJson, estimates_the_time_on_a_free_machine_whatever_else_runs)
+{
+  const auto time_beside = [&](int others) {
+    const BusyProcessor processor(others);
+    return check(test::small_case, 0)["estimate"]["time_s"].get<double>();
+  };
+  const double alone = time_beside(0), beside_five = time_beside(5);
+  EXPECT_LT(beside_five, 2 * alone);
+}
 
 TEST_F(CheckJson, gives_the_estimate_of_a_good_case_in_numbers_and_the_lines_of_the_text)
 {
