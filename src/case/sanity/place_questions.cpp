@@ -74,6 +74,7 @@ bool may_fall_onto(const Scene& s, Index rigid, const BodyScene& soil)
 
 void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
 {
+  constexpr Real far_above = 0.1;  // of its width
   std::vector<char> asked(s.rigids.size(), 0);
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Index rigid = s.ways[k].rigid;
@@ -105,11 +106,15 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
       found.refuse(fmt::format("rigid.{}", name),
                    fmt::format("touches no soil on all its way: {}; move its centre, or let it travel further", where));
     else if (above && !falls(s, rigid) && s.c.stage[k].kind == problem::StageKind::push &&
-             -s.ways[k].begin_embedment > 0.5 * s.rigids[rigid].width && s.is_mpm())
+             -s.ways[k].begin_embedment > far_above * s.rigids[rigid].width && s.is_mpm()) {
+      const Span& y = s.rigids[rigid].space[s.up];
       found.warn(fmt::format("rigid.{}", name),
-                 fmt::format("begins {} above the bed's surface, more than half its width of {}: it travels through nothing at first; put "
-                             "its lowest point at the surface",
-                             words_of(-s.ways[k].begin_embedment, "m"), words_of(s.rigids[rigid].width, "m")));
+                 fmt::format("begins {} above the bed's surface, {:.2g} of its width of {}: it travels through nothing at first; put "
+                             "its lowest point at the surface, as where its middle is at {} (has its size changed since?)",
+                             words_of(-s.ways[k].begin_embedment, "m"), -s.ways[k].begin_embedment / s.rigids[rigid].width,
+                             words_of(s.rigids[rigid].width, "m"),
+                             place_words((y.from + y.to) / 2 + s.up_sign * s.ways[k].begin_embedment)));
+    }
   }
 }
 

@@ -10,6 +10,8 @@ namespace berm::sanity {
 
 // Where things are.
 void does_the_driven_body_touch_soil(const Scene& s, Findings& found);
+void does_a_pushed_pipe_begin_at_the_surface(const Scene& s, Findings& found);
+void is_the_body_smaller_than_the_mesh(const Scene& s, Findings& found);
 void do_bodies_at_each_other_touch(const Scene& s, Findings& found);
 void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found);
 void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found);
@@ -60,6 +62,7 @@ void does_the_drive_begin_gently(const Scene& s, Findings& found);
 void is_there_time_for_equilibrium(const Scene& s, Findings& found);
 void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found);
 void is_damping_small(const Scene& s, Findings& found);
+void are_forces_those_of_soil(const Scene& s, Findings& found);
 void do_forces_press_down(const Scene& s, Findings& found);
 
 void do_names_stay_names(const Scene& s, Findings& found);

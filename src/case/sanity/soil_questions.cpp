@@ -117,12 +117,14 @@ void does_gravity_point_down(const Scene& s, Findings& found)
 
 void is_the_soil_a_soil(const Scene& s, Findings& found)
 {
+  constexpr Real slurry = 100;  // Pa: no clay on which anything lies is weaker
   for (const Soil& soil : yielding(s)) {
     const material::Material& material = soil.material;
+    const bool as_weight = s.places.has(soil.key("submerged_unit_weight"));
     if (s.gravity > 0 && (density(material) < 100 || density(material) > 4000))
-      found.warn(
-          soil.key("density"),
-          fmt::format("is {:.3g} kg/m3; soil has 1400 to 2200 saturated, 400 to 1200 submerged: write \"877 kg/m^3\"", density(material)));
+      found.warn(soil.key(as_weight ? "submerged_unit_weight" : "density"),
+                 fmt::format("is {:.3g} kg/m3; soil has 1400 to 2200 saturated, 400 to 1200 submerged: write \"{}\"", density(material),
+                             as_weight ? "8.6 kN/m^3" : "877 kg/m^3"));
     const std::optional<material::Strength> strength = strength_at_rest(material);
     if (!strength) continue;
     const std::optional<material::Strength> at_base = strength_at_rest(soil.at_base(s));
@@ -134,11 +136,11 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
     else if (strength->friction_angle > 50 * degree)
       found.warn(soil.key("friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(strength->friction_angle)));
     const Real weight = density(material) * s.gravity * s.depth_of(soil.body), base = at_base ? at_base->cohesion : 0;
-    if (strength->friction_angle == 0 && weight > 0 && base > 0 && base < 1e-3 * weight)
-      found.warn(soil.key(strength_key(material)),
-                 fmt::format("is {:.3g} Pa, a thousandth of the weight above the base ({:.3g} Pa) or less: "
-                             "such soil flows; soft clay has 1 to 10 kPa: is the unit right?",
-                             strength->cohesion, weight));
+    if (strength->friction_angle == 0 && weight > 0 && base > 0 && base < std::max(1e-3 * weight, slurry))
+      found.warn(soil.key(strength_key(material)), fmt::format("is {0:.3g} Pa, and {1:.3g} Pa at the base, under a weight of {2:.3g} Pa: "
+                                                               "such soil flows; soft clay has 1 to 10 kPa: is the unit "
+                                                               "right? A plain number is in Pa: write \"{0:.3g} kPa\" where that is meant",
+                                                               strength->cohesion, base, weight));
     if (strength->cohesion > 1e7)
       found.warn(soil.key(strength_key(material)),
                  fmt::format("is {:.3g} kPa, that of rock; soil has up to some hundred kPa: is the unit right?", strength->cohesion / 1e3));
@@ -147,6 +149,9 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
 
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
 {
+  constexpr Real stiff_rock = 1e11, rock = 2e9, peat = 5e4, rock_strength = 1e6;  // Pa
+  constexpr Real least_index = 10, most_index = 2e4;                              // of clay: E over s_u
+  constexpr Real heaviest = 2e4;                                                  // kg/m3
   const auto key = [&](const std::string& name) {
     const auto word = [](const auto& law) {
       if constexpr (requires { law.max_pressure; }) return "max_pressure";
@@ -175,11 +180,31 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
                     young_poisson(soil.materials[softest]).young_modulus, weight);
     modulus < weight / 2 ? found.refuse(key(soil.names[softest]), words) : found.warn(key(soil.names[softest]), words);
   }
-  for (const Soil& soil : yielding(s))
-    if (const Real young = young_poisson(soil.material).young_modulus; young > 1e11)
+  for (const Soil& soil : yielding(s)) {
+    const material::Material at_base = soil.at_base(s);
+    const Real young = young_poisson(soil.material).young_modulus, E = young_poisson(at_base).young_modulus;
+    const std::optional<material::Strength> strength = strength_at_rest(at_base);
+    const bool is_clay = strength && strength->friction_angle == 0 && strength->cohesion > 0;
+    const bool is_rock = strength && strength->cohesion > rock_strength;
+    const Real index = is_clay ? E / strength->cohesion : nan;
+    if (young > stiff_rock)
       found.warn(
           key(soil.name),
           fmt::format("is {:.3g} Pa, stiffer than rock: time steps become as small; sand has 5 to 50 MPa: is the unit right?", young));
+    else if (is_clay && (index < least_index || index > most_index))
+      found.warn(key(soil.name), fmt::format("is {:.3g} Pa, and with {:.3g} Pa at the base {:.3g} times the strength of the clay there, "
+                                             "{:.3g} Pa; clay has 100 to 2000 times its "
+                                             "strength: is the unit of either right?",
+                                             young, E, index, strength->cohesion));
+    else if (!is_clay && !is_rock && (E > rock || (E < peat && E > 0)))
+      found.warn(key(soil.name), fmt::format("is {:.3g} Pa, {}; sand has 5 to 50 MPa: is the unit right (\"MPa\")?", young,
+                                             E > rock ? "as stiff as rock" : "softer than peat"));
+    if (const Real inertia = inertia_density(soil.material); inertia > heaviest && inertia > density(soil.material))
+      found.warn(soil.key("inertia_density"), fmt::format("is {:.3g} kg/m3; soil with its water has 1400 to 2200: more of it makes time "
+                                                          "steps longer, and a drive has to be as much slower; if "
+                                                          "that is not meant, is the unit right (\"kg/m^3\")?",
+                                                          inertia));
+  }
 }
 
 void is_the_strain_rate_smooth(const Scene& s, Findings& found)

@@ -6,6 +6,7 @@
 #include "samples/senseless_meshes.hpp"
 #include "samples/senseless_pipelines.hpp"
 #include "samples/senseless_roles.hpp"
+#include "samples/senseless_sizes.hpp"
 #include "samples/senseless_soils.hpp"
 #include "samples/senseless_supports.hpp"
 #include "samples/small_cases.hpp"
@@ -145,6 +146,7 @@ std::string name_of(const testing::TestParamInfo<SenselessInput>& row)
 INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()), name_of);
 INSTANTIATE_TEST_SUITE_P(LoadHistories, SenselessInputs, testing::ValuesIn(test::senseless_load_histories()), name_of);
 INSTANTIATE_TEST_SUITE_P(Roles, SenselessInputs, testing::ValuesIn(test::senseless_roles()), name_of);
+INSTANTIATE_TEST_SUITE_P(Sizes, SenselessInputs, testing::ValuesIn(test::senseless_sizes()), name_of);
 INSTANTIATE_TEST_SUITE_P(Soils, SenselessInputs, testing::ValuesIn(test::senseless_soils()), name_of);
 INSTANTIATE_TEST_SUITE_P(Supports, SenselessInputs, testing::ValuesIn(test::senseless_supports()), name_of);
 INSTANTIATE_TEST_SUITE_P(Meshes, SenselessInputs, testing::ValuesIn(test::senseless_meshes()), name_of);
