@@ -6,6 +6,9 @@
 #include "structures/formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace berm::footing {
 namespace {
 
@@ -16,8 +19,9 @@ constexpr base::Limit cells{100, 20, base::Effect::contact_width,
                             "soil beside the edge moves with a footing up to a cell beyond it: q is 2 h/D too large at most, around an "
                             "axis twice that (examples/circular_footing)",
                             true};
-constexpr Real deep = 3;       // of D: the base is deeper than what footings on the surface tell
-constexpr Real little = 0.01;  // of gamma D: cohesion of a sand that formulas leave out
+constexpr Real shallow = 0.02;  // of D: embedment and heave beside it add some percent to what a footing on the surface carries
+constexpr Real deep = 3;        // of D: the base is deeper than what footings on the surface tell
+constexpr Real little = 0.01;   // of gamma D: cohesion of a sand that formulas leave out
 
 /// The bases whose factors lie around that of a run: of what part of the soil's strength the interface carries.
 std::vector<Base> bases_of(Real ratio)
@@ -34,17 +38,24 @@ const char* word_of(Base base)
 
 std::vector<Comparison> on_clay(const PenetrationRun& run, bool round)
 {
-  const penetration::SoilAt here = run.soil.at(run.z_end());
+  const penetration::SoilAt end = run.soil.at(run.z_end());
   const Real D = run.whole_width(), N = run.last().factor;
   std::vector<Comparison> list;
-  if (run.z_end() > deep * D) return {{"N<sub>c</sub>", N, formulas::deep_plate_factor(here.interface_ratio), "deep round plate", true}};
-  const penetration::SoilAt surface = run.soil.at(0);
-  if (!(surface.strength > 0)) return list;
-  const Real growth = run.soil.growth(0, D) * D / surface.strength;
-  for (const Base base : bases_of(here.interface_ratio))
-    list.push_back({"N<sub>c</sub>", N * here.strength / surface.strength,
-                    round ? formulas::n_c_circle(growth, base) : formulas::n_c_strip(growth, base),
-                    std::string(word_of(base)) + (growth > 0 ? ", s<sub>u</sub> at the surface" : ""), growth == 0});
+  if (run.z_end() > deep * D) return {{"N<sub>c</sub>", N, formulas::deep_plate_factor(end.interface_ratio), "deep round plate", true}};
+  const Real z = std::max(Real(0), run.z_end() - run.last().travel / 2);  // of which N is the mean
+  const penetration::SoilAt here = run.soil.at(z);
+  if (!(here.strength > 0)) return list;
+  const Real growth = run.soil.growth(z, D) * D / here.strength;
+  const std::string depth = fmt::format("z = {:.2g} D", z / D);
+  for (const Base base : bases_of(here.interface_ratio)) {
+    formulas::Formula surface = round ? formulas::n_c_circle(growth, base) : formulas::n_c_strip(growth, base);
+    surface.valid = surface.valid && z <= shallow * D;
+    list.push_back({"N<sub>c</sub>", N, surface, fmt::format("{}, of a footing on the surface of the soil below {}", word_of(base), depth),
+                    growth == 0, word_of(base)});
+  }
+  formulas::Formula embedded = formulas::n_c_skempton(z / D, round);
+  embedded.valid = embedded.valid && growth == 0;
+  list.push_back({"N<sub>c</sub>", N, embedded, "at " + depth});
   return list;
 }
 

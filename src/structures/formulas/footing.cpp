@@ -100,6 +100,12 @@ Formula n_c_strip(Real kB_over_strength, Base base)
   return with_growth(kB_over_strength, base == Base::rough ? rough : smooth, "characteristics, strip footing");
 }
 
+Formula n_c_skempton(Real z_over_B, bool round)
+{
+  constexpr Source source{Label::fit, "Skempton 1951", "uniform clay, z >= 0"};
+  return formula((round ? 6 : 5) * (1 + 0.2 * std::min(z_over_B, Real(2.5))), source, z_over_B >= 0);
+}
+
 Formula n_c_inclined(Real h)
 {
   constexpr Source source{Label::exact, "Green 1954", "uniform clay, at the surface, 0 <= H <= B s_u"};

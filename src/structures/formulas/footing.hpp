@@ -31,6 +31,9 @@ Formula n_c_circle(Real kD_over_strength, Base base);
 /// The same of a strip of width B: 2 + pi in uniform clay. [exact at the entries: characteristics]
 Formula n_c_strip(Real kB_over_strength, Base base);
 
+/// Net N_c of a footing whose base is at a depth z in uniform clay, 5 (1 + 0.2 z/B) of a strip and 6 (1 + 0.2 z/D) of a circle, to z = 2.5 B and constant below: 7.5 and 9. [fit: Skempton 1951]
+Formula n_c_skempton(Real z_over_B, bool round);
+
 /// V/(B s_u) of a rough strip on uniform clay without weight under a horizontal load h = H/(B s_u) in the middle of its base,
 ///
 ///   1 + pi/2 + acos h + sqrt(1 - h^2),

@@ -4,6 +4,7 @@
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
 #include "record/panels.hpp"
+#include "structures/driven/report/report.hpp"
 #include "structures/driven/results/quantities.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_page.hpp"
@@ -19,6 +20,13 @@ PenetrationRuns penetration_runs(const base::Runs& runs, const Reading& reading)
 {
   PenetrationRuns all;
   for (const auto& [record, number] : runs) all.emplace_back(*record, reading, number);
+  return all;
+}
+
+driven::DrivenRuns driven_runs(const base::Runs& runs)
+{
+  driven::DrivenRuns all;
+  for (const auto& [record, number] : runs) all.emplace_back(*record, number);
   return all;
 }
 
@@ -72,14 +80,16 @@ bool Penetration::draw_curves(const run_folder::RunFolder& folder, const record:
 std::string Penetration::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
 {
   const std::string words = penetration_words(PenetrationRun(run, reading_), shown);
-  return reading_.keeps_push ? words + " " + Driven::in_words(run, shown) : words;
+  if (!reading_.keeps_push) return words;
+  const std::string more = driven::results_in_words(driven::DrivenRun(run), shown, false);
+  return words + (more.starts_with(' ') ? "" : " ") + more;
 }
 
 std::string Penetration::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
 {
   if (runs.empty()) return "";
   const std::string own = penetration_key_results(penetration_runs(runs, reading_), reading_.word);
-  return reading_.keeps_push ? own + Driven::key_results(runs, shown) : own;
+  return reading_.keeps_push ? own + driven::key_results(driven_runs(runs), shown, false) : own;
 }
 
 std::string Penetration::published_values(const base::Runs& runs, const base::DisplayUnits&) const

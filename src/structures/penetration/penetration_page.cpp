@@ -40,15 +40,24 @@ std::string judged_name(const PenetrationRun& run)
   return run.symbol() == nullptr ? run.reading.resistance.plain : run.symbol()->plain;
 }
 
-/// "N<sub>kt</sub> = 11.3 (q<sub>t</sub> = 115 kPa), mean of the last 2 D".
-std::string last_words(const PenetrationRun& run)
+/// "0.0667 to 0.1 D": the depths over which the means of the end are taken.
+std::string last_depths(const PenetrationRun& run)
+{
+  return fmt::format("{} to {}", text::short_number((run.z_end() - run.last().travel) / run.body.width), in_D(run.z_end(), run.body.width));
+}
+
+/// "N<sub>kt</sub> = 11.3 (q<sub>t</sub> = 115 kPa), mean of the last 2 D"; of a footing with V, and the depths of which it is the mean.
+std::string last_words(const PenetrationRun& run, const base::DisplayUnits& shown)
 {
   const LastTravel& last = run.last();
-  const std::string q = fmt::format("{} = {}", run.reading.resistance.html, text::stress_words(last.q));
+  const bool at_a_depth = run.reading.keeps_push;
+  const std::string q = fmt::format("{} = {}{}", run.reading.resistance.html, text::stress_words(last.q),
+                                    at_a_depth ? ", V = " + shown.force_text(run.scale, last.q * run.area()) : "");
   const std::string what =
       run.symbol() == nullptr ? q : fmt::format("{} = {} ({})", run.symbol()->html, text::short_number(last.factor), q);
   const std::string converged = run.symbol() == nullptr ? "" : converged_of(run, judged_name(run) + "_end");
-  return fmt::format("{}, mean of the last {}{}", what, in_D(last.travel, run.body.width),
+  return fmt::format("{}, {}{}", what,
+                     at_a_depth ? "means over z = " + last_depths(run) : "mean of the last " + in_D(last.travel, run.body.width),
                      converged.empty() ? "" : ", converged " + converged);
 }
 
@@ -92,6 +101,18 @@ std::string soil_words(const PenetrationRun& run)
     return fmt::format(" {} = 2 ({})/(γ′ D).", run.symbol()->html, net);
   }
   return "";
+}
+
+/// What a footing on the surface of the soil below this one has, where that is known.
+std::string surface_words(const PenetrationRun& run)
+{
+  std::string words;
+  for (const Comparison& c : run.reading.published(run))
+    if (!c.on_surface.empty() && std::isfinite(c.published.value))
+      words +=
+          fmt::format("{}{} ({})", words.empty() ? fmt::format(" On the surface of the soil below it {} is exactly ", c.quantity) : ", ",
+                      text::short_number(c.published.value), c.on_surface);
+  return words.empty() ? "" : words + ".";
 }
 
 std::string area_words(const PenetrationRun& run)
@@ -150,17 +171,18 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
       return HtmlCell{std::isfinite(value) ? text::percent_words(value) : text::no_number, true};
     };
     const Real from = value_of(run, fmt::format("z_at_{}_steady_over_D", plain));
-    table.row(without({{text::html_text(run.record.name)},
-                       {body_words(run)},
-                       number("z_end_over_D", 1),
-                       number(std::string(run.reading.resistance.plain) + "_end", 1e-3),
-                       number("f_shaft_end", 1e-3),
-                       {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
-                       number(run.symbol() == nullptr ? "" : plain + "_end", 1),
-                       {run.symbol() == nullptr ? "" : converged_of(run, plain + "_end"), true},
-                       part(plain + "_change"),
-                       part(plain + "_scatter"),
-                       {std::isfinite(from) ? text::table_number(from) : "not steady", true}}));
+    table.row(
+        without({{text::html_text(run.record.name)},
+                 {body_words(run)},
+                 run.reading.keeps_push && std::isfinite(run.last().travel) ? HtmlCell{last_depths(run), true} : number("z_end_over_D", 1),
+                 number(std::string(run.reading.resistance.plain) + "_end", 1e-3),
+                 number("f_shaft_end", 1e-3),
+                 {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
+                 number(run.symbol() == nullptr ? "" : plain + "_end", 1),
+                 {run.symbol() == nullptr ? "" : converged_of(run, plain + "_end"), true},
+                 part(plain + "_change"),
+                 part(plain + "_scatter"),
+                 {std::isfinite(from) ? text::table_number(from) : "not steady", true}}));
   }
   return table.html();
 }
@@ -184,21 +206,30 @@ std::string depth_table(const PenetrationRuns& runs, const std::string& id)
   for (const Real part : reading.depths) {
     std::vector<HtmlCell> cells{{text::short_number(part)}};
     bool any = false;
+    // Of a footing one number stands for the end.
+    const auto before_end = [&](const PenetrationRun& run) {
+      return !reading.keeps_push || !(part * run.body.width > run.z_end() - run.last().travel);
+    };
     const auto add = [&](Real value) {
       any = any || std::isfinite(value);
       cells.push_back({text::table_number(value), true});
     };
-    if (alone) add(value_of(runs.front(), name_at(reading.resistance.plain, part)) / 1e3);
+    if (alone) add(before_end(runs.front()) ? value_of(runs.front(), name_at(reading.resistance.plain, part)) / 1e3 : nan);
     for (const PenetrationRun& run : runs)
-      if (!alone || run.symbol() != nullptr) add(value_of(run, name_at(symbol(run).plain, part)));
+      if (!alone || run.symbol() != nullptr) add(before_end(run) ? value_of(run, name_at(symbol(run).plain, part)) : nan);
     if (any) table.row(cells);
+  }
+  if (const PenetrationRun& run = runs.front(); alone && reading.keeps_push && std::isfinite(run.last().q)) {
+    std::vector<HtmlCell> cells{{last_depths(run) + ", mean"}, {text::table_number(run.last().q / 1e3), true}};
+    if (run.symbol() != nullptr) cells.push_back({text::table_number(run.last().factor), true});
+    table.row(cells);
   }
   return table.empty() ? "" : table.html();
 }
 
 }  // namespace
 
-std::string penetration_words(const PenetrationRun& run, const base::DisplayUnits&)
+std::string penetration_words(const PenetrationRun& run, const base::DisplayUnits& shown)
 {
   const std::string name = text::html_text(base::body_word(run.record.settings));
   if (run.z().empty() || !std::isfinite(run.area()))
@@ -207,7 +238,7 @@ std::string penetration_words(const PenetrationRun& run, const base::DisplayUnit
   std::string words = fmt::format("Pushed until the {} is {} ({}) deep, the {} ({}) meets ", run.reading.level, in_D(run.z_end(), D),
                                   text::length_words(run.z_end()), name, body_words(run));
   if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.reading.resistance.html, text::stress_words(run.q().back()));
-  return words + last_words(run) + ". " + steady_words(run) + soil_words(run);
+  return words + last_words(run, shown) + ". " + steady_words(run) + soil_words(run) + surface_words(run);
 }
 
 std::string penetration_key_results(const PenetrationRuns& runs, const std::string& id)

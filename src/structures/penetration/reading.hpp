@@ -19,8 +19,9 @@ struct Comparison {
   std::string quantity;  ///< HTML
   Real berm;
   formulas::Formula published;
-  std::string about;   ///< HTML, "" = nothing to add
-  bool level = false;  ///< of the factor that the log shows: a line in it
+  std::string about;            ///< HTML, "" = nothing to add
+  bool level = false;           ///< of the factor that the log shows: a line in it
+  std::string on_surface = "";  ///< of a body on the surface of the soil that is below this one: which, "rough base"
 };
 
 /// What the net resistance is divided by in soil with friction.
@@ -41,7 +42,7 @@ struct Reading {
   Real averaging;            ///< over D: half of the travel over which q is averaged; a twentieth of a short way
   Real last_travel;          ///< over D: the end over which means are taken, and the factor must not change to be steady
   std::vector<Real> depths;  ///< over D: where results are taken
-  bool keeps_push;           ///< whether the results of any push (V_at_w, V_at_travel) are told, too
+  bool keeps_push;           ///< whether it may be dragged after the push, whose end, and no steady resistance, is then asked for
   const base::Limit* cells;  ///< of D over the size of the cells at the body
   std::vector<Comparison> (*published)(const PenetrationRun& run);
   const char* remark;         ///< on what is published, plain; "" = none

@@ -243,7 +243,7 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
 
 }  // namespace
 
-std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& shown)
+std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& shown, bool push)
 {
   const RunPoints points = points_of(run);
   const Resistance resistance = resistance_of(run);
@@ -252,7 +252,7 @@ std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& sho
   if (!points.push_end && !resistance.largest && results.uplifts.empty() && !moved)
     return "Nothing is known of its forces: it did not come as far as a push or a drag.";
   std::string words;
-  if (points.push_end) words += push_words(run, points, shown);
+  if (points.push_end && push) words += push_words(run, points, shown);
   words += results.states.empty() ? other_push_words(run, results, true, shown) : states_words(run, results, shown);
   const DragResults& main = results.main_drag();
   if (resistance.largest && !main.moved) {

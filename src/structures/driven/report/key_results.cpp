@@ -239,13 +239,15 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
          text::html_paragraph(
              fmt::format(
                  "Breakout is the first peak of H from which H "
-                 "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
+                 "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D, and "
+                 "fall by {:g} "
+                 "times the standard deviation of averaged H about its mean over that way to either side. "
                  "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D (a third of it at most), "
                  "if the straight line "
                  "fitted to H there changes by less than {:g} % of that mean. Where H has risen by more than {:g} % from an earlier "
                  "plateau, that "
                  "plateau is the residual and the end is the resistance of the berm that the body has pushed up.",
-                 100 * min_fall, breakout_stays, min_residual_travel, 100 * max_residual_change, 100 * min_berm),
+                 100 * min_fall, breakout_stays, min_fall_over_swing, min_residual_travel, 100 * max_residual_change, 100 * min_berm),
              "quiet");
 }
 
@@ -376,11 +378,11 @@ std::string rigid_contact_notes(const DrivenRuns& runs)
 
 }  // namespace
 
-std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown)
+std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown, bool push)
 {
   const bool several = runs.size() > 1;
   const std::string tables = states_table(runs, shown) + resistance_table(runs, shown, several) + displacements_table(runs, shown) +
-                             uplift_table(runs, shown) + push_table(runs, shown, several) + drag_table(runs, shown, several) +
+                             uplift_table(runs, shown) + (push ? push_table(runs, shown, several) : "") + drag_table(runs, shown, several) +
                              folded(stages_table(runs, shown));
   return tables.empty() ? "" : tables + shown.scale_words() + averaging_words(runs) + rigid_contact_notes(runs) + converged_notes(runs);
 }

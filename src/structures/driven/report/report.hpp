@@ -12,12 +12,12 @@ namespace berm::driven {
 std::vector<std::string> draw_travel_figures(const DrivenRuns& runs, const base::PublishedPoints& published,
                                              const std::filesystem::path& folder);
 
-/// What a run's body did and met, in a few sentences, HTML without the run's name.
-std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& shown);
+/// What a run's body did and met, in a few sentences, HTML without the run's name; `push`: what it met in its push, too.
+std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& shown, bool push = true);
 
 /// The key results of runs as HTML tables: V of the push by embedment, H and w of the drag by displacement, and the resistance to the drag (largest H, breakout,
-/// residual H). Of several runs the same point stands one below the other. "" where there is none.
-std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown);
+/// residual H). Of several runs the same point stands one below the other. "" where there is none. `push`: with V of the push.
+std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown, bool push = true);
 
 /// Draws the soil at the end of each run and its mechanism there, and that of the material point method once more at the embedment of finite elements: SVG and
 /// PNG. Gives the names of what was drawn.

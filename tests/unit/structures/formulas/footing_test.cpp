@@ -108,6 +108,15 @@ TEST(Footing, round_and_strip_on_clay_whose_strength_grows_go_through_their_tabl
   EXPECT_FALSE(n_c_circle(9, Base::smooth).valid);
 }
 
+TEST(Footing, below_the_surface_has_Skemptons_factor_which_grows_to_two_and_a_half_widths)
+{
+  EXPECT_NEAR(n_c_skempton(0, true).value, 6, 1e-12);
+  EXPECT_NEAR(n_c_skempton(1, false).value, 6, 1e-12);
+  EXPECT_NEAR(n_c_skempton(2.5, true).value, 9, 1e-12);
+  EXPECT_NEAR(n_c_skempton(4, false).value, 7.5, 1e-12);
+  EXPECT_FALSE(n_c_skempton(-0.1, true).valid);
+}
+
 TEST(Footing, round_on_sand_goes_through_its_table)
 {
   EXPECT_NEAR(n_gamma_circle(20 * degree, Base::rough).value, 2.416, 1e-9);

@@ -154,6 +154,34 @@ TEST(Penetration, of_a_footing_has_its_exact_factors)
   EXPECT_NE(published(half_rough).find("6.048"), std::string::npos);
 }
 
+TEST(Penetration, of_a_footing_says_one_number_of_its_end_and_of_which_depths_it_is_the_mean)
+{
+  MadePush made = footing();
+  made.contact.adhesion = 10e3;
+  const record::RunRecord run = made.record();
+  const std::string words = structure_of(run).in_words(run, units_of(run)),
+                    tables = structure_of(run).key_results({{&run, 0}}, units_of(run));
+  EXPECT_NE(words.find("N<sub>c</sub> = 6.05 (q = 60.9 kPa, V = 1.91 kN), means over z = 0.333 to 0.5 D"), std::string::npos) << words;
+  EXPECT_EQ(words.find("carries V"), std::string::npos) << words;
+  EXPECT_NE(words.find("On the surface of the soil below it N<sub>c</sub> is exactly 6.05 (rough base)."), std::string::npos) << words;
+  EXPECT_EQ(tables.find("vertical resistance V at embedment w"), std::string::npos);
+  EXPECT_NE(tables.find("0.333 to 0.5 D, mean"), std::string::npos) << tables;
+  EXPECT_EQ(tables.find("<td>0.5</td>"), std::string::npos) << tables;
+}
+
+TEST(Penetration, of_a_footing_is_compared_with_one_on_the_surface_while_it_is_there_and_deeper_with_an_embedded_one)
+{
+  MadePush made = footing();
+  made.contact.adhesion = 10e3;
+  const std::string deep = published(made.record());
+  EXPECT_NE(deep.find("of a footing on the surface of the soil below z = 0.42 D"), std::string::npos) << deep;
+  EXPECT_NE(deep.find("out of range: at the surface"), std::string::npos) << deep;
+  EXPECT_NE(deep.find("Skempton 1951; at z = 0.42 D"), std::string::npos) << deep;
+  EXPECT_NE(deep.find("6.500</td>"), std::string::npos) << deep;  // 6 (1 + 0.2 x 0.4167)
+  made.pushed_to = 0.004;                                         // 0.02 D
+  EXPECT_EQ(published(made.record()).find("out of range"), std::string::npos);
+}
+
 TEST(Penetration, of_a_round_footing_in_space_has_the_factors_of_a_circle)
 {
   MadePush made = footing();
