@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/report/results/results_section_test.cpp
+// Tests: tests/unit/structures/driven/report/in_words_test.cpp, tests/unit/report/results/results_section_test.cpp
 #include "structures/driven/report/report.hpp"
 
+#include "structures/base/soil_words.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
 #include "structures/driven/results/states.hpp"
@@ -98,19 +99,66 @@ std::string moved_words(const DrivenRun& run, const DragResults& drag, const bas
   return words + "It does not break out: it stays within 0.5 D. ";
 }
 
+/// How far the water had drained when a lift began: in the last stage before it that has a degree of consolidation.
+std::string drained_words(const DrivenRun& run, const UpliftResults& uplift)
+{
+  std::string words;
+  const std::vector<base::Dissipation> rests = base::dissipation_of(run.record);
+  for (const problem::StageSettings& stage : run.settings.stage) {
+    if (stage.name == uplift.stage) return words;
+    const auto rest = std::ranges::find(rests, stage.name, &base::Dissipation::stage);
+    if (rest != rests.end())
+      words = fmt::format(", when {} of the excess pore pressure of \"{}\" is gone,", text::percent_words(rest->degree),
+                          text::html_text(stage.name));
+  }
+  return "";
+}
+
+/// Whether a buried body stays: what has to pull it for that.
+std::string stays_words(const DrivenRun& run, const UpliftResults& uplift, const base::DisplayUnits& shown)
+{
+  if (!base::circle_of(run.settings) || uplift.w_begin <= run.scale.width) return "";
+  return fmt::format("It stays in the soil as long as what pulls it up, beyond its weight in water, is less than {}. ",
+                     shown.force_text(run.scale, uplift.largest.H));
+}
+
 std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, const base::DisplayUnits& shown)
 {
-  std::string words = fmt::format("Lifted from w = {} in \"{}\", {} meets an uplift resistance of {} after {}",
-                                  shown.length_text(run.scale, uplift.w_begin), text::html_text(uplift.stage), subject_of(run.settings),
-                                  shown.force_text(run.scale, uplift.largest.H), shown.length_text(run.scale, uplift.largest.u));
+  const std::string drained = drained_words(run, uplift), stays = stays_words(run, uplift, shown);
+  std::string words =
+      fmt::format("Lifted from w = {} in \"{}\"{} {} meets an uplift resistance of {} after {}",
+                  shown.length_text(run.scale, uplift.w_begin), text::html_text(uplift.stage), drained.empty() ? "," : drained,
+                  subject_of(run.settings), shown.force_text(run.scale, uplift.largest.H), shown.length_text(run.scale, uplift.largest.u));
   if (!uplift.falls()) {
     const bool at_end = uplift.end && uplift.end->u - uplift.largest.u < residual_travel(uplift.end->u, run.scale);
-    return words + (at_end ? ", still growing at the end of the lift. " : ", and keeps it to the end. ");
+    return words + (at_end ? ", still growing at the end of the lift. " : ", and keeps it to the end. ") + stays;
   }
   if (uplift.end)
     words += fmt::format(", and {} at the end, after {}", shown.force_text(run.scale, uplift.end->H),
                          shown.length_text(run.scale, uplift.end->u));
-  return words + ". ";
+  return words + ". " + stays;
+}
+
+/// Of the main drag on a slope: what the soil holds the body by along its ground, and what its weight does.
+///
+///   T = H cos(b) - V sin(b), N = V cos(b) + H sin(b), with b the angle by which the ground rises in the direction of the drag.
+std::string slope_words(const DrivenRun& run, const DragPoint& end, const base::DisplayUnits& shown)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&run.settings.mesh);
+  if (bed == nullptr || bed->slope == 0 || bed->trench || bed->step) return "";
+  const std::string name = run.results().main_drag().stage;
+  const auto stage = std::ranges::find(run.stages, name, &Stage::name);
+  if (stage == run.stages.end() || !std::isfinite(end.V)) return "";
+  const Real angle = stage->direction * bed->slope;
+  const Real T = end.H * std::cos(angle) - end.V * std::sin(angle), N = end.V * std::cos(angle) + end.H * std::sin(angle);
+  const std::string degrees = text::short_number(std::abs(angle) / degree) + "°";
+  const Real by_weight = std::abs(std::tan(angle));
+  return fmt::format("Along the ground, which {} by {} on its way, the soil holds it by T = {} at the end (H cos {} {} V sin {}), {} of "
+                     "the force N = {} on the ground. "
+                     "Its weight alone pulls it down the slope by {} N, {}. ",
+                     angle > 0 ? "rises" : "falls", degrees, shown.force_text(run.scale, T), degrees, angle > 0 ? "−" : "+", degrees,
+                     text::short_number(T / N), shown.force_text(run.scale, N), text::short_number(by_weight),
+                     T > by_weight * N ? "less than that: it stays" : "more than that: it slides");
 }
 
 /// The state in which the main drag begins; empty where that is not known.
@@ -259,6 +307,7 @@ std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& sho
     words +=
         points.drag.empty() || !main.end ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, *main.end, shown);
     words += resistance_words(run, resistance, shown) + later_drags_words(run, results, shown) + " ";
+    if (!points.drag.empty() && main.end) words += slope_words(run, *main.end, shown);
   }
   for (const DragResults& drag : results.drags)
     if (drag.moved) words += moved_words(run, drag, shown);
