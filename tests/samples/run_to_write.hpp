@@ -77,13 +77,14 @@ public:
         writer_(folder, problem.model.mesh)
   {
   }
-  void write(const problem::State<dim>& state) { writer_.write(maker_.make(state)); }
+  void write(const problem::State<dim>& state) { writer_.write(last_ = maker_.make(state, std::move(last_))); }
   std::size_t count() const { return writer_.times().size(); }
-  const run_folder::Frame<dim>& last() const { return writer_.last(); }
+  const run_folder::Frame<dim>& last() const { return last_; }
 
 private:
   run_folder::FrameMaker<dim> maker_;
   run_folder::FrameWriter<dim> writer_;
+  run_folder::Frame<dim> last_;
 };
 
 /// A square of 0.2 m of two 6-node triangles, below and above the diagonal through its origin: node 3 j + i is at (0.1 i, 0.1 j), and the

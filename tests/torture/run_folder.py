@@ -99,14 +99,21 @@ def check(folder, reference=None, killed=False):
 
 def check_order(calls):
     """What a power cut must not find: a file with its name that is not on the disk yet, or a checkpoint or summary that knows of more than is on the
-    disk. `calls`: (name, path) of those that change files."""
+    disk. `calls`: (name, path) of those that change files. Files are written beside the steps, which meanwhile add rows: a checkpoint knows of those that were there when it was begun."""
     on_disk = set()
     new_names = set()  # folders with names that are not on the disk
     named = set()
-    for (name, path), following in zip(calls, calls[1:] + [("", "")]):
-        if name == "fsync":
+    owed = {}  # by the part of a checkpoint: what of the run was not on the disk when it was begun
+    for number, (name, path) in enumerate(calls):
+        if name == "open" and path.endswith(".h5.part"):
+            run = os.path.dirname(os.path.dirname(path))
+            history = os.path.join(run, "history.csv")
+            owed.setdefault(path, (new_names & {run}) | ({history} - on_disk))
+        elif name == "fsync":
             on_disk.add(path)
             new_names.discard(path)
+            for missing in owed.values():
+                missing.discard(path)
         elif name in ("write", "sendfile", "ftruncate"):
             on_disk.discard(path)
         elif name == "rename":
@@ -116,12 +123,13 @@ def check_order(calls):
             if file == "summary.json":
                 expect(os.path.join(folder, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
             if file.endswith(".h5"):
-                run = os.path.dirname(folder)
-                for known in (run, os.path.join(run, "frames")):
-                    expect(known not in new_names, f"{path}: gets its name before those in {known} are on the disk")
-                expect(os.path.join(run, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
+                frames = os.path.join(os.path.dirname(folder), "frames")
+                expect(frames not in new_names, f"{path}: gets its name before those in {frames} are on the disk")
+                missing = owed.pop(path + ".part")
+                expect(not missing, f"{path}: gets its name before {missing} are on the disk")
             if file.endswith(".h5") or file == "summary.json":
-                expect(list(following) == ["fsync", folder], f"{path}: its name is not forced to the disk")
+                there = (call for call, at in calls[number + 1 :] if (call == "fsync" and at == folder) or (call == "rename" and os.path.dirname(at) == folder))
+                expect(next(there, None) == "fsync", f"{path}: its name is not forced to the disk")
             if file == "resolved.toml" and path in given:  # from here on the run can be resumed
                 for other in ("case.toml", "origin.json", "checkpoint/case_file.txt"):
                     expect(os.path.join(folder, other) in given, f"{path}: gets its name before {other}")

@@ -64,6 +64,15 @@ Real processors_of_groups()
   return processors;
 }
 
+/// Lets the calling thread use all of them.
+void allow_all_processors()
+{
+  cpu_set_t all;
+  CPU_ZERO(&all);
+  for (const int processor : allowed_processors()) CPU_SET(processor, &all);
+  sched_setaffinity(0, sizeof all, &all);
+}
+
 /// Gives the calling thread, which OpenMP has bound to the first of its places, the processors of all of them.
 void let_go_of_places()
 {
@@ -98,6 +107,12 @@ void bind_to_cores(int index, int count)
   std::vector<int>& all = allowed_processors();
   const int size = static_cast<int>(all.size()) / count;
   if (size > 0) all = std::vector<int>(all.begin() + index * size, all.begin() + (index + 1) * size);
+}
+
+void begin_lone_thread()
+{
+  allow_all_processors();
+  omp_set_num_threads(1);
 }
 
 Threads::Threads(int count)

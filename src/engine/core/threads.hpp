@@ -13,6 +13,9 @@ int usual_thread_count();
 /// From now on this process may use one of `count` equal parts of them, that of this index; all, where there are fewer than parts.
 void bind_to_cores(int index, int count);
 
+/// For a thread that was begun beside those of the loops: it may use all processors of the process, and is alone in its loops.
+void begin_lone_thread();
+
 /// The threads of the loops of for_each, while it lives: more than one are bound to a processor each, unless OMP_PROC_BIND=false (threads that
 /// wander can be slower together than one alone), and numbers below 2e-308 count as zero in them. After it the calling thread has its processors, its
 /// number of threads and its arithmetic back. One at a time in a process.

@@ -101,18 +101,42 @@ void force_to_disk(const fs::path& folder)
   if (file < 0 || ::fsync(file) != 0) io::throw_errno(fmt::format("cannot write to {}", folder.string()));
 }
 
+template <class Act>
+void removed_where_it_fails(const fs::path& part, const Act& act)
+{
+  try {
+    act();
+  } catch (const RunError&) {
+    // Emptied first: HDF5 may keep it open, and with it its space on a disk that may be full.
+    [[maybe_unused]] const int ignored = ::truncate(part.c_str(), 0);
+    ::unlink(part.c_str());
+    throw;
+  }
+}
+
 }  // namespace
 
 void write_checkpoint(const fs::path& path, const Contents& contents)
 {
-  const fs::path part = path.string() + ".part";
+  begin_checkpoint(path, contents);
+  finish_checkpoint(path);
+}
+
+void begin_checkpoint(const fs::path& path, const Contents& contents)
+{
+  const fs::path part = io::part_of(path);
   ::unlink(part.c_str());  // HDF5 would write through a link
-  try {
-    {
-      Hdf5Writer writer(part, header_bytes);
-      contents(writer);
-      writer.close();
-    }
+  removed_where_it_fails(part, [&] {
+    Hdf5Writer writer(part, header_bytes);
+    contents(writer);
+    writer.close();
+  });
+}
+
+void finish_checkpoint(const fs::path& path)
+{
+  const fs::path part = io::part_of(path);
+  removed_where_it_fails(part, [&] {
     const OpenFile file(part, O_RDWR);
     const BigIndex size = file < 0 ? -1 : ::lseek(file, 0, SEEK_END);
     const std::optional<std::uint32_t> crc = size < 0 ? std::nullopt : crc_of(file, header_bytes, size);
@@ -120,12 +144,7 @@ void write_checkpoint(const fs::path& path, const Contents& contents)
         ::rename(part.c_str(), path.c_str()) != 0)
       io::throw_errno(fmt::format("cannot write {}", path.string()));
     force_to_disk(path.parent_path());
-  } catch (const RunError&) {
-    // Emptied first: HDF5 may keep it open, and with it its space on a disk that may be full.
-    [[maybe_unused]] const int ignored = ::truncate(part.c_str(), 0);
-    ::unlink(part.c_str());
-    throw;
-  }
+  });
 }
 
 void read_checkpoint(const fs::path& path, const Contents& contents)

@@ -19,6 +19,10 @@ using Contents = std::function<void(Archive&)>;
 /// reason; nothing is left then.
 void write_checkpoint(const std::filesystem::path& path, const Contents& contents);
 
+/// The same in two parts: the contents go to a temporary file, which then gets its header, is forced to the disk and gets its name.
+void begin_checkpoint(const std::filesystem::path& path, const Contents& contents);
+void finish_checkpoint(const std::filesystem::path& path);
+
 /// Reads a checkpoint. Before its contents are used, its header must be exactly what berm writes, and length and CRC-32 must
 /// agree. Throws RunError with the reason: damaged, not a checkpoint, of a newer format or another version of berm, or
 /// refused by `contents`; some of the contents may be read then.

@@ -52,15 +52,18 @@ fs::path CheckpointFolder::read(const Contents& contents, const std::function<vo
   return {};
 }
 
-void CheckpointFolder::write(BigIndex step, const Contents& contents)
+std::function<void()> CheckpointFolder::begin(BigIndex step, const Contents& contents)
 {
-  std::error_code error;
   io::make_inner_folder(path_.parent_path(), path_.filename());
   const fs::path file = path_ / fmt::format("{}{}{}", begin_of_name, step, end_of_name);
-  write_checkpoint(file, contents);
-  for (const fs::path& other : files())
-    if (other != file && other != last_) fs::remove(other, error);
-  last_ = file;
+  begin_checkpoint(file, contents);
+  return [this, file] {
+    finish_checkpoint(file);
+    std::error_code error;
+    for (const fs::path& other : files())
+      if (other != file && other != last_) fs::remove(other, error);
+    last_ = file;
+  };
 }
 
 void CheckpointFolder::remove() const

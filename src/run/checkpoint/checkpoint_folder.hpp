@@ -18,9 +18,9 @@ public:
   std::filesystem::path read(const Contents& contents,
                              const std::function<void(const std::filesystem::path&, const std::string&)>& refused);
 
-  /// Makes the folder where it is missing, writes a checkpoint, and then removes all but it and the one that was written or
-  /// read before. Throws RunError.
-  void write(BigIndex step, const Contents& contents);
+  /// Writes a checkpoint in two parts, which throw RunError: begin() makes the folder where it is missing and takes the contents; what it returns, for any thread to
+  /// call once and in order, makes a whole file of them, and then removes all but it and the one that was written or read before.
+  std::function<void()> begin(BigIndex step, const Contents& contents);
 
   /// Removes the folder at the end of the run.
   void remove() const;

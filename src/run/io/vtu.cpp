@@ -7,7 +7,6 @@
 #include "io/xml_tag.hpp"
 #include "io/zlib_blocks.hpp"
 
-#include <deque>
 #include <fmt/format.h>
 
 namespace berm::io {
@@ -58,18 +57,17 @@ void Vtu::cell_field(const std::string& name, int components, const std::vector<
   cell_fields_.push_back({attributes<T>(name, components), zlib_blocks(bytes_of(values))});
 }
 
-void Vtu::write(const std::filesystem::path& path) const
+Vtu::Packed Vtu::pack()
 {
-  std::string xml;
-  std::deque<std::string> grid;  // a deque, because its elements do not move
-  std::vector<std::string_view> parts = {""};
+  Packed file;
+  std::string& xml = file.header_;
   std::uint64_t offset = 0;
-  const auto add_packed = [&](const std::string& words, std::string_view packed) {
+  const auto add_packed = [&](const std::string& words, std::string packed) {
     xml += fmt::format("<DataArray {} format=\"appended\" offset=\"{}\"/>\n", words, offset);
-    parts.push_back(packed);
     offset += packed.size();
+    file.arrays_.push_back(std::move(packed));
   };
-  const auto add = [&](const std::string& words, std::string_view bytes) { add_packed(words, grid.emplace_back(zlib_blocks(bytes))); };
+  const auto add = [&](const std::string& words, std::string_view bytes) { add_packed(words, zlib_blocks(bytes)); };
   const std::vector<Real> time = {time_};
   xml += "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n";
@@ -85,11 +83,18 @@ void Vtu::write(const std::filesystem::path& path) const
   add("type=\"Int64\" Name=\"offsets\"", bytes_of(offsets_));
   add("type=\"UInt8\" Name=\"types\"", bytes_of(types_));
   xml += "</Cells>\n<PointData>\n";
-  for (const Array& field : point_fields_) add_packed(field.attributes, field.packed);
+  for (Array& field : point_fields_) add_packed(field.attributes, std::move(field.packed));
   xml += "</PointData>\n<CellData>\n";
-  for (const Array& field : cell_fields_) add_packed(field.attributes, field.packed);
+  for (Array& field : cell_fields_) add_packed(field.attributes, std::move(field.packed));
   xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-  parts.front() = xml;
+  *this = Vtu(std::vector<Real>());
+  return file;
+}
+
+void Vtu::Packed::write(const std::filesystem::path& path) const
+{
+  std::vector<std::string_view> parts = {header_};
+  parts.insert(parts.end(), arrays_.begin(), arrays_.end());
   parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
   write_atomically(path, parts);
 }

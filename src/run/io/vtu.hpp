@@ -45,8 +45,20 @@ public:
   /// The time of the grid, s, as VTK programs look for it (TimeValue).
   void set_time(Real time) { time_ = time; }
 
-  /// Writes the file atomically. Throws RunError.
-  void write(const std::filesystem::path& path) const;
+  /// The file, all of it compressed: nothing but the disk is left to wait for.
+  class Packed {
+  public:
+    /// Writes it atomically. Throws RunError.
+    void write(const std::filesystem::path& path) const;
+
+  private:
+    friend class Vtu;
+    std::string header_;
+    std::vector<std::string> arrays_;
+  };
+  /// What was given is gone after it.
+  Packed pack();
+  void write(const std::filesystem::path& path) { pack().write(path); }
 
 private:
   struct Array {

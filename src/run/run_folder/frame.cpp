@@ -14,9 +14,11 @@ void Frame<dim>::allocate(std::size_t count, const std::vector<FieldInfo>& infos
   volume.assign(count, 0);
   body.assign(count, 0);
   id.assign(count, 0);
-  fields.clear();
-  fields.reserve(infos.size());
-  for (const FieldInfo& info : infos) fields.push_back({info, std::vector<Real>(count * static_cast<std::size_t>(info.components), 0)});
+  fields.resize(infos.size());
+  for (std::size_t k = 0; k < infos.size(); ++k) {
+    fields[k].info = infos[k];
+    fields[k].values.assign(count * static_cast<std::size_t>(infos[k].components), 0);
+  }
 }
 
 template <int dim>

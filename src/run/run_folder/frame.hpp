@@ -47,7 +47,7 @@ struct Frame {
   std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points: corners counter-clockwise, middles of sides 01 12 20; none in MPM
   std::vector<FrameRigid<dim>> rigid_bodies;
 
-  /// Makes room for so many points and these fields, all zero; what there was is gone.
+  /// Makes room for so many points and these fields, all zero; what there was is gone, its memory is used again.
   void allocate(std::size_t count, const std::vector<FieldInfo>& infos);
   /// The field of that name; throws std::logic_error where there is none.
   FieldValues<Real>& field(const std::string& name);

@@ -138,9 +138,9 @@ void FrameMaker<dim>::zero_displacements(const problem::State<dim>& state)
 }
 
 template <int dim>
-Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
+Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state, Frame<dim> old)
 {
-  Frame<dim> frame;
+  Frame<dim> frame = std::move(old);
   frame.time = state.time;
   std::size_t count = 0;
   for (const bodies::Particles<dim>& particles : state.particles) count += static_cast<std::size_t>(particles.size());

@@ -14,8 +14,8 @@ public:
   /// later from the first frame that they are in.
   FrameMaker(const problem::Model<dim>& model, const problem::State<dim>& start);
 
-  /// The next frame: its increments count from the frame made before.
-  Frame<dim> make(const problem::State<dim>& state);
+  /// The next frame: its increments count from the frame made before. An old one gives its memory.
+  Frame<dim> make(const problem::State<dim>& state, Frame<dim> old = {});
 
   /// From now on displacements, and their strains, count from here; of particles that come later from the first frame that they are in.
   void zero_displacements(const problem::State<dim>& state);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 
 namespace berm::run_folder {
 namespace {
@@ -75,19 +76,39 @@ FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const mesh::M
 }
 
 template <int dim>
-void FrameWriter<dim>::write(Frame<dim> frame)
+void FrameWriter<dim>::write(const Frame<dim>& frame)
 {
-  const bool written = !times_.empty() && times_.back() == frame.time;
-  if (written && last_.time == frame.time) return;
-  last_ = std::move(frame);
-  if (written) return;  // by the run that is resumed
-  with_rigids_ = !last_.rigid_bodies.empty();
-  with_triangles_ = !last_.triangles.empty();
-  const Index number = static_cast<Index>(times_.size());
-  write_soil(file_name(soil_kind(), number));
-  if (with_rigids_) write_rigids(file_name("rigid", number));
-  times_.push_back(last_.time);
-  write_collection();
+  if (const std::function<void()> files = write_later(frame)) files();
+}
+
+template <int dim>
+std::function<void()> FrameWriter<dim>::write_later(const Frame<dim>& frame, Compress when)
+{
+  if (!times_.empty() && times_.back() == frame.time) return {};  // perhaps by the run that is resumed
+  if (times_.empty()) {
+    with_rigids_ = !frame.rigid_bodies.empty();
+    with_triangles_ = !frame.triangles.empty();
+  }
+  times_.push_back(frame.time);
+  const Index number = static_cast<Index>(times_.size()) - 1;
+  std::function<void()> files =
+      when == Compress::now ? write_files(frame, number) : [this, &frame, number] { write_files(frame, number)(); };
+  return [this, files = std::move(files), times = times_] {
+    files();
+    write_collection(times);
+  };
+}
+
+/// Compresses them.
+template <int dim>
+std::function<void()> FrameWriter<dim>::write_files(const Frame<dim>& frame, Index number) const
+{
+  const auto files = std::make_shared<std::vector<std::pair<std::filesystem::path, io::Vtu::Packed>>>();
+  files->emplace_back(folder_ / file_name(soil_kind(), number), soil(frame));
+  if (with_rigids_) files->emplace_back(folder_ / file_name("rigid", number), rigids(frame));
+  return [files] {
+    for (const auto& [path, packed] : *files) packed.write(path);
+  };
 }
 
 template <int dim>
@@ -107,7 +128,7 @@ void FrameWriter<dim>::archive(Archive& k)
   k("times", times_);
   k("with_rigids", with_rigids_);
   k("with_triangles", with_triangles_);
-  if (!k.reads()) return io::sync_file(folder_);
+  if (!k.reads()) return;
   for (const std::string& name : files())
     if (!std::filesystem::exists(folder_ / name)) k.refuse(fmt::format("{} is gone", (folder_ / name).string()));
 }
@@ -115,7 +136,7 @@ void FrameWriter<dim>::archive(Archive& k)
 template <int dim>
 void FrameWriter<dim>::remove_others() const
 {
-  write_collection();
+  write_collection(times_);
   const std::vector<std::string> kept = files();
   std::error_code error;
   std::vector<std::filesystem::path> others;
@@ -144,64 +165,64 @@ void FrameWriter<dim>::write_mesh(const mesh::Mesh<dim>& mesh) const
 }
 
 template <int dim>
-void FrameWriter<dim>::write_soil(const std::string& name) const
+io::Vtu::Packed FrameWriter<dim>::soil(const Frame<dim>& frame) const
 {
-  const std::size_t count = last_.points.size();
+  const std::size_t count = frame.points.size();
   std::vector<Real> points;
   points.reserve(3 * count);  // a list that grows by doubling would take half as much again, of the memory of a large run
-  for (const Vec<dim>& x : last_.points) append<dim>(points, x);
+  for (const Vec<dim>& x : frame.points) append<dim>(points, x);
   io::Vtu vtu(std::move(points));
-  vtu.reserve_cells(with_triangles_ ? last_.triangles.size() : count, with_triangles_ ? 6 : 1);
-  for (const auto& nodes : last_.triangles) vtu.add_cell(io::VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
+  vtu.reserve_cells(with_triangles_ ? frame.triangles.size() : count, with_triangles_ ? 6 : 1);
+  for (const auto& nodes : frame.triangles) vtu.add_cell(io::VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
   if (!with_triangles_)
     for (Index k = 0; k < static_cast<Index>(count); ++k) vtu.add_cell(io::VtkCell::vertex, {k});
-  vtu.set_time(last_.time);
-  for (const FieldValues<Real>& field : last_.fields) {
+  vtu.set_time(frame.time);
+  for (const FieldValues<Real>& field : frame.fields) {
     FieldInfo info = field.info;
     info.components = components_in_file<dim>(info.components);
     vtu.point_field(info, in_file<dim>(field, count),
                     info.components == 6 ? std::vector<const char*>{"XX", "YY", "ZZ", "XY", "YZ", "XZ"} : std::vector<const char*>{});
   }
-  const std::vector<float> volume(last_.volume.begin(), last_.volume.end());
+  const std::vector<float> volume(frame.volume.begin(), frame.volume.end());
   vtu.point_field(FieldInfo{"volume", "volume that the point stands for", dim == 2 ? "m2" : "m3"}, volume);
-  vtu.point_field(FieldInfo{"body", "number of the body", ""}, last_.body);
-  vtu.point_field(FieldInfo{"id", "number in its body", ""}, last_.id);
-  vtu.write(folder_ / name);
+  vtu.point_field(FieldInfo{"body", "number of the body", ""}, frame.body);
+  vtu.point_field(FieldInfo{"id", "number in its body", ""}, frame.id);
+  return vtu.pack();
 }
 
 template <int dim>
-void FrameWriter<dim>::write_rigids(const std::string& name) const
+io::Vtu::Packed FrameWriter<dim>::rigids(const Frame<dim>& frame) const
 {
   std::vector<Real> points;
-  for (const FrameRigid<dim>& f : last_.rigid_bodies)
+  for (const FrameRigid<dim>& f : frame.rigid_bodies)
     for (const Vec<dim>& x : f.surface.points) append<dim>(points, x);
   io::Vtu vtu(std::move(points));
   std::vector<std::int32_t> rigid;
   std::vector<float> velocity;
   Index first = 0;
-  for (std::size_t r = 0; r < last_.rigid_bodies.size(); ++r) {
-    for (const auto& cell : last_.rigid_bodies[r].surface.cells) {
+  for (std::size_t r = 0; r < frame.rigid_bodies.size(); ++r) {
+    for (const auto& cell : frame.rigid_bodies[r].surface.cells) {
       std::vector<Index> corners = cell.points;
       for (Index& corner : corners) corner += first;
       vtu.add_cell(vtk_cell<dim>(cell.kind), corners);
       rigid.push_back(static_cast<std::int32_t>(r));
-      append<dim>(velocity, last_.rigid_bodies[r].velocity);
+      append<dim>(velocity, frame.rigid_bodies[r].velocity);
     }
-    first += static_cast<Index>(last_.rigid_bodies[r].surface.points.size());
+    first += static_cast<Index>(frame.rigid_bodies[r].surface.points.size());
   }
-  vtu.set_time(last_.time);
+  vtu.set_time(frame.time);
   vtu.cell_field("rigid", 1, rigid);
   vtu.cell_field("velocity", 3, velocity);
-  vtu.write(folder_ / name);
+  return vtu.pack();
 }
 
 template <int dim>
-void FrameWriter<dim>::write_collection() const
+void FrameWriter<dim>::write_collection(const std::vector<Real>& times) const
 {
   std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";
-  for (std::size_t k = 0; k < times_.size(); ++k) {
+  for (std::size_t k = 0; k < times.size(); ++k) {
     const auto line = [&](int part, const char* kind) {
-      xml += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", times_[k], part, kind,
+      xml += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", times[k], part, kind,
                          file_name(kind, static_cast<Index>(k)));
     };
     line(0, soil_kind());

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "io/vtu.hpp"
 #include "run_folder/frame.hpp"
 
 #include <filesystem>
+#include <functional>
 
 namespace berm::run_folder {
 
@@ -24,30 +26,35 @@ public:
   FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh, bool with_mesh = true);
 
   /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
-  void write(Frame<dim> frame);
+  void write(const Frame<dim>& frame);
+  /// Who compresses a frame: the thread that asks for it to be written, with its team, or the one that writes it.
+  enum class Compress { now, later };
+  /// The same in two parts: counts it among those written, and returns what writes its files, for any thread to call once and in order. The frame must be as it is until
+  /// then. Empty where there is nothing to write.
+  std::function<void()> write_later(const Frame<dim>& frame, Compress when = Compress::later);
 
-  /// What a resumed run needs to continue after the frames written so far, whose names are forced to the disk. Reading refuses where one of their files is gone.
+  /// What a resumed run needs to continue after the frames so far. Reading refuses where one of their files is gone.
   void archive(Archive& k);
+  const std::filesystem::path& folder() const { return folder_; }
   /// Removes frames that are not among those written: of a run that came farther than where it is resumed.
   void remove_others() const;
 
   /// Of the frames written, s.
   const std::vector<Real>& times() const { return times_; }
-  /// The last frame written.
-  const Frame<dim>& last() const { return last_; }
 
 private:
   void write_mesh(const mesh::Mesh<dim>& mesh) const;
-  void write_soil(const std::string& name) const;
-  void write_rigids(const std::string& name) const;
-  void write_collection() const;
+  std::function<void()> write_files(const Frame<dim>& frame, Index number) const;
+  io::Vtu::Packed soil(const Frame<dim>& frame) const;
+  io::Vtu::Packed rigids(const Frame<dim>& frame) const;
+  void write_collection(const std::vector<Real>& times) const;
   std::vector<std::string> files() const;
+  /// A thread that writes sees the same as the first frame was counted before.
   const char* soil_kind() const { return with_triangles_ ? "soil" : "particles"; }
 
   std::filesystem::path folder_;
   std::vector<Real> times_;
   bool with_rigids_ = false, with_triangles_ = false;
-  Frame<dim> last_;
 };
 
 }  // namespace berm::run_folder

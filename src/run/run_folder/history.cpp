@@ -102,11 +102,16 @@ void HistoryFile::add(Row& row)
   for (std::size_t k = 0; k < row.values().size(); ++k) history_.values[k].push_back(row.values()[k]);
 }
 
-BigIndex HistoryFile::sync()
+BigIndex HistoryFile::bytes() const
 {
   const off_t bytes = ::lseek(file_, 0, SEEK_END);
-  if (bytes < 0 || ::fsync(file_) != 0) io::throw_errno(fmt::format("cannot write {}", path_.string()));
+  if (bytes < 0) io::throw_errno(fmt::format("cannot write {}", path_.string()));
   return bytes;
+}
+
+void HistoryFile::sync() const
+{
+  if (::fsync(file_) != 0) io::throw_errno(fmt::format("cannot write {}", path_.string()));
 }
 
 bool History::has(const std::string& name) const

@@ -48,8 +48,10 @@ public:
   /// All rows, as read_history() has them; those of a resumed history, too.
   const History& history() const { return history_; }
 
-  /// Forces all rows to the disk and gives the length of the file. Throws RunError.
-  BigIndex sync();
+  /// The length of the file, with all rows. Throws RunError.
+  BigIndex bytes() const;
+  /// Forces all rows to the disk; while it does, another thread may add more. Throws RunError.
+  void sync() const;
 
 private:
   void write(const std::string& line);

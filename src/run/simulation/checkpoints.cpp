@@ -23,19 +23,45 @@ bool Checkpoints::due() const
   return asked_ || (wall_time_ > 0 && Clock::now() - last_ >= std::chrono::duration<Real>(wall_time_));
 }
 
-bool Checkpoints::write(BigIndex step, const checkpoint::Contents& contents)
+void Checkpoints::write(BigIndex step, const checkpoint::Contents& contents, io::WriterThread& thread, const std::function<void()>& vital,
+                        const std::function<void()>& before)
 {
   const Timer timer("write checkpoints");
-  bool written = false;
+  thread.wait_for(piece_);
+  tell();
+  std::function<void()> finish;
   try {
-    folder_.write(step, contents);
-    written = true;
+    finish = folder_.begin(step, contents);
   } catch (const RunError& error) {
-    spdlog::warn("no checkpoint of step {}: {}", step, error.what());
+    warn(step, error.what());
   }
+  step_ = step;
+  written_ = finish != nullptr;
+  piece_ = thread.hand_over([vital, before, finish, fault = fault_.get()] {
+    vital();
+    if (finish) try {
+        before();
+        finish();
+      } catch (const RunError& error) {
+        fault->why = error.what();
+        fault->there = true;
+      }
+  });
   last_ = Clock::now();
   asked_ = false;
-  return written;
+}
+
+bool Checkpoints::tell()
+{
+  if (!fault_->there) return written_;
+  warn(step_, fault_->why);
+  fault_->there = false;
+  return written_ = false;
+}
+
+void Checkpoints::warn(BigIndex step, const std::string& why)
+{
+  spdlog::warn("no checkpoint of step {}: {}", step, why);
 }
 
 bool Checkpoints::read(const checkpoint::Contents& contents)
@@ -71,11 +97,11 @@ void archive_history(Archive& k, const fs::path& history, BigIndex& bytes)
     const std::optional<std::uint32_t> crc = bytes < 0 ? std::nullopt : checkpoint::crc_of(history, bytes);
     return crc ? static_cast<BigIndex>(*crc) : -1;
   };
-  if (!k.reads()) io::sync_file(history.parent_path());
   BigIndex crc = k.reads() ? 0 : crc_of_rows();
   k("bytes", bytes);
   k("crc", crc);
-  if (crc < 0 || crc != crc_of_rows()) k.refuse(fmt::format("{} has not the {} bytes any more that it had then", history.string(), bytes));
+  if (crc < 0 || (k.reads() && crc != crc_of_rows()))
+    k.refuse(fmt::format("{} has not the {} bytes any more that it had then", history.string(), bytes));
 }
 
 template void archive_same_mesh(Archive&, const mesh::Mesh<2>&);

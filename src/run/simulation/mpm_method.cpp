@@ -116,10 +116,10 @@ MpmMethod<d>::~MpmMethod()
 }
 
 template <int d>
-run_folder::Frame<d> MpmMethod<d>::make_frame()
+run_folder::Frame<d> MpmMethod<d>::make_frame(run_folder::Frame<d> old)
 {
   const mpm::WholeState<d> whole = whole_state();
-  return Ranks::of_run().is_first() ? frame_maker_.make(state()) : run_folder::Frame<d>();
+  return Ranks::of_run().is_first() ? frame_maker_.make(state(), std::move(old)) : run_folder::Frame<d>();
 }
 
 template <int d>

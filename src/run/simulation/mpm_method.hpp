@@ -53,8 +53,8 @@ public:
   /// s between rows of the history.
   Real history_interval() const { return history_interval_; }
   void add_row(run_folder::HistoryFile& file) { add_row(file, {}); }
-  /// Of the whole problem, on the first rank.
-  run_folder::Frame<d> make_frame();
+  /// Of the whole problem, on the first rank. An old one gives its memory.
+  run_folder::Frame<d> make_frame(run_folder::Frame<d> old);
   /// Whether a limit of the stage is reached, or the equilibrium that ends it.
   bool stage_ended() const;
   /// False after the last one.

@@ -43,6 +43,7 @@ auto OpenRun<Method>::leaving_results(const Act& act)
   } catch (const KeyError& error) {
     throw input::LocatedError(request_.places.located(error));
   } catch (const RunError& error) {
+    run_.come_to_rest();
     abort_ranks(error.what());
     try {
       run_.leave_results();

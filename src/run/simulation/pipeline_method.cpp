@@ -319,7 +319,7 @@ void PipelineMethod::note_shape()
   }
 }
 
-run_folder::Frame<2> PipelineMethod::make_frame()
+run_folder::Frame<2> PipelineMethod::make_frame(run_folder::Frame<2> old)
 {
   note_shape();
   note_berms();
@@ -328,7 +328,7 @@ run_folder::Frame<2> PipelineMethod::make_frame()
     write_berms();
     if (springs_ && springs_->ready()) write_springs();
   }
-  return MpmMethod<2>::make_frame();
+  return MpmMethod<2>::make_frame(std::move(old));
 }
 
 /// Of the slices that this rank has; the first has all then.

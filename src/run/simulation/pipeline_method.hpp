@@ -20,7 +20,7 @@ public:
   /// With columns of the line and of the other slices.
   void add_row(run_folder::HistoryFile& file);
   /// Of the first slice; and line.csv and berms.csv, with the shapes of the line and of the beds of its slices so far, and springs.csv, with the resistance of springs beside.
-  run_folder::Frame<2> make_frame();
+  run_folder::Frame<2> make_frame(run_folder::Frame<2> old);
   bool next_stage();
   void come_to_checkpoint_boundary();
   /// The line drives the slices: throws InputError in stages of kind pipeline.

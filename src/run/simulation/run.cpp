@@ -6,11 +6,13 @@
 #include "core/ranks.hpp"
 #include "core/vector_unit.hpp"
 #include "input/write_case.hpp"
+#include "io/atomic_file.hpp"
 #include "problem/stages.hpp"
 #include "record/run_record.hpp"
 #include "simulation/fem_method.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/mpm_method.hpp"
+#include "simulation/pipeline_method.hpp"
 #include "simulation/results.hpp"
 #include "simulation/run_of_ranks.hpp"
 #include "user_law/load.hpp"
@@ -34,7 +36,8 @@ Run<Method>::Run(const RunRequest& request, Context& context, Method& method, co
       frames_(folder.subfolder("frames"), method.model().mesh, Ranks::of_run().is_first()),
       progress_(log),
       held_forces_(method.model().stages.size(), nan),
-      unit_(vector_unit())
+      unit_(vector_unit()),
+      compress_(context.threads() > 1 && context.threads() >= processor_count() ? Compress::now : Compress::later)
 {
 }
 
@@ -69,6 +72,8 @@ template <class Method>
 bool Run<Method>::advance()
 {
   step();
+  writer_.check();
+  checkpoints_.tell();
   if (!decides_now()) return true;
   const bool asked_to_stop = on_any_rank(context_.asked_to_stop());
   if (asked_to_stop) checkpoints_.ask();
@@ -82,13 +87,24 @@ template <class Method>
 void Run<Method>::keep()
 {
   method_.come_to_checkpoint_boundary();
-  if (!write_checkpoint())
+  write_checkpoint();
+  writer_.finish();
+  if (!checkpoints_.tell())
     throw RunError(fmt::format("the state of step {} could not be written to {}", state().step, folder_.path().string()));
+}
+
+template <class Method>
+void Run<Method>::finish_files()
+{
+  const Timer timer("wait for frames");
+  writer_.finish();
+  checkpoints_.tell();
 }
 
 template <class Method>
 void Run<Method>::end()
 {
+  finish_files();
   if constexpr (!std::is_same_v<Method, FemMethod>) Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
   if (finished_) return;
   if (state().time > last_row_) record();
@@ -135,13 +151,18 @@ void Run<Method>::step()
   }
 }
 
+/// A history that the disk does not take ends the run, a checkpoint does not.
 template <class Method>
-bool Run<Method>::write_checkpoint()
+void Run<Method>::write_checkpoint()
 {
   [[maybe_unused]] const auto whole = method_.whole_state();
-  if (!Ranks::of_run().is_first()) return checkpoints_.skip_checkpoint(), true;
-  history_bytes_ = history_->sync();  // a history that the disk does not take ends the run, a checkpoint does not
-  return checkpoints_.write(state().step, [&](Archive& k) { archive(k); });
+  if (!Ranks::of_run().is_first()) return checkpoints_.skip_checkpoint();
+  history_bytes_ = history_->bytes();
+  checkpoints_.write(
+      state().step, [&](Archive& k) { archive(k); }, writer_, [this] { history_->sync(); },
+      [this] {
+        for (const std::filesystem::path& names : {folder_.path(), frames_.folder()}) io::sync_file(names);
+      });
 }
 
 /// All that a checkpoint holds. What must fit comes first.
@@ -194,10 +215,22 @@ void Run<Method>::frame()
 {
   if (state().time == last_frame_) return;
   last_frame_ = state().time;
-  const Timer timer("write frames");
-  run_folder::Frame<dim> made = method_.make_frame();
-  if (Ranks::of_run().is_first()) frames_.write(std::move(made));
-  ::malloc_trim(0);  // gives back what writing took on the way: a tenth of what the run has
+  {
+    const Timer timer("wait for frames");
+    writer_.wait_for(in_hand_[1].piece);
+  }
+  std::swap(in_hand_[0], in_hand_[1]);
+  auto& [made, piece] = in_hand_[0];
+  {
+    const Timer timer("make frames");
+    made = method_.make_frame(std::move(made));
+  }
+  if (Ranks::of_run().is_first())
+    if (const std::function<void()> files = frames_.write_later(made, compress_))
+      piece = writer_.hand_over([files] {
+        files();
+        ::malloc_trim(0);  // gives back what writing took on the way: a tenth of what the run has
+      });
   frame_time_ = state().time;
   if (driven() != none) frame_displacement_ = state().rigid_bodies[driven()].displacement;
 }
@@ -250,12 +283,13 @@ void Run<Method>::leave_results()
   if (!history_) return;
   const run_folder::Summary::Checks checks = method_.checks();
   frame();
+  finish_files();
   const std::vector<Real> memory = Ranks::of_run().all_of(largest_memory_in_use());
   if (!Ranks::of_run().is_first()) return;
   const run_folder::RunTiming timing{
       clock_.wall(), context_.threads(), model().mesh.cell_count(), state().step, method_.counts(), clock_.loops(), memory};
   const RunOutcome outcome{history_->history(), finished_, held_forces_, checks, warnings_};
-  const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), outcome, timing);
+  const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, in_hand_[0].frame, outcome, timing);
   if (!results.empty()) log_.result(results);
   spdlog::info("everything is in {}", folder_.path().string());
 }

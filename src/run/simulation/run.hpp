@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/writer_thread.hpp"
 #include "run_folder/frames.hpp"
 #include "run_folder/history.hpp"
 #include "run_folder/progress.hpp"
@@ -31,6 +32,8 @@ public:
   void keep();
   /// After the last step.
   void end();
+  /// Waits until all that was handed over to be written is done; of an error the next function tells.
+  void come_to_rest() { writer_.come_to_rest(); }
   /// Writes what follows from the history and from the last frame; also of a run that failed after it began.
   void leave_results();
   /// Once its results are there, a finished run needs none.
@@ -45,13 +48,14 @@ private:
   bool decides_now() const;
   void step();
   void step_of_method();
-  bool write_checkpoint();
+  void write_checkpoint();
   std::filesystem::path history_path() const { return folder_.file("history.csv"); }
   void archive(Archive& k);
   void archive_progress(Archive& k);
   void record();
   bool frame_is_due() const;
   void frame();
+  void finish_files();
   void next_stage();
   Real part_done() const;
   void report_progress();
@@ -72,6 +76,12 @@ private:
   std::optional<run_folder::HistoryFile> history_;
   BigIndex history_bytes_ = 0;  ///< when the last checkpoint was written or read
   run_folder::FrameWriter<dim> frames_;
+  /// A frame on its way to the disk.
+  struct FrameInHand {
+    run_folder::Frame<dim> frame;
+    BigIndex piece = 0;  ///< that writes it
+  };
+  std::array<FrameInHand, 2> in_hand_;  ///< the last frame and the one before it, whose memory the next one takes
   run_folder::Progress progress_;
   bool finished_ = false;
   BigIndex rows_ = 0;
@@ -80,6 +90,10 @@ private:
   Vec<dim> frame_displacement_ = Vec<dim>::Zero();
   std::vector<Real> held_forces_;  ///< N/m, V that each stage holds; NaN where none
   std::string unit_;               ///< vector unit that the run was begun on
+  /// Beside the steps, unless their threads have all processors: one that compresses would hold up the others, who wait for the one whose processor it takes.
+  using Compress = typename run_folder::FrameWriter<dim>::Compress;
+  Compress compress_;
+  io::WriterThread writer_;  ///< ends before all that it writes
 };
 
 }  // namespace berm::simulation

@@ -222,7 +222,7 @@ protected:
   void write(BigIndex step)
   {
     Real value = static_cast<Real>(step);
-    folder_.write(step, [&](Archive& k) { k("value", value); });
+    folder_.begin(step, [&](Archive& k) { k("value", value); })();
   }
   /// The number that is read, and what was said before.
   Real read(CheckpointFolder folder)

@@ -146,6 +146,35 @@ TEST(Faults, a_pipe_driven_beyond_a_side_of_the_mesh_ends_the_run_and_leaves_a_f
   EXPECT_TRUE(place.has("results/frames/particles_0003.vtu")) << "after those of the start and the ends of two stages";
 }
 
+TEST(Faults, a_frame_that_cannot_be_written_ends_the_run_that_steps_on_meanwhile)
+{
+  const Place place;
+  Program run(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=10 s", "--set",
+                                    "output.frame_time=1 ms"});
+  ASSERT_TRUE(wait_until([&] { return place.has("results/frames/particles_0003.vtu"); }));
+  std::filesystem::rename(place.folder / "results/frames", place.folder / "results/taken_away");
+  const Ended ended = run.wait();
+  EXPECT_EQ(ended.status, 1);
+  expect_parts(ended.err, {"cannot write results/frames/", ": No such file or directory"});
+  EXPECT_EQ(nlohmann::json::parse(place.text("results/summary.json"))["checks"]["finished"], false);
+  EXPECT_FALSE(place.has("results/lock"));
+}
+
+TEST(Faults, the_last_frame_that_cannot_be_written_is_named_and_in_no_list)
+{
+  const Place place;
+  Program run(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=100 s"});
+  ASSERT_TRUE(wait_until([&] { return place.text("results/history.csv").size() > 2000; }));
+  std::filesystem::create_directory(place.folder / "results/frames/particles_0001.vtu");
+  run.signal(SIGINT);
+  const Ended ended = run.wait();
+  EXPECT_EQ(ended.status, 1);
+  expect_parts(ended.err, {"cannot write results/frames/particles_0001.vtu: Is a directory"});
+  const std::string listed = place.text("results/frames/frames.pvd");
+  EXPECT_NE(listed.find("particles_0000.vtu"), std::string::npos);
+  EXPECT_EQ(listed.find("particles_0001.vtu"), std::string::npos);
+}
+
 TEST(Faults, a_full_standard_output_is_an_error)
 {
   const Place place;

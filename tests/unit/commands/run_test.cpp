@@ -185,7 +185,7 @@ TEST(Run, summary_has_the_promised_form)
   EXPECT_LT(summary["checks"]["momentum_error"].get<double>(), 1e-12);
 }
 
-TEST(Run, writes_the_same_history_byte_for_byte_with_one_and_two_threads)
+TEST(Run, writes_the_same_history_and_frames_byte_for_byte_with_one_and_two_threads)
 {
   const Place place;
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "one"}).status, 0);
@@ -193,6 +193,13 @@ TEST(Run, writes_the_same_history_byte_for_byte_with_one_and_two_threads)
   EXPECT_EQ(place.json("two/summary.json")["timing"]["threads"], 2);
   EXPECT_GT(place.text("one/history.csv").size(), 1000u);
   EXPECT_TRUE(place.text("one/history.csv") == place.text("two/history.csv"));
+  int frames = 0;
+  for (const auto& file : std::filesystem::directory_iterator(place.folder / "one/frames")) {
+    const std::string name = "/frames/" + file.path().filename().string();
+    EXPECT_TRUE(place.text("one" + name) == place.text("two" + name)) << name;
+    ++frames;
+  }
+  EXPECT_GT(frames, 6);
 }
 
 TEST(Run, has_all_processors_also_where_the_environment_binds_threads)

@@ -231,7 +231,7 @@ TEST(HistoryFile, hands_on_the_rows_that_can_be_read_from_it_those_before_it_wen
     HistoryFile file(path);
     EXPECT_EQ(file.history().rows(), 0);
     file.add(row.with(0, "a \"push\", slow", {1. / 3, -0.}));
-    bytes = file.sync();
+    bytes = file.bytes();
     file.add(row.with(1, "drag", {1e-310, infinity}));
     expect_as_read(file.history());
   }
