@@ -3,7 +3,7 @@
 
 #include "core/threads.hpp"
 
-#include <utility>
+#include <chrono>
 
 namespace berm::io {
 
@@ -87,12 +87,14 @@ void WriterThread::work()
     const bool failed = failed_;
     lock.unlock();
     std::exception_ptr failure;
+    const auto start = std::chrono::steady_clock::now();
     if (!failed) try {
         piece();
       } catch (...) {
         failure = std::current_exception();
       }
     lock.lock();
+    busy_ += std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count();
     if (failure) failure_ = failure, failed_ = true;
     ++done_;
     done_more_.notify_all();

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <queue>
 #include <thread>
+#include <utility>
 
 namespace berm::io {
 
@@ -31,6 +32,8 @@ public:
   void finish();
   /// Does not wait.
   void check();
+  /// Time that pieces took since it was asked for last, s; to be asked for when all are done.
+  Real take_busy() { return std::exchange(busy_, 0); }
   /// Waits until all are done, and leaves what was thrown to the next function.
   void come_to_rest();
 
@@ -44,6 +47,7 @@ private:
   BigIndex handed_over_ = 0, done_ = 0;
   bool ends_ = false, failed_ = false;
   std::exception_ptr failure_;
+  Real busy_ = 0;  ///< s
   std::thread thread_;
 };
 

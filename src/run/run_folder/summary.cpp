@@ -30,6 +30,15 @@ Json json_of(const RunTiming& t, const FemCounts& counts)
           {"cells", t.cells},   {"steps", t.steps},     {"iterations", counts.iterations}};
 }
 
+Json json_of(const TimeOfParts& parts)
+{
+  return {{"steps_s", parts.steps},
+          {"rows_s", parts.rows},
+          {"frames_s", parts.frames},
+          {"checkpoints_s", parts.checkpoints},
+          {"beside_s", parts.beside}};
+}
+
 /// Of both methods.
 constexpr const char* check_names[] = {"finished",
                                        "energy_error",
@@ -81,7 +90,8 @@ Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts)
 
 const char* unit_of_timing(const std::string& name)
 {
-  if (name == "wall_s" || name == "seconds_per_step") return "s";
+  if (name.ends_with("_s") && !name.ends_with("_per_s")) return "s";
+  if (name == "seconds_per_step") return "s";
   return name == "particle_steps_per_s" ? "1/s" : "1";
 }
 
@@ -90,9 +100,9 @@ std::vector<std::string> check_and_timing_names()
   RunTiming any;
   any.wall_s = 1, any.steps = 1;
   std::vector<std::string> names(std::begin(check_names), std::end(check_names));
-  for (const Json& timing : {json_of(any, MpmCounts{}), json_of(any, FemCounts{})})
+  for (const Json& timing : {json_of(any, MpmCounts{}), json_of(any, FemCounts{}), json_of(any.parts)})
     for (const auto& [name, value] : timing.items()) names.push_back(name);
-  names.insert(names.end(), {"ranks", "memory_bytes"});
+  names.insert(names.end(), {"ranks", "memory_bytes", "processors_s"});
   return names;
 }
 
@@ -110,6 +120,8 @@ std::string Summary::json() const
     root["force_measure"] = {{"name", m->name}, {"value", m->value}, {"unit", m->unit}, {"meaning", m->meaning}};
   Json& t = root["timing"];
   t = std::visit([&](const auto& counts) { return json_of(timing, counts); }, timing.counts);
+  t["processors_s"] = timing.processors_s;
+  t.update(json_of(timing.parts));
   t["ranks"] = timing.memory.size();
   if (const Real most = std::ranges::max(timing.memory); !std::isnan(most)) t["memory_bytes"] = most;
   t["loops"] = Json::array();

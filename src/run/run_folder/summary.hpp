@@ -42,9 +42,17 @@ struct FemCounts {
   BigIndex nodes = 0, iterations = 0;  ///< iterations: of all steps together
 };
 
+/// What the parts of a run take of its wall time, s: a part that waits for a thread or for the disk counts as if it worked.
+struct TimeOfParts {
+  Real steps = 0, rows = 0, frames = 0, checkpoints = 0;
+  Real beside = 0;  ///< of the thread that writes files while the run steps on: no part of the others
+};
+
 /// How long a run took.
 struct RunTiming {
   Real wall_s = 0;
+  Real processors_s = nan;  ///< time that its threads had a processor, added up
+  TimeOfParts parts = {};
   int threads = 1;
   BigIndex cells = 0, steps = 0;
   std::variant<MpmCounts, FemCounts> counts;
@@ -76,7 +84,7 @@ public:
 
   /// {"quantities": {NAME: {"value", "unit", "meaning", "kind", "of"}}, "force_measure": {"name", "value", "unit", "meaning"}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}, "warnings": [words], "spoiled": [words]}, in the order in which
   /// they were added. Timing has wall_s, threads, cells, steps and loops; in MPM also particle_steps_per_s, particles and seconds_per_step (wall
-  /// time over steps), in FEM nodes and iterations. A number that is not finite becomes null.
+  /// time over steps), in FEM nodes and iterations; processors_s, steps_s, rows_s, frames_s, checkpoints_s and beside_s (TimeOfParts). A number that is not finite becomes null.
   std::string json() const;
   /// Writes it whole. Throws RunError.
   void write(const std::filesystem::path& path) const;

@@ -78,6 +78,16 @@ void print_timings(const run_folder::RunTiming& timing)
   std::string table = fmt::format("{:<32} {:>10} {:>8}\n", "time by loop", "s", "part");
   for (const Timing& loop : timing.loops)
     table += fmt::format("{:<32} {:>10.3f} {:>7.1f}%\n", loop.label, loop.seconds, 100 * loop.seconds / timing.wall_s);
+  const auto line = [&](const char* what, Real seconds) {
+    table += fmt::format("{:<32} {:>10.3f} {:>7.1f}%\n", what, seconds, 100 * seconds / timing.wall_s);
+  };
+  table += fmt::format("{:<32} {:>10} {:>8}\n", "time by part", "s", "part");
+  line("steps", timing.parts.steps);
+  line("rows of the history", timing.parts.rows);
+  line("frames", timing.parts.frames);
+  line("checkpoints", timing.parts.checkpoints);
+  line("files, beside the steps", timing.parts.beside);
+  line("processor time", timing.processors_s);
   const std::string all = std::visit([&](const auto& counts) { return words_of(timing, counts); }, timing.counts);
   table += fmt::format("{:<32} {:>10.3f}          {} on {} thread{}\n", "all", timing.wall_s, all, timing.threads,
                        timing.threads == 1 ? "" : "s");

@@ -96,8 +96,10 @@ void Run<Method>::keep()
 template <class Method>
 void Run<Method>::finish_files()
 {
+  const RunClock::In part(clock_.parts().frames);
   const Timer timer("wait for frames");
   writer_.finish();
+  clock_.parts().beside += writer_.take_busy();
   checkpoints_.tell();
 }
 
@@ -124,6 +126,7 @@ bool Run<Method>::decides_now() const
 template <class Method>
 void Run<Method>::step_of_method()
 {
+  const RunClock::In part(clock_.parts().steps);
   try {
     method_.step();
   } catch (const RunError&) {
@@ -155,6 +158,7 @@ void Run<Method>::step()
 template <class Method>
 void Run<Method>::write_checkpoint()
 {
+  const RunClock::In part(clock_.parts().checkpoints);
   [[maybe_unused]] const auto whole = method_.whole_state();
   if (!Ranks::of_run().is_first()) return checkpoints_.skip_checkpoint();
   history_bytes_ = history_->bytes();
@@ -194,6 +198,7 @@ void Run<Method>::archive_progress(Archive& k)
 template <class Method>
 void Run<Method>::record()
 {
+  const RunClock::In part(clock_.parts().rows);
   method_.add_row(*history_);
   ++rows_;
   last_row_ = state().time;
@@ -214,6 +219,7 @@ template <class Method>
 void Run<Method>::frame()
 {
   if (state().time == last_frame_) return;
+  const RunClock::In part(clock_.parts().frames);
   last_frame_ = state().time;
   {
     const Timer timer("wait for frames");
@@ -287,7 +293,8 @@ void Run<Method>::leave_results()
   const std::vector<Real> memory = Ranks::of_run().all_of(largest_memory_in_use());
   if (!Ranks::of_run().is_first()) return;
   const run_folder::RunTiming timing{
-      clock_.wall(), context_.threads(), model().mesh.cell_count(), state().step, method_.counts(), clock_.loops(), memory};
+      clock_.wall(),    clock_.processors(), clock_.parts(), context_.threads(), model().mesh.cell_count(), state().step,
+      method_.counts(), clock_.loops(),      memory};
   const RunOutcome outcome{history_->history(), finished_, held_forces_, checks, warnings_};
   const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, in_hand_[0].frame, outcome, timing);
   if (!results.empty()) log_.result(results);

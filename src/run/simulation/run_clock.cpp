@@ -3,6 +3,7 @@
 #include "simulation/run_clock.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <sstream>
 
 namespace berm::simulation {
@@ -22,6 +23,14 @@ std::vector<Timing> RunClock::loops() const
   return all;
 }
 
+/// Of all threads of this process, s.
+Real RunClock::processors_now()
+{
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<Real>(now.tv_sec) + 1e-9 * static_cast<Real>(now.tv_nsec);
+}
+
 void RunClock::archive(Archive& k)
 {
   Real wall = this->wall();
@@ -33,12 +42,21 @@ void RunClock::archive(Archive& k)
     seconds.push_back(loop.seconds);
     calls.push_back(loop.calls);
   }
+  Real processors = this->processors();
   k("wall", wall);
+  k("processors", processors);
+  for (const auto& [name, part] : {std::pair{"steps", &parts_.steps},
+                                   {"rows", &parts_.rows},
+                                   {"frames", &parts_.frames},
+                                   {"checkpoints", &parts_.checkpoints},
+                                   {"beside", &parts_.beside}})
+    k(name, *part);
   k("loops", labels);
   k("seconds", seconds);
   k("calls", calls);
   if (!k.reads()) return;
   earlier_ = wall;
+  earlier_processors_ = processors;
   earlier_loops_.clear();
   std::istringstream lines(labels);
   for (std::string label; std::getline(lines, label);) earlier_loops_.push_back({label, 0, 0});

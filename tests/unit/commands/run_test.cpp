@@ -178,7 +178,11 @@ TEST(Run, summary_has_the_promised_form)
               summary["quantities"]["V_at_w_0.1D"]["value"].get<double>(), 1e-9);
   EXPECT_NE(summary["text"]["machine"].get<std::string>().find("processor"), std::string::npos) << summary["text"];
   EXPECT_EQ(summary["text"]["date"].get<std::string>().size(), std::string("2026-01-31T12:00:00Z").size()) << summary["text"];
-  for (const char* name : {"particle_steps_per_s", "wall_s"}) EXPECT_GT(summary["timing"][name].get<double>(), 0) << name;
+  for (const char* name : {"particle_steps_per_s", "wall_s", "processors_s", "steps_s", "rows_s", "frames_s", "checkpoints_s", "beside_s"})
+    EXPECT_GT(summary["timing"][name].get<double>(), 0) << name;
+  const double parts = summary["timing"]["steps_s"].get<double>() + summary["timing"]["rows_s"].get<double>() +
+                       summary["timing"]["frames_s"].get<double>() + summary["timing"]["checkpoints_s"].get<double>();
+  EXPECT_LE(parts, summary["timing"]["wall_s"].get<double>()) << "no time is in two parts";
   EXPECT_EQ(summary["timing"]["threads"], 1);
   EXPECT_EQ(summary["timing"]["particles"], 2700);
   EXPECT_EQ(summary["checks"]["finished"], true);

@@ -18,6 +18,8 @@ Summary sample_summary()
   summary.quantities = {{"V_at_w_0.1D", 764.25, "N/m"}, {"H_max", std::numeric_limits<Real>::quiet_NaN(), "N/m"}};
   summary.force_measure = {"gammaD2", 172, "N/m", "γ′ D²"};
   summary.timing = {.wall_s = 12.5,
+                    .processors_s = 24,
+                    .parts = {.steps = 11, .rows = 0.5, .frames = 0.25, .checkpoints = 0.125, .beside = 3},
                     .threads = 2,
                     .cells = 800,
                     .steps = 5'000'000'000,
@@ -48,6 +50,15 @@ TEST(Summary, has_the_form_that_readers_rely_on)
   EXPECT_DOUBLE_EQ(json["timing"]["seconds_per_step"].get<double>(), 2.5e-9);
   EXPECT_EQ(json["timing"]["loops"][0]["label"], "move");
   EXPECT_EQ(json["timing"]["ranks"].get<int>(), 3);
+  for (const auto& [name, seconds] : {std::pair{"steps_s", 11.},
+                                      {"rows_s", 0.5},
+                                      {"frames_s", 0.25},
+                                      {"checkpoints_s", 0.125},
+                                      {"beside_s", 3.},
+                                      {"processors_s", 24.}}) {
+    EXPECT_EQ(json["timing"][name].get<double>(), seconds) << name;
+    EXPECT_STREQ(unit_of_timing(name), "s");
+  }
   EXPECT_EQ(json["timing"]["memory_bytes"].get<double>(), 5e8);
   EXPECT_EQ(json["checks"]["reached_the_end"], true);
   EXPECT_EQ(json["checks"]["energy_balance"].get<double>(), 0.01);

@@ -31,7 +31,8 @@ std::string finer_case()
 /// Without what a clock, a machine or the number of threads says.
 Json lasting(Json summary)
 {
-  for (const char* name : {"wall_s", "particle_steps_per_s", "seconds_per_step", "threads", "memory_bytes", "loops"})
+  for (const char* name : {"wall_s", "processors_s", "steps_s", "rows_s", "frames_s", "checkpoints_s", "beside_s", "particle_steps_per_s",
+                           "seconds_per_step", "threads", "memory_bytes", "loops"})
     summary["timing"].erase(name);
   for (const char* name : {"machine", "date"}) summary["text"].erase(name);
   return summary;
