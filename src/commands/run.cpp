@@ -6,8 +6,10 @@
 #include "core/interrupt.hpp"
 #include "core/ranks.hpp"
 #include "io/folder_lock.hpp"
+#include "io/scratch_folder.hpp"
 #include "io/tell.hpp"
 #include "jobs/outcome.hpp"
+#include "mesh/kept_meshes.hpp"
 #include "run_folder/summary_file.hpp"
 #include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -44,6 +46,9 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
   std::vector<simulation::RunRequest> fem;
   std::copy_if(all.begin(), all.end(), std::back_inserter(fem), is_fem);
   const bool side_by_side = fem.size() > 1 && options.jobs() > 1;
+  std::optional<io::ScratchFolder> scratch;
+  std::optional<mesh::KeptMeshes> meshes;
+  if (all.size() > 1) meshes.emplace(scratch.emplace().path());
   {
     simulation::Context context(options.threads, stopped);
     // A case that does not fit its mesh is refused before the first one runs.

@@ -5,6 +5,7 @@
 #include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
+#include "mesh/kept_meshes.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -67,7 +68,10 @@ void run_gmsh(const fs::path& geo, const fs::path& msh, int dim)
 template <int dim>
 Mesh<dim> mesh_by_gmsh(const fs::path& geo, const fs::path& msh, const std::string& key, const GmshFile* settings)
 {
-  run_gmsh(geo, msh, dim);
+  if (settings == nullptr)
+    kept_or_made(geo, msh, dim, [&] { run_gmsh(geo, msh, dim); });
+  else  // a user's geometry may take in other files
+    run_gmsh(geo, msh, dim);
   try {
     return settings == nullptr ? read_msh<dim>(msh) : read_msh<dim>(msh, *settings);
   } catch (const InputError& error) {

@@ -13,7 +13,7 @@ namespace berm::mesh {
 /// installed or fails.
 void run_gmsh(const std::filesystem::path& geo, const std::filesystem::path& msh, int dim);
 
-/// Runs it and reads what it made, by the settings of a user's file where there are some. Throws KeyError with the key that the geometry comes from where that cannot be
+/// Runs it, unless the same mesh is kept (kept_meshes.hpp), and reads what it made, by the settings of a user's file where there are some. Throws KeyError with the key that the geometry comes from where that cannot be
 /// used: the file is berm's own.
 template <int dim>
 Mesh<dim> mesh_by_gmsh(const std::filesystem::path& geo, const std::filesystem::path& msh, const std::string& key,

@@ -7,7 +7,9 @@
 #include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
+#include "io/scratch_folder.hpp"
 #include "io/tell.hpp"
+#include "mesh/kept_meshes.hpp"
 
 #include <chrono>
 #include <csignal>
@@ -93,6 +95,8 @@ private:
 
 void run_processes(const std::vector<Job>& jobs, int at_once, const Ended& ended)
 {
+  const io::ScratchFolder scratch;
+  const mesh::KeptMeshes meshes(scratch.path());
   std::map<std::size_t, ChildProcess> running;
   Waiting waiting(jobs, ended);
   bool stopping = false;
