@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -46,6 +47,7 @@ struct Launch {
   char* const* environment;
   const char* folder;
   int in, out, end_by;
+  const cpu_set_t* processors;  ///< null: those of its parent
   bool outlives;
   pid_t parent;
   const sigset_t* signals;
@@ -62,6 +64,7 @@ private:
   {
     for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
     if (sigprocmask(SIG_SETMASK, signals, nullptr) != 0 || setpgid(0, 0) != 0) return false;
+    if (processors != nullptr && sched_setaffinity(0, sizeof *processors, processors) != 0) return false;
     if (!outlives && prctl(PR_SET_PDEATHSIG, end_by) != 0) return false;
     if (!outlives && getppid() != parent) _exit(128 + end_by);  // it ended before this was asked for
     const int nothing = in < 0 ? open("/dev/null", O_RDONLY | O_CLOEXEC) : in;
@@ -95,6 +98,9 @@ ChildProcess::ChildProcess(const ChildStart& start) : end_by_(start.end_by)
 {
   const std::vector<std::string> environment = environment_with(start.environment);
   const std::vector<char*> words = pointers(start.words), variables = pointers(environment);
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  for (const int processor : start.processors) CPU_SET(processor, &allowed);
   sigset_t all, before;
   sigfillset(&all);
   const int opened = opened_messages(start.messages), out = opened < 0 ? start.out : opened;
@@ -105,6 +111,7 @@ ChildProcess::ChildProcess(const ChildStart& start) : end_by_(start.end_by)
                       start.in,
                       out,
                       start.end_by,
+                      start.processors.empty() ? nullptr : &allowed,
                       start.outlives,
                       getpid(),
                       &before};

@@ -16,6 +16,7 @@ struct ChildStart {
   int in = -1;                                ///< the open file that it reads; -1: nothing
   std::string folder = {};                    ///< where it works; "": here
   std::vector<std::string> environment = {};  ///< NAME=VALUE, where they differ from this program's
+  std::vector<int> processors = {};           ///< that it may use; none: all that this program may
   int end_by = SIGKILL;   ///< the signal that it gets where this program, however it ends, or the ChildProcess ends before it
   bool outlives = false;  ///< it gets none where this program ends
 };

@@ -10,7 +10,6 @@
 #include <sched.h>
 #include <string_view>
 #include <unistd.h>
-#include <vector>
 #ifdef __SSE2__
 #include <pmmintrin.h>
 #endif
@@ -93,6 +92,11 @@ int processor_count()
   const std::vector<int>& processors = allowed_processors();
   const int count = processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
   return std::max(1, static_cast<int>(std::min<Real>(count, processors_of_groups())));
+}
+
+std::vector<int> processors()
+{
+  return allowed_processors();
 }
 
 int usual_thread_count()

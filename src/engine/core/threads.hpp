@@ -2,11 +2,14 @@
 #pragma once
 
 #include <sched.h>
+#include <vector>
 
 namespace berm {
 
 /// The number of processors that this process may use.
 int processor_count();
+/// Which they are; none where the system does not say.
+std::vector<int> processors();
 /// Threads where none are asked for: OMP_NUM_THREADS, at most the processors; else all of them.
 int usual_thread_count();
 

@@ -94,7 +94,7 @@ std::vector<std::string> words_of(const Job& job)
     words.insert(words.end(), {"--resume", job.folder.string()});
   else
     words.insert(words.end(), {job.case_file.string(), "-o", job.folder.string(), "--force"});
-  if (!job.element) words.insert(words.end(), {"--threads", "1"});
+  if (!job.element) words.insert(words.end(), {"--threads", std::to_string(job.threads)});
   if (job.uncertainty) words.emplace_back("--uncertainty");
   if (!job.resume)
     for (const std::string& set : job.set) words.insert(words.end(), {"--set", set});

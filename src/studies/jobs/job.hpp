@@ -11,7 +11,7 @@
 
 namespace berm::jobs {
 
-/// One run of a case by a process of its own, on one thread.
+/// One run of a case by a process of its own.
 struct Job {
   std::filesystem::path case_file;
   std::vector<std::string> set;  ///< overrides KEY=VALUE
@@ -20,6 +20,7 @@ struct Job {
   bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
   bool element = false;          ///< element tests (berm element) instead of a run
   bool resume = false;           ///< from its last checkpoint (berm run --resume), where it goes_on
+  int threads = 1;               ///< not of element tests
 };
 
 /// The case with a mesh file that is found from any folder, where a job has a case file of its own.

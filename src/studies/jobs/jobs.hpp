@@ -40,7 +40,7 @@ void check_runner(const Runner& runner);
 /// Whether an earlier command handed runs over by that queue that were not collected yet.
 bool handed_over(const std::filesystem::path& queue);
 
-/// Runs the jobs, each by this program with --threads 1, and calls `ended` in this thread as each ends; by_time says which starts first. The output of a
+/// Runs the jobs, each by this program on one thread, the last local ones on what processors are left (ThreadShares), and calls `ended` in this thread as each ends; by_time says which starts first. The output of a
 /// job goes to FOLDER.messages, which is removed where it finishes. Ctrl-C (catch_interrupts) stops local processes and a command that is still
 /// at work, waits for them and starts no more; what a scheduler was given stays there. `ended` is called for each job all the same.
 ///

@@ -5,12 +5,16 @@
 #include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/threads.hpp"
+#include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
 #include "io/scratch_folder.hpp"
 #include "io/tell.hpp"
+#include "jobs/thread_shares.hpp"
 #include "mesh/kept_meshes.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fmt/format.h>
@@ -25,14 +29,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Starts the job, which is asked to stop where this program ends before it.
-ChildProcess start(const Job& job)
+/// Starts the job on these processors, all where there are none, which is asked to stop where this program ends before it.
+ChildProcess start(const Job& job, const std::vector<int>& processors)
 {
   std::vector<std::string> words = words_of(job);
   words.insert(words.begin(), "berm");
   io::make_folder(job.folder.parent_path());
   try {
-    return ChildProcess({.words = words, .program = "/proc/self/exe", .messages = messages_of(job).string(), .end_by = SIGTERM});
+    return ChildProcess(
+        {.words = words, .program = "/proc/self/exe", .messages = messages_of(job).string(), .processors = processors, .end_by = SIGTERM});
   } catch (const std::system_error& error) {
     throw RunError(fmt::format("no process can be started: {}", error.code().message()));
   }
@@ -46,6 +51,16 @@ JobEnd end_of(const Job& job, int status, bool stopped)
   return end.kind == JobEnd::Kind::failed && stopped ? JobEnd{} : end;
 }
 
+/// Of a case that cannot be read the job itself says so.
+int most_threads_of(const Job& job)
+{
+  try {
+    return job.element ? 1 : threads_worth(input::read_case(job.case_file, job.set));
+  } catch (const InputError&) {
+    return 1;
+  }
+}
+
 /// Jobs that have not begun, the longest first. One into whose folder another process still writes, as a run does whose parent was killed, waits for it, and then goes
 /// on from what that left.
 class Waiting {
@@ -53,6 +68,7 @@ public:
   Waiting(const std::vector<Job>& jobs, const Ended& ended) : jobs_(jobs), ended_(ended), order_(by_time(jobs)) {}
 
   bool empty() const { return order_.empty(); }
+  std::size_t count() const { return order_.size(); }
   /// The next one that can be started, and what to start for it; empty where there is none now.
   std::optional<std::pair<std::size_t, Job>> take()
   {
@@ -99,23 +115,27 @@ void run_processes(const std::vector<Job>& jobs, int at_once, const Ended& ended
   const mesh::KeptMeshes meshes(scratch.path());
   std::map<std::size_t, ChildProcess> running;
   Waiting waiting(jobs, ended);
+  ThreadShares shares(at_once, processors());
   bool stopping = false;
   while (true) {
     if (interrupted() && !stopping) {
       for (const auto& entry : running) entry.second.send(SIGTERM);
       stopping = true;
     }
-    while (!stopping && static_cast<int>(running.size()) < at_once) {
-      const std::optional<std::pair<std::size_t, Job>> next = waiting.take();
+    while (!stopping && shares.any_free()) {
+      const int threads = shares.for_next(waiting.count());
+      std::optional<std::pair<std::size_t, Job>> next = waiting.take();
       if (!next) break;
-      running.emplace(next->first, start(next->second));
+      auto& [number, job] = *next;
+      job.threads = threads > 1 ? std::min(threads, most_threads_of(job)) : 1;
+      running.emplace(number, start(job, shares.begin(number, job.threads)));
     }
     if (running.empty() && (stopping || waiting.empty())) break;
     // A signal does not end a wait, so each wait is short.
     std::vector<std::pair<std::size_t, int>> gone;
     for (auto& [job, process] : running)
       if (process.has_ended()) gone.emplace_back(job, process.wait());
-    for (const auto& [job, status] : gone) running.erase(job);
+    for (const auto& [job, status] : gone) running.erase(job), shares.end(job);
     for (const auto& [job, status] : gone) ended(job, end_of(jobs[job], status, stopping));
     if (gone.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
