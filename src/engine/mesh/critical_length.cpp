@@ -44,7 +44,7 @@ public:
         shear_(shear),
         bulk_(1 - 2 * shear * (1 - 1 / directions_)),
         inverse_root_(mesh.node_count(), 0),
-        moved_(mesh.node_count()),
+        moved_(mesh.node_count(), Vec<dim>::Zero()),
         volume_change_(mesh.cell_count())
   {
     cells_.reserve(mesh.cell_count());
@@ -148,7 +148,7 @@ Unknowns<dim> first_guess(const Mesh<dim>& mesh)
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (const Index node : mesh.nodes[cell]) weight[node] = std::max(weight[node], std::pow(smallest / mesh.height(cell), 4));
   std::mt19937 random;  // the same numbers each time
-  Unknowns<dim> guess(mesh.node_count());
+  Unknowns<dim> guess(mesh.node_count(), Vec<dim>::Zero());
   for (Index node = 0; node < mesh.node_count(); ++node)
     for (Real& x : guess[node]) x = weight[node] * (static_cast<Real>(random()) / std::mt19937::max() - 0.5);
   multiply<dim>(guess, 1 / std::sqrt(dot<dim>(guess, guess)));
@@ -194,7 +194,7 @@ Real critical_length(const Mesh<dim>& mesh, const Patches& patches, Real shear_r
   constexpr std::size_t max_steps = 100;
   constexpr Real tolerance = 0.01;
   Stiffness<dim> stiffness(mesh, patches, shear_ratio);
-  Unknowns<dim> here = first_guess(mesh), before(mesh.node_count(), Vec<dim>::Zero()), next(mesh.node_count());
+  Unknowns<dim> here = first_guess(mesh), before(mesh.node_count(), Vec<dim>::Zero()), next = before;
   std::vector<Real> diagonal, beside;
   for (;;) {
     stiffness.apply(here, next);
