@@ -223,10 +223,9 @@ void Run<Method>::frame()
   last_frame_ = state().time;
   {
     const Timer timer("wait for frames");
-    writer_.wait_for(in_hand_[1].piece);
+    writer_.wait_for(in_hand_[1 - last_in_hand_].piece);
   }
-  std::swap(in_hand_[0], in_hand_[1]);
-  auto& [made, piece] = in_hand_[0];
+  auto& [made, piece] = in_hand_[last_in_hand_ = 1 - last_in_hand_];
   {
     const Timer timer("make frames");
     made = method_.make_frame(std::move(made));
@@ -296,7 +295,8 @@ void Run<Method>::leave_results()
       clock_.wall(),    clock_.processors(), clock_.parts(), context_.threads(), model().mesh.cell_count(), state().step,
       method_.counts(), clock_.loops(),      memory};
   const RunOutcome outcome{history_->history(), finished_, held_forces_, checks, warnings_};
-  const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, in_hand_[0].frame, outcome, timing);
+  const std::string results =
+      write_results(request_, folder_, model(), state().rigid_bodies, in_hand_[last_in_hand_].frame, outcome, timing);
   if (!results.empty()) log_.result(results);
   spdlog::info("everything is in {}", folder_.path().string());
 }

@@ -81,7 +81,9 @@ private:
     run_folder::Frame<dim> frame;
     BigIndex piece = 0;  ///< that writes it
   };
-  std::array<FrameInHand, 2> in_hand_;  ///< the last frame and the one before it, whose memory the next one takes
+  std::array<FrameInHand, 2>
+      in_hand_;  ///< the last frame and the one before it, whose memory the next one takes; each stays where it is while it is written
+  std::size_t last_in_hand_ = 0;
   run_folder::Progress progress_;
   bool finished_ = false;
   BigIndex rows_ = 0;
