@@ -2,8 +2,9 @@
 #include "text/base64_zlib.hpp"
 
 #include <cstdint>
+#include <libdeflate.h>
+#include <memory>
 #include <new>
-#include <zlib.h>
 
 namespace berm::text {
 
@@ -27,10 +28,11 @@ std::string base64(std::string_view bytes)
 std::string packed(std::string_view bytes)
 {
   constexpr int level = 6;  // more takes much longer and saves 1 to 2 %
-  uLongf size = compressBound(bytes.size());
-  std::string stream(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), level) != Z_OK)
-    throw std::bad_alloc();  // there is enough room: memory is all that can be missing
+  using Compressor = std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)>;
+  thread_local const Compressor compressor(libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::string stream(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+  const std::size_t size = libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), stream.data(), stream.size());
   return base64(std::string_view(stream).substr(0, size));
 }
 
