@@ -63,6 +63,12 @@ struct PointStiffness {
   Real around;
 };
 
+PointStiffness elastic_point(const material::Elasticity& elastic)
+{
+  return {elastic_stiffness(elastic), elastic.lame * Vec<3>(1, 1, 0), p_wave_modulus(elastic)};
+}
+
+/// Of the elastic stiffness C and the law's D that with the viscosity eta and the least stiffness m, C - (1 - m)/(1 + eta) (C - D).
 template <class Law>
 PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint point)
 {
@@ -72,11 +78,11 @@ PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material
   update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), tangent, &around);
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
-  const Real elastic = viscosity + min_stiffness;
   const Vec<3> across = (Vec<3>(around[0], around[1], around[3]) + Vec<3>(tangent.row(2).transpose())) / 2;
-  return {((d + d.transpose()) / 2 + elastic * elastic_stiffness(law.elastic)) / (1 + viscosity),
-          (across + elastic * law.elastic.lame * Vec<3>(1, 1, 0)) / (1 + viscosity),
-          (around[2] + elastic * p_wave_modulus(law.elastic)) / (1 + viscosity)};
+  const PointStiffness elastic = elastic_point(law.elastic);
+  const Real lost = (1 - min_stiffness) / (1 + viscosity);
+  return {elastic.plane - lost * (elastic.plane - (d + d.transpose()) / 2), elastic.across - lost * (elastic.across - across),
+          elastic.around - lost * (elastic.around - around[2])};
 }
 
 /// Strain (e_xx, e_yy, gamma_xy) per displacement of the nodes (x, y, x, y, ...): the B-matrix.
@@ -102,12 +108,19 @@ HoopStrain hoop_strain(const ShapeAtPoint& shape)
   return h;
 }
 
-SymTensor<2> strain_of(const ShapeAtPoint& shape, const StrainMatrix& b, const AtSixNodes<Index>& nodes, const std::vector<Real>& change)
+[[gnu::always_inline]] inline SymTensor<2> strain_of(const ShapeAtPoint& shape, const AtSixNodes<Index>& nodes,
+                                                     const std::vector<Real>& change)
 {
-  Eigen::Matrix<Real, 12, 1> moved;
-  for (int k = 0; k < 12; ++k) moved[k] = change[2 * nodes[k / 2] + k % 2];
-  const Eigen::Vector3d strain = b * moved;
-  return {{strain[0], strain[1], shape.per_radius > 0 ? hoop_strain(shape).dot(moved) : 0, strain[2] / 2}};
+  SymTensor<2> strain{};
+  for (int k = 0; k < 6; ++k) {
+    const Real x = change[2 * nodes[k]], y = change[2 * nodes[k] + 1];
+    const Vec<2>& gradient = shape.gradient[k];
+    strain[0] += gradient[0] * x;
+    strain[1] += gradient[1] * y;
+    strain[2] += shape.value[k] * shape.per_radius * x;
+    strain[3] += (gradient[1] * x + gradient[0] * y) / 2;
+  }
+  return strain;
 }
 
 /// The law at an integration point for increments that begin with an effective stress.
@@ -123,6 +136,7 @@ material::PreparedMaterial law_from(const FemModel& model, const SymTensor<2>& s
 /// expensive. Its strength may be that of another stress (update_strength).
 struct Assembly::PointLaw {
   SymTensor<2> begin{{nan}};  ///< Pa, effective
+  SymTensor<2> at;            ///< Pa, effective: that of the strength
   material::PreparedMaterial law;
 };
 
@@ -135,6 +149,7 @@ Assembly::Assembly(const FemModel& model)
     : model_(model),
       cells_(model.mesh.nodes.size()),
       stiffness_(model.mesh.nodes.size()),
+      elastic_(model.mesh.nodes.size(), 0),
       flow_(model.flow.water.size()),
       flow_stiffness_(model.flow.water.size()),
       points_(model.mesh.nodes.size()),
@@ -142,7 +157,6 @@ Assembly::Assembly(const FemModel& model)
       contact_(model.contact.size()),
       soil_residual_(model.unknowns()),
       residual_(model.unknowns()),
-      matrix_(model.pattern.entry_count()),
       initial_imbalance_(model.unknowns(), 0.),
       prescribed_(model.unknowns())
 {
@@ -200,17 +214,22 @@ const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Inde
 {
   PointLaw& made = laws_->now[cell][q];
   if (!std::equal(begin.c, begin.c + tensor_size<2>, made.begin.c)) {
-    made.begin = begin;
+    made.begin = made.at = begin;
     made.law = law_from(model_, begin, cell, q);
   }
   return made;
 }
 
-void Assembly::update_strength()
+void Assembly::update_strength(Real part)
 {
   laws_->before = laws_->now;
   for_each("follow strength", cells_.size(), [&](Index cell) {
-    for (int q = 0; q < triangle_points; ++q) laws_->now[cell][q].law = law_from(model_, effective_stress(points_[cell][q], cell), cell, q);
+    for (int q = 0; q < triangle_points; ++q) {
+      PointLaw& of_point = laws_->now[cell][q];
+      const SymTensor<2> end = effective_stress(points_[cell][q], cell);
+      for (int k = 0; k < 4; ++k) of_point.at[k] += part * (end[k] - of_point.at[k]);
+      of_point.law = law_from(model_, of_point.at, cell, q);
+    }
   });
 }
 
@@ -237,7 +256,7 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
       const std::optional<Real> strength = shear_strength(material, (s1 + s3) / 2, points_[cell][q].law_state.data());
       if (!strength) continue;
       SymTensor<2> returned = effective_stress(begin.points[cell][q], cell);
-      add_elastic_stress(elastic, returned, strain_of(shape, strain_matrix(shape), model_.mesh.nodes[cell], change));
+      add_elastic_stress(elastic, returned, strain_of(shape, model_.mesh.nodes[cell], change));
       for (int k = 0; k < 4; ++k) returned[k] -= end[k];
       const auto [r1, r3] = extreme_stresses(returned);
       const Real flow = shape.area * (r1 - r3) / (2 * elastic.shear), shear = (s1 - s3) / 2;
@@ -251,42 +270,63 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
 void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell)
 {
   CellWork& work = cells_[cell];
-  Eigen::Map<Eigen::Matrix<Real, 12, 1>, Eigen::Unaligned> force(work.force.data());
-  force.setZero();
+  work.force.fill(0);
   work.work = 0;
   for (int q = 0; q < triangle_points; ++q) {
-    const Vec<2> weight = model_.density_at(cell, q) * gravity;
+    const Vec<2> weight = model_.density[cell][q] * gravity;
     const ShapeAtPoint& shape = model_.shape[cell][q];
-    const StrainMatrix b = strain_matrix(shape);
-    const SymTensor<2> strain = strain_of(shape, b, model_.mesh.nodes[cell], change);
+    const SymTensor<2> strain = strain_of(shape, model_.mesh.nodes[cell], change);
     SoilPoint& point = points_[cell][q];
-    point = with_effective_stress(begin.points[cell][q], cell);
+    point = begin.points[cell][q];
+    const SymTensor<2> effective = effective_stress(point, cell);
+    if (model_.flow.in(cell)) point.stress = effective;
     SymTensor<2> mean;
     std::visit(
         [&](const auto& law) {
           update_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
-        law_of_point(effective_stress(begin.points[cell][q], cell), cell, q).law);
+        law_of_point(effective, cell, q).law);
     if (model_.flow.in(cell)) set_pressure(point, pressure_at_end(corner_shape(shape), flow_increment(begin, change, cell)), cell);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
     work.work += shape.area * double_dot(mean, strain);
-    force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
-    if (shape.per_radius > 0) force += shape.area * point.stress[2] * hoop_strain(shape);
-    for (int k = 0; k < 6; ++k) force.segment<2>(2 * k) -= shape.area * shape.value[k] * weight;
+    const SymTensor<2>& stress = point.stress;
+    for (int k = 0; k < 6; ++k) {
+      const Vec<2>& gradient = shape.gradient[k];
+      const Real value = shape.value[k];
+      work.force[2 * k] +=
+          shape.area * (gradient[0] * stress[0] + gradient[1] * stress[3] + value * (shape.per_radius * stress[2] - weight[0]));
+      work.force[2 * k + 1] += shape.area * (gradient[1] * stress[1] + gradient[0] * stress[3] - value * weight[1]);
+    }
   }
   if (model_.flow.in(cell)) flow_[cell] = water_balance(model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
 }
 
+/// Whether all stresses of an element that were evaluated last are elastic, as viscosity tells: it moves every other.
+bool Assembly::is_elastic(Real viscosity, Index cell) const
+{
+  if (!(viscosity > 0)) return false;
+  for (int q = 0; q < triangle_points; ++q) {
+    const bool constant =
+        std::visit([](const auto& law) { return has_constant_moduli<std::decay_t<decltype(law)>>(); }, laws_->now[cell][q].law);
+    if (!constant || points_[cell][q].overstress > 0) return false;
+  }
+  return true;
+}
+
 void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell)
 {
+  const bool elastic = is_elastic(viscosity, cell);
+  if (elastic && elastic_[cell] != 0 && !model_.flow.in(cell)) return;
+  elastic_[cell] = static_cast<char>(elastic);
   Eigen::Matrix<Real, 12, 12> stiffness = Eigen::Matrix<Real, 12, 12>::Zero();
   for (int q = 0; q < triangle_points; ++q) {
     const ShapeAtPoint& shape = model_.shape[cell][q];
     const StrainMatrix b = strain_matrix(shape);
-    const SymTensor<2> strain = strain_of(shape, b, model_.mesh.nodes[cell], change);
+    const SymTensor<2> strain = strain_of(shape, model_.mesh.nodes[cell], change);
     const SoilPoint& point = begin.points[cell][q];
     const PointStiffness d = std::visit(
         [&](const auto& law) {
+          if (elastic) return elastic_point(law.elastic);
           return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]},
                                     with_effective_stress(point, cell));
         },
@@ -391,17 +431,22 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
 void Assembly::differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity)
 {
   for_each("differentiate elements", cells_.size(), [&](Index cell) { differentiate_cell(begin, change, viscosity, cell); });
+}
+
+std::vector<Real> Assembly::matrix() const
+{
   const Timer timer("assemble");
-  std::fill(matrix_.begin(), matrix_.end(), 0.);
+  std::vector<Real> matrix(model_.pattern.entry_count(), 0.);
   for (Index cell = 0; cell < cells_.size(); ++cell)
-    for (int k = 0; k < 78; ++k) matrix_[model_.cell_entries[cell][k]] += stiffness_[cell][k];
+    for (int k = 0; k < 78; ++k) matrix[model_.cell_entries[cell][k]] += stiffness_[cell][k];
   for (Index cell = 0; cell < model_.flow.entries.size(); ++cell)
     if (model_.flow.in(cell))
-      for (int k = 0; k < pressure_entries; ++k) matrix_[model_.flow.entries[cell][k]] += flow_stiffness_[cell][k];
+      for (int k = 0; k < pressure_entries; ++k) matrix[model_.flow.entries[cell][k]] += flow_stiffness_[cell][k];
   const SparsePattern& pattern = model_.pattern;
   for (Index row = 0; row < pattern.size(); ++row)
     for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k)
-      if (prescribed_[row] || prescribed_[pattern.column[k]]) matrix_[k] = pattern.column[k] == row ? 1 : 0;
+      if (prescribed_[row] || prescribed_[pattern.column[k]]) matrix[k] = pattern.column[k] == row ? 1 : 0;
+  return matrix;
 }
 
 Vec<2> Assembly::reaction() const
@@ -443,7 +488,7 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
   for (Index cell = 0; cell < cells_.size(); ++cell)
     for (int q = 0; q < triangle_points; ++q) {
       const ShapeAtPoint& shape = model_.shape[cell][q];
-      const Real density = model_.density_at(cell, q);
+      const Real density = model_.density[cell][q];
       for (int k = 0; k < 6; ++k)
         for (int d = 0; d < 2; ++d)
           totals.external += shape.area * shape.value[k] * density * gravity[d] * change[2 * model_.mesh.nodes[cell][k] + d];

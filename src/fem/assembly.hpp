@@ -44,17 +44,19 @@ public:
   /// so that soil at yield keeps a stiffness; what lies outside the law's surface is the overstress.
   void evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity);
 
-  /// Computes the soil's tangent matrix at the last evaluation, from the same arguments.
+  /// Computes the tangents of the elements at the last evaluation, from the same arguments. Where soil is elastic they have the same bits always.
   void differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity);
 
   /// internal - external forces by unknown, N/m, and the balance of the water (water_balance); not zeroed where the unknown is prescribed.
   const std::vector<Real>& residual() const { return residual_; }
   /// The residual without the forces of the contact points.
   const std::vector<Real>& soil_residual() const { return soil_residual_; }
-  /// Derivative of the soil's residual with respect to the unknowns, in the model's pattern, of the last differentiate();
-  /// its symmetric part where soil is about to open or close, elsewhere it is symmetric. Rows and columns of prescribed
+  /// The tangents of the elements of the last differentiate(): their symmetric part where soil is about to open or close, elsewhere they are symmetric.
+  const CellField<CellStiffness>& stiffness() const { return stiffness_; }
+  /// Derivative of the soil's residual with respect to the unknowns, in the model's pattern: the sum of these. Rows and columns of prescribed
   /// unknowns are those of the identity.
-  const std::vector<Real>& matrix() const { return matrix_; }
+  std::vector<Real> matrix() const;
+  const std::vector<char>& prescribed() const { return prescribed_; }
   bool prescribed(Index unknown) const { return prescribed_[unknown]; }
   /// The excess pore pressure at the end of the increment of an unknown that is prescribed, Pa: that of the water outside.
   Real outside_pressure(Index unknown) const { return outside_.empty() ? 0 : outside_[unknown - model_.pressure_unknown()]; }
@@ -64,9 +66,9 @@ public:
   Real unbalanced_flow() const { return unbalanced_flow_; }
   Real contact_force() const { return contact_force_; }
 
-  /// Updates the strength of the associated laws to the stresses last evaluated, for the next evaluations from the same
+  /// Moves the stresses whose strength the associated laws have by a part of the way to those last evaluated, for the next evaluations from the same
   /// `begin`.
-  void update_strength();
+  void update_strength(Real part);
   /// Undoes the last update_strength; evaluate again afterwards.
   void undo_strength_update();
   /// Resets the strength to the stresses of `begin`.
@@ -95,6 +97,7 @@ public:
 private:
   void evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell);
   void differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell);
+  bool is_elastic(Real viscosity, Index cell) const;
   void add_contact(const FemState& begin, const std::vector<Real>& change);
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
   void prescribe_unknowns(const FemLoads& loads, Index stage);
@@ -116,13 +119,14 @@ private:
   };
   const FemModel& model_;
   CellField<CellWork> cells_;
-  CellField<std::array<Real, 78>> stiffness_;  ///< of each element: its lower triangle, row by row
+  CellField<CellStiffness> stiffness_;
+  CellField<char> elastic_;  ///< the tangent of the last differentiate() is the elastic one
   CellField<CellFlow> flow_;
   CellField<std::array<Real, pressure_entries>> flow_stiffness_;
   CellField<std::array<SoilPoint, triangle_points>> points_;
   std::unique_ptr<PointLaws> laws_;
   std::vector<FemContactState> contact_;
-  std::vector<Real> soil_residual_, residual_, matrix_, initial_imbalance_;
+  std::vector<Real> soil_residual_, residual_, initial_imbalance_;
   std::vector<char> prescribed_;
   std::vector<Real> outside_;  ///< Pa, by pressure; empty where there is no head
   Real unbalanced_ = 0, contact_force_ = 0, unbalanced_flow_ = 0;

@@ -178,6 +178,7 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
   const Real gravity = -model.model.gravity[1];
   model.shape.assign(model.mesh.nodes.size());
   model.depth.assign(model.mesh.nodes.size());
+  model.density.assign(model.mesh.nodes.size());
   model.cell_size.assign(model.mesh.nodes.size());
   state.points.assign(model.mesh.nodes.size());
   for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
@@ -195,10 +196,11 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
       }
       model.depth[cell][q] = model.model.soil_depth(x);
       const problem::BodySoil& soil = model.soil_of(cell);
+      model.density[cell][q] = density(soil.materials[soil.material_index_at(model.region_of(cell), model.depth[cell][q])]);
       refuse_no_strength(soil, model.region_of(cell), model.depth[cell][q], model.model.bodies[body].name);
       state.points[cell][q].stress =
           soil.layers.empty()
-              ? bodies::initial_stress<2>(c.body[body].second, model.density_at(cell, q) * gravity, model.depth[cell][q])
+              ? bodies::initial_stress<2>(c.body[body].second, model.density[cell][q] * gravity, model.depth[cell][q])
               : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), model.depth[cell][q])) * gravity,
                                           model.depth[cell][q]);
     }
@@ -206,7 +208,7 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
   for (Real& size : model.cell_size) size = std::sqrt(size);
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
     for (int q = 0; q < triangle_points; ++q)
-      model.weight += model.shape[cell][q].area * model.density_at(cell, q) * model.model.gravity.norm();
+      model.weight += model.shape[cell][q].area * model.density[cell][q] * model.model.gravity.norm();
 }
 
 /// Gives the state variables of their law to points that have their stress.

@@ -42,6 +42,9 @@ inline Matrix<2> jacobian(const AtSixNodes<Vec<2>>& x, const Vec<2>& at)
   return sum;
 }
 
+/// Stiffness of an element: the lower triangle of its 12 x 12 entries, row by row.
+using CellStiffness = std::array<Real, 78>;
+
 /// Integration points of a 6-node triangle: three, exact for polynomials of degree 2 on straight sides; with three the
 /// element does not lock at constant volume.
 constexpr int triangle_points = 3;

@@ -26,9 +26,10 @@ struct FemModel {
   problem::Model<2> model;  ///< its mesh is that of the corners
   QuadraticMesh mesh;
   CellField<std::array<ShapeAtPoint, triangle_points>> shape;
-  CellField<Real> cell_size;                           ///< m, root of the element's area
-  CellField<std::array<Real, triangle_points>> depth;  ///< m, of the integration points below the bed's surface at the start
-  Index rigid = none;                                  ///< the rigid body in contact with the soil
+  CellField<Real> cell_size;                             ///< m, root of the element's area
+  CellField<std::array<Real, triangle_points>> density;  ///< kg/m3, at the integration points, that gives the weight
+  CellField<std::array<Real, triangle_points>> depth;    ///< m, of the integration points below the bed's surface at the start
+  Index rigid = none;                                    ///< the rigid body in contact with the soil
   std::vector<FemContactPoint> contact;
   FemInterface interface;  ///< but for its friction and adhesion, which are those of the point
   problem::AdhesionLaw adhesion_law;
@@ -49,12 +50,6 @@ struct FemModel {
   material::Material soil_at(Index cell, int q) const
   {
     return in_cells_of(soil_of(cell).at(region_of(cell), depth[cell][q]), model.mesh.size(cell));
-  }
-  /// The density there that gives the weight, kg/m3.
-  Real density_at(Index cell, int q) const
-  {
-    const problem::BodySoil& soil = soil_of(cell);
-    return density(soil.materials[soil.material_index_at(region_of(cell), depth[cell][q])]);
   }
   const problem::BodySoil& soil_of(Index cell) const { return model.bodies[mesh.body[cell]].soil; }
   const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }

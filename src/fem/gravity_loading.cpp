@@ -36,7 +36,7 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
     for (int q = 0; q < triangle_points; ++q) {
       const ShapeAtPoint& shape = model.shape[cell][q];
       const problem::GroundElasticity ground = ground_at(cell, q);
-      const Real density = model.density_at(cell, q);
+      const Real density = model.density[cell][q];
       int entry = 0;
       for (int i = 0; i < 12; ++i) {
         unknowns[2 * nodes[i / 2] + i % 2] += shape.area * shape.value[i / 2] * density * model.model.gravity[i % 2];

@@ -11,13 +11,14 @@ namespace berm::fem {
 namespace {
 
 constexpr Real release_viscosity = 0.1;
-constexpr Real first_travel = 2e-4;        // of the width, in the first increment of a stage
-constexpr Real loose = 10;                 // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
-constexpr Real min_growth = 5e-3;          // of the width: an increment of this travel is never too long for the pressure that it brings
-constexpr Real pressure_change = 0.02;     // of the contact force, in one increment
-constexpr Real max_lag = 0.01;             // of what plastic flow dissipates: strength that is less behind its pressure follows no further
-constexpr int max_passes = 4;              // in which the equilibrium of an increment is found, each with the strength of the one before
-constexpr Real max_lag_left = 0.7;         // a pass that leaves more of the lag is the last
+constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
+constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
+constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
+constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
+constexpr Real max_lag = 0.01;          // of what plastic flow dissipates: strength that is less behind its pressure follows no further
+constexpr int max_passes = 4;           // in which the equilibrium of an increment is found, each with the strength of the one before
+constexpr Real strength_part = 0.7;  // of the way to the strength just found, at least: all of it swings from side to side in a steady drag
+constexpr Real max_lag_left = 0.8;   // a pass that leaves more of the lag is the last
 constexpr Real max_pressure_error = 5e-5;  // of an increment, over the largest pressures of the stage, root mean squares of both
 constexpr Real min_first_dt = 1e-3;  // of an increment where no water flows; none where the body moves, whose travel limits the increments
 constexpr Real max_overstress = 0.05;                          // of the stress of soil at yield
@@ -228,13 +229,15 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
   last_iterations_ = end.iterations;
   if (!model_.non_associated) return end;
   end.lag = assembly.strength_lag(state_, change);
+  Real part = strength_part;
   for (int pass = 1; pass < max_passes && end.converged && std::abs(end.lag.part()) > max_lag; ++pass) {
     const std::vector<Real> before = change;
-    assembly.update_strength();
+    assembly.update_strength(part);
     IncrementEnd next = newton_.find_equilibrium(state_, loads, viscosity, change);
     const int iterations = end.iterations + next.iterations;
     next.lag = assembly.strength_lag(state_, change);
-    const Real left = std::abs(next.lag.part() / end.lag.part());
+    const Real ratio = next.lag.part() / end.lag.part(), left = std::abs(ratio);
+    part = std::clamp(part / (1 - ratio), strength_part, Real(1));  // where the lag would vanish, along its chord
     if (!next.converged || left > 1) {
       change = before;
       assembly.undo_strength_update();

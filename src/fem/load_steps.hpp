@@ -16,8 +16,8 @@ struct NoEquilibrium : RunError {
 /// lets the next grow. Each starts from the last one's change, scaled. The viscosity eta of an increment (Assembly::evaluate) is relaxation over
 /// travel, so that the overstress belongs to the speed of the strain and not to the size of the increments; the relaxation falls while increments
 /// converge quickly, and rises where they do not. Where the strength follows the pressure (associated()), the equilibrium of an increment is found again
-/// with the strength at its end until that lags by a hundredth at most (StrengthLag), and an increment in which the contact force changes by more than a
-/// fiftieth makes the next shorter. Where water flows, the error of the pressures in an increment limits the next.
+/// with a strength 0.7 of the way to that at its end, or more, until that lags by a hundredth at most (StrengthLag), and an increment in which the contact
+/// force changes by more than a fiftieth makes the next shorter. Where water flows, the error of the pressures in an increment limits the next.
 class LoadSteps {
 public:
   LoadSteps(const FemModel& model, FemState& state);

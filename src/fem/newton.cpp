@@ -19,9 +19,10 @@ Newton::Newton(const FemModel& model)
     : model_(model),
       assembly_(model),
       contact_(model),
-      solver_(model.pattern, contact_.unknowns(), model.flow.count > 0 ? MatrixKind::indefinite : MatrixKind::positive_definite),
+      solver_(std::in_place_type<FrontalSolver>, model.mesh, model.unknowns(), contact_.unknowns()),
       min_force_(std::max(1e-3 * model.weight, 1e-300))
 {
+  if (model.flow.count > 0) solver_.emplace<DirectSolver>(model.pattern, contact_.unknowns(), MatrixKind::indefinite);
   for (const std::vector<NodalLoad>& loads : model.loads)
     for (const NodalLoad& load : loads) min_force_ += 1e-3 * load.force.norm();
   for (std::size_t h = 0; h < model.mesh.head_nodes.size(); ++h) {
@@ -53,12 +54,23 @@ bool Newton::set_step(const FemState& begin, const FemLoads& loads, const std::v
   return moves_as_prescribed;
 }
 
+/// False where the matrix is singular.
+bool Newton::factorize()
+{
+  if (auto* frontal = std::get_if<FrontalSolver>(&solver_)) return frontal->factorize(assembly_.stiffness(), assembly_.prescribed());
+  return std::get<DirectSolver>(solver_).factorize(assembly_.matrix());
+}
+
 /// From the right-hand side to the step.
 void Newton::find_step(const FemState& begin, const std::vector<Real>& change)
 {
-  if (contact_.unknowns().empty()) return solver_.solve(step_);
-  contact_.find(begin, change, assembly_, solver_.kept_matrix(), solver_.condense(step_));
-  solver_.expand(step_);
+  std::visit(
+      [&](auto& solver) {
+        if (contact_.unknowns().empty()) return solver.solve(step_);
+        contact_.find(begin, change, assembly_, solver.kept_matrix(), solver.condense(step_));
+        solver.expand(step_);
+      },
+      solver_);
 }
 
 Real Newton::slope() const
@@ -109,7 +121,7 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
     if (end.converged || end.iterations == max_iterations || !std::isfinite(end.unbalance)) return end;
     if (!(end.unbalance < fast * last)) {
       assembly_.differentiate(begin, change, viscosity);
-      if (!solver_.factorize(assembly_.matrix())) return end;
+      if (!factorize()) return end;
     }
     last = end.unbalance;
     find_step(begin, change);

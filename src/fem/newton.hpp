@@ -2,6 +2,9 @@
 #pragma once
 
 #include "fem/contact_step.hpp"
+#include "fem/frontal_solver.hpp"
+
+#include <variant>
 
 namespace berm::fem {
 
@@ -28,12 +31,16 @@ public:
   IncrementEnd find_equilibrium(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);
 
   /// Bytes that the iteration takes beside what it has had since it was made.
-  Real memory_to_come() const { return solver_.memory(); }
+  Real memory_to_come() const
+  {
+    return std::visit([](const auto& solver) { return solver.memory(); }, solver_);
+  }
 
   Assembly& assembly() { return assembly_; }
   const Assembly& assembly() const { return assembly_; }
 
 private:
+  bool factorize();
   bool set_step(const FemState& begin, const FemLoads& loads, const std::vector<Real>& change);
   void find_step(const FemState& begin, const std::vector<Real>& change);
   Real slope() const;
@@ -42,8 +49,8 @@ private:
   const FemModel& model_;
   Assembly assembly_;
   ContactStep contact_;
-  DirectSolver solver_;
-  Real min_force_;  ///< N/m, that unbalanced forces are compared with at least
+  std::variant<FrontalSolver, DirectSolver> solver_;  ///< the second where water flows: it finds pivots
+  Real min_force_;                                    ///< N/m, that unbalanced forces are compared with at least
   std::vector<Real> step_;
 };
 

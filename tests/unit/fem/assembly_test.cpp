@@ -65,10 +65,11 @@ TEST_P(MatrixOf, is_the_derivative_of_the_soils_residual_and_the_identity_where_
   Assembly assembly(model);
   assembly.evaluate(problem.state, change, loads, GetParam().viscosity);
   assembly.differentiate(problem.state, change, GetParam().viscosity);
+  const std::vector<Real> entries = assembly.matrix();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
   for (Index row = 0; row < n; ++row)
     for (Index k = model.pattern.first[row]; k < model.pattern.first[row + 1]; ++k)
-      matrix(row, model.pattern.column[k]) = matrix(model.pattern.column[k], row) = assembly.matrix()[k];
+      matrix(row, model.pattern.column[k]) = matrix(model.pattern.column[k], row) = entries[k];
   // The matrix keeps a millionth of the elastic stiffness (entries up to some 5e6 N/m2) of which the residual knows nothing. Central differences are off by
   // rounding of 1e-11 N/m over the step, 1e-3, and by the square of the step over the strain increments.
   constexpr Real step = 1e-8, allowed = 20;
@@ -341,13 +342,33 @@ TEST(Assembly, strength_that_follows_the_pressure_of_the_increment_lags_no_more)
     EXPECT_NEAR(lag.part(), 580 / strength - 1, 1e-9);
   };
   expect_strength(500);
-  assembly.update_strength();
+  assembly.update_strength(1);
   expect_strength(580);
   assembly.undo_strength_update();
   expect_strength(500);
-  assembly.update_strength();
+  assembly.update_strength(0.5);
+  expect_strength(540);
+  assembly.update_strength(0.5);
+  expect_strength(560);
+  assembly.undo_strength_update();
+  expect_strength(540);
   assembly.reset_strength();
   expect_strength(500);
+}
+
+TEST(Assembly, tangents_of_elastic_soil_keep_their_bits)
+{
+  FemProblem problem = fem_problem_of(block_of(plastic_soil(1e3, 30, 0)));
+  Assembly assembly(problem.model);
+  const auto stiffness_after = [&](Real shear, Real viscosity) {
+    const auto change = change_of(problem.model, [&](const Vec<2>& x) { return Vec<2>(shear * x[1], 0); });
+    assembly.evaluate(problem.state, change, {}, viscosity);
+    assembly.differentiate(problem.state, change, viscosity);
+    return assembly.stiffness()[0];
+  };
+  const CellStiffness first = stiffness_after(1e-5, 1e-3);
+  EXPECT_NE(stiffness_after(1e-2, 1e-3), first);  // flows
+  EXPECT_EQ(stiffness_after(2e-5, 1e-2), first);
 }
 
 TEST(Assembly, soil_that_does_not_flow_has_no_lag_of_strength)

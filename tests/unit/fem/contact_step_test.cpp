@@ -64,10 +64,11 @@ struct Block {
   {
     const FemModel& model = problem.model;
     const Index n = model.unknowns();
+    const std::vector<Real> entries = assembly.matrix();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
     for (Index row = 0; row < n; ++row)
       for (Index k = model.pattern.first[row]; k < model.pattern.first[row + 1]; ++k)
-        matrix(row, model.pattern.column[k]) = matrix(model.pattern.column[k], row) = assembly.matrix()[k];
+        matrix(row, model.pattern.column[k]) = matrix(model.pattern.column[k], row) = entries[k];
     Eigen::VectorXd out = matrix * Eigen::Map<const Eigen::VectorXd>(step.data(), n);
     for (Index k = 0; k < n; ++k) out[k] += assembly.soil_residual()[k];
     std::vector<Real> moved = change;
