@@ -173,7 +173,7 @@ TEST_F(Library, resumes_a_run_that_was_stopped_to_the_same_bytes)
   }
   EXPECT_NE(test::error_of<InputError>([&] { OneRun(path("case.toml"), into("parts")); }).find("holds a run"), std::string::npos);
   OneRun run = OneRun::resume(path("parts"));
-  EXPECT_GE(run.steps(), 300);
+  EXPECT_GE(run.steps(), 150);
   run.finish();
   EXPECT_TRUE(run.finished());
   expect_same_run("whole", "parts");

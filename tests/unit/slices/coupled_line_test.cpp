@@ -47,6 +47,7 @@ TEST(CoupledLine, that_hardly_bends_moves_as_one_pipe_of_its_mass_under_the_same
 
   problem::Case c = test::line_case();
   c.pipeline.reset();
+  c.mpm.courant = 0.5;  // as a line has it
   problem::StageSettings& alone = c.stage.back();
   alone.kind = problem::StageKind::drive;
   alone.drive.x.force = *alone.pipeline.lateral;
