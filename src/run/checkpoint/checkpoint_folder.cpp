@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <fmt/format.h>
+#include <memory>
 
 namespace berm::checkpoint {
 namespace {
@@ -57,7 +58,13 @@ std::function<void()> CheckpointFolder::begin(BigIndex step, const Contents& con
   io::make_inner_folder(path_.parent_path(), path_.filename());
   const fs::path file = path_ / fmt::format("{}{}{}", begin_of_name, step, end_of_name);
   begin_checkpoint(file, contents);
-  return [this, file] {
+  // Its temporary file goes with what was to finish it: where a file before it cannot be written, nobody does.
+  const std::shared_ptr<const fs::path> part(new fs::path(io::part_of(file)), [](const fs::path* path) {
+    std::error_code ignored;
+    fs::remove(*path, ignored);
+    delete path;
+  });
+  return [this, file, part] {
     finish_checkpoint(file);
     std::error_code error;
     for (const fs::path& other : files())
