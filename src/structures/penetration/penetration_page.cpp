@@ -26,6 +26,12 @@ std::string angle_of(Real radians)
   return text::short_number(radians / degree) + "°";
 }
 
+Real value_of(const PenetrationRun& run, const std::string& name)
+{
+  const run_folder::Quantity* quantity = run.record.quantity(name);
+  return quantity == nullptr ? nan : quantity->value;
+}
+
 /// "8.3 ± 1.1" of a quantity that has a band; "" without one.
 std::string converged_of(const PenetrationRun& run, const std::string& quantity)
 {
@@ -71,6 +77,21 @@ std::string steady_words(const PenetrationRun& run)
   return fmt::format("It is <strong>not steady</strong>: over that travel it {} by {} (steady: less than {}).",
                      last.change > 0 ? "grows" : "falls", text::percent_words(std::abs(last.change)),
                      text::percent_words(LastTravel::max_change));
+}
+
+/// Whether an open cavity lies above a body around which soil shall flow.
+bool cavity_is_open(const PenetrationRun& run)
+{
+  return value_of(run, "soil_above") < closed_soil;
+}
+
+std::string cavity_words(const PenetrationRun& run)
+{
+  if (!cavity_is_open(run)) return "";
+  return fmt::format(" The cavity above the {} is <strong>still open</strong>: soil fills {} of the half width above it. Full flow is not "
+                     "reached, and the factor "
+                     "grows as the cavity closes: push deeper.",
+                     text::html_text(base::body_word(run.record.settings)), text::percent_words(value_of(run, "soil_above")));
 }
 
 /// What the factor is made of, at the end of the way.
@@ -120,12 +141,6 @@ std::string area_words(const PenetrationRun& run)
   const bool plane = run.record.settings.force_dimension() == 2;
   const Real scale = plane ? 1 : run.area() < 0.1 ? 1e4 : 1;
   return fmt::format("{} {}", text::short_number(run.area() * scale), plane ? "m² per metre" : scale > 1 ? "cm²" : "m²");
-}
-
-Real value_of(const PenetrationRun& run, const std::string& name)
-{
-  const run_folder::Quantity* quantity = run.record.quantity(name);
-  return quantity == nullptr ? nan : quantity->value;
 }
 
 /// The measures of the body: its area over which V stands, its angle.
@@ -238,7 +253,7 @@ std::string penetration_words(const PenetrationRun& run, const base::DisplayUnit
   std::string words = fmt::format("Pushed until the {} is {} ({}) deep, the {} ({}) meets ", run.reading.level, in_D(run.z_end(), D),
                                   text::length_words(run.z_end()), name, body_words(run));
   if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.reading.resistance.html, text::stress_words(run.q().back()));
-  return words + last_words(run, shown) + ". " + steady_words(run) + soil_words(run) + surface_words(run);
+  return words + last_words(run, shown) + ". " + steady_words(run) + cavity_words(run) + soil_words(run) + surface_words(run);
 }
 
 std::string penetration_key_results(const PenetrationRuns& runs, const std::string& id)
@@ -274,6 +289,7 @@ std::string penetration_published(const PenetrationRuns& runs, const std::string
     text::HtmlTable table(fmt::format("{}-published-{}", id, place++),
                           fmt::format("{}: exact and published values for its soil and depth", run.record.name));
     table.columns({{"quantity"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"kind"}, {"range of validity"}});
+    const bool open = cavity_is_open(run);
     for (const Comparison& c : run.reading.published(run)) {
       const formulas::Source& source = c.published.source;
       if (source.label == formulas::Label::recalled || !std::isfinite(c.published.value)) continue;
@@ -283,8 +299,9 @@ std::string penetration_published(const PenetrationRuns& runs, const std::string
                  {text::table_number(c.berm / c.published.value), true},
                  {text::html_text(citation(source)) + (c.about.empty() ? "" : "; " + c.about)},
                  {word_of(source.label)},
-                 {(c.published.valid ? "" : "out of range: ") + base::printed_range(source.range)}},
-                c.published.valid ? "" : "out_of_range");
+                 {(c.published.valid ? "" : "out of range: ") + base::printed_range(source.range) +
+                  (open ? "; out of range: the cavity above is open" : "")}},
+                c.published.valid && !open ? "" : "out_of_range");
     }
     if (!table.empty()) html += table.html();
   }

@@ -7,13 +7,46 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <ranges>
+#include <set>
 
 namespace berm::penetration {
 namespace {
 
 constexpr Real reached = 1e-3;  // of D: a stage that ends at a depth may stop this much short of it
 
+/// soil_above in the last frame in which the body is as deep as at the end of the push; empty without one, and of a body from which soil does not close above.
+std::optional<Real> soil_above_at_end(const PenetrationRun& run)
+{
+  constexpr Real same_depth = 0.05;  // of D
+  const problem::Case& c = run.record.settings;
+  if (!run.reading.flows_around || c.method != problem::Method::mpm || c.geometry == problem::Geometry::space) return {};
+  const std::vector<Real>&time = run.record.history["time_s"], &w = run.record.history["w_m"];
+  const Real D = run.body.width, x = center_of<2>(make_shape<2>(c.rigid[problem::main_rigid(c)].second.shape))[0];
+  try {
+    for (const run_folder::FrameFiles& frame : run_folder::frame_files(run.record.folder / "frames") | std::views::reverse) {
+      const auto row = std::lower_bound(time.begin(), time.end() - 1, frame.time * (1 - 1e-12)) - time.begin();
+      if (std::abs(w[row] - run.w_end()) < same_depth * D)
+        return soil_above(run_folder::read_soil(frame.soil), x, run.record.bed_surface().at(x) - w[row] + run.body.height, D);
+    }
+  } catch (const RunError&) {  // the film says which frame is damaged
+  }
+  return {};
+}
+
 }  // namespace
+
+Real soil_above(const run_folder::SavedSoil& soil, Real x, Real top, Real width)
+{
+  constexpr int columns = 3, rows = 6;  // of squares, on each side: half of its half width across, half a width up
+  const Real side = width / (2 * rows);
+  std::set<std::pair<int, int>> filled;
+  for (std::size_t k = 0; k < soil.x.size(); ++k) {
+    const Real column = std::floor(std::abs(soil.x[k] - x) / side), row = std::floor((soil.y[k] - top) / side);
+    if (column < columns && row >= 0 && row < rows) filled.emplace(static_cast<int>(column), static_cast<int>(row));
+  }
+  return static_cast<Real>(filled.size()) / (columns * rows);
+}
 
 std::string name_at(const std::string& what, Real over_D)
 {
@@ -39,6 +72,9 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
     add(name_at(q, part), run.q_at(z), "Pa", "resistance over the area; " + level);
     if (!N.empty()) add(name_at(N, part), run.factor_at(z), "1", "factor of the net resistance; " + level);
   }
+  add("soil_above", soil_above_at_end(run).value_or(nan), "1",
+      "part of the half width above the body that holds soil at the end of the push: 0 under an open cavity, 1 where the soil has closed",
+      quality);
   add("z_end", run.z_end(), "m", fmt::format("depth of the {} at the end of the push", reading.level), prescribed);
   add("z_end_over_D", run.z_end() / D, "1", fmt::format("depth of the {} at the end of the push", reading.level), ratio);
   add("area", run.area(), run.record.settings.force_dimension() == 2 ? "m" : "m2", "of the modelled part of the body on a level plane",
@@ -93,6 +129,7 @@ std::vector<std::string> penetration_names(const Reading& reading)
     for (const char* end : {"end", "change", "scatter", "steady"}) names.push_back(fmt::format("{}_{}", symbol, end));
     for (const char* end : {"", "_over_D"}) names.push_back(fmt::format("z_at_{}_steady{}", symbol, end));
   }
+  if (reading.flows_around) names.emplace_back("soil_above");
   if (reading.keeps_push)
     for (const char* name : {"V_at_H_max", "M_at_H_max", "V_at_H_max_over_As_u", "H_max_over_As_u", "M_at_H_max_over_ADs_u"})
       names.emplace_back(name);
@@ -103,7 +140,7 @@ bool is_of_reading(const std::string& name, const Reading& reading)
 {
   const auto begins = [&](const char* symbol) { return name.starts_with(std::string(symbol) + "_"); };
   return begins(reading.resistance.plain) || begins(reading.in_clay.plain) || begins(reading.in_sand.plain) || name.starts_with("z_") ||
-         name == "area" || name == "f_shaft_end";
+         name == "area" || name == "f_shaft_end" || name == "soil_above";
 }
 
 std::string log_csv(const PenetrationRun& run)

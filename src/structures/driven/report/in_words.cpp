@@ -139,24 +139,25 @@ std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, cons
   return words + ". " + stays;
 }
 
-/// Of the main drag on a slope: what the soil holds the body by along its ground, and what its weight does.
+/// Of the main drag on a slope: what the soil holds the body by along its ground when it begins to slide, and what its weight does.
 ///
 ///   T = H cos(b) - V sin(b), N = V cos(b) + H sin(b), with b the angle by which the ground rises in the direction of the drag.
-std::string slope_words(const DrivenRun& run, const DragPoint& end, const base::DisplayUnits& shown)
+std::string slope_words(const DrivenRun& run, const Resistance& resistance, const base::DisplayUnits& shown)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&run.settings.mesh);
   if (bed == nullptr || bed->slope == 0 || bed->trench || bed->step) return "";
-  const std::string name = run.results().main_drag().stage;
-  const auto stage = std::ranges::find(run.stages, name, &Stage::name);
-  if (stage == run.stages.end() || !std::isfinite(end.V)) return "";
-  const Real angle = stage->direction * bed->slope;
-  const Real T = end.H * std::cos(angle) - end.V * std::sin(angle), N = end.V * std::cos(angle) + end.H * std::sin(angle);
+  const DragResults drag = run.results().main_drag();
+  const auto stage = std::ranges::find(run.stages, drag.stage, &Stage::name);
+  const std::optional<Real> H = resistance.breakout ? std::optional(resistance.breakout->H) : resistance.onset;
+  if (stage == run.stages.end() || !drag.V || !H) return "";
+  const Real angle = stage->direction * bed->slope, V = *drag.V;
+  const Real T = *H * std::cos(angle) - V * std::sin(angle), N = V * std::cos(angle) + *H * std::sin(angle);
   const std::string degrees = text::short_number(std::abs(angle) / degree) + "°";
   const Real by_weight = std::abs(std::tan(angle));
-  return fmt::format("Along the ground, which {} by {} on its way, the soil holds it by T = {} at the end (H cos {} {} V sin {}), {} of "
-                     "the force N = {} on the ground. "
-                     "Its weight alone pulls it down the slope by {} N, {}. ",
-                     angle > 0 ? "rises" : "falls", degrees, shown.force_text(run.scale, T), degrees, angle > 0 ? "−" : "+", degrees,
+  return fmt::format("Along the ground, which {} by {} on its way, the soil holds it by T = {} when it {} (H cos {} {} V sin {}): {} times "
+                     "the force N = {} on the ground. Its weight alone pulls it down the slope by {} times N, {}. ",
+                     angle > 0 ? "rises" : "falls", degrees, shown.force_text(run.scale, T),
+                     resistance.breakout ? "breaks out" : "begins to slide", degrees, angle > 0 ? "−" : "+", degrees,
                      text::short_number(T / N), shown.force_text(run.scale, N), text::short_number(by_weight),
                      T > by_weight * N ? "less than that: it stays" : "more than that: it slides");
 }
@@ -275,17 +276,23 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
   const StageEnd end = end_of_drag(run);
   const Results results = run.results();
   const std::string prefix = results.prefix_of(results.main_drag());
-  const std::string berm =
-      resistance.berm ? fmt::format("; at its end it meets a berm with {}", shown.force_text(run.scale, *resistance.berm)) : "";
+  const auto force = [&](Real value) { return shown.force_text(run.scale, value); };
+  const std::string onset = resistance.onset ? fmt::format("It begins to slide at about H = {}. ", force(*resistance.onset)) : "",
+                    berm = resistance.berm ? fmt::format("; at its end it meets a berm with {}", force(*resistance.berm)) : "";
   if (!resistance.breakout && resistance.berm)
-    return fmt::format("There is no peak: H levels off at {}{}.", shown.force_text(run.scale, *resistance.residual), berm);
-  if (!resistance.breakout) return fmt::format("There is {}.", no_peak_words(resistance, end.to));
+    return fmt::format("{}There is no peak: H levels off at {}{}.", onset, force(*resistance.residual), berm);
+  if (!resistance.breakout) return fmt::format("{}There is {}.", onset, no_peak_words(resistance, end.to));
   std::string words = fmt::format("H peaks first at u = {} with {}{}", shown.length_text(run.scale, resistance.breakout->u),
-                                  shown.force_text(run.scale, resistance.breakout->H), converged_words(run, prefix + "H_breakout", shown));
-  if (resistance.largest && resistance.largest->H > (1 + min_fall) * resistance.breakout->H)
-    words += fmt::format(", grows to {} at u = {}", shown.force_text(run.scale, resistance.largest->H),
-                         shown.length_text(run.scale, resistance.largest->u));
-  return resistance.residual ? fmt::format("{}, then comes to {}{}.", words, shown.force_text(run.scale, *resistance.residual), berm)
+                                  force(resistance.breakout->H), converged_words(run, prefix + "H_breakout", shown));
+  const std::string largest =
+      resistance.largest && resistance.largest->H > (1 + min_fall) * resistance.breakout->H
+          ? fmt::format("{} at u = {}", force(resistance.largest->H), shown.length_text(run.scale, resistance.largest->u))
+          : "";
+  if (resistance.berm)  // the plateau is before the largest H
+    return fmt::format("{}, then comes to {}{}{}.", words, force(*resistance.residual), berm,
+                       largest.empty() ? "" : ", with " + largest + " at most");
+  if (!largest.empty()) words += ", grows to " + largest;
+  return resistance.residual ? fmt::format("{}, then comes to {}.", words, force(*resistance.residual))
                              : fmt::format("{}, and still changes {}.", words, end.reached ? "at the " + end.at : end.at);
 }
 
@@ -307,7 +314,7 @@ std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& sho
     words +=
         points.drag.empty() || !main.end ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, *main.end, shown);
     words += resistance_words(run, resistance, shown) + later_drags_words(run, results, shown) + " ";
-    if (!points.drag.empty() && main.end) words += slope_words(run, *main.end, shown);
+    words += slope_words(run, resistance, shown);
   }
   for (const DragResults& drag : results.drags)
     if (drag.moved) words += moved_words(run, drag, shown);

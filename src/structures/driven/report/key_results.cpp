@@ -209,8 +209,8 @@ std::string residual_words(const Resistance& resistance, const StageEnd& end)
 
 std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& shown, bool several)
 {
-  PointTable table("key-resistance", fmt::format("Resistance to the drag{}: largest, at breakout and residual H", main_words(runs)),
-                   several);
+  PointTable table("key-resistance",
+                   fmt::format("Resistance to the drag{}: largest, at breakout or onset, and residual H", main_words(runs)), several);
   table.columns(
       "H", side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"how it was found"}}}));
   for (const DrivenRun& run : runs) {
@@ -230,6 +230,7 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
       add(1, "breakout", resistance.breakout->u, resistance.breakout->H, "first peak");
     else
       add(1, "breakout", nan, nan, no_peak_words(resistance, end.to));
+    if (resistance.onset) add(1, "onset", 0, *resistance.onset, "H over u = 0.1 to 0.5 D, led back to u = 0");
     add(2, "residual", nan, resistance.residual.value_or(nan), residual_words(resistance, end));
     if (resistance.berm) add(3, "berm", resistance.travel, *resistance.berm, "mean over the end of the drag");
   }
@@ -239,15 +240,18 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
          text::html_paragraph(
              fmt::format(
                  "Breakout is the first peak of H from which H "
-                 "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D, and "
+                 "falls by at least {:g} % before it grows beyond it, within {:g} D; where forces are averaged, H must also stay below it "
+                 "for {:g} D, and "
                  "fall by {:g} "
-                 "times the standard deviation of averaged H about its mean over that way to either side. "
+                 "times the standard deviation of averaged H about its mean over ±{:g} D. Without such a peak the onset is the H at which "
+                 "it begins to slide. "
                  "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D (a third of it at most), "
                  "if the straight line "
                  "fitted to H there changes by less than {:g} % of that mean. Where H has risen by more than {:g} % from an earlier "
                  "plateau, that "
                  "plateau is the residual and the end is the resistance of the berm that the body has pushed up.",
-                 100 * min_fall, breakout_stays, min_fall_over_swing, min_residual_travel, 100 * max_residual_change, 100 * min_berm),
+                 100 * min_fall, longest_breakout, breakout_stays, min_fall_over_swing, swing_half, min_residual_travel,
+                 100 * max_residual_change, 100 * min_berm),
              "quiet");
 }
 

@@ -32,7 +32,7 @@ DragResults whole_drag(const Stage& stage, Real D)
   drag.over_penetration = drag.H_noise = 1;
   if (stage.by_force) return drag;
   drag.breakout = DragPeak{D, 1};
-  drag.residual = drag.berm = 1;
+  drag.onset = drag.residual = drag.berm = 1;
   return drag;
 }
 

@@ -172,6 +172,7 @@ DragResults drag_results(const DragPath& path, const run_folder::History& histor
   drag.end = end_of(H, V, w, scale);
   if (path.stage.by_force) return drag;
   if (resistance.breakout) drag.breakout = DragPeak{resistance.breakout->u, resistance.breakout->H};
+  drag.onset = resistance.onset;
   drag.residual = resistance.residual;
   drag.berm = resistance.berm;
   return drag;

@@ -14,7 +14,7 @@ namespace berm::driven {
 ///   V_noise, the standard deviation of V about its moving mean (as below) over the mean of |V|, from 0.02 D after where the push began in the soil.
 /// Of each drag, u counted along it from where it began:
 ///   H, w and H_over_V _at_u_{0.1,...,1,1.5,2,3,4,5,6,8,10}D; H_max and u_at_H_max, of the drag to its very end;
-///   H_breakout, u_at_breakout, H_residual and H_berm (results/resistance.hpp); H, V, u and w _end_of_drag;
+///   H_breakout, u_at_breakout, or H_onset, H_residual and H_berm (results/resistance.hpp); H, V, u and w _end_of_drag;
 ///   V_in_drag, the mean of V once it is what it shall be, over_penetration, the largest V of the push over that, and where a force is held
 ///   V_rms_error_in_drag, the root mean square of (V - held)/held;
 ///   H_noise, as V_noise, from u = 0.1 D on. (berm_height and berm_distance are of the frames: take_berms.)

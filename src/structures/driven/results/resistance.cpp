@@ -19,7 +19,7 @@ Real swing_of(const TravelCurve& smooth, const BodyScale& scale)
   if (!scale.noisy || smooth.empty()) return 0;
   std::vector<Real> off;
   for (std::size_t k = 0; k < smooth.travel().size(); ++k)
-    off.push_back(std::abs(smooth.value()[k] - smooth.at(smooth.travel()[k], breakout_stays * scale.width)));
+    off.push_back(std::abs(smooth.value()[k] - smooth.at(smooth.travel()[k], swing_half * scale.width)));
   std::nth_element(off.begin(), off.begin() + off.size() / 2, off.end());
   return normal * off[off.size() / 2];
 }
@@ -28,14 +28,16 @@ Real swing_of(const TravelCurve& smooth, const BodyScale& scale)
 std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale, Real least_fall)
 {
   if (smooth.empty()) return std::nullopt;
-  const Real half = averaging_half(scale), over_D = breakout_stays * scale.width,
-             stays = scale.noisy ? over_D : std::min(over_D, max_residual_part * (smooth.end() - smooth.begin()));
+  const Real half = averaging_half(scale), stays = scale.noisy ? breakout_stays * scale.width
+                                                               : std::min(breakout_stays_without_noise * scale.width,
+                                                                          max_residual_part * (smooth.end() - smooth.begin()));
   Resistance::Point peak{0, 0};
   bool fallen = false;
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) {
     const Real u = smooth.travel()[k], here = smooth.value()[k];
     if (u < smooth.begin() + half || u > smooth.end() - half) continue;
     if (here > peak.H) {
+      if (u > smooth.begin() + longest_breakout * scale.width) return std::nullopt;
       peak = {u, here};
       fallen = false;
       continue;
@@ -46,6 +48,16 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Bo
     if (scale.noisy || smooth.at(u - stays / 2, stays / 2) <= (1 - min_fall) * peak.H) return peak;
   }
   return std::nullopt;
+}
+
+/// Where H that falls from no peak leaves its first steep rise; empty where the drag is too short to tell, or H grows from nothing.
+std::optional<Real> onset_of(const TravelCurve& H, Real D)
+{
+  constexpr Real half = 0.1, from_nothing = 0.1;  // of D, of each window; of H in the first
+  if (H.end() - H.begin() < 0.5 * D) return {};
+  const Real first = H.at(H.begin() + 0.2 * D, half * D), second = H.at(H.begin() + 0.4 * D, half * D),
+             onset = std::min(first, 2 * first - second);
+  return onset > from_nothing * first ? std::optional(onset) : std::nullopt;
 }
 
 /// From where H stays near the residual over this stretch, or to the end.
@@ -109,6 +121,7 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
   resistance.breakout = breakout_in(smooth, scale, min_fall_over_swing * swing_of(smooth, scale));
   resistance.peak_in_noise = !resistance.breakout && breakout_in(smooth, scale, 0);
+  if (!resistance.breakout) resistance.onset = onset_of(H, scale.width);
   const Real travel = H.end() - H.begin();
   const Real half = residual_travel(travel, scale) / 2;
   const Real mean = H.at(H.end() - half, half);

@@ -18,10 +18,14 @@ struct Resistance {
   std::optional<Point> largest;
   Real V_at_largest = 0;  ///< N/m, averaged as well; NaN where it is not known
   /// The first peak of H that H falls from by at least 5 % before it grows beyond it. H is averaged as all forces are (averaging_half), the ends of the drag
-  /// are left out by half of that window; H must also stay below the peak over the next 0.1 D, which shorter waves of a dynamic method do not. Without noise
+  /// are left out by half of that window; H must also stay below the peak over the next 0.25 D, which shorter waves of a dynamic method do not.
   /// The fall must also be four times what averaged H swings about its mean over +-0.1 D elsewhere: from its highest to its lowest wiggle noise falls as much. Without noise
-  /// that way is a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
+  /// that way is 0.1 D, or a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
+  /// A peak beyond 1 D is none: the body has left its bed by then, and H is that of the soil heaped up before it.
   std::optional<Point> breakout;
+  /// N/m, without a breakout: the H at which the body begins to slide. The straight line through the means of H over u = 0.1 to 0.3 D and 0.3 to 0.5 D, at u = 0; where
+  /// H does not grow between them, the first mean.
+  std::optional<Real> onset;
   bool peak_in_noise = false;  ///< there is no breakout, but where H swings less there would be one
   /// N/m, the plateau of H: the mean over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes
   /// by less than 5 % of it. Where H rises beyond an earlier such stretch by more than min_berm it has met a berm: then the plateau is the lowest of those after the
@@ -40,8 +44,8 @@ constexpr Real min_fall = 0.05, max_residual_change = 0.05;
 constexpr Real min_fall_over_swing = 4;
 /// The rise from the plateau to the end that makes the end the resistance of a berm, and the travel (over D) that a drag must have to meet one.
 constexpr Real min_berm = 0.15, min_travel_to_a_berm = 1;
-/// The travel (over D) over which noisy H must stay below the breakout.
-constexpr Real breakout_stays = 0.1;
+/// The travel (over D) over which H must stay below the breakout, the longest way (over D) to it, and half of the window about which H swings.
+constexpr Real breakout_stays = 0.25, breakout_stays_without_noise = 0.1, longest_breakout = 1, swing_half = 0.1;
 /// The end of the drag over which H must not change to be residual: over the travel of the drag, at least over D, but no more than a
 /// third of the travel.
 constexpr Real residual_part = 0.1, min_residual_travel = 0.1, max_residual_part = 1. / 3;

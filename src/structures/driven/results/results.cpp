@@ -176,6 +176,10 @@ void describe_drag(Visitor& v, DragResults& r, Real D)
     return v.force("H_breakout", p.H, "horizontal resistance at breakout, its first peak") &&
            v.length("u_at_breakout", p.u, "displacement at breakout");
   });
+  v.optional(r.onset, [&](Real& value) {
+    return v.force("H_onset", value,
+                   "horizontal resistance at which it begins to slide, where H has no peak: H over u = 0.1 to 0.5 D, led back to u = 0");
+  });
   v.optional(r.end, [&](DragPoint& p) {
     return v.force("H_end_of_drag", p.H, "mean horizontal resistance over the end of the drag", kind_of(r.given.H)) &&
            v.force("V_end_of_drag", p.V, "mean vertical reaction over the end of the drag", kind_of(r.given.V_always)) &&

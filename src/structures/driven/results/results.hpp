@@ -65,6 +65,7 @@ struct DragResults {
   std::vector<DragPoint> points{};         ///< at some parts of D
   std::optional<DragPeak> largest{};       ///< of any drag that has begun
   std::optional<DragPeak> breakout{};      ///< the first peak (results/resistance.hpp)
+  std::optional<Real> onset{};             ///< N/m, at which it begins to slide, without such a peak
   std::optional<DragPoint> end{};          ///< means over the last tenth of the travel, at least the last 0.1 D; u and w of the end itself
   std::optional<Real> residual{};          ///< N/m, the plateau of H
   std::optional<Real> berm{};              ///< N/m, H at the end where that has risen against a berm

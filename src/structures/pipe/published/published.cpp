@@ -67,11 +67,15 @@ std::string remark_on_ground(const driven::DrivenRun& run)
                      (high - low) / run.scale.width);
 }
 
-/// The first drag where H breaks out, or is largest; empty where it has no such point.
+/// The first drag where H breaks out, begins to slide, or is largest; empty where it has no such point.
 std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const driven::RunPoints& points, Real& H)
 {
   const driven::Resistance resistance = driven::resistance_of(run);
-  const std::optional<driven::Resistance::Point>& peak = resistance.breakout ? resistance.breakout : resistance.largest;
+  using Point = ComparedState::Point;
+  const Point point = resistance.breakout ? Point::peak : resistance.onset ? Point::onset : Point::largest;
+  const std::optional<driven::Resistance::Point> peak = point == Point::onset     ? driven::Resistance::Point{0, *resistance.onset}
+                                                        : point == Point::largest ? resistance.largest
+                                                                                  : resistance.breakout;
   if (!peak || run.history.rows() == 0) return {};
   const driven::Path path = driven::path_of(run.history, run.stages);
   const driven::DragPath& drag = path.main_drag();
@@ -83,7 +87,7 @@ std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const driven:
                        small_strain ? points.first_w : record::TravelCurve(drag.travel, drag.w).at(peak->u, half),
                        record::TravelCurve(drag.travel, drag.V).at(peak->u, half),
                        {},
-                       resistance.breakout.has_value()};
+                       point};
 }
 
 /// Unloading and other stages may lie between the push and the drag.
@@ -148,7 +152,7 @@ void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const Pip
       comparisons.insert(comparisons.end(), displacement.begin(), displacement.end());
     }
     values.states.push_back(
-        {ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V, std::move(comparisons), true, drag.stage, nan, sweep.w_begin});
+        {ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V, std::move(comparisons), {}, drag.stage, nan, sweep.w_begin});
     swept = true;
   }
 }
@@ -222,8 +226,8 @@ PublishedValues published_beside(const driven::DrivenRun& run)
   add_sweeps(values, run, soil, part);
   for (const driven::UpliftResults& lift : uplifts)
     if (std::vector<Comparison> beside = in_uplift(soil, lift.w_begin, lift.largest.H / part, lift.largest.u); !beside.empty())
-      values.states.push_back(
-          {ComparedState::Kind::uplift, lift.largest.u, lift.w_begin, nan, std::move(beside), lift.falls(), lift.stage});
+      values.states.push_back({ComparedState::Kind::uplift, lift.largest.u, lift.w_begin, nan, std::move(beside),
+                               lift.falls() ? ComparedState::Point::peak : ComparedState::Point::largest, lift.stage});
   if (clay != nullptr)
     for (ComparedState& state : values.states) state.strength = clay->at(state.w).strength;
   for (ComparedState& state : values.states)

@@ -34,16 +34,16 @@ std::vector<Comparison> displacement_to_the_residual(Real diameter, Real u);
 
 /// Comparisons for one state of a run.
 struct ComparedState {
-  /// peak: H at breakout, or the largest of a drag without one; breakout: how far the pipe goes until then, from where the drag begins; end_of_drag: of a drag
+  /// peak: H at breakout, at the onset of sliding in a drag without one, or the largest where the drag is too short to tell that; breakout: how far the pipe goes until then, from where the drag begins; end_of_drag: of a drag
   /// of a diameter or more; uplift: the largest resistance against a lift, u the travel upwards and w where it began.
   enum class Kind { push, end_of_push, drag, peak, breakout, end_of_drag, uplift };
   Kind kind;
   Real u, w, V;  ///< m, m, N/m, as the run found them and the formulas take them; NaN where they do not matter
   std::vector<Comparison> comparisons;
-  bool is_breakout = true;  ///< of a peak: not only the largest H
-  std::string stage{};      ///< of the end of a drag: its name
-  Real strength = nan;      ///< Pa, s_u of intact clay at the invert
-  Real w_begin = nan;       ///< m, of the end of a drag: where it began, which formulas of the residual take
+  enum class Point { peak, onset, largest } point = Point::peak;  ///< of a peak: what H is, of an uplift whether it falls after it
+  std::string stage{};                                            ///< of the end of a drag: its name
+  Real strength = nan;                                            ///< Pa, s_u of intact clay at the invert
+  Real w_begin = nan;  ///< m, of the end of a drag: where it began, which formulas of the residual take
 };
 
 /// What design codes and published formulas give for the soil, the pipe and the states of a run.
@@ -53,7 +53,7 @@ struct PublishedValues {
 };
 
 /// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push; of the first drag at breakout, which is what
-/// the formulas of design codes are for, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D; of each drag of a diameter or more at its end; of each lift that the soil resists. The
+/// the formulas of design codes are for, at the onset of sliding, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D; of each drag of a diameter or more at its end; of each lift that the soil resists. The
 /// embedment is that of the run there; in the finite element method, whose strains are small, that at the start. Forces of half a pipe beside an axis of
 /// symmetry are doubled.
 PublishedValues published_beside(const driven::DrivenRun& run);

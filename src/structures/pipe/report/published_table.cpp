@@ -36,14 +36,16 @@ std::string state_words(const ComparedState& state, const driven::DrivenRun& run
   case ComparedState::Kind::drag:
     return fmt::format("Dragged {} D: {}, {}", text::short_number(state.u / D), w, V);
   case ComparedState::Kind::peak:
-    return fmt::format("{} at u = {} D: {}, {}", state.is_breakout ? "Breakout of the drag" : "No peak in this drag: largest H,",
+    if (state.point == ComparedState::Point::onset) return fmt::format("No peak in this drag: H at which it begins to slide: {}, {}", w, V);
+    return fmt::format("{} at u = {} D: {}, {}",
+                       state.point == ComparedState::Point::peak ? "Breakout of the drag" : "No peak in this drag: largest H,",
                        text::short_number(state.u / D), w, V);
   case ComparedState::Kind::end_of_drag:
     return fmt::format("{}, {} D far from w = {} D: {}, {}", text::html_text(state.stage), text::short_number(state.u / D),
                        text::short_number(state.w_begin / D), w, V);
   case ComparedState::Kind::uplift:
     return fmt::format("{}, lifted from {}: {} after {} D", text::html_text(state.stage), w,
-                       state.is_breakout ? "peak" : "largest resistance", text::short_number(state.u / D));
+                       state.point == ComparedState::Point::peak ? "peak" : "largest resistance", text::short_number(state.u / D));
   case ComparedState::Kind::breakout:
     return fmt::format("Displacement at breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
   }

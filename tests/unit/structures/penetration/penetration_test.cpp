@@ -246,6 +246,39 @@ TEST(Penetration, of_a_t_bar_has_its_bounds)
   EXPECT_NE(html.find("9.142"), std::string::npos) << html;
   EXPECT_NE(html.find("11.94"), std::string::npos);
   EXPECT_NEAR(base::quantity_value(run, "N_Tbar_end"), 10, 1e-3);
+  EXPECT_EQ(html.find("out of range"), std::string::npos) << html;
+}
+
+TEST(Penetration, of_a_t_bar_under_an_open_cavity_is_not_compared_with_full_flow)
+{
+  MadePush made;
+  made.geometry = problem::Geometry::plane_strain;
+  made.shape = bodies::CircleSettings{{0, -0.4}, 0.2};
+  made.first_w = 0.5;
+  made.law.density = 1;
+  made.contact.adhesion = 4e3;
+  made.q = [](Real) { return 50e3; };
+  record::RunRecord run = made.record();
+  run.quantities.push_back({"soil_above", 0.1, "1", "", run_folder::QuantityKind::quality, "push"});
+  EXPECT_NE(published(run).find("out of range: the cavity above is open"), std::string::npos);
+  const auto words_of = [](const record::RunRecord& one) { return structure_of(one).in_words(one, units_of(one)); };
+  const std::string words = words_of(run);
+  EXPECT_NE(words.find("still open</strong>: soil fills 10 % of the half width above it"), std::string::npos) << words;
+  run.quantities.back().value = 0.9;
+  EXPECT_EQ(published(run).find("out of range"), std::string::npos);
+  EXPECT_EQ(words_of(run).find("still open"), std::string::npos);
+}
+
+// A body of 0.2 m with its top at y = -0.4 m: the place above it reaches to y = -0.3 m, 0.05 m to each side.
+TEST(Penetration, soil_above_a_body_is_the_part_of_the_squares_that_hold_a_point)
+{
+  run_folder::SavedSoil soil;
+  const auto add = [&](Real x, Real y) { soil.x.push_back(x), soil.y.push_back(y); };
+  add(0.3, -0.35), add(0.01, -0.45), add(0.01, -0.25);  // beside it, in the body, above the place
+  EXPECT_EQ(soil_above(soil, 0, -0.4, 0.2), 0);
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) add(0.0025 + 0.005 * i, -0.3975 + 0.005 * j);
+  EXPECT_NEAR(soil_above(soil, 0, -0.4, 0.2), 0.5, 1e-12) << "of a half of the model, filled half way up";
 }
 
 TEST(Penetration, of_a_ball_stands_beside_the_table_where_it_is_shallow)

@@ -97,6 +97,20 @@ TEST(resistance, a_wiggle_among_others_is_no_breakout_and_a_peak_that_stands_out
   EXPECT_FALSE(quiet.breakout || quiet.peak_in_noise);
 }
 
+// After a steep start H grows with the soil that the pipe heaps up, and falls by a sixth for 0.3 D once it is 1.4 D away.
+TEST(resistance, a_fall_beyond_1_D_is_no_breakout_and_H_that_grows_has_an_onset)
+{
+  const auto H = [](Real x) { return (250 + 100 * x) * std::min(1., x / 0.02); };
+  const Resistance found = of([&](Real x) { return H(x) * (x > 1.4 && x < 1.7 ? 5. / 6 : 1); }, 3 * D);
+  EXPECT_FALSE(found.breakout);
+  ASSERT_TRUE(found.onset);
+  EXPECT_NEAR(*found.onset, 250, 1e-6);
+  EXPECT_NEAR(*of([](Real x) { return 250 * std::min(1., x / 0.02); }).onset, 250, 1e-6) << "H that is level";
+  EXPECT_FALSE(of([](Real x) { return 600 * x; }).onset) << "H that grows from nothing";
+  EXPECT_FALSE(of(H, 0.45 * D).onset) << "too short to tell";
+  EXPECT_FALSE(of([](Real x) { return with_a_peak(x, 200); }).onset) << "a peak says where it breaks out";
+}
+
 TEST(resistance, of_finite_elements_an_increment_that_relaxes_is_no_breakout)
 {
   const auto H = [](Real x) { return 300 * std::min(1., x / 0.05); };

@@ -46,7 +46,7 @@ TEST(published_breakout, breakout_in_clay_stands_beside_both_undrained_models_an
   const PublishedValues values = published_beside(driven::DrivenRun(long_drag_in_clay().record()));
   const ComparedState* peak = state_of(values, Kind::peak);
   ASSERT_NE(peak, nullptr);
-  EXPECT_TRUE(peak->is_breakout);
+  EXPECT_EQ(peak->point, ComparedState::Point::peak);
   // Smooth, w = 0.1 D = 2 mm, s_u = 1 kPa, gamma' = 430 kN/m3: w (c s_u + gamma' w/2) = 0.002 (1000 c + 430).
   for (const auto& [estimate, c] : {std::pair{"LE", 2.}, std::pair{"BE", 2.25}, std::pair{"HE", 2.5}}) {
     const Comparison* model = by(peak, "DNVGL-RP-F114", estimate);

@@ -89,13 +89,26 @@ TEST(published, a_drag_through_sand_is_compared_where_H_is_largest_with_the_w_an
   const ComparedState* end = state_at(values, Kind::peak, 0.01);
   const Comparison* code = by(end, "DNVGL-RP-F114", "Kp with δ");
   ASSERT_NE(code, nullptr);
-  EXPECT_FALSE(end->is_breakout);
+  EXPECT_EQ(end->point, ComparedState::Point::largest);
   EXPECT_NEAR(code->berm, 300, 1e-6);
   EXPECT_NEAR(code->published.value, 364.906, 0.01);
   EXPECT_NEAR(code->ratio(), 300 / 364.906, 1e-4);
   EXPECT_NEAR(by(end, "DNVGL-RP-F114", "Kp with φ")->published.value, 376.73, 0.01);
   EXPECT_EQ(by(end, "DNVGL-RP-F114", "Kp with φ")->published.source.label, formulas::Label::recalled);
   EXPECT_EQ(state_at(values, Kind::drag, 0.006), nullptr) << "its formulas are those of breakout";
+}
+
+// By hand at w = 2 mm, where the drag begins: Fp = 2.31143 x 430e3 x 0.002^2/2 = 1.9878 N/m, H = 1.9878 + 0.431358 (800 - 0.431358 x 1.9878) = 346.70.
+TEST(published, a_drag_through_sand_without_a_peak_is_compared_where_it_begins_to_slide)
+{
+  MadeRun made;
+  made.H = [](Real u) { return std::min(250 * u / 2e-4, 250 + 1e4 * u); };
+  const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
+  const ComparedState* onset = state_at(values, Kind::peak, 0);
+  ASSERT_NE(onset, nullptr);
+  EXPECT_EQ(onset->point, ComparedState::Point::onset);
+  EXPECT_NEAR(by(onset, "DNVGL-RP-F114", "Kp with δ")->berm, 250, 1e-6);
+  EXPECT_NEAR(by(onset, "DNVGL-RP-F114", "Kp with δ")->published.value, 346.70, 0.01);
 }
 
 TEST(published, a_drag_through_sand_with_a_peak_is_compared_there)
@@ -108,7 +121,7 @@ TEST(published, a_drag_through_sand_with_a_peak_is_compared_there)
   const auto peak =
       std::find_if(values.states.begin(), values.states.end(), [](const ComparedState& state) { return state.kind == Kind::peak; });
   ASSERT_NE(peak, values.states.end());
-  EXPECT_TRUE(peak->is_breakout);
+  EXPECT_EQ(peak->point, ComparedState::Point::peak);
   EXPECT_NEAR(peak->u, 0.004, 1e-4);
   const Comparison* code = by(&*peak, "DNVGL-RP-F114");
   ASSERT_NE(code, nullptr);
