@@ -406,6 +406,17 @@ def prose(tree):
                     yield f"{path}:{number}: '{found.group()}': {better}"
 
 
+def decisions(tree):
+    """Each decision has one line in the table of decisions, and no change stands twice in the list of changes."""
+    table = re.findall(r"^\| \[\d+\]\((.+?)\)", tree.read("docs/decisions/README.md"), re.MULTILINE)
+    for path in tree.ending(".md"):
+        name = path.removeprefix("docs/decisions/")
+        if name != path and name != "README.md" and table.count(name) != 1:
+            yield f"{path}: has {table.count(name)} lines in docs/decisions/README.md, not one"
+    lines = [line for line in tree.read("CHANGELOG.md").splitlines() if line.startswith("- ")]
+    yield from (f"CHANGELOG.md: says twice '{line[:60]}'" for line in sorted(set(lines)) if lines.count(line) > 1)
+
+
 SPDX = "// " + LICENCE + "\n"
 TIERS = "berm_room(engine/core ENGINE)\nberm_room(engine/mesh ENGINE USES core)\nberm_room(engine/mpm ENGINE USES core mesh)\nberm_room(case/input/inner USES mpm LINKS toml)\n"
 CELL = '{"cell_type": "code", "source": ["sticky = 1"], "outputs": []}'
@@ -511,6 +522,14 @@ CHECKS = {
     prose: (
         [{"README.md": "a\n" * 61}, {"examples/a/README.md": "a\n" * 61}, {"docs/a.md": "at zero cells.\nThe number wavers.\n"}],
         [{"README.md": "a\n" * 60, "docs/README.md": "a\n" * 61, "docs/decisions/0001-a.md": "It wavers.\n", "examples/a/results.md": "a\n" * 61}],
+    ),
+    decisions: (
+        [
+            {"CHANGELOG.md": "", "docs/decisions/README.md": "| [1](1-a.md) | a |\n| [1](1-a.md) | b |\n", "docs/decisions/1-a.md": ""},
+            {"CHANGELOG.md": "", "docs/decisions/README.md": "", "docs/decisions/1-a.md": ""},
+            {"CHANGELOG.md": "- A.\n- B.\n- A.\n", "docs/decisions/README.md": ""},
+        ],
+        [{"CHANGELOG.md": "- A.\n\n", "docs/decisions/README.md": "| [1](1-a.md) | a |\n", "docs/decisions/1-a.md": ""}],
     ),
     links: (
         [{"docs/a.md": "[b](b.md)"}, {"docs/a.md": "[b](../b.md#other)", "b.md": "# Part\n"}, {"a.md": "[b](#b)\n```\n# b\n```\n"}],
