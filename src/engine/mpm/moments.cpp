@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/moments.hpp"
 
+#include "core/widened.hpp"
+
 namespace berm::mpm {
 namespace {
 
@@ -20,16 +22,6 @@ struct LaneMoments {
   {
 #pragma GCC unroll 64
     for (WidePart& moment : of) moment = WidePart{};
-  }
-
-  /// A narrow part fills the lower lanes.
-  template <class V>
-  [[gnu::always_inline]] static WidePart widened(const V& numbers)
-  {
-    if constexpr (lanes_of<V> < width)
-      return __builtin_shufflevector(numbers, V{}, 0, 1, 2, 3, 4, 5, 6, 7);
-    else
-      return numbers;
   }
 
   /// Positions count from the cell's corner 0.
@@ -81,9 +73,9 @@ struct LaneHoopMoments {
   {
     const V volume = part.get(p.volume, q.volume), radius = part.get(p.x[0], q.x[0]);
     const V section = radius > V{} ? volume / radius : V{};  // empty lanes may be at the axis
-    area += LaneMoments<dim>::widened(section);
-    area_y += LaneMoments<dim>::widened(V(section * (part.get(p.x[1], q.x[1]) - corner_0[1])));
-    stress += LaneMoments<dim>::widened(V(volume * part.get(p.stress[2], q.stress[2])));
+    area += widened(section);
+    area_y += widened(V(section * (part.get(p.x[1], q.x[1]) - corner_0[1])));
+    stress += widened(V(volume * part.get(p.stress[2], q.stress[2])));
   }
 };
 

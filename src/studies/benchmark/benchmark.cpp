@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/verification/verify_test.cpp
 #include "benchmark/benchmark.hpp"
 
 #include "core/ranks.hpp"
@@ -362,8 +361,52 @@ struct Division {
   Division& operator=(const Division&) = delete;
 };
 
+/// A loop of berm's step, ns a particle-step, and the kernel's loop of that label where it has one.
+struct LoopRow {
+  std::string label;
+  Real time;
+  std::optional<Real> of_kernel;
+};
+
+/// All of them; the loops without a counterpart are what the physics needs beside.
+struct LoopTable {
+  std::vector<LoopRow> rows;
+  Real shared = 0, of_kernel = 0, beside = 0;  ///< sums: of loops with a counterpart, of these counterparts, of the others
+
+  LoopTable(const std::vector<Timing>& loops, BigIndex particle_steps, const roofline::RooflineRun& kernel, BigIndex particles)
+  {
+    for (const Timing& loop : loops) {
+      LoopRow& row = rows.emplace_back(loop.label, loop.seconds * 1e9 / static_cast<Real>(particle_steps));
+      const auto same = std::find_if(kernel.loops.begin(), kernel.loops.end(), [&](const Timing& k) { return k.label == loop.label; });
+      if (same != kernel.loops.end()) row.of_kernel = same->seconds * 1e9 / static_cast<Real>(particles * kernel.steps);
+      (row.of_kernel ? shared : beside) += row.time;
+      of_kernel += row.of_kernel.value_or(0);
+    }
+  }
+
+  void print() const
+  {
+    const auto line = [](const std::string& label, Real time, Real of_kernel) {
+      fmt::print("    {:<32} {:>8.2f} {:>8}\n", label, time, shown(of_kernel, 2));
+    };
+    fmt::print("    {:<32} {:>8} {:>8}\n", "ns a particle-step", "step", "kernel");
+    for (const LoopRow& row : rows) line(row.label, row.time, row.of_kernel.value_or(nan));
+    line("= loops that the kernel has", shared, of_kernel);
+    line("= loops that it does without", beside, nan);
+  }
+  nlohmann::ordered_json json() const
+  {
+    auto list = nlohmann::ordered_json::array();
+    for (const LoopRow& row : rows) {
+      list.push_back({{"label", row.label}, {"ns_per_particle_step", row.time}});
+      if (row.of_kernel) list.back()["kernel_ns_per_particle_step"] = *row.of_kernel;
+    }
+    return list;
+  }
+};
+
 template <int dim>
-nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, simulation::Context& context, Real bandwidth)
+nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, simulation::Context& context, Real bandwidth, Real seconds)
 {
   const io::ScratchFolder scratch;
   const Real memory_before = simulation::memory_of_data();
@@ -373,7 +416,7 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   ::malloc_trim(0);  // as a run does
   mpm::Workspace<dim> workspace(problem.model, problem.state);
   Ranks& ranks = Ranks::of_run();
-  const auto seconds = [&](Real min, BigIndex min_steps) {
+  const auto step_for = [&](Real min, BigIndex min_steps) {
     const Clock::time_point start = Clock::now();
     Real passed = 0;
     constexpr BigIndex steps_of_ranks = 16;  // between two looks at the clock, on which they must agree
@@ -384,31 +427,34 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
     }
     return ranks.divided() ? ranks.largest(std::chrono::duration<Real>(Clock::now() - start).count()) : passed;
   };
-  seconds(0.5, 16);  // warm-up
+  step_for(seconds / 6, 16);  // warm-up
   context.timings().clear();
   const BigIndex before = problem.state.step;
   const auto traffic = [&] { return ranks.divided() ? ranks.messenger()->traffic() : Traffic(); };
   const Traffic traffic_before = traffic();
-  const Real wall = seconds(3, 32);
+  const Real wall = step_for(seconds, 32);
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
   const Traffic traffic_after = traffic();
   const Real memory = sum_of_ranks(simulation::memory_of_data() - memory_before) / static_cast<Real>(particles);
 
   const bodies::Particles<dim>& body = problem.state.particles[0];
-  const Real per_cell = static_cast<Real>(body.size()) / static_cast<Real>(body.occupied().size());
   const std::vector<Timing> loops = context.timings().table();
-  const auto kernel_speed = [&] {
-    return sum_of_ranks(roofline::run_roofline_kernel<dim>(body.size(), static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s());
-  };
-  const Real ceiling = kernel_speed();
+  const auto run_kernel = [&] { return roofline::run_roofline_kernel(problem.model.mesh, body, seconds / 3); };
+  const auto speed_of = [](const roofline::RooflineRun& run) { return sum_of_ranks(run.particle_steps_per_s()); };
+  const roofline::RooflineRun kernel = run_kernel();
+  const Real kernel_speed = speed_of(kernel);
+  const auto all_of = [](BigIndex of_rank) { return sum_of_ranks(static_cast<Real>(of_rank)); };
+  const LoopTable table(loops, particles * steps, kernel, particles);
+  const Real ceiling = 1e9 / (1e9 / speed - table.shared + table.of_kernel);  // loops of the kernel as fast as there
   const Demand demand = demand_of(body, workspace.grids[0]);
 
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
              problem.model.mesh.cell_count(), steps,
              ranks.count() == 1 ? fmt::format("{}", context.threads()) : fmt::format("{}x{}", ranks.count(), context.threads()),
-             speed / 1e6, shown(ceiling / 1e6, 1), shown(speed / ceiling, 2), demand.bytes, shown(demand.flops, 0),
-             speed * demand.bytes / bandwidth, memory);
+             speed / 1e6, shown(kernel_speed / 1e6, 1), shown(speed / kernel_speed, 2), shown(speed / ceiling, 2), demand.bytes,
+             shown(demand.flops, 0), speed * demand.bytes / bandwidth, memory);
+  table.print();
   nlohmann::ordered_json result = {{"name", name},
                                    {"particles", particles},
                                    {"cells", problem.model.mesh.cell_count()},
@@ -417,41 +463,42 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
                                    {"threads", context.threads()},
                                    {"wall_s", wall},
                                    {"particle_steps_per_s", speed},
-                                   {"particles_per_occupied_cell", per_cell},
+                                   {"particles_per_occupied_cell", all_of(kernel.particles) / all_of(kernel.cells)},
+                                   {"lanes_per_particle", all_of(kernel.lanes) / all_of(kernel.particles)},
+                                   {"kernel_particle_steps_per_s", kernel_speed},
+                                   {"share_of_kernel", speed / kernel_speed},
                                    {"ceiling_particle_steps_per_s", ceiling},
                                    {"share_of_ceiling", speed / ceiling},
                                    {"bytes_per_particle_step", demand.bytes},
                                    {"flops_per_particle_step", demand.flops},
                                    {"share_of_bandwidth", speed * demand.bytes / bandwidth},
-                                   {"memory_bytes_per_particle", memory}};
-  const auto tell = [&](const std::string& label, Real time) {
-    const Real nanoseconds = time / static_cast<Real>(particles * steps) * 1e9;
-    fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", label, nanoseconds);
-    result["loops"].push_back({{"label", label}, {"ns_per_particle_step", nanoseconds}});
-  };
-  for (const Timing& loop : loops) tell(loop.label, loop.seconds);
+                                   {"memory_bytes_per_particle", memory},
+                                   {"loops", table.json()}};
   if (ranks.count() == 1) {
     if (context.threads() == 1) return result;
     omp_set_num_threads(1);
     const BigIndex first = problem.state.step;
-    const Real wall_alone = seconds(3, 32);
-    const Real alone = static_cast<Real>(particles * (problem.state.step - first)) / wall_alone, kernel_alone = kernel_speed();
+    const Real wall_alone = step_for(seconds, 32);
+    const Real alone = static_cast<Real>(particles * (problem.state.step - first)) / wall_alone, kernel_alone = speed_of(run_kernel());
     omp_set_num_threads(context.threads());
     fmt::print("    {} threads are {:.2f} times as fast as one, those of the bare kernel {:.2f} times\n", context.threads(), speed / alone,
-               ceiling / kernel_alone);
+               kernel_speed / kernel_alone);
     result["over_one_thread"] = speed / alone;
-    result["ceiling_over_one_thread"] = ceiling / kernel_alone;
+    result["kernel_over_one_thread"] = kernel_speed / kernel_alone;
     return result;
   }
   const auto of_rank = [&](auto Traffic::*part) {
     return sum_of_ranks(static_cast<Real>(traffic_after.*part - traffic_before.*part)) / ranks.count();
   };
   const auto of_step = [&](auto Traffic::*part) { return of_rank(part) / static_cast<Real>(steps); };
-  tell("(messages, in the loops above)", of_rank(&Traffic::seconds));
+  const Real in_messages = of_rank(&Traffic::seconds) * 1e9 / static_cast<Real>(particles * steps);
   const Real letters = of_step(&Traffic::letters), letter_bytes = of_step(&Traffic::letter_bytes);
   const Real gathers = of_step(&Traffic::gathers), gathered_bytes = of_step(&Traffic::gathered_bytes);
-  fmt::print("    a rank and step: {:.1f} messages to others, of {:.1f} KiB in all; {:.1f} in which all tell all, {:.1f} KiB in all\n",
-             letters, letter_bytes / 1024, gathers, gathered_bytes / 1024);
+  fmt::print(
+      "    a rank and step: {:.1f} messages to others, of {:.1f} KiB in all; {:.1f} in which all tell all, {:.1f} KiB in all; {:.2f} ns a "
+      "particle-step in the loops above\n",
+      letters, letter_bytes / 1024, gathers, gathered_bytes / 1024, in_messages);
+  result["message_ns_per_particle_step"] = in_messages;
   result["messages_per_step"] = letters;
   result["message_bytes_per_step"] = letter_bytes;
   result["gathers_per_step"] = gathers;
@@ -468,22 +515,25 @@ std::vector<std::string> bench_names()
   return names;
 }
 
-void run_bench(const std::vector<std::string>& names, const std::string& json_file, simulation::Context& context)
+void run_bench(const std::vector<std::string>& names, const std::string& json_file, simulation::Context& context, Real seconds)
 {
   constexpr BigIndex triad_bytes = 300'000'000;
-  const Real bandwidth = sum_of_ranks(roofline::triad_bandwidth(triad_bytes, 0.5));
-  fmt::print("triad bandwidth {:.1f} GB/s; ceiling: the bare passes of a step, as many particles in as many cells\n", bandwidth / 1e9);
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "", "", "", "", "", "10^6", "ceiling,",
-             "share of", "", "", "share of", "memory,");
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "problem", "particles", "cells", "steps",
-             "threads", "p-steps/s", "10^6", "ceiling", "bytes", "flops", "bandwidth", "B/particle");
+  const Real bandwidth = sum_of_ranks(roofline::triad_bandwidth(triad_bytes, seconds / 6));
+  fmt::print(
+      "triad bandwidth {:.1f} GB/s; kernel: the bare passes of a step over the same particles in the same cells; ceiling: a step whose "
+      "loops are as fast as those of the kernel, where it has them\n",
+      bandwidth / 1e9);
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "", "", "", "", "", "10^6", "kernel,",
+             "share of", "share of", "", "", "share of", "memory,");
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "problem", "particles", "cells", "steps",
+             "threads", "p-steps/s", "10^6", "kernel", "ceiling", "bytes", "flops", "bandwidth", "B/particle");
   nlohmann::ordered_json table = {
       {"version", BERM_VERSION}, {"triad_bytes_per_s", bandwidth}, {"problems", nlohmann::ordered_json::array()}};
   for (const BenchProblem& bench : problems) {
     if (!names.empty() && std::find(names.begin(), names.end(), bench.name) == names.end()) continue;
     const problem::Case c = bench.make();
-    table["problems"].push_back(c.dimension() == 2 ? measure_speed<2>(bench.name, c, context, bandwidth)
-                                                   : measure_speed<3>(bench.name, c, context, bandwidth));
+    table["problems"].push_back(c.dimension() == 2 ? measure_speed<2>(bench.name, c, context, bandwidth, seconds)
+                                                   : measure_speed<3>(bench.name, c, context, bandwidth, seconds));
   }
   if (!json_file.empty() && Ranks::of_run().is_first()) io::write_atomically(json_file, table.dump(2) + "\n");
 }

@@ -11,8 +11,8 @@ namespace berm::benchmark {
 /// The fixed problems that `berm bench` knows.
 std::vector<std::string> bench_names();
 
-/// Steps the named problems (none named: all) for a few seconds each, prints a table of particle-steps per second and time by loop, and writes the
-/// same as JSON to json_file unless that is empty. Throws RunError.
-void run_bench(const std::vector<std::string>& names, const std::string& json_file, simulation::Context& context);
+/// Steps the named problems (none named: all) for `seconds` each and the bare kernel on their particles, prints a table of particle-steps per second and time by
+/// loop, and writes the same as JSON to json_file unless that is empty. Throws RunError.
+void run_bench(const std::vector<std::string>& names, const std::string& json_file, simulation::Context& context, Real seconds = 3);
 
 }  // namespace berm::benchmark
