@@ -37,7 +37,7 @@ TEST(Bench, sets_the_loops_of_the_kernel_beside_those_of_the_step_and_names_the_
   const Real speed = problem.at("particle_steps_per_s"), ceiling = problem.at("ceiling_particle_steps_per_s");
   EXPECT_LE(step, 1e9 / speed) << "loops are parts of the step";
   EXPECT_LE(bare, 1e9 / problem.at("kernel_particle_steps_per_s").get<Real>());
-  EXPECT_NEAR(1e9 / ceiling, 1e9 / speed + replaced, 1e-9 / speed * 1e9);
+  EXPECT_NEAR(1e9 / ceiling, 1e9 / speed + replaced, 1e-9 * step);
   EXPECT_NEAR(problem.at("share_of_ceiling"), speed / ceiling, 1e-12);
   // Near the pipe nine particles in three blocks, elsewhere four in one.
   EXPECT_GT(problem.at("lanes_per_particle"), 1);
