@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page.hpp"
 
+#include "samples/made_run.hpp"
 #include "samples/pipe_case.hpp"
 
 #include <gtest/gtest.h>
@@ -42,6 +43,29 @@ TEST(question, counts_stages_of_one_kind_behind_one_another)
   run.settings.stage.push_back(run.settings.stage.back());
   run.settings.stage.back().name = "back";
   EXPECT_EQ(question_of({run}), "Pipe of 20 mm in sand: push to w = 2 mm, 2 drags");
+}
+
+TEST(question, counts_pushes_in_their_plural)
+{
+  record::RunRecord run = asked({});
+  run.settings.stage.insert(run.settings.stage.begin() + 1, run.settings.stage[1]);
+  EXPECT_EQ(question_of({run}).find("pushs"), std::string::npos) << question_of({run});
+  EXPECT_NE(question_of({run}).find("2 pushes, drag 20 mm"), std::string::npos) << question_of({run});
+}
+
+TEST(question, names_the_limits_that_a_run_came_to)
+{
+  const auto words = [](Real pushed_to, Real dragged, std::optional<Real> force) {
+    record::RunRecord run = MadeRun{.pushed_to = pushed_to, .dragged = dragged}.record();
+    for (problem::StageSettings& stage : run.settings.stage) {
+      if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.002, stage.until.force = force;
+      if (stage.kind == problem::StageKind::drag) stage.until.displacement = 0.01;
+    }
+    return question_of({run});
+  };
+  EXPECT_NE(words(0.002, 0.01, {}).find("push to w = 2 mm, drag 10 mm"), std::string::npos) << words(0.002, 0.01, {});
+  EXPECT_NE(words(0.001, 0.005, {}).find("push to w = 1 mm, drag 5 mm"), std::string::npos) << words(0.001, 0.005, {});
+  EXPECT_NE(words(0.001, 0.01, 400).find("push to V = 0.4 kN/m, drag"), std::string::npos) << words(0.001, 0.01, 400);
 }
 
 TEST(question, of_runs_that_drive_no_body_is_not_known)
