@@ -28,6 +28,9 @@ enum class Effect {
 /// The heading of that section.
 const char* heading_of(Effect effect);
 
+/// What a measure that is not good makes of the resistance, where that is known.
+enum class Sense { unknown, too_large, too_small };
+
 /// Up to which value something is good, beyond which it is bad, of which effect it is, and why just there. With `large` it is the other way round: good from `good`
 /// on, bad below `bad`.
 struct Limit {
@@ -35,6 +38,7 @@ struct Limit {
   Effect effect;
   const char* reason;
   bool large = false;
+  Sense sense = Sense::unknown;
 };
 
 /// How a value stands; unknown where it is NaN.

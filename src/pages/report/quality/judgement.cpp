@@ -37,6 +37,23 @@ std::vector<JudgedMeasure> judged_measures(const record::RunRecord& run)
   return judged;
 }
 
+/// That some measures which are not good make the resistance too large and others too small; "" where all go one way.
+std::string opposite_words(const std::vector<JudgedMeasure>& measures)
+{
+  const auto named = [&](base::Sense sense) {
+    Words names;
+    for (const auto& [measure, value, standing] : measures)
+      if ((standing == Standing::fair || standing == Standing::bad) && measure.limit->sense == sense) names.push_back(measure.what);
+    return names;
+  };
+  const Words large = named(base::Sense::too_large), small = named(base::Sense::too_small);
+  if (large.empty() || small.empty()) return "";
+  return fmt::format(
+      "these work against each other, and the sign of their sum is not known. Resistance is too large by: {}. Too small by: {}. "
+      "A run with cells of half the size shows what is left.",
+      fmt::join(large, "; "), fmt::join(small, "; "));
+}
+
 /// Why the measures of a run are not good, except what has spoiled it; a measure that is bad makes the run bad.
 void add_measures(Judgement& all, const record::RunRecord& run, const Words& spoiled)
 {
@@ -48,6 +65,7 @@ void add_measures(Judgement& all, const record::RunRecord& run, const Words& spo
     const std::string warning = measure.warning(run, value);
     if (!holds(spoiled, warning)) all.warnings.push_back(warning + ".");
   }
+  if (const std::string opposite = opposite_words(all.measures); !opposite.empty()) all.warnings.push_back(opposite);
   if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
     all.warnings.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
   if (const Real given = base::work_of_contact(run); given > max_work_of_contact)

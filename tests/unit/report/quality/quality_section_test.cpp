@@ -157,6 +157,17 @@ TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
   EXPECT_TRUE(contains(row_of(html, "mean contact gap"), "badge fair"));
 }
 
+TEST(trust, measures_that_work_against_each_other_are_said_to_do_so_in_one_line)
+{
+  record::RunRecord run = sample_record(sample_case());
+  set_gap(run, 0.4e-3);
+  EXPECT_FALSE(contains(trust_of({run}), "work against each other")) << trust_of({run});
+  run.summary->checks["shaking_at_body"] = 0.2;
+  EXPECT_TRUE(contains(trust_of({run}), "work against each other, and the sign of their sum is not known. Resistance is too large by: "))
+      << trust_of({run});
+  EXPECT_TRUE(contains(trust_of({run}), "Too small by: pressure of unresolved motion at the pipe")) << trust_of({run});
+}
+
 TEST(trust, gap_is_counted_in_cells_at_the_pipe_and_judged_by_the_size_of_the_pipe)
 {
   record::RunRecord run = sample_record(sample_case({"mesh.near_size=2 mm"}));
