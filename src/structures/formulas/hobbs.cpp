@@ -54,6 +54,13 @@ HobbsBuckle hobbs_buckle(HobbsMode mode, const HotLine& line, Real P)
           .slip_length = k.half_length * L + missing / f};
 }
 
+Real hobbs_smallest_force(HobbsMode mode, const HotLine& line)
+{
+  const Real EA = line.axial_stiffness;  // compression in a buckle is a small part of it
+  if (std::isnan(hobbs_buckle(mode, line, EA).lobe)) return nan;
+  return hobbs_buckle(mode, line, weakest(mode, line, 1e-9 * EA, EA)).constrained_force;
+}
+
 HobbsBuckle hobbs_buckle_at(HobbsMode mode, const HotLine& line, Real P0)
 {
   // A buckle carries less than P0; one with a millionth of it is longer than any.

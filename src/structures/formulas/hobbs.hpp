@@ -34,6 +34,9 @@ Source hobbs_source();
 /// NaN where EI, EA, h, f or P is not positive. [exact: for such friction; Hobbs 1984]
 HobbsBuckle hobbs_buckle(HobbsMode mode, const HotLine& line, Real P);
 
+/// The smallest constrained force P_0 that has a buckle of the mode, N; NaN where EI, EA, h or f is not positive.
+Real hobbs_smallest_force(HobbsMode mode, const HotLine& line);
+
 /// The buckle at the constrained force P_0 that is stable: the longer of two. NaN below the smallest force that has one.
 HobbsBuckle hobbs_buckle_at(HobbsMode mode, const HotLine& line, Real P0);
 

@@ -35,6 +35,7 @@ struct HobbsLine {
   formulas::HobbsMode mode;
 
   formulas::HobbsBuckle at(Real P0) const { return hobbs_buckle_at(mode, line, P0); }
+  Real smallest_force() const { return hobbs_smallest_force(mode, line); }
 };
 
 }  // namespace berm::line

@@ -135,22 +135,32 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
   const HobbsLine hobbs(run.settings);
   text::HtmlTable table(id, fmt::format("{}: the line, springs and theory at the end of each heated stage", run.name));
   table.columns({{"stage"}, {"by"}, {"P, kN", true}, {"y, m", true}, {"M, kN m", true}, {"lobe, m", true}, {"slip, m", true}});
+  const bool knows_hobbs = std::isfinite(hobbs.smallest_force());
   bool any = false;
+  Real none_at = 0;  // N, the largest constrained force at which Hobbs has none
   for (const StageEnd& end : stage_ends(run)) {
     if (!end.heated) continue;
     const auto of = [&](const char* name) { return value_of(run, end, name); };
     const formulas::HobbsBuckle b = hobbs.at(run.history["line_P0_N"][static_cast<std::size_t>(end.row)]);
     const bool has_springs = !std::isnan(of("springs_y")), has_hobbs = !std::isnan(b.lobe);
-    if (!has_springs && !has_hobbs) continue;
+    if (!has_springs && !knows_hobbs) continue;
     any = true;
     table.row(row_beside(end.name, "the line on slices", of("P"), of("y"), of("M"), of("lobe_length"), of("slip_length")));
     if (has_springs) table.row(row_beside(end.name, "the same on springs", of("springs_P"), of("springs_y"), of("springs_M"), nan, nan));
-    if (has_hobbs)
-      table.row(row_beside(end.name, fmt::format("Hobbs, {:.3g} W", run.settings.pipeline->far_soil.friction), b.compression, b.amplitude,
-                           b.moment, b.lobe, b.slip_length));
+    if (!knows_hobbs) continue;
+    table.row(row_beside(end.name,
+                         fmt::format("Hobbs, {:.3g} W{}", run.settings.pipeline->far_soil.friction, has_hobbs ? "" : ": no buckle"),
+                         b.compression, b.amplitude, b.moment, b.lobe, b.slip_length));
+    none_at = has_hobbs ? none_at : std::max(none_at, run.history["line_P0_N"][static_cast<std::size_t>(end.row)]);
   }
   if (!any) return "";
-  return table.html() +
+  const std::string none =
+      none_at > 0
+          ? text::html_paragraph(fmt::format("Hobbs (1984) has no buckle of this line at a constrained force P0 of {}: his smallest is {}. "
+                                             "The line of the run moves sideways below that from its imperfection.",
+                                             text::force_words(none_at, 3), text::force_words(hobbs.smallest_force(), 3)))
+          : "";
+  return table.html() + none +
          fmt::format(
              "<p>Hobbs (1984) has a straight line without imperfection on friction of {:.3g} W sideways and {:.3g} W along "
              "(<code>far_soil</code>): rigid, with V = W everywhere, and against the displacement. Real friction is against the motion: "

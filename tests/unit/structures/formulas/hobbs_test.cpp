@@ -57,6 +57,9 @@ TEST(Hobbs, at_a_constrained_force_the_longer_buckle_is_found_and_none_below_the
     EXPECT_GT(hotter.amplitude, hot.amplitude);
     EXPECT_LT(hotter.compression, hot.compression) << "it feeds in more, and carries less";
     EXPECT_TRUE(std::isnan(hobbs_buckle_at(mode, pipe_on_sand, 2e5).amplitude));
+    const Real smallest = hobbs_smallest_force(mode, pipe_on_sand);
+    EXPECT_TRUE(std::isnan(hobbs_buckle_at(mode, pipe_on_sand, (1 - 1e-6) * smallest).amplitude));
+    EXPECT_FALSE(std::isnan(hobbs_buckle_at(mode, pipe_on_sand, (1 + 1e-6) * smallest).amplitude));
   }
 }
 

@@ -123,5 +123,15 @@ TEST_F(LineAnswers, stand_in_tables_with_springs_and_hobbs_beside_in_heated_stag
   EXPECT_EQ(beside.find(">cool<"), std::string::npos) << "theory is of a line that is heated for the first time";
 }
 
+TEST_F(LineAnswers, say_below_which_force_hobbs_has_no_buckle)
+{
+  MadeLineRun made;
+  record::RunRecord run = record_of(made);
+  for (Real& P0 : run.history.values[7]) P0 *= 0.5;  // line_P0_N
+  const std::string beside = tables_beside(run, "b");
+  EXPECT_NE(beside.find("Hobbs, 0.6 W: no buckle"), std::string::npos) << beside;
+  EXPECT_NE(beside.find("has no buckle of this line at a constrained force P0 of"), std::string::npos) << beside;
+}
+
 }  // namespace
 }  // namespace berm::line::this_file
