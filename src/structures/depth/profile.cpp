@@ -2,6 +2,8 @@
 // Tests: tests/unit/structures/depth/profile_test.cpp
 #include "structures/depth/profile.hpp"
 
+#include "structures/base/kind.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -107,7 +109,8 @@ std::vector<Profile> profiles(const record::RunRecord& run)
       const std::vector<std::size_t> rows = rows_of(run.history, stage.name);
       if (rows.empty()) continue;
       const std::vector<std::size_t> last = last_of(run.history, rows);
-      Profile profile{name, stage.name, columns.whole(), thickness, {}, {}, {}};
+      const bool sideways = (stage.rigid.empty() || stage.rigid == name) && base::goes_sideways(run.settings, stage);
+      Profile profile{name, stage.name, columns.whole(), thickness, {}, {}, {}, sideways};
       for (int k = 1; k <= slices; ++k) {
         if (const std::vector<Real>* H = columns.find(fmt::format("H{}", k))) profile.h.push_back(mean(*H, last) / thickness);
         profile.v.push_back(mean(*columns.find(fmt::format("V_shaft{}", k)), last) / thickness);

@@ -16,6 +16,8 @@ struct Profile {
   std::vector<Real>
       axial;  ///< by level, above each slice and below the last: what comes from below, compression positive, without the body's own weight
 
+  bool sideways = false;  ///< whether the stage loads the body along the bed: its neutral plane, of an axial load, is then of no meaning
+
   Real level(std::size_t k) const { return thickness * static_cast<Real>(k); }
   /// Drag load: the most that the axial force grows by from the bed down.
   Real drag_load() const;

@@ -116,7 +116,7 @@ std::string words_of(const Profile& p)
   const auto force = [&](Real newtons) { return text::force_words(newtons, p.whole ? 3 : 2); };
   const std::string at_base = std::abs(base) > nothing ? fmt::format(" and {} below them", force(base)) : "";
   std::string words = fmt::format("At the end of stage \"{}\" the soil ", p.stage);
-  if (!(p.drag_load() > nothing))
+  if (p.sideways || !(p.drag_load() > nothing))
     return text::html_paragraph(words +
                                 fmt::format("carries {} of {} on its upright sides{}.", force(p.axial.front() - base), p.body, at_base));
   words += fmt::format("drags {} down with {} above a neutral plane {} below the bed", p.body, force(p.drag_load()),

@@ -63,12 +63,21 @@ std::string summary_table(const LateralRuns& runs, const std::string& id)
 std::string travel_table(const LateralRuns& runs, const std::string& id)
 {
   text::HtmlTable table(id, "Lateral load H by the displacement u at the bed");
+  const bool alone = runs.size() == 1;
   std::vector<HtmlCell> columns{{"u/D"}};
+  if (alone)
+    for (const char* name : {"u, mm", "u at the load, mm", "tilt, °"}) columns.push_back({name, true});
   for (const LateralRun& run : runs) columns.push_back({fmt::format("H, kN, {}", text::html_text(run.record.name)), true});
   table.columns(columns);
   for (const Real part : told_at) {
     std::vector<HtmlCell> cells{{text::short_number(part)}};
     bool any = false;
+    if (alone) {
+      const LateralRun& run = runs.front();
+      const Real u = part * run.width, tilt = run.tilt_at(u);
+      for (const Real value : {u * 1e3, (u + run.results().height * std::sin(tilt)) * 1e3, tilt / degree})
+        cells.push_back({text::table_number(value), true});
+    }
     for (const LateralRun& run : runs) {
       const run_folder::Quantity* H = run.record.quantity(name_at(part));
       any = any || H != nullptr;

@@ -45,6 +45,18 @@ private:
   std::array<const std::vector<Real>*, 3> columns_{};
 };
 
+/// The height of the point on which the first load acts, m, of a body that it may turn; NaN where the case names none.
+Real point_height_of(const problem::Case& c, const problem::Axes<3>& axes)
+{
+  for (const problem::StageSettings& stage : c.stage) {
+    if (!base::goes_sideways(c, stage)) continue;
+    const problem::DriveSettings& drive = stage.drive;
+    const bool turns = drive.rotation_x.free || drive.rotation_y.free || drive.rotation_z.free;
+    return turns && !drive.point.empty() ? axes.height(bodies::to_vec<3>(drive.point)) : nan;
+  }
+  return nan;
+}
+
 /// The horizontal axis along which the body goes farthest, towards there.
 Vec<3> direction_of(const Vectors& displacement, const std::vector<Index>& rows, int up)
 {
@@ -83,6 +95,7 @@ LateralPath lateral_path(const record::RunRecord& run)
   path.rows = rows;
   path.length = history["w_m"][first];
   path.direction = along[axes.along];
+  path.point_height = point_height_of(run.settings, axes) - bed;
   for (const Index row : rows) {
     const Real tilt = (angle[row] - angle[first]).dot(about), height = above_bed(row);
     // Across the axis and about its point at the bed: the force of the load, and its moment.
@@ -128,7 +141,8 @@ void LateralRun::take_results()
   };
   LateralResults& r = results_;
   r.u = H_.end();
-  r.H = at_end(path.H), r.M = at_end(path.M), r.tilt = at_end(path.tilt), r.height = at_end(path.height);
+  r.H = at_end(path.H), r.M = at_end(path.M), r.tilt = at_end(path.tilt),
+  r.height = std::isfinite(path.point_height) ? path.point_height : at_end(path.height);
   r.u_load = r.u + r.height * std::sin(r.tilt);
   if (std::abs(r.tilt) > upright) r.pivot = r.u / std::sin(r.tilt);
   const record::TravelCurve smooth = H_.smoothed(half_);

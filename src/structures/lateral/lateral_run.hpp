@@ -17,7 +17,9 @@ struct LateralPath {
   std::vector<Real> H, M;    ///< N along the load; N m about its axis at the bed, with the sign of H above the bed
   std::vector<Real> height;  ///< m above the bed, where the line of the load cuts its axis
   Real length = nan;         ///< m, in the bed when the load begins
-  Real direction = 0;        ///< +1 or -1: of the load along the axis in which u and H of the history count; 0: it goes across
+  Real point_height =
+      nan;  ///< m above the bed at the start: where the case has the load act on a body that may turn; NaN: it names no such point
+  Real direction = 0;  ///< +1 or -1: of the load along the axis in which u and H of the history count; 0: it goes across
 
   bool empty() const { return rows.empty(); }
 };
@@ -27,7 +29,7 @@ LateralPath lateral_path(const record::RunRecord& run);
 /// How it stands at the end, and the largest H: freed from noise over a twentieth of the way, 0.01 D at most.
 struct LateralResults {
   Real H = nan, M = nan, u = nan, tilt = nan;  ///< at the end, as of the path
-  Real height = nan;                           ///< m, of the load at the end
+  Real height = nan;                           ///< m, of the load: that of the case, else that at the end
   Real u_load = nan;                           ///< m, there
   Real pivot = nan;                            ///< m below the bed, the point of the axis that stayed
   Real max_H = nan, u_at_max = nan;            ///< N, m
@@ -51,6 +53,8 @@ public:
   /// Undrained strength at a depth below the bed, Pa; NaN of soil with friction.
   Real strength_at(Real depth) const;
   Real H_at(Real u) const { return H_.empty() ? nan : H_.at(u, half_); }
+  /// NaN beyond the way.
+  Real tilt_at(Real u) const { return H_.empty() ? nan : record::TravelCurve(path.u, path.tilt).at(u, half_); }
   /// H over s_u D L.
   Real over_strength(Real H) const { return H / (strength * width * path.length); }
   Real half() const { return half_; }

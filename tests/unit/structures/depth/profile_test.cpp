@@ -80,6 +80,16 @@ TEST(DepthProfile, stands_in_files_and_on_the_page)
     EXPECT_NE(html.find(part), std::string::npos) << part << " is not in\n" << html;
 }
 
+TEST(DepthProfile, of_a_body_that_is_loaded_along_the_bed_has_no_neutral_plane)
+{
+  record::RunRecord run = dragged_pile();
+  run.settings.geometry = problem::Geometry::space;
+  run.settings.stage[0].kind = problem::StageKind::drag;
+  const std::string html = profile_section(run, "results-0");
+  EXPECT_EQ(html.find("neutral plane"), std::string::npos) << html;
+  EXPECT_NE(html.find("the soil carries 8 kN of probe on its upright sides and 7 kN below them"), std::string::npos) << html;
+}
+
 TEST(DepthProfile, is_none_without_slices)
 {
   record::RunRecord run = dragged_pile();

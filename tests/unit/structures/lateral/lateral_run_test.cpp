@@ -83,6 +83,19 @@ TEST(Lateral, load_acts_where_its_line_cuts_the_leaning_axis_whatever_hangs_ther
   EXPECT_NEAR(base::quantity_value(run, "lateral_M_end"), height * (4e6 + 2e6 * std::tan(0.04)), 1);
 }
 
+TEST(Lateral, load_acts_at_the_point_that_the_case_names)
+{
+  record::RunRecord run = pile();
+  run.settings.stage.back().drive.point = {0, height + 0.05, 0};
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  EXPECT_NEAR(base::quantity_value(run, "lateral_height_end"), height + 0.05, 1e-12);
+  EXPECT_NEAR(base::quantity_value(run, "lateral_u_load_end"), (pivot + height + 0.05) * std::sin(0.04), 1e-9);
+  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
+  const std::string html = structures::structure_of(run.settings).key_results({{&run, 0}}, shown);
+  EXPECT_NE(html.find("u at the load, mm"), std::string::npos) << html;
+  EXPECT_NE(html.find("72.40</td>"), std::string::npos) << html;  // at u = 0.02 D = 40 mm: (pivot + height) times a tilt of 8 mrad
+}
+
 TEST(Lateral, results_are_said_in_words_and_stand_in_tables)
 {
   const record::RunRecord run = pile();
