@@ -17,6 +17,7 @@ namespace berm::driven {
 namespace {
 
 constexpr Real same_depth = 0.005;  // of D
+constexpr Real slides = 0.1;        // of D: a body that a force moves farther slides, and its inertia counts
 
 std::string subject_of(const problem::Case& c)
 {
@@ -80,6 +81,16 @@ std::string states_words(const DrivenRun& run, const Results& results, const bas
   return words;
 }
 
+/// What else the displacement under a load history depends on.
+std::string inertia_words(const DrivenRun& run, const DragResults& drag)
+{
+  const auto stage = std::ranges::find(run.stages, drag.stage, &Stage::name);
+  const Index rigid = main_rigid(run.settings);
+  if (stage == run.stages.end() || !stage->varies || rigid == none) return "";
+  return fmt::format("That is for its mass of {} {} and the times of this load history: a force beyond the resistance accelerates it. ",
+                     text::short_number(run.settings.rigid[rigid].second.mass), run.scale.dimension == 2 ? "kg/m" : "kg");
+}
+
 /// How far a force moves it: what is asked of a pipe on the bed in a storm.
 std::string moved_words(const DrivenRun& run, const DragResults& drag, const base::DisplayUnits& shown)
 {
@@ -92,6 +103,7 @@ std::string moved_words(const DrivenRun& run, const DragResults& drag, const bas
   if (moved.half_cycles > 1)
     words += fmt::format("Its largest way between two turns is {}, of {}. ", length(moved.largest_half_cycle),
                          text::count_words(moved.half_cycles));
+  if (std::abs(moved.u_largest) > slides * run.scale.width) words += inertia_words(run, drag);
   const auto after = [](Real time) { return "after " + text::time_words(time); };
   if (moved.time_D)
     return words + fmt::format("It breaks out: it is 0.5 D away {} and 1 D {}. ", after(*moved.time_half_D), after(*moved.time_D));

@@ -140,7 +140,8 @@ void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const Pip
   for (const driven::DragResults& drag : run.results().drags) {
     const auto found =
         std::find_if(path.drags.begin(), path.drags.end(), [&](const driven::DragPath& p) { return p.stage.name == drag.stage; });
-    if (!drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end()) continue;
+    if (drag.moved || !drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end())
+      continue;  // a force that is given is no resistance
     if (swept && clay == nullptr) break;
     const Real middle = record::TravelCurve(found->travel, found->H).at(drag.end->u / 2, half);
     const SweepResults sweep{found->w.front(), drag.end->w, drag.end->V / part, drag.end->H / part, middle / part};
@@ -195,7 +196,7 @@ PublishedValues published_beside(const driven::DrivenRun& run)
   }
   values.states = states_of(run);
   const driven::RunPoints points = driven::points_of(run);
-  const bool drags = !points.drag.empty() || driven::resistance_of(run).breakout;
+  const bool drags = !run.results().main_drag().moved && (!points.drag.empty() || driven::resistance_of(run).breakout);
   const std::vector<driven::UpliftResults> uplifts = run.results().uplifts;
   if (values.states.empty() && !drags && uplifts.empty()) {
     values.remarks.emplace_back("This run came to no state that a formula can be compared with.");

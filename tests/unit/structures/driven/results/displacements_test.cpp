@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "structures/driven/report/report.hpp"
 #include "structures/driven/results/displacements.hpp"
 
 #include "samples/made_run.hpp"
@@ -67,6 +68,14 @@ TEST(Displacements, are_no_resistance)
   const record::RunRecord run = moved();
   for (const char* name : {"H_max", "H_breakout", "H_residual", "H_noise", "H_at_u_0.1D"}) EXPECT_EQ(run.quantity(name), nullptr) << name;
   EXPECT_EQ(run.quantity("H_end_of_drag")->kind, run_folder::QuantityKind::prescribed);
+}
+
+TEST(Displacements, are_said_to_be_of_a_mass_and_of_the_times_of_the_load)
+{
+  record::RunRecord run = moved();
+  run.settings.rigid.front().second.mass = 2.5;
+  const std::string words = results_in_words(DrivenRun(run), base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
+  EXPECT_NE(words.find("That is for its mass of 2.5 kg/m and the times of this load history"), std::string::npos) << words;
 }
 
 TEST(Displacements, have_a_table_of_their_half_cycles)

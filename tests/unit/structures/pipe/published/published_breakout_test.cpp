@@ -115,5 +115,15 @@ TEST(published_breakout, the_end_of_a_long_drag_stands_beside_the_residual_and_t
   EXPECT_TRUE(std::isnan(by(its_end, "DNVGL-RP-F114", "LE")->berm)) << "H grows to the end";
 }
 
+TEST(published_breakout, a_force_that_the_case_prescribes_is_compared_with_no_resistance)
+{
+  record::RunRecord run = long_drag_in_clay().record();
+  for (problem::StageSettings& stage : run.settings.stage)
+    if (stage.kind == problem::StageKind::drag) stage.velocity.reset(), stage.force = 20;
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  const PublishedValues values = published_beside(driven::DrivenRun(run));
+  for (const Kind kind : {Kind::peak, Kind::breakout, Kind::end_of_drag}) EXPECT_EQ(state_of(values, kind), nullptr);
+}
+
 }  // namespace
 }  // namespace berm::pipe::this_file
