@@ -5,6 +5,7 @@
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
 #include "structures/driven/results/states.hpp"
+#include "structures/driven/results/uplift.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -164,7 +165,11 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
   table.columns(headings);
   for (const DrivenRun& run : runs) {
     const Results results = run.results();
-    if (results.drags.size() < 2 && results.other_pushes.empty()) continue;
+    const auto lifts = [&](const OtherPushResults& push) {
+      return std::ranges::find(results.uplifts, push.stage, &UpliftResults::stage) != results.uplifts.end();
+    };
+    // A lift has a table of its own.
+    if (results.drags.size() < 2 && std::ranges::all_of(results.other_pushes, lifts)) continue;
     const auto add = [&](const std::string& stage, const auto& value_of) {
       std::vector<text::HtmlCell> cells{{text::html_text(stage)}};
       for (const StageColumn& c : columns) {
@@ -345,6 +350,30 @@ std::string uplift_table(const DrivenRuns& runs, const base::DisplayUnits& shown
   return table.empty() ? "" : table.html();
 }
 
+/// R by the travel upwards, and where it is largest.
+std::string uplift_travel_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
+{
+  constexpr Real told_at[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1};  // over D: not less than forces are averaged over, as the largest is
+  text::HtmlTable table("key-uplift-travel", "Uplift resistance R by the travel upwards");
+  table.columns(side_by_side({{{"stage"}}, shown.length_columns("travel"), shown.force_columns("R")}));
+  for (const DrivenRun& run : runs) {
+    if (run.history.rows() == 0) continue;
+    for (const OtherPush& push : path_of(run.history, run.stages).other_pushes) {
+      if (!push.upwards) continue;
+      const LiftPath lift = lift_path(push, run.history);
+      const record::TravelCurve R(lift.travel, lift.R);
+      for (const Real part : told_at) {
+        const Real travel = part * run.scale.width;
+        if (R.empty() || !(travel <= R.end())) break;
+        table.row(side_by_side({{{text::html_text(runs.size() > 1 ? run.name + ", " + push.stage : push.stage)}},
+                                shown.length_cells(run.scale, travel),
+                                shown.force_cells(run.scale, R.at(travel, averaging_half(run.scale)))}));
+      }
+    }
+  }
+  return table.empty() ? "" : table.html();
+}
+
 /// The travels one by one, folded where the main one is told by itself.
 std::string folded(const std::string& table)
 {
@@ -386,8 +415,8 @@ std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown,
 {
   const bool several = runs.size() > 1;
   const std::string tables = states_table(runs, shown) + resistance_table(runs, shown, several) + displacements_table(runs, shown) +
-                             uplift_table(runs, shown) + (push ? push_table(runs, shown, several) : "") + drag_table(runs, shown, several) +
-                             folded(stages_table(runs, shown));
+                             uplift_table(runs, shown) + uplift_travel_table(runs, shown) + (push ? push_table(runs, shown, several) : "") +
+                             drag_table(runs, shown, several) + folded(stages_table(runs, shown));
   return tables.empty() ? "" : tables + shown.scale_words() + averaging_words(runs) + rigid_contact_notes(runs) + converged_notes(runs);
 }
 

@@ -243,6 +243,19 @@ const DragPath& Path::main_drag() const
   return drag_or_none(drags, main);
 }
 
+Real force_that_ended(const PushPath& push, const run_folder::History& history, const Stages& stages)
+{
+  constexpr Real noise = 0.05;  // a row may have so much less than the mean that ends a push
+  constexpr Real same_depth = 1e-3;
+  if (push.rows.empty()) return nan;
+  const auto stage = std::ranges::find(stages, history.stage[push.rows.back()], &Stage::name);
+  if (stage == stages.end() || !stage->asked.until.force) return nan;
+  const problem::Until& until = stage->asked.until;
+  const bool deep = until.embedment && push.w.back() >= (1 - same_depth) * *until.embedment;
+  const Real least = until.time || until.displacement ? 1 : 1 - noise;
+  return !deep && push.V.back() >= least * *until.force ? *until.force : nan;
+}
+
 Path path_of(const run_folder::History& history, const Stages& stages)
 {
   Path path;

@@ -74,6 +74,9 @@ struct Path {
   const DragPath& main_drag() const;
 };
 
+/// The limit of V that ended the way down, N/m; NaN where a depth or a time did, or it has come to none.
+Real force_that_ended(const PushPath& push, const run_folder::History& history, const Stages& stages);
+
 /// Takes pushes and drags out of a history. A push by a force below the V that it finds, or by a velocity upwards, unloads.
 Path path_of(const run_folder::History& history, const Stages& stages);
 

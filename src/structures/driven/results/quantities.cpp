@@ -2,11 +2,13 @@
 #include "structures/driven/results/quantities.hpp"
 
 #include "record/travel_curve.hpp"
+#include "structures/base/display_units.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/driven/results/displacements.hpp"
 #include "structures/driven/results/path.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/uplift.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -82,7 +84,7 @@ Real half_of_push(const TravelCurve& V, const BodyScale& scale)
   return std::min(averaging_half(scale), std::max(Real(0), V.end() - std::max(V.begin(), Real(0))) / 4);
 }
 
-void take_push(Results& results, const PushPath& path, const BodyScale& scale)
+void take_push(Results& results, const PushPath& path, const run_folder::History& history, const Stages& stages, const BodyScale& scale)
 {
   const Real D = scale.width;
   const TravelCurve V(path.w, path.V);
@@ -91,7 +93,7 @@ void take_push(Results& results, const PushPath& path, const BodyScale& scale)
   for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
     if (k * push_spacing * D >= V.begin())
       results.push.push_back({k * push_spacing * D, V.at(std::min(k * push_spacing * D, V.end()), half)});
-  results.push_end = PushPoint{V.end(), V.at(V.end(), half_of_push(V, scale))};
+  results.push_end = PushPoint{V.end(), V_at_end(path, history, stages, scale)};
   results.V_noise = if_known(noise_of(path.w, path.V, std::max(V.begin(), Real(0)) + noise_of_V_from * D, scale));
 }
 
@@ -206,16 +208,6 @@ void take_other_pushes(Results& results, const Path& path, const run_folder::His
   }
 }
 
-/// A push that a limit of its force ends has that force there, however short it is and whatever its mean.
-void take_limit_of_force(Results& results, const PushPath& push, const run_folder::History& history, const Stages& stages)
-{
-  if (!results.push_end) return;
-  const std::string& name = history.stage[push.rows.back()];
-  for (const Stage& stage : stages)
-    if (stage.name == name && !stage.upwards && stage.asked.until.force && push.V.back() >= *stage.asked.until.force)
-      results.push_end->V = push.V.back();
-}
-
 /// Of all pushes before the first drag that the push end may be of.
 void take_what_the_push_is_given(Results& results, const Stages& stages)
 {
@@ -275,13 +267,19 @@ std::string four_digits(Real value)
 
 }  // namespace
 
+Real V_at_end(const PushPath& push, const run_folder::History& history, const Stages& stages, const BodyScale& scale)
+{
+  if (const Real limit = force_that_ended(push, history, stages); std::isfinite(limit)) return limit;
+  const TravelCurve V(push.w, push.V);
+  return V.empty() ? nan : V.at(V.end(), half_of_push(V, scale));
+}
+
 Results results_from(const run_folder::History& history, const BodyScale& scale, const Stages& stages)
 {
   const Path path = path_of(history, stages);
   Results results;
   results.main = path.main;
-  take_push(results, path.push, scale);
-  take_limit_of_force(results, path.push, history, stages);
+  take_push(results, path.push, history, stages, scale);
   take_travel(results, path.push, history, scale);
   take_drags(results, path, history, scale);
   take_other_pushes(results, path, history, stages, scale);
@@ -296,14 +294,19 @@ std::string key_results_table(const std::vector<run_folder::Quantity>& quantitie
   const auto find = [&](const std::string& name) {
     return std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == name; });
   };
+  // R_end of a lift is the mean of -V over its end; V in its last row beside it would be a second number for one thing.
+  const auto is_lift = [&](const std::string& V_end) {
+    return find(V_end.substr(0, V_end.size() - std::string_view("V_end").size()) + "R_end") != quantities.end();
+  };
   const bool prototype = has_prototype(scale);
+  const base::ForceMeasure measure = base::force_measure(scale);
   std::string table = fmt::format("{:<24}{:>18}{:>16}", "", "model", "dimensionless");
   if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
   table += '\n';
   for (const run_folder::Quantity& q : quantities) {
-    if (q.kind == run_folder::QuantityKind::ratio) continue;
+    if (q.kind == run_folder::QuantityKind::ratio || (q.name.ends_with(".V_end") && is_lift(q.name))) continue;
     const bool force = q.unit == "N/m" || q.unit == "N", length = q.unit == "m";
-    const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
+    const auto twin = find(q.name + "_over_D");
     const bool moment = q.unit == "N m", time = q.unit == "s";
     const std::string model = force    ? four_digits(q.value) + (q.unit == "N" ? " N   " : " N/m ")
                               : length ? four_digits(1000 * q.value) + " mm  "
@@ -311,6 +314,7 @@ std::string key_results_table(const std::vector<run_folder::Quantity>& quantitie
                               : time   ? four_digits(q.value) + " s   "
                                        : "";
     const std::string bare = !force && !length && !moment && !time ? four_digits(q.value)
+                             : force && measure.size > 0           ? four_digits(q.value / measure.size)
                              : twin != quantities.end()            ? four_digits(twin->value)
                                                                    : "";
     table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
@@ -320,7 +324,10 @@ std::string key_results_table(const std::vector<run_folder::Quantity>& quantitie
     table.erase(table.find_last_not_of(' ') + 1);
     table += '\n';
   }
-  if (scale.unit_weight > 0) table += "dimensionless: forces over gamma' D^2, lengths over D\n";
+  if (measure.kind == base::ForceMeasure::Kind::strength)
+    table += fmt::format("dimensionless: forces over D s_u with s_u = {}, lengths over D\n", text::stress_words(scale.strength));
+  else
+    table += fmt::format("dimensionless: {}lengths over D\n", measure.size > 0 ? "forces over gamma' D^2, " : "");
   return table;
 }
 

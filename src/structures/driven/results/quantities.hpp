@@ -27,6 +27,9 @@ namespace berm::driven {
 /// noise.
 Results results_from(const run_folder::History& history, const BodyScale& scale, const Stages& stages);
 
+/// V where the way down ends, N/m: the limit of force that ended it, else that of the line fitted there.
+Real V_at_end(const PushPath& push, const run_folder::History& history, const Stages& stages, const BodyScale& scale);
+
 /// Quantities as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model has
 /// one.
 std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const BodyScale& scale);

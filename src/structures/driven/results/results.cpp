@@ -255,7 +255,7 @@ void describe(Visitor& v, Results& r, Real D)
   }
   for (OtherPushResults& push : r.other_pushes) {
     v.of(push.stage, push.stage);
-    v.force("V_end", push.V, "vertical reaction at the end of the stage", kind_of(push.given.V));
+    v.force("V_end", push.V, "vertical reaction in the last row of the stage", kind_of(push.given.V));
     v.length("w_end", push.w, "embedment at the end of the stage", kind_of(push.given.w));
   }
   for (UpliftResults& uplift : r.uplifts) {

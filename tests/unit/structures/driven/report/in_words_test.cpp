@@ -58,6 +58,11 @@ TEST(InWords, a_lift_out_of_the_soil_says_how_far_it_has_consolidated_and_what_i
   EXPECT_NE(words.find("when 75 % of the excess pore pressure of \"rest\" is gone, the pipe meets an uplift resistance of"),
             std::string::npos)
       << words;
+  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
+  const std::string tables = key_results({DrivenRun(run)}, shown), log = key_results_table(run.quantities, base::body_scale(run));
+  EXPECT_NE(tables.find("Uplift resistance R by the travel upwards"), std::string::npos) << tables;
+  EXPECT_EQ(log.find("lift.V_end "), std::string::npos) << log;
+  EXPECT_NE(log.find("lift.R_end "), std::string::npos) << log;
   EXPECT_NE(words.find("It stays in the soil as long as what pulls it up, beyond its weight in water, is less than 0.9 kN/m"),
             std::string::npos)
       << words;

@@ -282,6 +282,10 @@ TEST(KeyResults, give_model_dimensionless_and_prototype_values)
   EXPECT_NE(line.find("800.0 N/m"), std::string::npos) << table;
   EXPECT_NE(line.find("4.651"), std::string::npos) << table;
   EXPECT_NE(line.find("40.00 kN/m"), std::string::npos) << table;
+  // In clay over D s_u, 20 mm times 2 kPa.
+  const std::string clay = key_results_table(quantities_of({}), {.width = 0.02, .unit_weight = 430e3, .strength = 2e3});
+  EXPECT_NE(clay.find("20.00"), std::string::npos) << clay;
+  EXPECT_NE(clay.find("forces over D s_u with s_u = 2 kPa, lengths over D"), std::string::npos) << clay;
   // One gravity rounded, and none at all, make no prototype.
   for (const Real level : {1., 10 / 9.81, 0.})
     EXPECT_EQ(key_results_table(quantities_of({}), {.width = 0.02, .unit_weight = 430e3, .gravity_level = level}).find("prototype"),
