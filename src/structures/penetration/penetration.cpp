@@ -88,7 +88,7 @@ std::string Penetration::in_words(const record::RunRecord& run, const base::Disp
 std::string Penetration::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
 {
   if (runs.empty()) return "";
-  const std::string own = penetration_key_results(penetration_runs(runs, reading_), reading_.word);
+  const std::string own = penetration_key_results(penetration_runs(runs, reading_), shown, reading_.word);
   return reading_.keeps_push ? own + driven::key_results(driven_runs(runs), shown, false) : own;
 }
 

@@ -5,6 +5,7 @@
 #include "structures/driven/report/report.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
+#include "structures/penetration/soil_on_body.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -124,6 +125,21 @@ std::string soil_words(const PenetrationRun& run)
   return "";
 }
 
+/// Of a footing that is deep: whether the hole above it is open, as N_c takes it, and the factor with the soil that has flowed back.
+std::string backflow_words(const PenetrationRun& run)
+{
+  constexpr Real little = 0.02;  // of N_c
+  const Real back = value_of(run, "sigma_backflow_end"), N = value_of(run, "N_c_end_backflow");
+  if (!std::isfinite(N)) return "";
+  const std::string name = text::html_text(base::body_word(run.record.settings));
+  if (N < (1 + little) * run.last().factor)
+    return fmt::format(" σ<sub>v0</sub> is that beside a hole that stays open, as it does here above the {}.", name);
+  return fmt::format(
+      " σ<sub>v0</sub> is that beside a hole that stays open. Here soil has flowed back over the {} and weighs {} over its area "
+      "at the end: with that {} = (q − σ<sub>v0</sub> + {})/s<sub>u</sub> = {}.",
+      name, text::stress_words(back), run.symbol()->html, text::stress_words(back), text::short_number(N));
+}
+
 /// What a footing on the surface of the soil below this one has, where that is known.
 std::string surface_words(const PenetrationRun& run)
 {
@@ -202,14 +218,17 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
   return table.html();
 }
 
-/// Resistance and factor by depth: of a single run two columns, of several the factor (without one: the resistance) of each.
-std::string depth_table(const PenetrationRuns& runs, const std::string& id)
+/// Resistance and factor by depth: of a single run two columns, of several the factor (without one: the resistance) of each. Of a single footing load and settlement, too.
+std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& shown, const std::string& id)
 {
   const Reading& reading = runs.front().reading;
-  text::HtmlTable table(id, fmt::format("By depth z of the {}", reading.level));
-  const bool alone = runs.size() == 1;
+  const bool alone = runs.size() == 1, settles = alone && reading.keeps_push;
+  text::HtmlTable table(id, settles ? fmt::format("Load V by the settlement z of the {}", reading.level)
+                                    : fmt::format("By depth z of the {}", reading.level));
   const auto symbol = [](const PenetrationRun& run) { return run.symbol() == nullptr ? run.reading.resistance : *run.symbol(); };
   std::vector<HtmlCell> columns{{"z/D"}};
+  if (settles)
+    for (const HtmlCell& cell : {shown.length_columns("z")[1], shown.force_columns("V").front()}) columns.push_back(cell);
   if (alone) columns.push_back({std::string(reading.resistance.html) + ", kPa", true});
   for (const PenetrationRun& run : runs)
     if (!alone || run.symbol() != nullptr)
@@ -229,17 +248,39 @@ std::string depth_table(const PenetrationRuns& runs, const std::string& id)
       any = any || std::isfinite(value);
       cells.push_back({text::table_number(value), true});
     };
+    if (settles) {
+      const PenetrationRun& run = runs.front();
+      const Real z = part * run.body.width;
+      cells.push_back(shown.length_cells(run.scale, z)[1]);
+      add(before_end(run) && z <= run.q_curve().end() ? shown.in_force_unit(run.V_at(z)) : nan);
+    }
     if (alone) add(before_end(runs.front()) ? value_of(runs.front(), name_at(reading.resistance.plain, part)) / 1e3 : nan);
     for (const PenetrationRun& run : runs)
       if (!alone || run.symbol() != nullptr) add(before_end(run) ? value_of(run, name_at(symbol(run).plain, part)) : nan);
     if (any) table.row(cells);
   }
-  if (const PenetrationRun& run = runs.front(); alone && reading.keeps_push && std::isfinite(run.last().q)) {
-    std::vector<HtmlCell> cells{{last_depths(run) + ", mean"}, {text::table_number(run.last().q / 1e3), true}};
+  if (const PenetrationRun& run = runs.front(); settles && std::isfinite(run.last().q)) {
+    std::vector<HtmlCell> cells{{last_depths(run) + ", mean"},
+                                {"", true},
+                                {text::table_number(shown.in_force_unit(run.last().q * run.area())), true},
+                                {text::table_number(run.last().q / 1e3), true}};
     if (run.symbol() != nullptr) cells.push_back({text::table_number(run.last().factor), true});
     table.row(cells);
   }
   return table.empty() ? "" : table.html();
+}
+
+/// "Pushed until the base of the footing is 0.1 D (600 mm) deep, the mudmat (D = 6 m, area 28.3 m²) meets ", where a limit of V ended the push with that and where
+/// the body is then.
+std::string begin_words(const PenetrationRun& run, const std::string& name, const base::DisplayUnits& shown)
+{
+  const std::string body = fmt::format("the {} ({}) meets ", name, body_words(run));
+  std::string depth = fmt::format("{} ({}) deep", in_D(run.z_end(), run.body.width), text::length_words(run.z_end()));
+  if (run.reading.keeps_push && run.body.shoulder > 0) depth += fmt::format(", its lowest point {}", text::length_words(run.w_end()));
+  if (std::isfinite(run.force_limit()))
+    return fmt::format("Pushed until V = {}: the {} is then {}. There {}", shown.force_text(run.scale, run.force_limit()),
+                       run.reading.level, depth, body);
+  return fmt::format("Pushed until the {} is {}, {}", run.reading.level, depth, body);
 }
 
 }  // namespace
@@ -249,14 +290,12 @@ std::string penetration_words(const PenetrationRun& run, const base::DisplayUnit
   const std::string name = text::html_text(base::body_word(run.record.settings));
   if (run.z().empty() || !std::isfinite(run.area()))
     return fmt::format("The {} did not come into the soil, or its area is not known.", name);
-  const Real D = run.body.width;
-  std::string words = fmt::format("Pushed until the {} is {} ({}) deep, the {} ({}) meets ", run.reading.level, in_D(run.z_end(), D),
-                                  text::length_words(run.z_end()), name, body_words(run));
+  std::string words = begin_words(run, name, shown);
   if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.reading.resistance.html, text::stress_words(run.q().back()));
-  return words + last_words(run, shown) + ". " + steady_words(run) + cavity_words(run) + soil_words(run) + surface_words(run);
+  return words + last_words(run, shown) + ". " + steady_words(run) + cavity_words(run) + soil_words(run) + backflow_words(run) + surface_words(run);
 }
 
-std::string penetration_key_results(const PenetrationRuns& runs, const std::string& id)
+std::string penetration_key_results(const PenetrationRuns& runs, const base::DisplayUnits& shown, const std::string& id)
 {
   PenetrationRuns known;
   for (const PenetrationRun& run : runs)
@@ -276,7 +315,7 @@ std::string penetration_key_results(const PenetrationRuns& runs, const std::stri
                                : "");
   driven::DrivenRuns driven;
   for (const PenetrationRun& run : known) driven.emplace_back(run.record, run.number);
-  return html + summary_table(known, id + "-end") + depth_table(known, id + "-depth") +
+  return html + summary_table(known, id + "-end") + depth_table(known, shown, id + "-depth") +
          (reading.keeps_push ? "" : driven::converged_notes(driven));
 }
 

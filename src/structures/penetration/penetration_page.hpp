@@ -11,7 +11,7 @@ namespace berm::penetration {
 std::string penetration_words(const PenetrationRun& run, const base::DisplayUnits& shown);
 
 /// The log of the runs and their key results as tables, HTML; `id` begins the names of the tables.
-std::string penetration_key_results(const PenetrationRuns& runs, const std::string& id);
+std::string penetration_key_results(const PenetrationRuns& runs, const base::DisplayUnits& shown, const std::string& id);
 
 /// What is exact or published beside the runs, with its heading, HTML; "" where there is nothing. What is only recalled is not shown.
 std::string penetration_published(const PenetrationRuns& runs, const std::string& id);

@@ -3,50 +3,19 @@
 #include "structures/penetration/penetration_results.hpp"
 
 #include "structures/driven/results/path.hpp"
+#include "structures/penetration/soil_on_body.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <ranges>
-#include <set>
 
 namespace berm::penetration {
 namespace {
 
+constexpr Real shallow = 0.25;  // of D: above a footing that is no deeper there is no hole to speak of
 constexpr Real reached = 1e-3;  // of D: a stage that ends at a depth may stop this much short of it
 
-/// soil_above in the last frame in which the body is as deep as at the end of the push; empty without one, and of a body from which soil does not close above.
-std::optional<Real> soil_above_at_end(const PenetrationRun& run)
-{
-  constexpr Real same_depth = 0.05;  // of D
-  const problem::Case& c = run.record.settings;
-  if (!run.reading.flows_around || c.method != problem::Method::mpm || c.geometry == problem::Geometry::space) return {};
-  const std::vector<Real>&time = run.record.history["time_s"], &w = run.record.history["w_m"];
-  const Real D = run.body.width, x = center_of<2>(make_shape<2>(c.rigid[problem::main_rigid(c)].second.shape))[0];
-  try {
-    for (const run_folder::FrameFiles& frame : run_folder::frame_files(run.record.folder / "frames") | std::views::reverse) {
-      const auto row = std::lower_bound(time.begin(), time.end() - 1, frame.time * (1 - 1e-12)) - time.begin();
-      if (std::abs(w[row] - run.w_end()) < same_depth * D)
-        return soil_above(run_folder::read_soil(frame.soil), x, run.record.bed_surface().at(x) - w[row] + run.body.height, D);
-    }
-  } catch (const RunError&) {  // the film says which frame is damaged
-  }
-  return {};
-}
-
 }  // namespace
-
-Real soil_above(const run_folder::SavedSoil& soil, Real x, Real top, Real width)
-{
-  constexpr int columns = 3, rows = 6;  // of squares, on each side: half of its half width across, half a width up
-  const Real side = width / (2 * rows);
-  std::set<std::pair<int, int>> filled;
-  for (std::size_t k = 0; k < soil.x.size(); ++k) {
-    const Real column = std::floor(std::abs(soil.x[k] - x) / side), row = std::floor((soil.y[k] - top) / side);
-    if (column < columns && row >= 0 && row < rows) filled.emplace(static_cast<int>(column), static_cast<int>(row));
-  }
-  return static_cast<Real>(filled.size()) / (columns * rows);
-}
 
 std::string name_at(const std::string& what, Real over_D)
 {
@@ -72,7 +41,7 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
     add(name_at(q, part), run.q_at(z), "Pa", "resistance over the area; " + level);
     if (!N.empty()) add(name_at(N, part), run.factor_at(z), "1", "factor of the net resistance; " + level);
   }
-  add("soil_above", soil_above_at_end(run).value_or(nan), "1",
+  add("soil_above", reading.flows_around ? soil_above_at_end(run) : nan, "1",
       "part of the half width above the body that holds soil at the end of the push: 0 under an open cavity, 1 where the soil has closed",
       quality);
   add("z_end", run.z_end(), "m", fmt::format("depth of the {} at the end of the push", reading.level), prescribed);
@@ -84,6 +53,13 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
   add(q + "_end", last.q, "Pa", "mean resistance " + over);
   add("f_shaft_end", last.friction, "Pa", "mean friction of the shaft in the soil, " + over);
   if (!N.empty()) add(N + "_end", last.factor, "1", "mean factor " + over);
+  // Soil that has flowed back rests on the body: the bearing capacity of an open hole is net of sigma_v0, and of that weight it gets back.
+  const bool in_a_hole = reading.keeps_push && run.measure() == Measure::strength && run.z_end() > shallow * D;
+  if (const Real back = in_a_hole ? backflow_pressure(run) : nan; std::isfinite(back)) {
+    add("sigma_backflow_end", back, "Pa", "weight of the soil on the body at the end of the push, over the area");
+    add(N + "_end_backflow", last.factor + back / run.soil.at(run.z_end()).strength, "1",
+        "mean factor " + over + ", with that weight on the body");
+  }
   add(judged + "_change", last.change, "1", "change of its straight line, over the mean, " + over, quality);
   add(judged + "_scatter", last.scatter, "1", "standard deviation of the rows about that line, over the mean, " + over, quality);
   if (!last.steady()) return list;
@@ -131,7 +107,8 @@ std::vector<std::string> penetration_names(const Reading& reading)
   }
   if (reading.flows_around) names.emplace_back("soil_above");
   if (reading.keeps_push)
-    for (const char* name : {"V_at_H_max", "M_at_H_max", "V_at_H_max_over_As_u", "H_max_over_As_u", "M_at_H_max_over_ADs_u"})
+    for (const char* name : {"sigma_backflow_end", "N_c_end_backflow", "V_at_H_max", "M_at_H_max", "V_at_H_max_over_As_u",
+                             "H_max_over_As_u", "M_at_H_max_over_ADs_u"})
       names.emplace_back(name);
   return names;
 }
@@ -140,7 +117,7 @@ bool is_of_reading(const std::string& name, const Reading& reading)
 {
   const auto begins = [&](const char* symbol) { return name.starts_with(std::string(symbol) + "_"); };
   return begins(reading.resistance.plain) || begins(reading.in_clay.plain) || begins(reading.in_sand.plain) || name.starts_with("z_") ||
-         name == "area" || name == "f_shaft_end" || name == "soil_above";
+         name == "area" || name == "f_shaft_end" || name == "soil_above" || name == "sigma_backflow_end";
 }
 
 std::string log_csv(const PenetrationRun& run)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "run_folder/frame_reader.hpp"
 #include "run_folder/summary.hpp"
 #include "structures/penetration/penetration_run.hpp"
 
@@ -14,18 +13,12 @@ std::string name_at(const std::string& what, Real over_D);
 ///   q_at_z_{...}D (Pa) and N_at_z_{...}D at the reading's depths, as far as the way down came;
 ///   z_end (m) and z_end_over_D, the depth of the level of full width at the end;
 ///   q_end and N_end, means over the last travel, N_change and N_scatter over it (of q where there is no N: q_change, q_scatter);
+///   of a footing in clay sigma_backflow_end (Pa), what the soil on it weighs at the end over the area, and N_c_end_backflow, N_c_end with that weight on it;
 ///   N_steady, the same mean, and z_at_N_steady, where the resistance is steady (LastTravel);
 ///   f_shaft_end (Pa), mean friction of the shaft that is in the soil, where the history tells the force on it;
 ///   area (m2; plane strain m), of the part that is modelled;
 ///   soil_above, of a body around which soil flows, where there are frames.
 std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run);
-
-/// How much of the soil's place above a body is filled: of the squares of width/12 within width/4 of its axis at `x`, up to half a width above its `top` (m), the part in
-/// which a point of the soil lies. 0 under an open cavity, 1 where the soil has closed.
-Real soil_above(const run_folder::SavedSoil& soil, Real x, Real top, Real width);
-
-/// The part of that place which is filled where soil flows around a body in full.
-constexpr Real closed_soil = 0.75;
 
 /// Of a body that a drag loads after its push: the point of its failure in V, H and M, where H of the first drag is largest: V_at_H_max and M_at_H_max (N m; plane strain
 /// N m/m), with M about the middle of its base, counter-clockwise on the body; in clay also over A s_u and A D s_u (V_at_H_max_over_As_u, H_max_over_As_u,

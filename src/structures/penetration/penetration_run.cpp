@@ -74,7 +74,8 @@ void PenetrationRun::take_rows()
 {
   const run_folder::History& history = record.history;
   if (history.rows() == 0 || !history.has("w_m") || !history.has_label("V")) return;
-  const driven::PushPath push = driven::path_of(history, driven::stages_of(record.settings)).push;
+  const driven::Stages stages = driven::stages_of(record.settings);
+  const driven::PushPath push = driven::path_of(history, stages).push;
   const bool begins_in_soil = !push.w.empty() && push.w.front() > body.shoulder + same_place * body.width;
   const std::vector<Real>* shaft = history.has_label("V shaft") ? &history.by_label("V shaft") : nullptr;
   for (std::size_t k = 0; k < push.w.size(); ++k) {
@@ -85,6 +86,7 @@ void PenetrationRun::take_rows()
     q_.push_back((push.V[k] - sides) / area_);
     if (shaft != nullptr) friction_.push_back(z > 0 ? sides / shaft_area(z) : 0);
   }
+  force_limit_ = driven::force_that_ended(push, history, stages);
   measure_ = measure_of_soil();
   q_curve_ = TravelCurve(z_, q_);
   if (knows_shaft()) friction_curve_ = TravelCurve(z_, friction_);
@@ -148,6 +150,11 @@ Real PenetrationRun::q_at(Real z) const
 Real PenetrationRun::factor_at(Real z) const
 {
   return factor_curve_.empty() ? nan : factor_curve_.at(z, half());
+}
+
+Real PenetrationRun::V_at(Real z) const
+{
+  return q_at(z) * area_ + (friction_curve_.empty() ? 0 : friction_curve_.at(z, half()) * shaft_area(z));
 }
 
 void PenetrationRun::take_last()

@@ -70,6 +70,10 @@ public:
   /// Averaged; NaN at depths beyond the way.
   Real q_at(Real z) const;
   Real factor_at(Real z) const;
+  /// V there, with what the shaft carries, N (plane strain: N/m).
+  Real V_at(Real z) const;
+  /// V at which a limit of force ended the push; NaN where it ended otherwise.
+  Real force_limit() const { return force_limit_; }
 
   const LastTravel& last() const { return last_; }
   /// m: depth of the level of full width, and of the lowest point, at the end of the way down; NaN without rows.
@@ -85,6 +89,7 @@ private:
   Measure measure_of_soil() const;
 
   Real area_ = nan, whole_width_ = nan, part_ = 1;  ///< part: that is modelled, in space
+  Real force_limit_ = nan;
   Measure measure_ = Measure::none;
   std::vector<Real> z_, q_, friction_;
   record::TravelCurve q_curve_, factor_curve_, friction_curve_;

@@ -169,6 +169,23 @@ TEST(Penetration, of_a_footing_says_one_number_of_its_end_and_of_which_depths_it
   EXPECT_EQ(tables.find("<td>0.5</td>"), std::string::npos) << tables;
 }
 
+TEST(Penetration, of_a_footing_has_its_load_by_settlement_and_the_settlement_at_a_load_that_ends_the_push)
+{
+  MadePush made = footing();
+  record::RunRecord run = made.record();
+  const std::string tables = structure_of(run).key_results({{&run, 0}}, units_of(run));
+  EXPECT_NE(tables.find("Load V by the settlement z of the base of the footing"), std::string::npos) << tables;
+  // z = 0.05 D = 10 mm: V = (5 kPa/m z + 60.48 kPa) times the area.
+  EXPECT_NE(tables.find("<td class=\"number\">10.00</td><td class=\"number\">1.902</td>"), std::string::npos) << tables;
+  run.settings.stage[0].until.force = 1.91e3;
+  run.settings.stage[0].until.embedment = 0.5;
+  const std::string words = structure_of(run).in_words(run, units_of(run));
+  EXPECT_NE(words.find("Pushed until V = 1.91 kN: the base of the footing is then 0.5 D (100 mm) deep. There the probe"), std::string::npos)
+      << words;
+  run.settings.stage[0].until.embedment = 0.1;
+  EXPECT_EQ(structure_of(run).in_words(run, units_of(run)).find("Pushed until V"), std::string::npos);
+}
+
 TEST(Penetration, of_a_footing_is_compared_with_one_on_the_surface_while_it_is_there_and_deeper_with_an_embedded_one)
 {
   MadePush made = footing();
@@ -267,18 +284,6 @@ TEST(Penetration, of_a_t_bar_under_an_open_cavity_is_not_compared_with_full_flow
   run.quantities.back().value = 0.9;
   EXPECT_EQ(published(run).find("out of range"), std::string::npos);
   EXPECT_EQ(words_of(run).find("still open"), std::string::npos);
-}
-
-// A body of 0.2 m with its top at y = -0.4 m: the place above it reaches to y = -0.3 m, 0.05 m to each side.
-TEST(Penetration, soil_above_a_body_is_the_part_of_the_squares_that_hold_a_point)
-{
-  run_folder::SavedSoil soil;
-  const auto add = [&](Real x, Real y) { soil.x.push_back(x), soil.y.push_back(y); };
-  add(0.3, -0.35), add(0.01, -0.45), add(0.01, -0.25);  // beside it, in the body, above the place
-  EXPECT_EQ(soil_above(soil, 0, -0.4, 0.2), 0);
-  for (int i = 0; i < 10; ++i)
-    for (int j = 0; j < 10; ++j) add(0.0025 + 0.005 * i, -0.3975 + 0.005 * j);
-  EXPECT_NEAR(soil_above(soil, 0, -0.4, 0.2), 0.5, 1e-12) << "of a half of the model, filled half way up";
 }
 
 TEST(Penetration, of_a_ball_stands_beside_the_table_where_it_is_shallow)
