@@ -292,7 +292,8 @@ std::string penetration_words(const PenetrationRun& run, const base::DisplayUnit
     return fmt::format("The {} did not come into the soil, or its area is not known.", name);
   std::string words = begin_words(run, name, shown);
   if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.reading.resistance.html, text::stress_words(run.q().back()));
-  return words + last_words(run, shown) + ". " + steady_words(run) + cavity_words(run) + soil_words(run) + backflow_words(run) + surface_words(run);
+  return words + last_words(run, shown) + ". " + steady_words(run) + cavity_words(run) + soil_words(run) + backflow_words(run) +
+         surface_words(run);
 }
 
 std::string penetration_key_results(const PenetrationRuns& runs, const base::DisplayUnits& shown, const std::string& id)
