@@ -52,6 +52,7 @@ void is_all_soil_used(const Scene& s, Findings& found);
 void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found);
 void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found);
 void is_tension_that_of_clay(const Scene& s, Findings& found);
+void may_the_sand_rest(const Scene& s, Findings& found);
 void do_tractions_press(const Scene& s, Findings& found);
 
 // The stages.

@@ -50,6 +50,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_the_soil_bear_its_initial_stress,
                                                           is_the_interface_weaker_than_the_soil,
                                                           is_tension_that_of_clay,
+                                                          may_the_sand_rest,
                                                           do_tractions_press,
                                                           is_the_drive_slow,
                                                           is_the_load_history_slow,

@@ -414,6 +414,17 @@ void is_tension_that_of_clay(const Scene& s, Findings& found)
   }
 }
 
+void may_the_sand_rest(const Scene& s, Findings& found)
+{
+  if (!s.c.mpm.active_distance) return;
+  for (const Soil& soil : yielding(s))
+    if (const std::optional<material::Strength> strength = strength_at_rest(soil.material); strength && strength->friction_angle > 0)
+      return found.warn("mpm.active_distance", fmt::format("lets sand rest, [material.{}]: with 3 D the sand of a drag shook more and bore "
+                                                           "15 to 23 % less H (docs/how_to/what_will_catch_you.md); leave it "
+                                                           "out, or compare with a run without it",
+                                                           soil.name));
+}
+
 void do_tractions_press(const Scene& s, Findings& found)
 {
   for (const auto& [name, traction] : s.c.traction) {
