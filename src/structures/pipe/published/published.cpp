@@ -82,10 +82,13 @@ std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const driven:
   const Real half = base::averaging_half(run.scale);
   const bool small_strain = run.settings.method == problem::Method::fem;
   H = peak->H;
+  // A held V is not there yet when the drag begins.
+  const Real there = record::TravelCurve(drag.travel, drag.V).at(peak->u, half);
+  const Real V = point == Point::onset ? run.results().main_drag().V.value_or(there) : there;
   return ComparedState{ComparedState::Kind::peak,
                        peak->u,
                        small_strain ? points.first_w : record::TravelCurve(drag.travel, drag.w).at(peak->u, half),
-                       record::TravelCurve(drag.travel, drag.V).at(peak->u, half),
+                       V,
                        {},
                        point};
 }
