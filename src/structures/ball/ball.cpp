@@ -10,12 +10,9 @@
 namespace berm::ball {
 namespace {
 
-constexpr base::Limit cells{40,
-                            10,
-                            base::Effect::contact_width,
-                            "a body acts up to a cell larger on each side: (1 + 2 h/D)^2 - 1 of its area (examples/circular_footing)",
-                            true,
-                            base::Sense::too_large};
+constexpr base::Limit cells =
+    base::too_large({40, 10, base::Effect::contact_width,
+                     "a body acts up to a cell larger on each side: (1 + 2 h/D)^2 - 1 of its area (examples/circular_footing)", true});
 
 std::vector<penetration::Comparison> published(const penetration::PenetrationRun& run)
 {

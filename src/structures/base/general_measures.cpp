@@ -24,23 +24,16 @@ inline constexpr Limit energy_of_fem{0.02, 0.15, Effect::energy,
                                      "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step "
                                      "lowers it; a footing on sand whose energy is off by 10 % "
                                      "is right to 2 % (examples/circular_footing)"};
-inline constexpr Limit filter{
-    0.02,
-    0.05,
-    Effect::energy,
-    "a filter that takes 4 % of the work leaves a column of sand 5 % short of where it comes to, one that takes 12 % leaves it 23 % short "
-    "(docs/decisions/0059)",
-    false,
-    Sense::too_large};
-inline constexpr Limit viscosity{
-    0.02, 0.05, Effect::energy, "as of the filter: what it takes is resistance that the soil does not have", false, Sense::too_large};
-inline constexpr Limit damping{0.05,
-                               0.15,
-                               Effect::energy,
-                               "what it takes is resistance that the soil does not have; a sphere pressed on an elastic block, with 5 % of "
-                               "the work taken, sinks to 1 % as deep as it should (examples/hertz)",
-                               false,
-                               Sense::too_large};
+inline constexpr Limit filter = too_large(
+    {0.02, 0.05, Effect::energy,
+     "a filter that takes 4 % of the work leaves a column of sand 5 % short of where it comes to, one that takes 12 % leaves it 23 % short "
+     "(docs/decisions/0059)"});
+inline constexpr Limit viscosity =
+    too_large({0.02, 0.05, Effect::energy, "as of the filter: what it takes is resistance that the soil does not have"});
+inline constexpr Limit damping =
+    too_large({0.05, 0.15, Effect::energy,
+               "what it takes is resistance that the soil does not have; a sphere pressed on an elastic block, with 5 % of "
+               "the work taken, sinks to 1 % as deep as it should (examples/hertz)"});
 inline constexpr Limit out_of_balance{0.01, 0.05, Effect::balance,
                                       "a bed that has not settled is far above, a settled one far below (docs/theory.md, section 5)"};
 inline constexpr Limit at_bounds{0.001, 0.01, Effect::volume_bounds,
@@ -48,24 +41,17 @@ inline constexpr Limit at_bounds{0.001, 0.01, Effect::volume_bounds,
 inline constexpr Limit in_the_air{0.001, 0.01, Effect::volume_bounds, "grains that fly carry nothing"};
 inline constexpr Limit momentum{1e-9, 1e-6, Effect::energy,
                                 "impulses add up to the change of momentum to round-off, or the program is wrong"};
-inline constexpr Limit shear_bands{
-    0.05,
-    0.25,
-    Effect::dilation,
-    "the more strength can be lost in shear bands, the more V falls with the size of the cells (examples/localisation)",
-    false,
-    Sense::too_large};
+inline constexpr Limit shear_bands =
+    too_large({0.05, 0.25, Effect::dilation,
+               "the more strength can be lost in shear bands, the more V falls with the size of the cells (examples/localisation)"});
 inline constexpr Limit cells_of_band{material::cells_of_band, 2 * material::cells_of_band, Effect::dilation,
                                      "bands are some four cells wide, however fine these are (docs/decisions/0063)"};
 inline constexpr Limit unbalance{1, 10, Effect::balance, "over fem.tolerance: at most one is called equilibrium"};
 inline constexpr Limit loose{0, 0.1, Effect::balance, "increments that did not converge leave forces that nothing carries"};
-inline constexpr Limit lag{0.01,
-                           0.05,
-                           Effect::balance,
-                           "an increment is solved again until its own lag is 1 %; with the lag of large increments V is too small "
-                           "(docs/decisions/0013)",
-                           false,
-                           Sense::too_small};
+inline constexpr Limit lag =
+    too_small({0.01, 0.05, Effect::balance,
+               "an increment is solved again until its own lag is 1 %; with the lag of large increments V is too small "
+               "(docs/decisions/0013)"});
 inline constexpr Limit overstress{
     0.01, 0.05, Effect::balance, "far below 0.01 it is right; above 0.05 the soil cannot carry the force (docs/how_to/finite_elements.md)"};
 

@@ -41,6 +41,18 @@ struct Limit {
   Sense sense = Sense::unknown;
 };
 
+/// The limit of a measure whose sense is known.
+constexpr Limit too_large(Limit limit)
+{
+  limit.sense = Sense::too_large;
+  return limit;
+}
+constexpr Limit too_small(Limit limit)
+{
+  limit.sense = Sense::too_small;
+  return limit;
+}
+
 /// How a value stands; unknown where it is NaN.
 text::Standing judge(const Limit& limit, Real value);
 

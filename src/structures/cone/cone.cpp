@@ -8,13 +8,9 @@
 namespace berm::cone {
 namespace {
 
-constexpr base::Limit cells{
-    32,
-    10,
-    base::Effect::contact_width,
-    "soil beside the edge moves with the cone up to a cell beyond it, so that N_kt is too large (examples/cone_in_clay)",
-    true,
-    base::Sense::too_large};
+constexpr base::Limit cells = base::too_large(
+    {32, 10, base::Effect::contact_width,
+     "soil beside the edge moves with the cone up to a cell beyond it, so that N_kt is too large (examples/cone_in_clay)", true});
 
 std::vector<penetration::Comparison> published(const penetration::PenetrationRun& run)
 {

@@ -15,13 +15,11 @@ namespace {
 using formulas::Base;
 using penetration::Comparison, penetration::PenetrationRun;
 
-constexpr base::Limit cells{100,
-                            20,
-                            base::Effect::contact_width,
-                            "soil beside the edge moves with a footing up to a cell beyond it: q is 2 h/D too large at most, around an "
-                            "axis twice that (examples/circular_footing)",
-                            true,
-                            base::Sense::too_large};
+constexpr base::Limit cells =
+    base::too_large({100, 20, base::Effect::contact_width,
+                     "soil beside the edge moves with a footing up to a cell beyond it: q is 2 h/D too large at most, around an "
+                     "axis twice that (examples/circular_footing)",
+                     true});
 constexpr Real shallow = 0.02;  // of D: embedment and heave beside it add some percent to what a footing on the surface carries
 constexpr Real deep = 3;        // of D: the base is deeper than what footings on the surface tell
 constexpr Real little = 0.01;   // of gamma D: cohesion of a sand that formulas leave out

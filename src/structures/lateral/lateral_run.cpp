@@ -141,7 +141,7 @@ void LateralRun::take_results()
   };
   LateralResults& r = results_;
   r.u = H_.end();
-  r.H = at_end(path.H), r.M = at_end(path.M), r.tilt = at_end(path.tilt),
+  r.H = at_end(path.H), r.M = at_end(path.M), r.tilt = at_end(path.tilt);
   r.height = std::isfinite(path.point_height) ? path.point_height : at_end(path.height);
   r.u_load = r.u + r.height * std::sin(r.tilt);
   if (std::abs(r.tilt) > upright) r.pivot = r.u / std::sin(r.tilt);

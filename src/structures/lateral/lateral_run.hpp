@@ -17,8 +17,8 @@ struct LateralPath {
   std::vector<Real> H, M;    ///< N along the load; N m about its axis at the bed, with the sign of H above the bed
   std::vector<Real> height;  ///< m above the bed, where the line of the load cuts its axis
   Real length = nan;         ///< m, in the bed when the load begins
-  Real point_height =
-      nan;  ///< m above the bed at the start: where the case has the load act on a body that may turn; NaN: it names no such point
+  /// m above the bed at the start: where the case has the load act on a body that may turn; NaN: it names no such point.
+  Real point_height = nan;
   Real direction = 0;  ///< +1 or -1: of the load along the axis in which u and H of the history count; 0: it goes across
 
   bool empty() const { return rows.empty(); }
@@ -52,8 +52,8 @@ public:
   const record::TravelCurve& H_curve() const { return H_; }
   /// Undrained strength at a depth below the bed, Pa; NaN of soil with friction.
   Real strength_at(Real depth) const;
+  /// H (N) and tilt (rad) at a displacement u at the bed (m); NaN beyond the way.
   Real H_at(Real u) const { return H_.empty() ? nan : H_.at(u, half_); }
-  /// NaN beyond the way.
   Real tilt_at(Real u) const { return H_.empty() ? nan : record::TravelCurve(path.u, path.tilt).at(u, half_); }
   /// H over s_u D L.
   Real over_strength(Real H) const { return H / (strength * width * path.length); }

@@ -155,11 +155,11 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
   }
   if (!any) return "";
   const std::string none =
-      none_at > 0
-          ? text::html_paragraph(fmt::format("Hobbs (1984) has no buckle of this line at a constrained force P0 of {}: his smallest is {}. "
-                                             "The line of the run moves sideways below that from its imperfection.",
-                                             text::force_words(none_at, 3), text::force_words(hobbs.smallest_force(), 3)))
-          : "";
+      none_at > 0 ? text::html_paragraph(
+                        fmt::format("Hobbs (1984) has no buckle of this line at constrained forces P0 up to {}: his smallest is {}. "
+                                    "The line of the run moves sideways below that from its imperfection.",
+                                    text::force_words(none_at, 3), text::force_words(hobbs.smallest_force(), 3)))
+                  : "";
   return table.html() + none +
          fmt::format(
              "<p>Hobbs (1984) has a straight line without imperfection on friction of {:.3g} W sideways and {:.3g} W along "

@@ -59,7 +59,7 @@ std::string last_words(const PenetrationRun& run, const base::DisplayUnits& show
   const LastTravel& last = run.last();
   const bool at_a_depth = run.reading.keeps_push;
   const std::string q = fmt::format("{} = {}{}", run.reading.resistance.html, text::stress_words(last.q),
-                                    at_a_depth ? ", V = " + shown.force_text(run.scale, last.q * run.area()) : "");
+                                    at_a_depth ? ", V = " + shown.force_text(run.scale, run.V_last()) : "");
   const std::string what =
       run.symbol() == nullptr ? q : fmt::format("{} = {} ({})", run.symbol()->html, text::short_number(last.factor), q);
   const std::string converged = run.symbol() == nullptr ? "" : converged_of(run, judged_name(run) + "_end");
@@ -89,9 +89,8 @@ bool cavity_is_open(const PenetrationRun& run)
 std::string cavity_words(const PenetrationRun& run)
 {
   if (!cavity_is_open(run)) return "";
-  return fmt::format(" The cavity above the {} is <strong>still open</strong>: soil fills {} of the half width above it. Full flow is not "
-                     "reached, and the factor "
-                     "grows as the cavity closes: push deeper.",
+  return fmt::format(" The cavity above the {} is <strong>still open</strong>: soil fills {} of the D/2 above it. Full flow is not "
+                     "reached, and the factor grows as the cavity closes: push deeper.",
                      text::html_text(base::body_word(run.record.settings)), text::percent_words(value_of(run, "soil_above")));
 }
 
@@ -223,8 +222,9 @@ std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& s
 {
   const Reading& reading = runs.front().reading;
   const bool alone = runs.size() == 1, settles = alone && reading.keeps_push;
-  text::HtmlTable table(id, settles ? fmt::format("Load V by the settlement z of the {}", reading.level)
-                                    : fmt::format("By depth z of the {}", reading.level));
+  text::HtmlTable table(
+      id, settles ? fmt::format("Load V by the depth z of the {}, which is the settlement of one that begins on the bed", reading.level)
+                  : fmt::format("By depth z of the {}", reading.level));
   const auto symbol = [](const PenetrationRun& run) { return run.symbol() == nullptr ? run.reading.resistance : *run.symbol(); };
   std::vector<HtmlCell> columns{{"z/D"}};
   if (settles)
@@ -262,7 +262,7 @@ std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& s
   if (const PenetrationRun& run = runs.front(); settles && std::isfinite(run.last().q)) {
     std::vector<HtmlCell> cells{{last_depths(run) + ", mean"},
                                 {"", true},
-                                {text::table_number(shown.in_force_unit(run.last().q * run.area())), true},
+                                {text::table_number(shown.in_force_unit(run.V_last())), true},
                                 {text::table_number(run.last().q / 1e3), true}};
     if (run.symbol() != nullptr) cells.push_back({text::table_number(run.last().factor), true});
     table.row(cells);
@@ -270,7 +270,7 @@ std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& s
   return table.empty() ? "" : table.html();
 }
 
-/// "Pushed until the base of the footing is 0.1 D (600 mm) deep, the mudmat (D = 6 m, area 28.3 m²) meets ", where a limit of V ended the push with that and where
+/// "Pushed until the base of the footing is 0.1 D (600 mm) deep, the footing (D = 6 m, area 28.3 m²) meets ", where a limit of V ended the push with that and where
 /// the body is then.
 std::string begin_words(const PenetrationRun& run, const std::string& name, const base::DisplayUnits& shown)
 {

@@ -76,6 +76,11 @@ public:
   Real force_limit() const { return force_limit_; }
 
   const LastTravel& last() const { return last_; }
+  /// V over the last travel, its mean, with what the shaft carries in its middle, N (plane strain: N/m).
+  Real V_last() const
+  {
+    return last_.q * area_ + (std::isfinite(last_.friction) ? last_.friction * shaft_area(z_end() - last_.travel / 2) : 0);
+  }
   /// m: depth of the level of full width, and of the lowest point, at the end of the way down; NaN without rows.
   Real z_end() const { return z_.empty() ? nan : z_.back(); }
   Real w_end() const { return z_end() + body.shoulder; }

@@ -8,12 +8,9 @@
 namespace berm::pile {
 namespace {
 
-constexpr base::Limit cells{32,
-                            10,
-                            base::Effect::contact_width,
-                            "soil beside the edge of the base moves with it up to a cell beyond it (examples/cone_in_clay)",
-                            true,
-                            base::Sense::too_large};
+constexpr base::Limit cells =
+    base::too_large({32, 10, base::Effect::contact_width,
+                     "soil beside the edge of the base moves with it up to a cell beyond it (examples/cone_in_clay)", true});
 
 std::vector<penetration::Comparison> published(const penetration::PenetrationRun& run)
 {

@@ -14,19 +14,11 @@ namespace {
 
 using penetration::PenetrationRun;
 
-constexpr base::Limit cells{32,
-                            10,
-                            base::Effect::contact_width,
-                            "soil beside the wall moves with it up to a cell beyond it (examples/cone_in_clay)",
-                            true,
-                            base::Sense::too_large};
-constexpr base::Limit cells_of_wall{
-    4,
-    2,
-    base::Effect::contact_width,
-    "the soil within a cell of a wall moves with it: a tip of thickness t carries as one of t + 2 h at most",
-    true,
-    base::Sense::too_large};
+constexpr base::Limit cells = base::too_large(
+    {32, 10, base::Effect::contact_width, "soil beside the wall moves with it up to a cell beyond it (examples/cone_in_clay)", true});
+constexpr base::Limit cells_of_wall =
+    base::too_large({4, 2, base::Effect::contact_width,
+                     "the soil within a cell of a wall moves with it: a tip of thickness t carries as one of t + 2 h at most", true});
 
 /// Where the means over the end of the push are: halfway of that travel, m.
 Real middle_of_end(const PenetrationRun& run)

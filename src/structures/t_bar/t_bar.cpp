@@ -8,12 +8,8 @@
 namespace berm::t_bar {
 namespace {
 
-constexpr base::Limit cells{40,
-                            10,
-                            base::Effect::contact_width,
-                            "a bar acts up to a cell larger on each side, 2 h/D of its resistance (examples/t_bar)",
-                            true,
-                            base::Sense::too_large};
+constexpr base::Limit cells = base::too_large(
+    {40, 10, base::Effect::contact_width, "a bar acts up to a cell larger on each side, 2 h/D of its resistance (examples/t_bar)", true});
 
 std::vector<penetration::Comparison> published(const penetration::PenetrationRun& run)
 {

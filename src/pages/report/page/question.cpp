@@ -103,7 +103,7 @@ std::string limit_of(const record::RunRecord& run, const problem::StageSettings&
     const bool along_x = knows && stage.kind == problem::StageKind::drag;
     const Real u =
         along_x ? reached_of(std::abs(h["u_m"][row] - h["u_m"][first_row(h, stage.name)]), *until.displacement) : *until.displacement;
-    return by_force && u != *until.displacement ? force : " " + short_length(u);
+    return by_force && (!along_x || u != *until.displacement) ? force : " " + short_length(u);
   }
   if (until.force) return !knows || by_force ? force : "";
   if (until.consolidation) return fmt::format(" to U = {}", text::percent_words(*until.consolidation));

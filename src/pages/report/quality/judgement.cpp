@@ -48,10 +48,10 @@ std::string opposite_words(const std::vector<JudgedMeasure>& measures)
   };
   const Words large = named(base::Sense::too_large), small = named(base::Sense::too_small);
   if (large.empty() || small.empty()) return "";
-  return fmt::format(
-      "these work against each other, and the sign of their sum is not known. Resistance is too large by: {}. Too small by: {}. "
-      "A run with cells of half the size shows what is left.",
-      fmt::join(large, "; "), fmt::join(small, "; "));
+  return fmt::format("Measures that are not good work against each other, and the sign of their sum is not known. Resistance is too large "
+                     "by: {}. Too small by: {}. "
+                     "Make each of them better by itself, and compare.",
+                     fmt::join(large, "; "), fmt::join(small, "; "));
 }
 
 /// Why the measures of a run are not good, except what has spoiled it; a measure that is bad makes the run bad.

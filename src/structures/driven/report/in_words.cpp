@@ -302,7 +302,7 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
           : "";
   if (resistance.berm)  // the plateau is before the largest H
     return fmt::format("{}, then comes to {}{}{}.", words, force(*resistance.residual), berm,
-                       largest.empty() ? "" : ", with " + largest + " at most");
+                       largest.empty() ? "" : "; the largest H is " + largest);
   if (!largest.empty()) words += ", grows to " + largest;
   return resistance.residual ? fmt::format("{}, then comes to {}.", words, force(*resistance.residual))
                              : fmt::format("{}, and still changes {}.", words, end.reached ? "at the " + end.at : end.at);

@@ -25,22 +25,15 @@ inline constexpr Limit kinetic{
     0.05, 0.10, Effect::drive_speed,
     "the usual rule for explicit programs: a few per cent of the energy that went into the soil, or inertia is part of the answer"};
 inline constexpr Limit held{0.05, 0.10, Effect::balance, "the drag is to hold V within 5 % (examples/probe_test)"};
-inline constexpr Limit shaking{0.07,
-                               0.15,
-                               Effect::shaking,
-                               "sand that is shaken loses strength, and V comes out too low (docs/decisions/0017)",
-                               false,
-                               Sense::too_small};
+inline constexpr Limit shaking =
+    too_small({0.07, 0.15, Effect::shaking, "sand that is shaken loses strength, and V comes out too low (docs/decisions/0017)"});
 inline constexpr Limit noise_of_V{0.02, 0.05, Effect::noise, "noise grows with the size of the cells (examples/mesh_study)"};
 inline constexpr Limit noise_of_H{0.09, 0.18, Effect::noise,
                                   "sand without cohesion slides in jerks, whatever the contact scheme (examples/contact_schemes)"};
-inline constexpr Limit gap{0.02,
-                           0.05,
-                           Effect::contact,
-                           "the body is as much larger as the soil is held off; contact at all nodes of cut cells holds it farther off and "
-                           "makes V larger (examples/contact_schemes)",
-                           false,
-                           Sense::too_large};
+inline constexpr Limit gap =
+    too_large({0.02, 0.05, Effect::contact,
+               "the body is as much larger as the soil is held off; contact at all nodes of cut cells holds it farther off and "
+               "makes V larger (examples/contact_schemes)"});
 inline constexpr Limit overlap{0.002, 0.01, Effect::contact, "no particle should be deeper than 0.002 D in the body (examples/probe_test)"};
 inline constexpr Limit second_impulse{0.01, 0.05, Effect::contact,
                                       "the second contact correction is no force; it stays small with every contact scheme "
@@ -48,21 +41,17 @@ inline constexpr Limit second_impulse{0.01, 0.05, Effect::contact,
 inline constexpr Limit push_in_cells{
     2, 0.5, Effect::cells, "what happens within a part of a cell is not resolved: a push that ends there has the embedment of its cells",
     true};
-inline constexpr Limit cells{
-    20, 10, Effect::cells, "V of a push falls with the size of the cells (examples/mesh_study)", true, Sense::too_large};
+inline constexpr Limit cells =
+    too_large({20, 10, Effect::cells, "V of a push falls with the size of the cells (examples/mesh_study)", true});
 inline constexpr Limit dilating_cells{80, 40, Effect::cells,
                                       "sand with psi = phi: K_p of a wall is +27 % with 17 cells over its height and +10 % with 33, K_a "
                                       "-11 and -8 % (examples/embedded_wall)",
                                       true};
 inline constexpr Limit particles{9, 4, Effect::cells,
                                  "use nine or more near the body: with four stresses scatter more (docs/theory.md, section 9)", true};
-inline constexpr Limit elements{
-    40,
-    20,
-    Effect::cells,
-    "D/40 is what berm's own studies use (examples/wip_study); half the size should change little where psi = phi",
-    true,
-    Sense::too_large};
+inline constexpr Limit elements =
+    too_large({40, 20, Effect::cells,
+               "D/40 is what berm's own studies use (examples/wip_study); half the size should change little where psi = phi", true});
 
 }  // namespace limits
 

@@ -24,8 +24,9 @@ Real swing_of(const TravelCurve& smooth, const BodyScale& scale)
   return normal * off[off.size() / 2];
 }
 
-/// The first peak that H falls from by min_fall of it, and by this fall.
-std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale, Real least_fall)
+/// The first peak that H falls from by min_fall of it, and by this fall, within a travel over D.
+std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale, Real least_fall,
+                                             Real longest = longest_breakout)
 {
   if (smooth.empty()) return std::nullopt;
   const Real half = averaging_half(scale), stays = scale.noisy ? breakout_stays * scale.width
@@ -37,7 +38,7 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Bo
     const Real u = smooth.travel()[k], here = smooth.value()[k];
     if (u < smooth.begin() + half || u > smooth.end() - half) continue;
     if (here > peak.H) {
-      if (u > smooth.begin() + longest_breakout * scale.width) return std::nullopt;
+      if (u > smooth.begin() + longest * scale.width) return std::nullopt;
       peak = {u, here};
       fallen = false;
       continue;
@@ -119,7 +120,9 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
   resistance.travel = H.end();
   const TravelCurve smooth = H.smoothed(averaging_half(scale));
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
-  resistance.breakout = breakout_in(smooth, scale, min_fall_over_swing * swing_of(smooth, scale));
+  const Real least_fall = min_fall_over_swing * swing_of(smooth, scale);
+  resistance.breakout = breakout_in(smooth, scale, least_fall);
+  resistance.peak_beyond = !resistance.breakout && breakout_in(smooth, scale, least_fall, infinity);
   resistance.peak_in_noise = !resistance.breakout && breakout_in(smooth, scale, 0);
   if (!resistance.breakout) resistance.onset = onset_of(H, scale.width);
   const Real travel = H.end() - H.begin();
@@ -154,7 +157,9 @@ Resistance resistance_of(const DrivenRun& run)
 
 std::string no_peak_words(const Resistance& resistance, const std::string& end)
 {
-  const char* none = resistance.peak_in_noise ? "no peak that stands out of the noise of H" : "no peak";
+  const char* none = resistance.peak_in_noise ? "no peak that stands out of the noise of H"
+                     : resistance.peak_beyond ? "no peak within 1 D"
+                                              : "no peak";
   if (resistance.residual) return fmt::format("{}: H levels off", none);
   return resistance.last_change > 0 ? fmt::format("{}: H grows {}", none, end) : none;
 }

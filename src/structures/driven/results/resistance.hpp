@@ -18,14 +18,15 @@ struct Resistance {
   std::optional<Point> largest;
   Real V_at_largest = 0;  ///< N/m, averaged as well; NaN where it is not known
   /// The first peak of H that H falls from by at least 5 % before it grows beyond it. H is averaged as all forces are (averaging_half), the ends of the drag
-  /// are left out by half of that window; H must also stay below the peak over the next 0.25 D, which shorter waves of a dynamic method do not.
-  /// The fall must also be four times what averaged H swings about its mean over +-0.1 D elsewhere: from its highest to its lowest wiggle noise falls as much. Without noise
-  /// that way is 0.1 D, or a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
+  /// are left out by half of that window. The fall must also be four times what averaged H swings about its mean over +-0.1 D elsewhere: from its highest to its lowest
+  /// wiggle noise falls as much. H must stay below the peak over the next 0.25 D, which shorter waves of a dynamic method do not. Without noise the way over which it
+  /// stays below is 0.1 D, or a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
   /// A peak beyond 1 D is none: the body has left its bed by then, and H is that of the soil heaped up before it.
   std::optional<Point> breakout;
   /// N/m, without a breakout: the H at which the body begins to slide. The straight line through the means of H over u = 0.1 to 0.3 D and 0.3 to 0.5 D, at u = 0; where
-  /// H does not grow between them, the first mean.
+  /// H does not grow between them, the first mean. Empty in a drag shorter than 0.5 D, and where it is less than a tenth of the first mean.
   std::optional<Real> onset;
+  bool peak_beyond = false;    ///< there is no breakout, but such a peak beyond 1 D
   bool peak_in_noise = false;  ///< there is no breakout, but where H swings less there would be one
   /// N/m, the plateau of H: the mean over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes
   /// by less than 5 % of it. Where H rises beyond an earlier such stretch by more than min_berm it has met a berm: then the plateau is the lowest of those after the

@@ -88,11 +88,12 @@ States states_of(const record::RunRecord& run)
   const auto add = [&](const char* name, Index row, const std::string& why) {
     if (row == none) return;
     states.push_back(state_at(h, row, name, end_words(h, row) + why));
-    if (const std::optional<Real> V = given_V(stages, h.stage[row]))
+    if (const std::optional<Real> V = given_V(stages, h.stage[row])) {
       take_force(states.back(), *V);
-    else if (!path.push.rows.empty() && row == path.push.rows.back())
-      states.back().V = V_at_end(path.push, h, stages, base::body_scale(run)),
+    } else if (!path.push.rows.empty() && row == path.push.rows.back()) {
+      states.back().V = V_at_end(path.push, h, stages, base::body_scale(run));
       states.back().V_given = std::isfinite(force_that_ended(path.push, h, stages));
+    }
   };
   if (const Index said = end_of_role(run, StageRole::touchdown); said != none)
     add("touchdown", said, "");

@@ -15,8 +15,8 @@ struct State {
   std::string origin;  ///< how it was found, in words: "end of stage unload, before sweep_1"
   std::string stage;   ///< of the case, at whose end it is
   Index row;           ///< of the history
-  Real u, w, H,
-      V;  ///< m, N/m: u and w of the row, forces means over the last twentieth of the stage; V where it is given that, at the end of the way down that of V_end_of_push
+  /// m, N/m: u and w of the row, forces means over the last twentieth of the stage; V where it is given that, at the end of the way down that of V_end_of_push.
+  Real u, w, H, V;
   bool V_given = false;  ///< by the stage: a push by force, a drag under a vertical force
 };
 using States = std::vector<State>;

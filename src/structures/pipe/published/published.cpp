@@ -143,8 +143,8 @@ void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const Pip
   for (const driven::DragResults& drag : run.results().drags) {
     const auto found =
         std::find_if(path.drags.begin(), path.drags.end(), [&](const driven::DragPath& p) { return p.stage.name == drag.stage; });
-    if (drag.moved || !drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end())
-      continue;  // a force that is given is no resistance
+    // A force that is given is no resistance.
+    if (drag.moved || !drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end()) continue;
     if (swept && clay == nullptr) break;
     const Real middle = record::TravelCurve(found->travel, found->H).at(drag.end->u / 2, half);
     const SweepResults sweep{found->w.front(), drag.end->w, drag.end->V / part, drag.end->H / part, middle / part};

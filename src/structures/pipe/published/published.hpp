@@ -34,8 +34,8 @@ std::vector<Comparison> displacement_to_the_residual(Real diameter, Real u);
 
 /// Comparisons for one state of a run.
 struct ComparedState {
-  /// peak: H at breakout, at the onset of sliding in a drag without one, or the largest where the drag is too short to tell that; breakout: how far the pipe goes until then, from where the drag begins; end_of_drag: of a drag
-  /// of a diameter or more; uplift: the largest resistance against a lift, u the travel upwards and w where it began.
+  /// peak: H at breakout, at the onset of sliding in a drag without one, or the largest where the drag is too short to tell that; breakout: how far the pipe goes until
+  /// then, from where the drag begins; end_of_drag: of a drag of a diameter or more; uplift: the largest resistance against a lift, u the travel upwards and w where it began.
   enum class Kind { push, end_of_push, drag, peak, breakout, end_of_drag, uplift };
   Kind kind;
   Real u, w, V;  ///< m, m, N/m, as the run found them and the formulas take them; NaN where they do not matter

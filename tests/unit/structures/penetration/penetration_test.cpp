@@ -174,7 +174,9 @@ TEST(Penetration, of_a_footing_has_its_load_by_settlement_and_the_settlement_at_
   MadePush made = footing();
   record::RunRecord run = made.record();
   const std::string tables = structure_of(run).key_results({{&run, 0}}, units_of(run));
-  EXPECT_NE(tables.find("Load V by the settlement z of the base of the footing"), std::string::npos) << tables;
+  EXPECT_NE(tables.find("Load V by the depth z of the base of the footing, which is the settlement of one that begins on the bed"),
+            std::string::npos)
+      << tables;
   // z = 0.05 D = 10 mm: V = (5 kPa/m z + 60.48 kPa) times the area.
   EXPECT_NE(tables.find("<td class=\"number\">10.00</td><td class=\"number\">1.902</td>"), std::string::npos) << tables;
   run.settings.stage[0].until.force = 1.91e3;
@@ -249,7 +251,8 @@ TEST(Penetration, of_a_footing_on_sand_has_N_gamma_of_associated_soil)
   EXPECT_NE(published(made.record()).find("out of range"), std::string::npos);
 }
 
-TEST(Penetration, of_a_t_bar_has_its_bounds)
+/// A bar of 0.2 m in clay of 10 kPa with alpha = 0.4, at q = 50 kPa.
+record::RunRecord pushed_t_bar()
 {
   MadePush made;
   made.geometry = problem::Geometry::plane_strain;
@@ -258,7 +261,12 @@ TEST(Penetration, of_a_t_bar_has_its_bounds)
   made.law.density = 1;
   made.contact.adhesion = 4e3;
   made.q = [](Real) { return 50e3; };
-  const record::RunRecord run = made.record();
+  return made.record();
+}
+
+TEST(Penetration, of_a_t_bar_has_its_bounds)
+{
+  const record::RunRecord run = pushed_t_bar();
   const std::string html = published(run);
   EXPECT_NE(html.find("9.142"), std::string::npos) << html;
   EXPECT_NE(html.find("11.94"), std::string::npos);
@@ -268,19 +276,12 @@ TEST(Penetration, of_a_t_bar_has_its_bounds)
 
 TEST(Penetration, of_a_t_bar_under_an_open_cavity_is_not_compared_with_full_flow)
 {
-  MadePush made;
-  made.geometry = problem::Geometry::plane_strain;
-  made.shape = bodies::CircleSettings{{0, -0.4}, 0.2};
-  made.first_w = 0.5;
-  made.law.density = 1;
-  made.contact.adhesion = 4e3;
-  made.q = [](Real) { return 50e3; };
-  record::RunRecord run = made.record();
+  record::RunRecord run = pushed_t_bar();
   run.quantities.push_back({"soil_above", 0.1, "1", "", run_folder::QuantityKind::quality, "push"});
   EXPECT_NE(published(run).find("out of range: the cavity above is open"), std::string::npos);
   const auto words_of = [](const record::RunRecord& one) { return structure_of(one).in_words(one, units_of(one)); };
   const std::string words = words_of(run);
-  EXPECT_NE(words.find("still open</strong>: soil fills 10 % of the half width above it"), std::string::npos) << words;
+  EXPECT_NE(words.find("still open</strong>: soil fills 10 % of the D/2 above it"), std::string::npos) << words;
   run.quantities.back().value = 0.9;
   EXPECT_EQ(published(run).find("out of range"), std::string::npos);
   EXPECT_EQ(words_of(run).find("still open"), std::string::npos);

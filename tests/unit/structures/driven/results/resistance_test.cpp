@@ -103,6 +103,7 @@ TEST(resistance, a_fall_beyond_1_D_is_no_breakout_and_H_that_grows_has_an_onset)
   const auto H = [](Real x) { return (250 + 100 * x) * std::min(1., x / 0.02); };
   const Resistance found = of([&](Real x) { return H(x) * (x > 1.4 && x < 1.7 ? 5. / 6 : 1); }, 3 * D);
   EXPECT_FALSE(found.breakout);
+  EXPECT_EQ(no_peak_words(found, "to the end of the drag").find("no peak within 1 D"), 0U);
   ASSERT_TRUE(found.onset);
   EXPECT_NEAR(*found.onset, 250, 1e-6);
   EXPECT_NEAR(*of([](Real x) { return 250 * std::min(1., x / 0.02); }).onset, 250, 1e-6) << "H that is level";

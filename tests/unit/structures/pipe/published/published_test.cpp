@@ -111,6 +111,22 @@ TEST(published, a_drag_through_sand_without_a_peak_is_compared_where_it_begins_t
   EXPECT_NEAR(by(onset, "DNVGL-RP-F114", "Kp with δ")->published.value, 346.70, 0.01);
 }
 
+// V rises from 100 N/m to the 800 N/m that are held over the first 0.05 D of the drag of 0.5 D: 765 N/m in the mean.
+TEST(published, at_the_onset_of_sliding_V_is_that_of_the_drag_and_not_that_of_its_first_row)
+{
+  MadeRun made;
+  made.H = [](Real u) { return std::min(250 * u / 2e-4, 250 + 1e4 * u); };
+  record::RunRecord run = made.record();
+  for (Index k = 0; k < run.history.rows(); ++k)
+    if (const Real u = run.history.values[1][k]; run.history.stage[k] == "drag")
+      run.history.values[4][k] = 100 + 700 * std::min(1., u / 0.001);
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  const PublishedValues values = published_beside(driven::DrivenRun(run));
+  const ComparedState* onset = state_at(values, Kind::peak, 0);
+  ASSERT_NE(onset, nullptr);
+  EXPECT_NEAR(onset->V, 765, 5);
+}
+
 TEST(published, a_drag_through_sand_with_a_peak_is_compared_there)
 {
   // A peak of 250 N/m at u = 4 mm, w = 4 mm. By hand: Fp = 2.31143 x 430e3 x 0.004^2/2 = 7.9513 N/m, H = 7.9513 + 0.431358 (800 - 0.431358 x 7.9513) = 351.558.
