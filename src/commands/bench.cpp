@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/verification/verify_test.cpp
+// Tests: tests/unit/commands/run_wrong_inputs_test.cpp
 #include "benchmark/benchmark.hpp"
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
