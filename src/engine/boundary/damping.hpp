@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/types.hpp"
+#include "core/lanes.hpp"
 
 namespace berm::boundary {
 
 /// Local damping force, N/m or N: `factor` times the magnitude of the unbalanced force in one direction, opposed to the
-/// velocity there (Cundall 1987; docs/theory.md, section 6).
-inline Real local_damping(Real factor, Real force, Real velocity)
+/// velocity there. T: Real, or Components for all directions (Cundall 1987; docs/theory.md, section 6).
+template <class T>
+[[gnu::always_inline]] inline T local_damping(Real factor, const T& force, const T& velocity)
 {
-  return velocity != 0 ? -factor * std::abs(force) * (velocity > 0 ? 1 : -1) : 0;
+  const T size = factor * magnitude(force);
+  return velocity > T{} ? -size : velocity < T{} ? size : T{};
 }
 
 }  // namespace berm::boundary

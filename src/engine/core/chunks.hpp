@@ -75,7 +75,7 @@ void for_each(const char* label, const Chunks& chunks, const Body& body)
     for (Index i = chunks.begin[k]; i < chunks.begin[k + 1]; ++i) body(i);
 }
 
-/// Sum of first(i, carried) and, if it gives something, then(i, carried) over the entries of the list, on all ranks that have a part of it. Sum needs a default value of zero and +=, and
+/// Sum of what first(i, carried, sum) and then(i, carried, sum) add over the entries of the list, on all ranks that have a part of it. Sum needs a default value of zero and +=, and
 /// is copied by its bytes. Each thread gets the chunks that it has in for_each. then(i) runs soon after first(i), when what both touch is in the cache still, with
 /// the Carried that first(i) left; no first(j) may read what then(i) writes, but where i = j.
 template <class Sum, class Carried, class First, class Then>
@@ -97,13 +97,8 @@ Sum sum_in_two_steps(const char* label, const Chunks& chunks, const First& first
     Carried carried[group];
     for (Index first = chunks.begin[k]; first < chunks.begin[k + 1]; first += group) {
       const Index end = std::min(first + group, chunks.begin[k + 1]);
-      for (Index i = first; i < end; ++i) sum += first_step(i, carried[i - first]);
-      for (Index i = first; i < end; ++i) {
-        if constexpr (std::is_void_v<decltype(then(i, carried[0]))>)
-          then(i, carried[i - first]);
-        else
-          sum += then(i, carried[i - first]);
-      }
+      for (Index i = first; i < end; ++i) first_step(i, carried[i - first], sum);
+      for (Index i = first; i < end; ++i) then(i, carried[i - first], sum);
     }
     parts[ranks.divided() ? chunks.number[k] : k] = sum;
   }
@@ -112,13 +107,20 @@ Sum sum_in_two_steps(const char* label, const Chunks& chunks, const First& first
   for (const Sum& part : parts) total += part;
   return total;
 }
-/// Sum of term(i) over the entries of the list, likewise.
+/// Sum of term(i), or of what term(i, sum) adds, over the entries of the list, likewise.
 template <class Sum, class Term>
 Sum sum_of(const char* label, const Chunks& chunks, const Term& term)
 {
   struct Nothing {};
   return sum_in_two_steps<Sum, Nothing>(
-      label, chunks, [&](Index i, Nothing&) { return term(i); }, [](Index, const Nothing&) {});
+      label, chunks,
+      [&](Index i, Nothing&, Sum& sum) {
+        if constexpr (std::is_invocable_v<const Term&, Index, Sum&>)
+          term(i, sum);
+        else
+          sum += term(i);
+      },
+      [](Index, const Nothing&, Sum&) {});
 }
 
 }  // namespace berm

@@ -49,6 +49,7 @@ public:
   T& operator[](Index i) { return values_[i]; }
   const T& operator[](Index i) const { return values_[i]; }
   Index size() const { return static_cast<Index>(values_.size()); }
+  bool empty() const { return values_.empty(); }
   T* data() { return values_.data(); }
   const T* data() const { return values_.data(); }
   void assign(Index size, const T& value = T{}) { values_.assign(size, value); }

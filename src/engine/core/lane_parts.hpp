@@ -47,6 +47,8 @@ struct Part {
   {
     if constexpr (size > lanes) {
       return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    } else if constexpr (size == lanes) {
+      return low;
     } else {
       V numbers;
       std::memcpy(&numbers, reinterpret_cast<const char*>(&low) + first * sizeof(Real), sizeof numbers);
@@ -58,6 +60,8 @@ struct Part {
     if constexpr (size > lanes) {
       low = __builtin_shufflevector(numbers, numbers, 0, 1, 2, 3);
       high = __builtin_shufflevector(numbers, numbers, 4, 5, 6, 7);
+    } else if constexpr (size == lanes) {
+      low = numbers;
     } else {
       std::memcpy(reinterpret_cast<char*>(&low) + first * sizeof(Real), &numbers, sizeof numbers);
     }

@@ -3,6 +3,8 @@
 
 #include "core/types.hpp"
 
+#include <type_traits>
+
 namespace berm {
 
 /// Four numbers, one of each particle of a block; arithmetic, comparison and `mask ? a : b` act lane by lane as on a Real,
@@ -65,14 +67,21 @@ requires(lanes_of<V> > 1) [[gnu::always_inline]] inline V square_root(V x)
   return root;
 }
 
+/// The second number where both are equal or one is not a number, as the instruction of the processor has it; the compiler by itself would compare and select.
 template <class T>
 [[gnu::always_inline]] inline T larger(T a, T b)
 {
+#if defined(__AVX__)
+  if constexpr (std::is_same_v<T, Lanes>) return __builtin_ia32_maxpd256(a, b);
+#endif
   return a > b ? a : b;
 }
 template <class T>
 [[gnu::always_inline]] inline T smaller(T a, T b)
 {
+#if defined(__AVX__)
+  if constexpr (std::is_same_v<T, Lanes>) return __builtin_ia32_minpd256(a, b);
+#endif
   return a < b ? a : b;
 }
 template <class T>

@@ -44,7 +44,7 @@ template <int dim, class T>
 template <int dim>
 inline Real equivalent_deviatoric_strain(SymTensor<dim> strain)
 {
-  const Real mean = trace(strain) / 3;
+  const Real mean = trace(strain) * (1. / 3);
   for (int k = 0; k < 3; ++k) strain[k] -= mean;
   return std::sqrt(2. / 3 * double_dot(strain, strain));
 }

@@ -147,12 +147,12 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
         sums.volume += p.volume;
         sums.pressure -= p.volume * trace(p.stress) / 3;
       });
-      const LinearField<dim> field(grid.shape(model.mesh, cell), model.mesh.nodes[cell], grid.mapped_velocity);
+      const LinearField<dim> field(grid.gradients[cell], at_corners(model.mesh.nodes[cell], grid.mapped_velocity));
       for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
         const Vec<dim> from = p.x - moment / sums.mass;
         Vec<dim> rest = p.v - momentum / sums.mass;
         for (int d = 0; d < dim; ++d)
-          for (int a = 0; a < dim; ++a) rest[d] -= field.slope[d][a] * from[a];
+          for (int a = 0; a < dim; ++a) rest[d] -= field.slope[a][d] * from[a];
         sums.noise += p.mass * rest.squaredNorm();
       });
       sums.wave_impedance = impedance * sums.volume;

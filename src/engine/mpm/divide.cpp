@@ -74,12 +74,12 @@ void share_fields(problem::State<dim>& state)
   Ranks& ranks = Ranks::of_run();
   for (std::vector<NodeField<Vec<dim>>>* fields : {&state.flux, &state.held_forces})
     for (NodeField<Vec<dim>>& field : *fields)
-      if (field.size() > 0)
+      if (!field.empty())
         ranks.share<Vec<dim>>(
             field.size(), [&](Index node) { return ranks.owner_of_node(node); }, [&](Index node, Vec<dim>& v) { v = field[node]; },
             [&](Index node, const Vec<dim>& v) { field[node] = v; });
   for (CellField<Real>& sums : state.pressure_sums)
-    if (sums.size() > 0)
+    if (!sums.empty())
       ranks.share<Real>(
           sums.size(), [&](Index cell) { return ranks.owner_of_cell(cell); }, [&](Index cell, Real& sum) { sum = sums[cell]; },
           [&](Index cell, const Real& sum) { sums[cell] = sum; });

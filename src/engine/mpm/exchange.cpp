@@ -27,7 +27,7 @@ void exchange_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>&
         put_bytes(out, side.sent.data(), count);
         for (const Index cell : side.sent) put_bytes(out, &grid.moments[cell]), put_bytes(out, &grid.corners[cell]);
         for (const Index cell : side.sent)
-          if (grid.hoop.size() > 0) put_bytes(out, &grid.hoop[cell]);
+          if (!grid.hoop.empty()) put_bytes(out, &grid.hoop[cell]);
         for (const Index cell : side.sent)
           if (grid.water.flows()) put_bytes(out, &grid.water.cells[cell]);
       },
@@ -35,9 +35,8 @@ void exchange_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>&
         for (const Index cell : side.got) {
           grid.moments[cell] = {};
           grid.corners[cell] = {};
-          grid.volume_change[cell] = {};
-          if (grid.hoop.size() > 0) grid.hoop[cell] = {};
-          if (grid.water.flows()) grid.water.cells[cell] = {}, grid.water.corners[cell] = {}, grid.water.outflow[cell] = {};
+          if (!grid.hoop.empty()) grid.hoop[cell] = {};
+          if (grid.water.flows()) grid.water.cells[cell] = {}, grid.water.corners[cell] = {};
         }
         std::size_t count = 0;
         const std::byte* at = get_bytes(in.data(), &count);
@@ -46,7 +45,7 @@ void exchange_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>&
         at = get_bytes(at, side.got.data(), count);
         for (const Index cell : side.got) at = get_bytes(get_bytes(at, &grid.moments[cell]), &grid.corners[cell]);
         for (const Index cell : side.got)
-          if (grid.hoop.size() > 0) at = get_bytes(at, &grid.hoop[cell]);
+          if (!grid.hoop.empty()) at = get_bytes(at, &grid.hoop[cell]);
         for (const Index cell : side.got)
           if (grid.water.flows()) at = get_bytes(at, &grid.water.cells[cell]);
         other_cells = other_cells || side.got != before;

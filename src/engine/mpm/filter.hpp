@@ -2,7 +2,7 @@
 // Tests: tests/unit/mpm/velocities_filter_test.cpp
 #pragma once
 
-#include "mpm/patch_cells.hpp"
+#include "mpm/grid.hpp"
 
 namespace berm::mpm {
 
@@ -13,25 +13,26 @@ template <int dim>
   return std::min(Real(1), dt * grid.filter_speed / grid.height[cell]);
 }
 
-/// What the particles of a patch get back, m/s: the filter moves no momentum between patches. There are as many patches as nodes, about, and twice as many cells:
-/// velocities of cells that cancel at the nodes would stay where each cell kept its own momentum.
+/// What the filter takes from the particles of a patch. They get it back, so that it moves no momentum between patches: momentum over mass, m/s. There are as many
+/// patches as nodes, about, and twice as many cells: velocities of cells that cancel at the nodes would stay where each cell kept its own momentum.
 template <int dim>
-[[gnu::always_inline]] inline Vec<dim> filter_shift_of(const PatchCells& patch, const mesh::Mesh<dim>& mesh, Real dt,
-                                                       const BodyGrid<dim>& grid)
-{
-  Vec<dim> momentum = Vec<dim>::Zero();
-  Real mass = 0;
-  for (const Index member : patch) {
-    const Moments<dim>& t = grid.moments[member];
-    Vec<dim> lost;  // momentum, N s
-    for (int d = 0; d < dim; ++d) {
-      lost[d] = t.mv[d];
-      for (int k = 0; k <= dim; ++k) lost[d] -= grid.corners[member][k].mass * grid.smooth_velocity[mesh.nodes[member][k]][d];
+struct FilteredMomentum {
+  Components<dim> momentum{};  ///< kg m/s
+  Real mass = 0;               ///< kg
+
+  [[gnu::always_inline]] void add(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, Real part)
+  {
+    const Moments<dim>& t = grid.moments[cell];
+    const auto& corners = grid.corners[cell];
+    const auto& nodes = mesh.nodes[cell];
+    const Vec<dim>* smooth = grid.smooth_velocity.data();
+    Components<dim> lost{};
+    for (int k = 0; k <= dim; ++k) {
+      lost += components<dim>(t.momentum[k]) - corners[k].mass * components(smooth[nodes[k]]);
+      mass += corners[k].mass;
     }
-    momentum += filter_part(dt, member, grid) * lost;
-    mass += t.m;
+    momentum += part * lost;
   }
-  return momentum / mass;
-}
+};
 
 }  // namespace berm::mpm

@@ -4,6 +4,7 @@
 
 #include "mpm/hoop.hpp"
 #include "mpm/internal_forces.hpp"
+#include "mpm/patch_cells.hpp"
 #include "problem/stages.hpp"
 
 namespace berm::mpm {
@@ -72,9 +73,9 @@ void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Part
     const std::array<Vec<dim>, dim + 1> forces = forces_of_pressure<metric>(mesh, grid, cell);
     auto& corners = grid.water.corners[cell];
     // Equal parts: the force on a corner does not vanish with the shape functions of the particles, so the water's inertia must not either.
-    const Real of_corner = t.volume / (dim + 1);
+    const Real of_corner = t.volume / (dim + 1), per_mass = t.volume / t.total_mass();
     for (int k = 0; k <= dim; ++k) {
-      const Real of_soil = t.volume * grid.corners[cell][k].mass / t.m;
+      const Real of_soil = grid.corners[cell][k].mass * per_mass;
       corners[k] = {patch.pressure * forces[k], std::min(of_corner, of_soil) * material::water_density,
                     forces[k].cwiseProduct(mesh.position[mesh.nodes[cell][k]] - patch.centre)};
     }
@@ -145,7 +146,7 @@ void press_from_outside(const problem::Model<dim>& model, const problem::State<d
       if (!(grid.mass[i] > 0)) return;
       Real area = 0;
       for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
-        if (const Index cell = mesh.entries[e] / (dim + 1); grid.moments[cell].volume > 0)
+        if (const Index cell = mesh.entries[e] / (dim + 1); grid.moments[cell].any())
           area -= normal.dot(
               with_metric(mesh, [&](auto metric) { return forces_of_pressure<metric()>(mesh, grid, cell)[mesh.entries[e] % (dim + 1)]; }));
       grid.water.nodes[i].force += pressure * area * normal;
@@ -205,7 +206,7 @@ Real close(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, c
   Side body, soil;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
-    if (!(grid.moments[cell].volume > 0)) continue;
+    if (!(grid.moments[cell].any())) continue;
     const Real part = normal.dot(forces_of_pressure<metric>(mesh, grid, cell)[mesh.entries[e] % (dim + 1)]);
     (part > 0 ? body : soil).add(std::abs(part), grid.water.pressure[cell]);
   }
@@ -328,19 +329,17 @@ Real held_back(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cel
 }  // namespace
 
 template <int dim>
-void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body)
+void share_outflow(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body)
 {
   if (!grid.water.flows()) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const bodies::Particles<dim>& particles = state.particles[body];
-  const auto sum = [&](Index cell) {
-    const Real volume = grid.moments[cell].volume;
-    const Real change = with_metric(mesh, [&](auto metric) { return held_back<metric()>(mesh, grid, cell); });
-    grid.water.outflow[cell] = {volume, (volume * divergence(mesh, grid, cell, state.flux[body]) + change) * state.dt};
-  };
-  for_each("outflow of cells", particles.chunks(), [&](Index c) { sum(particles.occupied()[c]); });
-  for (const Index cell : grid.halo.partners)
-    if (grid.moments[cell].m > 0) sum(cell);
+  with_metric(mesh, [&](auto metric) {
+    const auto change = [&](Index cell) {
+      return (grid.moments[cell].volume * divergence(mesh, grid, cell, state.flux[body]) + held_back<metric()>(mesh, grid, cell)) *
+             state.dt;
+    };
+    share_in_patches("outflow of patches", model.patches, state.particles[body], grid, change, grid.water.outflow);
+  });
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
@@ -351,7 +350,7 @@ void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& s
   template void mark_impermeable_surfaces(const problem::Model<dim>&, Workspace<dim>&);                                                    \
   template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);                                    \
   template void note_pressures(const problem::Model<dim>&, problem::State<dim>&, const Workspace<dim>&);                                   \
-  template void sum_outflows(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&, Index);
+  template void share_outflow(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/detect.hpp"
+#include "core/components.hpp"
 #include "mesh/cell_part.hpp"
 #include "mpm/halo.hpp"
 #include "problem/model.hpp"
@@ -10,26 +11,59 @@
 
 namespace berm::mpm {
 
-/// Sums over the particles of one body in one cell; sufficient for the nodes, because shape functions are linear. x counts from the cell's corner 0: where the
-/// origin of the coordinates lies does not matter, and second moments keep their digits far from it.
+/// Sums over the particles of one body in one cell; sufficient for the nodes, because shape functions are linear.
 template <int dim>
 struct Moments {
-  static constexpr int pairs = dim * (dim + 1) / 2;
+  static constexpr int corners = dim + 1, pairs = dim * (dim + 1) / 2, corner_pairs = corners * (corners + 1) / 2;
 
-  Real m = 0;               ///< sum m, kg
-  Real mx[dim] = {};        ///< sum m x
-  Real mxx[pairs] = {};     ///< sum m x_a x_b, at pair(a, b)
-  Real mv[dim] = {};        ///< sum m v
-  Real mvx[dim][dim] = {};  ///< [d][a]: sum m v_d x_a
-  Real volume = 0;          ///< sum V; in a full cell, the volume that it is integrated over (mpm/quadrature.hpp)
-  Real stress[pairs] = {};  ///< sum V sigma_ab, at pair(a, b), N m; scaled with the volume
+  Real mass[corner_pairs] = {};      ///< sum m N_k N_l, kg, at corner_pair(k, l)
+  Real momentum[corners][dim] = {};  ///< sum m N_k v, kg m/s
+  Real volume = 0;                   ///< sum V; in a full cell, the volume that it is integrated over (mpm/quadrature.hpp)
+  Real stress[pairs] = {};           ///< sum V sigma_ab, at pair(a, b), N m; scaled with the volume
 
   static constexpr int pair(int a, int b)
   {
     if (a == b) return a;
     return dim == 2 ? 2 : a + b == 1 ? 3 : a + b == 3 ? 4 : 5;
   }
+  static constexpr int corner_pair(int k, int l) { return k > l ? corner_pair(l, k) : k * corners - k * (k - 1) / 2 + l - k; }
+
+  /// Whether the cell has active particles; true also if their volume is not a number.
+  bool any() const { return volume != 0; }
+  /// sum m, kg.
+  Real total_mass() const
+  {
+    Real sum = 0;
+    for (int k = 0; k < corners; ++k)
+      for (int l = k; l < corners; ++l) sum += (k == l ? 1 : 2) * mass[corner_pair(k, l)];
+    return sum;
+  }
+  /// sum m v, kg m/s.
+  [[gnu::always_inline]] Components<dim> total_momentum() const
+  {
+    Components<dim> sum = components<dim>(momentum[0]);
+    for (int k = 1; k < corners; ++k) sum += components<dim>(momentum[k]);
+    return sum;
+  }
 };
+
+/// Components of a vector at each corner of a cell.
+template <int dim>
+using AtCorners = std::array<Components<dim>, dim + 1>;
+
+/// What the corners of a cell get of the momentum that its particles have if they move with the velocity sum_k N_k v_k, kg m/s.
+template <int dim>
+[[gnu::always_inline]] inline AtCorners<dim> momentum_with(const Moments<dim>& t, const AtCorners<dim>& v)
+{
+  AtCorners<dim> momentum;
+#pragma GCC unroll 4
+  for (int k = 0; k <= dim; ++k) {
+    momentum[k] = t.mass[Moments<dim>::corner_pair(k, 0)] * v[0];
+#pragma GCC unroll 4
+    for (int l = 1; l <= dim; ++l) momentum[k] += t.mass[Moments<dim>::corner_pair(k, l)] * v[l];
+  }
+  return momentum;
+}
 
 /// Contribution of a cell to one of its corners.
 template <int dim>
@@ -52,12 +86,6 @@ template <int dim>
 struct FilterOfCell {
   Real part = 0;                      ///< of the difference between their velocities and the smooth one that is taken out
   Vec<dim> shift = Vec<dim>::Zero();  ///< m/s, what they get back, so that the patch keeps its momentum
-};
-
-/// How the particles of a cell swell in a step. Apart from the moments, which other cells' particles have summed again while those of this one still move.
-struct VolumeChange {
-  Real volume;  ///< sum V before the step, as in Moments
-  Real change;  ///< that times div(v) dt
 };
 
 /// Means over the particles of a cell of soil whose water flows.
@@ -101,13 +129,13 @@ struct WaterGrid {
   CellField<WaterCell> cells;
   CellField<Real> pressure;  ///< Pa, that acts: averaged over the patch of the cell
   CellField<std::array<WaterAtCorner<dim>, dim + 1>> corners;
-  CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
+  CellField<Real> outflow;  ///< as the dilation, by div(w) dt
   NodeField<WaterAtNode<dim>> nodes;
   NodeField<Vec<dim>> soil_inertia;        ///< kg, what accelerates with the soil where the water gives way
   NodeField<Vec<dim>> normal;              ///< of the impermeable rigid body that touches the soil there; else zero
   NodeField<ImpermeableFlux> impermeable;  ///< of the nodes with a normal; else zero
 
-  bool flows() const { return cells.size() > 0; }
+  bool flows() const { return !cells.empty(); }
   void make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil);
 };
 
@@ -119,7 +147,7 @@ struct CutCells {
   CellField<mesh::CellPart<dim>> parts;  ///< outside of them
   NodeField<Real> volume_around;         ///< m2 (per metre run) or m3: what is left of all cells around a node; infinite where none is cut
 
-  bool used() const { return parts.size() > 0; }
+  bool used() const { return !parts.empty(); }
 };
 
 /// Nodal fields of one body and the cell sums behind them, valid within a step; moments and corners also between steps. Cell sums are zero where a cell has
@@ -132,7 +160,7 @@ struct BodyGrid {
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
   CellField<HoopMoments> hoop;  ///< as the moments; empty but in axisymmetry
   CellField<Real> kinetic;      ///< sum m v.v, twice the kinetic energy, J; as the moments; empty without the filter
-  CellField<VolumeChange> volume_change;
+  CellField<Real> dilation;     ///< of the patch of an active cell, div(v) dt, mean by sum V; set before each pass
   WaterGrid<dim> water;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
   CellField<Real>
@@ -184,10 +212,9 @@ struct BodyGrid {
   {
     moments[cell] = {};
     corners[cell] = {};
-    volume_change[cell] = {};
-    if (hoop.size() > 0) hoop[cell] = {};
-    if (kinetic.size() > 0) kinetic[cell] = 0;
-    if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {}, water.outflow[cell] = {};
+    if (!hoop.empty()) hoop[cell] = {};
+    if (!kinetic.empty()) kinetic[cell] = 0;
+    if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
   }
   /// Leaves of the sums of an inactive cell the volume of its particles, by which its neighbours know that they lie within the body.
@@ -201,16 +228,14 @@ struct BodyGrid {
   /// The directions that are held at each node, as in Model::fixed.
   const NodeField<std::uint8_t>& supports(const problem::Model<dim>& model) const
   {
-    return held.size() > 0 ? held : model.fixed[static_cast<std::size_t>(fixed)];
+    return !held.empty() ? held : model.fixed[static_cast<std::size_t>(fixed)];
   }
   /// Shape functions of a cell that has been entered; the gradients of others are 0.
   [[gnu::always_inline]] mesh::Shape<dim> shape(const mesh::Mesh<dim>& mesh, Index cell) const
   {
     return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
   }
-  [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell) const { return filter.size() > 0 ? filter[cell] : FilterOfCell<dim>{}; }
-  /// What accelerates with the soil at a node, by direction, kg: its mass, but for water that gives way.
-  Vec<dim> inertia(Index node) const { return water.flows() ? water.soil_inertia[node] : Vec<dim>(Vec<dim>::Constant(mass[node])); }
+  [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell) const { return !filter.empty() ? filter[cell] : FilterOfCell<dim>{}; }
   /// Contribution of the cell of a mesh entry to the node.
   const CornerSums<dim>& at(mesh::CornerEntry e) const { return corners.data()->data()[e]; }
 };

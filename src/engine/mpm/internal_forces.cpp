@@ -3,6 +3,7 @@
 
 #include "mpm/filter.hpp"
 #include "mpm/hoop.hpp"
+#include "mpm/patch_cells.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -12,9 +13,11 @@ template <mesh::Metric metric, int dim>
 [[gnu::always_inline]] inline Real divergence_in(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
                                                  const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field)
 {
-  Real divergence = 0;
-  for (int k = 1; k <= dim; ++k)
-    for (int d = 0; d < dim; ++d) divergence += shape.gradients[k - 1][d] * (field[nodes[k]][d] - field[nodes[0]][d]);
+  const Vec<dim>* values = field.data();
+  const Components<dim> first = components(values[nodes[0]]);
+  Components<dim> sum{};
+  for (int k = 1; k <= dim; ++k) sum += components<dim>(shape.gradients[k - 1].data()) * (components(values[nodes[k]]) - first);
+  Real divergence = sum_of_components<dim>(sum);
   if constexpr (metric == mesh::Metric::axisymmetric) divergence += hoop_rate(shape, nodes, grid, cell, field);
   return divergence;
 }
@@ -30,37 +33,41 @@ template <mesh::Metric metric, int dim>
   return trace / strained_directions<dim, metric>;
 }
 
-/// The viscous mean stress of the cells of a patch, Pa.
+/// Sums over the cells of a patch for their viscous stress.
 template <mesh::Metric metric, int dim>
-[[gnu::always_inline]] inline Real viscous_stress_of(const PatchCells& patch, const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid)
-{
-  Real volume = 0, height = 0, divergence = 0;
-  for (const Index member : patch) {
-    const Real of_cell = grid.moments[member].volume;
+struct PatchDivergence {
+  Real volume = 0, height = 0, divergence = 0;  // the last two times the volume of their cell
+
+  [[gnu::always_inline]] void add(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
+  {
+    const Real of_cell = grid.moments[cell].volume;
     volume += of_cell;
-    height += of_cell * grid.height[member];
-    divergence += of_cell * divergence_in<metric>(grid.shape(mesh, member), mesh.nodes[member], grid, member, grid.velocity);
+    height += of_cell * grid.height[cell];
+    divergence += of_cell * divergence_in<metric>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.velocity);
   }
-  return grid.bulk_viscosity * (height / volume) * (divergence / volume);
-}
+  /// The viscous mean stress of the cells, Pa.
+  Real viscous_stress(const BodyGrid<dim>& grid) const { return grid.bulk_viscosity * (height / volume) * (divergence / volume); }
+};
 
 /// The internal forces of a cell, whose volume times mean stress changes by `change` (N m).
 template <mesh::Metric metric, int dim>
 [[gnu::always_inline]] inline void spread_forces_of(const mesh::Mesh<dim>& mesh, Index cell, Real change, BodyGrid<dim>& grid)
 {
   const Moments<dim>& t = grid.moments[cell];
-  Matrix<dim> stress;
+  Components<dim> minus_stress[dim] = {};  // its rows, times the volume
   for (int a = 0; a < dim; ++a)
-    for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
+    for (int b = 0; b < dim; ++b)
+      minus_stress[a][b] = -t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] - (a == b ? change : 0);
   const mesh::Shape<dim> shape = grid.shape(mesh, cell);
   auto& corners = grid.corners[cell];
-  Vec<dim> of_others = Vec<dim>::Zero();
+  Components<dim> of_corner_0{};
   for (int k = 1; k <= dim; ++k) {
-    const Vec<dim> force = stress * shape.gradient(k);
-    Eigen::Map<Vec<dim>>(corners[k].sum) = -force;
-    of_others += force;
+    Components<dim> force = shape.gradients[k - 1][0] * minus_stress[0];
+    for (int a = 1; a < dim; ++a) force += shape.gradients[k - 1][a] * minus_stress[a];
+    store<dim>(force, corners[k].sum);
+    of_corner_0 -= force;
   }
-  Eigen::Map<Vec<dim>>(corners[0].sum) = of_others;
+  store<dim>(of_corner_0, corners[0].sum);
   if constexpr (metric == mesh::Metric::axisymmetric) {
     const Real hoop_stress = (grid.hoop[cell].stress + change) / t.volume;
     for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].sum[0] -= share * hoop_stress; });
@@ -71,7 +78,9 @@ template <mesh::Metric metric, int dim>
 void find_viscous_stress_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   for_each_patch("viscous stress of cells", model.patches, particles, grid, [&](const PatchCells& patch) {
-    const Real viscous_stress = viscous_stress_of<metric>(patch, model.mesh, grid);
+    PatchDivergence<metric, dim> sums;
+    for (const Index member : patch) sums.add(model.mesh, grid, member);
+    const Real viscous_stress = sums.viscous_stress(grid);
     for (const Index member : patch)
       if (particles.is_active(member)) grid.viscous_stress[member] = viscous_stress;
   });
@@ -81,42 +90,37 @@ template <mesh::Metric metric, int dim>
 void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const bool project = model.mpm.volumetric_projection, filters = grid.filter.size() > 0, shifts = grid.pressure_shift.size() > 0;
+  const bool project = model.mpm.volumetric_projection, filters = !grid.filter.empty(), shifts = !grid.pressure_shift.empty();
   const bool is_viscous = grid.bulk_viscosity > 0 && !model.update_stress_first;
   for_each_patch("internal forces of cells", model.patches, particles, grid, [&](const PatchCells& patch) {
-    const Vec<dim> shift = filters ? filter_shift_of(patch, mesh, dt, grid) : Vec<dim>(Vec<dim>::Zero());
-    const Real viscous_stress = is_viscous ? viscous_stress_of<metric>(patch, mesh, grid) : 0;
     Real volume = 0, volume_stress = 0;
-    if (project)
-      for (const Index member : patch) {
-        volume += grid.moments[member].volume;
-        volume_stress += volume_times_mean_stress<metric>(grid, member);
-      }
-    const Real mean_stress = volume_stress / volume;
-    for (const Index member : patch) {
+    Real of_member[mesh::max_patch_cells];  // volume times mean stress, N m
+    Real part[mesh::max_patch_cells];       // of their velocities, that the filter takes out
+    PatchDivergence<metric, dim> divergence;
+    FilteredMomentum<dim> filtered;
+    for (int k = 0; k < patch.count; ++k) {
+      const Index member = patch.cell[k];
+      volume += grid.moments[member].volume;
+      volume_stress += of_member[k] = volume_times_mean_stress<metric>(grid, member);
+      if (is_viscous) divergence.add(mesh, grid, member);
+      if (filters) filtered.add(mesh, grid, member, part[k] = filter_part(dt, member, grid));
+    }
+    const Real mean_stress = volume_stress / volume, viscous_stress = is_viscous ? divergence.viscous_stress(grid) : 0;
+    const Components<dim> shift = filters ? filtered.momentum / filtered.mass : Components<dim>{};
+    for (int k = 0; k < patch.count; ++k) {
+      const Index member = patch.cell[k];
       if (!particles.is_active(member)) continue;
       const Real of_cell = grid.moments[member].volume;
-      const Real change = project ? mean_stress * of_cell - volume_times_mean_stress<metric>(grid, member) : 0;
-      if (filters) grid.filter[member] = {filter_part(dt, member, grid), shift};
+      const Real change = project ? mean_stress * of_cell - of_member[k] : 0;
+      if (filters) {
+        grid.filter[member].part = part[k];
+        store<dim>(shift, grid.filter[member].shift);
+      }
       if (is_viscous) grid.viscous_stress[member] = viscous_stress;
       if (shifts) grid.pressure_shift[member] = change / of_cell;
       spread_forces_of<metric>(mesh, member, change + of_cell * grid.viscous_stress[member], grid);
     }
   });
-}
-
-template <mesh::Metric metric, int dim>
-void sum_volume_changes_in(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
-{
-  const auto& active = particles.active();
-  const auto sum = [&](Index cell) {
-    const Real divergence = divergence_in<metric>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.mapped_velocity);
-    const Real volume = grid.moments[cell].volume;
-    grid.volume_change[cell] = {volume, volume * divergence * dt};
-  };
-  for_each("volume change of cells", particles.active_chunks(), [&](Index c) { sum(active[c]); });
-  for (const Index cell : grid.halo.partners)
-    if (grid.moments[cell].m > 0) sum(cell);
 }
 
 }  // namespace
@@ -142,16 +146,23 @@ void spread_internal_forces(const problem::Model<dim>& model, const bodies::Part
 }
 
 template <int dim>
-void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+void share_dilation(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
-  with_metric(mesh, [&](auto metric) { sum_volume_changes_in<metric()>(mesh, particles, dt, grid); });
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  with_metric(mesh, [&](auto metric) {
+    const auto change = [&](Index cell) {
+      const Real of_cell = divergence_in<metric()>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.mapped_velocity);
+      return grid.moments[cell].volume * of_cell * dt;
+    };
+    share_in_patches("dilation of patches", model.patches, particles, grid, change, grid.dilation);
+  });
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void find_viscous_stress(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
   template void spread_internal_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                   \
   template Real divergence(const mesh::Mesh<dim>&, const BodyGrid<dim>&, Index, const NodeField<Vec<dim>>&);                               \
-  template void sum_volume_changes(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
+  template void share_dilation(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

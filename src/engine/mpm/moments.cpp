@@ -6,17 +6,16 @@
 namespace berm::mpm {
 namespace {
 
-/// The moments in lanes while they are summed, part by part, in the order in which Moments has them.
+/// The sums of a cell in lanes while they are added up, part by part; n are the shape functions of the corners but the first.
 template <int dim>
 struct LaneMoments {
   static constexpr int pairs = Moments<dim>::pairs;
-  static constexpr int mx = 1, mxx = mx + dim, mv = mxx + pairs, mvx = mv + dim, volume = mvx + dim * dim, stress = volume + 1,
+  static constexpr int mn = 1, mnn = mn + dim, mv = mnn + pairs, mvn = mv + dim, volume = mvn + dim * dim, stress = volume + 1,
                        count = stress + pairs;
-  static_assert(sizeof(Moments<dim>) == count * sizeof(Real));
 
-  static constexpr int width = lanes_of<WidePart>;
+  static constexpr int width = lanes_of<WidePart>, rows = (count + width - 1) / width;
 
-  WidePart of[(count + width - 1) / width * width], kinetic{};
+  WidePart of[rows * width], kinetic{};
 
   [[gnu::always_inline]] void clear()
   {
@@ -24,43 +23,75 @@ struct LaneMoments {
     for (WidePart& moment : of) moment = WidePart{};
   }
 
-  /// Positions count from the cell's corner 0.
   template <class V>
-  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q, const Vec<dim>& corner_0)
+  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q,
+                                  const mesh::Shape<dim>& shape)
   {
     const WidePart p_mass = widened(part.get(p.mass, q.mass)), p_volume = widened(part.get(p.volume, q.volume));
-    WidePart x[dim], v[dim], at[dim], square{};
+    V x[dim];
+    WidePart v[dim], n[dim], at[dim], square{};
     of[0] += p_mass;
     of[volume] += p_volume;
+    for (int a = 0; a < dim; ++a) x[a] = part.get(p.x[a], q.x[a]) - shape.origin[a];
     for (int a = 0; a < dim; ++a) {
-      x[a] = widened(V(part.get(p.x[a], q.x[a]) - corner_0[a]));
+      V n_a = shape.gradients[a][0] * x[0];
+      for (int d = 1; d < dim; ++d) n_a += shape.gradients[a][d] * x[d];
+      n[a] = widened(n_a);
       v[a] = widened(part.get(p.v[a], q.v[a]));
-      at[a] = p_mass * x[a];
+      at[a] = p_mass * n[a];
       square += v[a] * v[a];
-      of[mx + a] += at[a];
+      of[mn + a] += at[a];
       of[mv + a] += p_mass * v[a];
     }
     kinetic += p_mass * square;
     for (int a = 0; a < dim; ++a)
       for (int b = a; b < dim; ++b) {
-        of[mxx + Moments<dim>::pair(a, b)] += at[a] * x[b];
+        of[mnn + Moments<dim>::pair(a, b)] += at[a] * n[b];
         const int index = tensor_index(a, b);
         of[stress + Moments<dim>::pair(a, b)] += p_volume * widened(part.get(p.stress[index], q.stress[index]));
       }
-    for (int d = 0; d < dim; ++d)
-      for (int a = 0; a < dim; ++a) of[mvx + d * dim + a] += at[a] * v[d];
+    for (int a = 0; a < dim; ++a)
+      for (int d = 0; d < dim; ++d) of[mvn + a * dim + d] += at[a] * v[d];
   }
 
-  /// As many sums as fit a register are made at a time, and stored at once.
-  [[gnu::always_inline]] void total(Moments<dim>& moments) const
+  /// The moments of the cell, and what it gives its corners of mass, momentum and volume. As many sums as fit a register are made at a time.
+  [[gnu::always_inline]] void total(Moments<dim>& t, std::array<CornerSums<dim>, dim + 1>& corners) const
   {
+    using M = Moments<dim>;
+    alignas(WidePart) Real sum[rows * width];
 #pragma GCC unroll 64
     for (int first = 0; first < count; first += width) {
       WidePart some[width];
       for (int k = 0; k < width; ++k) some[k] = of[first + k];
-      const WidePart summed = sums(some);
-      std::memcpy(&moments.m + first, &summed, std::min(width, count - first) * sizeof(Real));
+      *reinterpret_cast<WidePart*>(sum + first) = sums(some);
     }
+    Real mass_of_0 = sum[0], with_others = 0;
+    Components<dim> momentum_of_0 = components<dim>(sum + mv);
+#pragma GCC unroll 4
+    for (int k = 1; k <= dim; ++k) {
+      const Components<dim> momentum = components<dim>(sum + mvn + (k - 1) * dim);
+      Real with_0 = sum[mn + k - 1];
+#pragma GCC unroll 4
+      for (int l = 1; l <= dim; ++l) {
+        const Real with_l = sum[mnn + M::pair(std::min(k, l) - 1, std::max(k, l) - 1)];
+        with_0 -= with_l;
+        if (l >= k) t.mass[M::corner_pair(k, l)] = with_l;
+      }
+      t.mass[M::corner_pair(0, k)] = with_0;
+      with_others += with_0;
+      mass_of_0 -= sum[mn + k - 1];
+      momentum_of_0 -= momentum;
+      corners[k].mass = sum[mn + k - 1];
+      store<dim>(momentum, t.momentum[k]);
+      store<dim>(momentum, corners[k].sum);
+    }
+    t.mass[M::corner_pair(0, 0)] = mass_of_0 - with_others;
+    store<dim>(momentum_of_0, t.momentum[0]);
+    store<dim>(momentum_of_0, corners[0].sum);
+    corners[0].mass = mass_of_0;
+    t.volume = sum[volume];
+    for (int k = 0; k < pairs; ++k) t.stress[k] = sum[stress + k];
+    for (CornerSums<dim>& corner : corners) corner.volume = sum[volume];
   }
 };
 
@@ -86,22 +117,15 @@ template <mesh::Metric metric, int dim>
   LaneMoments<dim> sums;
   sums.clear();
   [[maybe_unused]] LaneHoopMoments hoop_sums;
-  const Vec<dim>& corner_0 = mesh.position[mesh.nodes[cell][0]];
-  particles.parts(cell, [&](const auto& part) {
-    sums.add(part, particles.block(part.block), particles.block(part.other), corner_0);
-    if constexpr (metric == mesh::Metric::axisymmetric)
-      hoop_sums.add(part, particles.block(part.block), particles.block(part.other), corner_0);
-  });
-  Moments<dim>& t = grid.moments[cell];
-  sums.total(t);
-  if (grid.kinetic.size() > 0) grid.kinetic[cell] = sum(sums.kinetic);
-  if constexpr (metric == mesh::Metric::axisymmetric) grid.hoop[cell] = {sum(hoop_sums.area), sum(hoop_sums.area_y), sum(hoop_sums.stress)};
-
   const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-  auto& corners = grid.corners[cell];
-  for (int d = 0; d < dim; ++d) share_among_corners<dim>(shape, t.mv[d], t.mvx[d], [&](int k, Real sum) { corners[k].sum[d] = sum; });
-  share_among_corners<dim>(shape, t.m, t.mx, [&](int k, Real sum) { corners[k].mass = sum; });
-  for (CornerSums<dim>& corner : corners) corner.volume = t.volume;
+  particles.parts(cell, [&](const auto& part) {
+    sums.add(part, particles.block(part.block), particles.block(part.other), shape);
+    if constexpr (metric == mesh::Metric::axisymmetric)
+      hoop_sums.add(part, particles.block(part.block), particles.block(part.other), shape.origin);
+  });
+  sums.total(grid.moments[cell], grid.corners[cell]);
+  if (!grid.kinetic.empty()) grid.kinetic[cell] = sum(sums.kinetic);
+  if constexpr (metric == mesh::Metric::axisymmetric) grid.hoop[cell] = {sum(hoop_sums.area), sum(hoop_sums.area_y), sum(hoop_sums.stress)};
 }
 
 /// By itself, so that the plane has the registers of its own loop.
@@ -139,7 +163,8 @@ template <int dim>
 Real mass_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 {
   Real mass = 0;
-  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) mass += grid.moments[mesh.entries[e] / (dim + 1)].m;
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e)
+    mass += grid.moments[mesh.entries[e] / (dim + 1)].total_mass();
   return mass;
 }
 
@@ -148,21 +173,20 @@ void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
   for_each("gather mass and momentum", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
-    CornerSums<dim> total{};
-    Real min_volume = infinity;
+    Components<dim> momentum{};
+    Real mass = 0, volume = 0, min_volume = infinity;
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
       const CornerSums<dim>& corner = grid.at(mesh.entries[e]);
-      for (int d = 0; d < dim; ++d) total.sum[d] += corner.sum[d];
-      total.mass += corner.mass;
-      total.volume += corner.volume;
+      momentum += components<dim>(corner.sum);
+      mass += corner.mass;
+      volume += corner.volume;
       min_volume = std::min(min_volume, corner.volume);
     }
-    if (grid.full_cells) grid.fill[i] = min_volume > 0 ? total.volume / grid.volume_around[i] : 0;
+    if (grid.full_cells) grid.fill[i] = min_volume > 0 ? volume / grid.volume_around[i] : 0;
     // Most nodes have more than that fraction of the whole body.
-    if (!(total.mass > min_mass_part * grid.total_mass) && !(total.mass > min_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
-    const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
-    grid.mass[i] = total.mass;
-    for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.sum[d] * per_mass;
+    if (!(mass > min_mass_part * grid.total_mass) && !(mass > min_mass_part * mass_of_cells(mesh, grid, i))) mass = 0;
+    grid.mass[i] = mass;
+    store<dim>(momentum * (mass > 0 ? 1 / mass : 0), grid.velocity[i]);
   });
 }
 

@@ -5,19 +5,13 @@
 
 namespace berm::mpm {
 
-/// Shares of the corners of a cell in a quantity: calls give(k, sum) with the sums over particles of N_k times it. Its own
-/// sum is q and that of it times x is qx, with x from corner 0.
-template <int dim, class Give>
-[[gnu::always_inline]] inline void share_among_corners(const mesh::Shape<dim>& shape, Real q, const Real* qx, const Give& give)
+/// The sum of what the cells of a node give it, in a fixed order.
+template <int dim>
+[[gnu::always_inline]] inline Components<dim> gathered(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 {
-  Real of_corner_0 = q;
-  for (int k = 1; k <= dim; ++k) {
-    Real sum = shape.gradients[k - 1][0] * qx[0];
-    for (int d = 1; d < dim; ++d) sum += shape.gradients[k - 1][d] * qx[d];
-    give(k, sum);
-    of_corner_0 -= sum;
-  }
-  give(0, of_corner_0);
+  Components<dim> sum{};
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) sum += components<dim>(grid.at(mesh.entries[e]).sum);
+  return sum;
 }
 
 /// For step 1, at the end of the step before: the moments of a cell with particles, and its contributions to its corners: mass sum m N_k and momentum sum m v N_k. Compiled once for all callers, so

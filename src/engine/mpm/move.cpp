@@ -51,7 +51,8 @@ void move_particles(const problem::Model<dim>& model, problem::State<dim>& state
     const Index cell = particles.active()[c];
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const LinearField<dim> gain = velocity_gain(shape, nodes, grid, state.dt, {}), velocity(shape, nodes, grid.mapped_velocity);
+    const LinearField<dim> gain(shape.gradients, velocity_gain(at_corners(nodes, grid.acceleration), nodes, grid, state.dt, {})),
+        velocity(shape.gradients, at_corners(nodes, grid.mapped_velocity));
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);

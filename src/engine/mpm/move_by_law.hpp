@@ -18,7 +18,7 @@ struct SoilOf {
   static constexpr int local_size = material::local_size<Law>(), first_local = Law::state_size;  ///< its strength and stiffness there
 
   /// Where the laws of a cell begin in the lists.
-  Index first_in(Index cell) const { return first_of_cell.size() > 0 ? first_of_cell[cell] : 0; }
+  Index first_in(Index cell) const { return !first_of_cell.empty() ? first_of_cell[cell] : 0; }
   const Law& law(Index number) const { return *static_cast<const Law*>(laws[static_cast<std::size_t>(number)]); }
   const Law& law_without_dilation(Index number) const
   {

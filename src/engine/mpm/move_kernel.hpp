@@ -28,8 +28,8 @@ struct CellStrain {
   {
     for (int a = 0; a < dim; ++a) {
       dilation += velocity.slope[a][a] * dt;
-      for (int b = a; b < dim; ++b) strain[tensor_index(a, b)] = 0.5 * dt * (velocity.slope[a][b] + velocity.slope[b][a]);
-      for (int b = 0; b < dim; ++b) rotation[a][b] = 0.5 * dt * (velocity.slope[a][b] - velocity.slope[b][a]);
+      for (int b = a; b < dim; ++b) strain[tensor_index(a, b)] = 0.5 * dt * (velocity.slope[b][a] + velocity.slope[a][b]);
+      for (int b = 0; b < dim; ++b) rotation[a][b] = 0.5 * dt * (velocity.slope[b][a] - velocity.slope[a][b]);
     }
   }
   /// Adds the strain around the axis.
@@ -118,11 +118,12 @@ update_by_local_strength(const SoilOf<Law>& soil, Index first_law, const P& part
 
 /// The kinetic energy that the particles of a cell have gained once they have the velocity v + dt a.
 template <int dim>
-Real kinetic_gain(const LinearField<dim>& acceleration, const Moments<dim>& t, Real dt)
+[[gnu::always_inline]] inline Real kinetic_gain(const AtCorners<dim>& acceleration, const Moments<dim>& t, Real dt)
 {
-  Real ma[dim], max[dim][dim];
-  for (int d = 0; d < dim; ++d) ma[d] = acceleration.momentum(d, t, max[d]);
-  return dt * (acceleration.dot(t.mv, t.mvx) + 0.5 * dt * acceleration.dot(ma, max));
+  const AtCorners<dim> gained = momentum_with(t, acceleration);
+  Components<dim> power{};
+  for (int k = 0; k <= dim; ++k) power += acceleration[k] * (components<dim>(t.momentum[k]) + 0.5 * dt * gained[k]);
+  return dt * sum_of_components<dim>(power);
 }
 
 /// What the energies after the move of a cell's particles need from before it.
@@ -143,17 +144,6 @@ template <mesh::Metric metric, int dim>
   return work;
 }
 
-/// The dilation that the cells of a patch share, over their volume; of their water, or of the soil.
-inline Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeChange>& of_cells, Index cell)
-{
-  Real volume = 0, change = 0;
-  mesh::for_each_in_patch(patches, cell, [&](Index member) {
-    volume += of_cells[member].volume;
-    change += of_cells[member].change;
-  });
-  return change / volume;
-}
-
 /// Particles move for the time `motion` (s).
 template <bool local_strength, mesh::Metric metric, int dim, class Law>
 void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
@@ -166,8 +156,8 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   for (auto& list : workspace.cell_changes) list.clear();
 
-  const bool filters = motion > 0 && grid.filter.size() > 0;
-  const auto move_in_cell = [&](Index c, BeforeMove<dim>& before) {
+  const bool filters = motion > 0 && !grid.filter.empty();
+  const auto move_in_cell = [&](Index c, BeforeMove<dim>& before, WorkDone& done) {
     const Index cell = particles.active()[c];
     particles.prefetch_after(c);
     const Index first_law = soil.first_in(cell);
@@ -177,18 +167,19 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const FilterOfCell<dim> filter = motion > 0 ? grid.filter_of(cell) : FilterOfCell<dim>{};
     const Real unfiltered = 1 - filter.part;
-    const LinearField<dim> gain = velocity_gain(shape, nodes, grid, motion, filter), velocity(shape, nodes, grid.mapped_velocity);
+    const AtCorners<dim> acceleration = at_corners(nodes, grid.acceleration);
+    const LinearField<dim> gain(shape.gradients, velocity_gain(acceleration, nodes, grid, motion, filter)),
+        velocity(shape.gradients, at_corners(nodes, grid.mapped_velocity));
     CellStrain<dim> cell_strain(velocity, dt);
     if constexpr (metric == mesh::Metric::axisymmetric)
       cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
-    if (model.mpm.volumetric_projection)
-      cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
+    if (model.mpm.volumetric_projection) cell_strain.template project<strained_directions<dim, metric>>(grid.dilation[cell]);
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
-    const Real shift = grid.pressure_shift.size() > 0 ? grid.pressure_shift[cell] : 0;
+    const Real shift = !grid.pressure_shift.empty() ? grid.pressure_shift[cell] : 0, shift_across = grid.shift_across * shift;
     Real outflow = 0, exchange = 0, level = 0;
     if (grid.water.flows()) {
-      outflow = patch_dilation(model.patches, grid.water.outflow, cell);
+      outflow = grid.water.outflow[cell];
       exchange = dt * leveling_rate<dim>(grid.water.cells[cell], mesh.section(cell));
       level = grid.water.cells[cell].pressure;
     }
@@ -196,12 +187,11 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     if constexpr (requires { law.softening_length; })
       if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.section(cell)) : std::cbrt(mesh.section(cell));
 
-    WorkDone done;
     before.strain = cell_strain.strain;
-    done.internal = 0.5 * work_of<metric>(grid, cell, before.strain);
-    if (filters)
-      done.filtered =
-          0.5 * grid.kinetic[cell] + kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], motion);
+    const Real viscous = grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    done.internal += 0.5 * work_of<metric>(grid, cell, before.strain) + viscous;
+    done.viscous += viscous;
+    if (filters) done.filtered += 0.5 * grid.kinetic[cell] + kinetic_gain(acceleration, grid.moments[cell], motion);
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
       using Mask = typename Part<V>::Mask;
@@ -223,7 +213,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
         stress[k] = part.get(p.stress[k], q.stress[k]);
       }
       for (int a = 0; a < 2; ++a) stress[a] += shift;
-      stress[2] += grid.shift_across * shift;
+      stress[2] += shift_across;
       rotate(stress, cell_strain.rotation);
       [[maybe_unused]] VolumeBounds<V> bounds;
       if constexpr (local_strength) {
@@ -247,18 +237,13 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
 
       if (motion > 0) note_cell_changes(part, min_shape, mesh, workspace, cell, p, q);
     });
-    done.viscous = grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
-    done.internal += done.viscous;
-    return done;
   };
   // The particles are in the cache still where their moments follow at once. Energies are sums of cells before the move and after it.
-  const auto sum_in_cell = [&](Index c, const BeforeMove<dim>& before) {
+  const auto sum_in_cell = [&](Index c, const BeforeMove<dim>& before, WorkDone& done) {
     const Index cell = particles.active()[c];
     sum_moments_of(mesh, particles, cell, grid);
-    WorkDone done;
-    done.internal = 0.5 * (grid.full_cells ? grid.weight[cell] : 1) * work_of<metric>(grid, cell, before.strain);
-    if (filters) done.filtered = -0.5 * grid.kinetic[cell];
-    return done;
+    done.internal += 0.5 * (grid.full_cells ? grid.weight[cell] : 1) * work_of<metric>(grid, cell, before.strain);
+    if (filters) done.filtered -= 0.5 * grid.kinetic[cell];
   };
   const WorkDone work_done =
       sum_in_two_steps<WorkDone, BeforeMove<dim>>("move and strain particles", particles.active_chunks(), move_in_cell, sum_in_cell);

@@ -3,7 +3,6 @@
 
 #include "mpm/exchange.hpp"
 #include "mpm/linear_field.hpp"
-#include "mpm/moments.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -47,21 +46,16 @@ void integrate_full_cell(const mesh::Mesh<dim>& mesh, Index cell, BodyGrid<dim>&
   grid.weight[cell] = weight;
   t.volume *= weight;
   for (Real& stress : t.stress) stress *= weight;
-  if (grid.hoop.size() > 0) fill_hoop(mesh, cell, part, zeta, weight, grid.hoop[cell]);
+  if (!grid.hoop.empty()) fill_hoop(mesh, cell, part, zeta, weight, grid.hoop[cell]);
 }
 
 /// The momentum that the corners would have if the particles had the velocity of the nodes.
 template <int dim>
 void spread_nodal_momentum(const mesh::Mesh<dim>& mesh, Index cell, BodyGrid<dim>& grid)
 {
-  const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-  const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
+  const AtCorners<dim> momentum = momentum_with(grid.moments[cell], at_corners(mesh.nodes[cell], grid.velocity));
   auto& corners = grid.corners[cell];
-  for (int d = 0; d < dim; ++d) {
-    Real times_x[dim];
-    const Real momentum = velocity.momentum(d, grid.moments[cell], times_x);
-    share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
-  }
+  for (int k = 0; k <= dim; ++k) store<dim>(momentum[k], corners[k].sum);
 }
 
 }  // namespace
@@ -70,7 +64,7 @@ template <int dim>
 void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const auto& active = particles.active();
-  const bool filters = grid.filter.size() > 0;
+  const bool filters = !grid.filter.empty();
   if (!grid.full_cells && !filters) return;
   for_each("quadrature, nodal momentum", particles.active_chunks(), [&](Index c) {
     if (grid.full_cells) integrate_full_cell(model.mesh, active[c], grid);

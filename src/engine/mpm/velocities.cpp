@@ -17,7 +17,7 @@ Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& gri
   Real mass = 0;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
-    mass += grid.moments[cell].m;
+    mass += grid.moments[cell].total_mass();
     momentum += momentum_of(cell);
   }
   return mass > 0 ? Vec<dim>(momentum / mass) : Vec<dim>(Vec<dim>::Zero());
@@ -29,7 +29,7 @@ Vec<dim> held_velocity(const problem::Model<dim>& model, const NodeField<std::ui
                        Index stage, Index node, const Vec<dim>& v)
 {
   Vec<dim> held = boundary::without_fixed<dim>(fixed, node, v);
-  if (model.moved.empty() || model.moved[stage].size() == 0) return held;
+  if (model.moved.empty() || model.moved[stage].empty()) return held;
   const boundary::Holders<dim>& moved = model.moved[stage][node];
   for (int d = 0; d < dim; ++d)
     if (moved[d] != none) held[d] = motions[moved[d]][d];
@@ -41,13 +41,12 @@ Vec<dim> held_velocity(const problem::Model<dim>& model, const NodeField<std::ui
 template <int dim>
 void smooth_velocities(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
-  if (grid.filter.size() == 0) return;
+  if (grid.filter.empty()) return;
   for_each("smooth velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
-    Vec<dim> momentum = Vec<dim>::Zero();
-    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
-      momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
-    grid.smooth_velocity[i] = grid.mass[i] > 0 ? Vec<dim>(2 * grid.velocity[i] - momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
+    const Real mass = grid.mass[i];
+    const Components<dim> momentum = gathered(mesh, grid, i);
+    store<dim>(mass > 0 ? 2 * components(grid.velocity[i]) - momentum / mass : Components<dim>{}, grid.smooth_velocity[i]);
   });
 }
 
@@ -58,17 +57,11 @@ void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<di
   for_each("momentum after the forces", particles.active_chunks(), [&](Index c) {
     const Index cell = active[c];
     const Moments<dim>& t = grid.moments[cell];
-    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    const auto& nodes = mesh.nodes[cell];
     const FilterOfCell<dim> filter = grid.filter_of(cell);
-    const Real part = filter.part;
-    const LinearField<dim> gain = velocity_gain(shape, mesh.nodes[cell], grid, dt, filter);
+    const AtCorners<dim> gained = momentum_with(t, velocity_gain(at_corners(nodes, grid.acceleration), nodes, grid, dt, filter));
     auto& corners = grid.corners[cell];
-    for (int d = 0; d < dim; ++d) {
-      Real times_x[dim];
-      const Real momentum = (1 - part) * t.mv[d] + gain.momentum(d, t, times_x);
-      for (int a = 0; a < dim; ++a) times_x[a] += (1 - part) * t.mvx[d][a];
-      share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
-    }
+    for (int k = 0; k <= dim; ++k) store<dim>((1 - filter.part) * components<dim>(t.momentum[k]) + gained[k], corners[k].sum);
   });
 }
 
@@ -89,17 +82,14 @@ void gather_new_velocities(const problem::Model<dim>& model, const std::vector<V
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
   for_each("gather new velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
-    Vec<dim> momentum = Vec<dim>::Zero();
-    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
-      momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
     const auto momentum_of = [&](Index cell) {
       Vec<dim> sum = Vec<dim>::Zero();
       for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
-    grid.mapped_velocity[i] =
-        held_velocity(model, fixed, motions, stage, i,
-                      grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
+    grid.mapped_velocity[i] = held_velocity(model, fixed, motions, stage, i,
+                                            grid.mass[i] > 0 ? vector_of<dim>(gathered(mesh, grid, i) / grid.mass[i])
+                                                             : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
 
@@ -110,7 +100,7 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, const std:
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
   for_each("predict velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
-    const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
+    const auto momentum_of = [&](Index cell) { return vector_of<dim>(grid.moments[cell].total_momentum()); };
     grid.mapped_velocity[i] = held_velocity(model, fixed, motions, stage, i,
                                             grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
                                                              : velocity_of_cells(model.mesh, grid, i, momentum_of));

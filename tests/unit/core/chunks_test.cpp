@@ -103,17 +103,17 @@ TEST(SumOfChunks, in_two_steps_takes_what_the_first_left_to_the_second_once_for_
   for (const int threads : {1, 3}) {
     omp_set_num_threads(threads);
     std::vector<int> firsts(list.numbers.size(), 0), seconds(list.numbers.size(), 0);
-    const auto first = [&](Index i, Real& left) {
+    const auto first = [&](Index i, Real& left, Real&) {
       ++firsts[i];
       left = number_of(i);
-      return Real(0);
     };
-    const auto second = [&](Index i, const Real& left) {
+    const auto second = [&](Index i, const Real& left, Real& sum) {
       seconds[i] += firsts[i];
-      return left;
+      sum += left;
     };
-    const auto sum = sum_in_two_steps<Real, Real>("test", list.chunks, first, second);
-    EXPECT_EQ(sum, sum_of<Real>("test", list.chunks, number_of));
+    const auto total = sum_in_two_steps<Real, Real>("test", list.chunks, first, second);
+    EXPECT_EQ(total, sum_of<Real>("test", list.chunks, number_of));
+    EXPECT_EQ(total, sum_of<Real>("test", list.chunks, [&](Index i, Real& sum) { sum += number_of(i); }));
     EXPECT_EQ(std::count(firsts.begin(), firsts.end(), 1), static_cast<std::ptrdiff_t>(firsts.size()));
     EXPECT_EQ(seconds, firsts);
   }
