@@ -35,8 +35,9 @@ void exchange_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>&
         for (const Index cell : side.got) {
           grid.moments[cell] = {};
           grid.corners[cell] = {};
+          grid.volume_change[cell] = {};
           if (!grid.hoop.empty()) grid.hoop[cell] = {};
-          if (grid.water.flows()) grid.water.cells[cell] = {}, grid.water.corners[cell] = {};
+          if (grid.water.flows()) grid.water.cells[cell] = {}, grid.water.corners[cell] = {}, grid.water.outflow[cell] = {};
         }
         std::size_t count = 0;
         const std::byte* at = get_bytes(in.data(), &count);

@@ -2,7 +2,7 @@
 // Tests: tests/unit/mpm/velocities_filter_test.cpp
 #pragma once
 
-#include "mpm/grid.hpp"
+#include "mpm/linear_field.hpp"
 
 namespace berm::mpm {
 
@@ -24,11 +24,10 @@ struct FilteredMomentum {
   {
     const Moments<dim>& t = grid.moments[cell];
     const auto& corners = grid.corners[cell];
-    const auto& nodes = mesh.nodes[cell];
-    const Vec<dim>* smooth = grid.smooth_velocity.data();
+    const AtCorners<dim> smooth = at_corners(mesh.nodes[cell], grid.smooth_velocity);
     Components<dim> lost{};
     for (int k = 0; k <= dim; ++k) {
-      lost += components<dim>(t.momentum[k]) - corners[k].mass * components(smooth[nodes[k]]);
+      lost += components<dim>(t.momentum[k]) - corners[k].mass * smooth[k];
       mass += corners[k].mass;
     }
     momentum += part * lost;

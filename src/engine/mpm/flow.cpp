@@ -4,7 +4,6 @@
 
 #include "mpm/hoop.hpp"
 #include "mpm/internal_forces.hpp"
-#include "mpm/patch_cells.hpp"
 #include "problem/stages.hpp"
 
 namespace berm::mpm {
@@ -329,17 +328,19 @@ Real held_back(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cel
 }  // namespace
 
 template <int dim>
-void share_outflow(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body)
+void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body)
 {
   if (!grid.water.flows()) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
-  with_metric(mesh, [&](auto metric) {
-    const auto change = [&](Index cell) {
-      return (grid.moments[cell].volume * divergence(mesh, grid, cell, state.flux[body]) + held_back<metric()>(mesh, grid, cell)) *
-             state.dt;
-    };
-    share_in_patches("outflow of patches", model.patches, state.particles[body], grid, change, grid.water.outflow);
-  });
+  const bodies::Particles<dim>& particles = state.particles[body];
+  const auto sum = [&](Index cell) {
+    const Real volume = grid.moments[cell].volume;
+    const Real change = with_metric(mesh, [&](auto metric) { return held_back<metric()>(mesh, grid, cell); });
+    grid.water.outflow[cell] = {volume, (volume * divergence(mesh, grid, cell, state.flux[body]) + change) * state.dt};
+  };
+  for_each("outflow of cells", particles.chunks(), [&](Index c) { sum(particles.occupied()[c]); });
+  for (const Index cell : grid.halo.partners)
+    if (grid.moments[cell].any()) sum(cell);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
@@ -350,7 +351,7 @@ void share_outflow(const problem::Model<dim>& model, const problem::State<dim>& 
   template void mark_impermeable_surfaces(const problem::Model<dim>&, Workspace<dim>&);                                                    \
   template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);                                    \
   template void note_pressures(const problem::Model<dim>&, problem::State<dim>&, const Workspace<dim>&);                                   \
-  template void share_outflow(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&, Index);
+  template void sum_outflows(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

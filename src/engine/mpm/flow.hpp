@@ -62,8 +62,8 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
 template <int dim>
 void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace);
 
-/// The part of its volume that leaves each cell as water in this step, which the cells of a patch share.
+/// The volume of water that leaves each cell in this step.
 template <int dim>
-void share_outflow(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body);
+void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body);
 
 }  // namespace berm::mpm

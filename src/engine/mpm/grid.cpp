@@ -14,7 +14,7 @@ BodyGrid<dim>::BodyGrid(const mesh::Mesh<dim>& mesh)
     : moments(CellField<Moments<dim>>::zeros(mesh.cell_count())),
       corners(CellField<std::array<CornerSums<dim>, dim + 1>>::zeros(mesh.cell_count())),
       hoop(CellField<HoopMoments>::zeros(mesh.metric == mesh::Metric::axisymmetric ? mesh.cell_count() : 0)),
-      dilation(CellField<Real>::zeros(mesh.cell_count())),
+      volume_change(CellField<VolumeChange>::zeros(mesh.cell_count())),
       viscous_stress(CellField<Real>::zeros(mesh.cell_count())),
       gradients(CellField<mesh::Gradients<dim>>::zeros(mesh.cell_count())),
       height(CellField<Real>::zeros(mesh.cell_count())),
@@ -41,7 +41,7 @@ void WaterGrid<dim>::make_room(const mesh::Mesh<dim>& mesh, const problem::BodyS
   cells = CellField<WaterCell>::zeros(mesh.cell_count());
   corners = CellField<std::array<WaterAtCorner<dim>, dim + 1>>::zeros(mesh.cell_count());
   pressure = CellField<Real>::zeros(mesh.cell_count());
-  outflow = CellField<Real>::zeros(mesh.cell_count());
+  outflow = CellField<VolumeChange>::zeros(mesh.cell_count());
   nodes = NodeField<WaterAtNode<dim>>::zeros(mesh.node_count());
   soil_inertia = NodeField<Vec<dim>>::zeros(mesh.node_count());
   normal = NodeField<Vec<dim>>::zeros(mesh.node_count());

@@ -88,6 +88,12 @@ struct FilterOfCell {
   Vec<dim> shift = Vec<dim>::Zero();  ///< m/s, what they get back, so that the patch keeps its momentum
 };
 
+/// How the particles of a cell swell in a step. Apart from the moments, which other cells' particles have summed again while those of this one still move.
+struct VolumeChange {
+  Real volume;  ///< sum V before the step, as in Moments
+  Real change;  ///< that times div(v) dt
+};
+
 /// Means over the particles of a cell of soil whose water flows.
 struct WaterCell {
   Real pressure = 0;  ///< p, Pa, compression positive
@@ -129,7 +135,7 @@ struct WaterGrid {
   CellField<WaterCell> cells;
   CellField<Real> pressure;  ///< Pa, that acts: averaged over the patch of the cell
   CellField<std::array<WaterAtCorner<dim>, dim + 1>> corners;
-  CellField<Real> outflow;  ///< as the dilation, by div(w) dt
+  CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
   NodeField<WaterAtNode<dim>> nodes;
   NodeField<Vec<dim>> soil_inertia;        ///< kg, what accelerates with the soil where the water gives way
   NodeField<Vec<dim>> normal;              ///< of the impermeable rigid body that touches the soil there; else zero
@@ -160,7 +166,7 @@ struct BodyGrid {
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
   CellField<HoopMoments> hoop;  ///< as the moments; empty but in axisymmetry
   CellField<Real> kinetic;      ///< sum m v.v, twice the kinetic energy, J; as the moments; empty without the filter
-  CellField<Real> dilation;     ///< of the patch of an active cell, div(v) dt, mean by sum V; set before each pass
+  CellField<VolumeChange> volume_change;
   WaterGrid<dim> water;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
   CellField<Real>
@@ -212,9 +218,10 @@ struct BodyGrid {
   {
     moments[cell] = {};
     corners[cell] = {};
+    volume_change[cell] = {};
     if (!hoop.empty()) hoop[cell] = {};
     if (!kinetic.empty()) kinetic[cell] = 0;
-    if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {};
+    if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {}, water.outflow[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
   }
   /// Leaves of the sums of an inactive cell the volume of its particles, by which its neighbours know that they lie within the body.

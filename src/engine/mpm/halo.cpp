@@ -28,15 +28,14 @@ Halo make_halo(const mesh::Mesh<dim>& mesh, const mesh::Patches& patches)
         if (const Index other = mesh.entries[e] / (dim + 1); !ranks.owns_cell(other)) halo.outer.push_back(other);
     }
   };
-  std::vector<Index> partners;  // cells in a patch with a cell of this rank
   for (Index cell = ranks.first_cell()[ranks.rank()]; cell < ranks.first_cell()[ranks.rank() + 1]; ++cell) {
     surround(cell);
     mesh::for_each_in_patch(patches, cell, [&](Index member) {
-      if (!ranks.owns_cell(member)) partners.push_back(member);
+      if (!ranks.owns_cell(member)) halo.partners.push_back(member);
     });
   }
-  make_ascending(partners);
-  for (const Index cell : partners) surround(cell);
+  make_ascending(halo.partners);
+  for (const Index cell : halo.partners) surround(cell);
   make_ascending(halo.outer);
 
   std::vector<std::pair<Index, Index>> needed, all;  // the rank that needs a cell, and the cell

@@ -18,6 +18,7 @@ struct Halo {
   std::vector<Side> sides;  ///< by the rank that a letter goes to
   std::vector<Messenger::Letter> letters;
   std::vector<Index> outer;             ///< all cells of the halo, ascending
+  std::vector<Index> partners;          ///< those of them that are in a patch with a cell of this rank
   NodeField<std::uint8_t> is_complete;  ///< 1: all cells around the node are of this rank or among `outer`
 
   bool divided() const { return !is_complete.empty(); }

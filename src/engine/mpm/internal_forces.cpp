@@ -3,6 +3,7 @@
 
 #include "mpm/filter.hpp"
 #include "mpm/hoop.hpp"
+#include "mpm/linear_field.hpp"
 #include "mpm/patch_cells.hpp"
 
 namespace berm::mpm {
@@ -13,10 +14,9 @@ template <mesh::Metric metric, int dim>
 [[gnu::always_inline]] inline Real divergence_in(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
                                                  const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field)
 {
-  const Vec<dim>* values = field.data();
-  const Components<dim> first = components(values[nodes[0]]);
+  const AtCorners<dim> values = at_corners(nodes, field);
   Components<dim> sum{};
-  for (int k = 1; k <= dim; ++k) sum += components<dim>(shape.gradients[k - 1].data()) * (components(values[nodes[k]]) - first);
+  for (int k = 1; k <= dim; ++k) sum += components<dim>(shape.gradients[k - 1].data()) * (values[k] - values[0]);
   Real divergence = sum_of_components<dim>(sum);
   if constexpr (metric == mesh::Metric::axisymmetric) divergence += hoop_rate(shape, nodes, grid, cell, field);
   return divergence;
@@ -36,17 +36,19 @@ template <mesh::Metric metric, int dim>
 /// Sums over the cells of a patch for their viscous stress.
 template <mesh::Metric metric, int dim>
 struct PatchDivergence {
-  Real volume = 0, height = 0, divergence = 0;  // the last two times the volume of their cell
+  Real height = 0, divergence = 0;  // times the volume of their cell
 
   [[gnu::always_inline]] void add(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
   {
     const Real of_cell = grid.moments[cell].volume;
-    volume += of_cell;
     height += of_cell * grid.height[cell];
     divergence += of_cell * divergence_in<metric>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.velocity);
   }
-  /// The viscous mean stress of the cells, Pa.
-  Real viscous_stress(const BodyGrid<dim>& grid) const { return grid.bulk_viscosity * (height / volume) * (divergence / volume); }
+  /// The viscous mean stress of the cells, Pa, which have this volume together.
+  Real viscous_stress(const BodyGrid<dim>& grid, Real volume) const
+  {
+    return grid.bulk_viscosity * (height / volume) * (divergence / volume);
+  }
 };
 
 /// The internal forces of a cell, whose volume times mean stress changes by `change` (N m).
@@ -78,9 +80,13 @@ template <mesh::Metric metric, int dim>
 void find_viscous_stress_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   for_each_patch("viscous stress of cells", model.patches, particles, grid, [&](const PatchCells& patch) {
+    Real volume = 0;
     PatchDivergence<metric, dim> sums;
-    for (const Index member : patch) sums.add(model.mesh, grid, member);
-    const Real viscous_stress = sums.viscous_stress(grid);
+    for (const Index member : patch) {
+      volume += grid.moments[member].volume;
+      sums.add(model.mesh, grid, member);
+    }
+    const Real viscous_stress = sums.viscous_stress(grid, volume);
     for (const Index member : patch)
       if (particles.is_active(member)) grid.viscous_stress[member] = viscous_stress;
   });
@@ -105,7 +111,7 @@ void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::P
       if (is_viscous) divergence.add(mesh, grid, member);
       if (filters) filtered.add(mesh, grid, member, part[k] = filter_part(dt, member, grid));
     }
-    const Real mean_stress = volume_stress / volume, viscous_stress = is_viscous ? divergence.viscous_stress(grid) : 0;
+    const Real mean_stress = volume_stress / volume, viscous_stress = is_viscous ? divergence.viscous_stress(grid, volume) : 0;
     const Components<dim> shift = filters ? filtered.momentum / filtered.mass : Components<dim>{};
     for (int k = 0; k < patch.count; ++k) {
       const Index member = patch.cell[k];
@@ -121,6 +127,20 @@ void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::P
       spread_forces_of<metric>(mesh, member, change + of_cell * grid.viscous_stress[member], grid);
     }
   });
+}
+
+template <mesh::Metric metric, int dim>
+void sum_volume_changes_in(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  const auto& active = particles.active();
+  const auto sum = [&](Index cell) {
+    const Real divergence = divergence_in<metric>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.mapped_velocity);
+    const Real volume = grid.moments[cell].volume;
+    grid.volume_change[cell] = {volume, volume * divergence * dt};
+  };
+  for_each("volume change of cells", particles.active_chunks(), [&](Index c) { sum(active[c]); });
+  for (const Index cell : grid.halo.partners)
+    if (grid.moments[cell].any()) sum(cell);
 }
 
 }  // namespace
@@ -146,23 +166,16 @@ void spread_internal_forces(const problem::Model<dim>& model, const bodies::Part
 }
 
 template <int dim>
-void share_dilation(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
-  const mesh::Mesh<dim>& mesh = model.mesh;
-  with_metric(mesh, [&](auto metric) {
-    const auto change = [&](Index cell) {
-      const Real of_cell = divergence_in<metric()>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.mapped_velocity);
-      return grid.moments[cell].volume * of_cell * dt;
-    };
-    share_in_patches("dilation of patches", model.patches, particles, grid, change, grid.dilation);
-  });
+  with_metric(mesh, [&](auto metric) { sum_volume_changes_in<metric()>(mesh, particles, dt, grid); });
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void find_viscous_stress(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
   template void spread_internal_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                   \
   template Real divergence(const mesh::Mesh<dim>&, const BodyGrid<dim>&, Index, const NodeField<Vec<dim>>&);                               \
-  template void share_dilation(const problem::Model<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
+  template void sum_volume_changes(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

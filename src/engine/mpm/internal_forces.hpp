@@ -20,8 +20,8 @@ void spread_internal_forces(const problem::Model<dim>& model, const bodies::Part
 template <int dim>
 Real divergence(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field);
 
-/// The dilation div(v) dt that the cells of each patch share, for the projection.
+/// The volume change sum V div(v) dt of each cell, for the projection.
 template <int dim>
-void share_dilation(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
+void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 
 }  // namespace berm::mpm

@@ -144,6 +144,17 @@ template <mesh::Metric metric, int dim>
   return work;
 }
 
+/// The dilation that the cells of a patch share, over their volume; of their water, or of the soil.
+inline Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeChange>& of_cells, Index cell)
+{
+  Real volume = 0, change = 0;
+  mesh::for_each_in_patch(patches, cell, [&](Index member) {
+    volume += of_cells[member].volume;
+    change += of_cells[member].change;
+  });
+  return change / volume;
+}
+
 /// Particles move for the time `motion` (s).
 template <bool local_strength, mesh::Metric metric, int dim, class Law>
 void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
@@ -173,13 +184,14 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     CellStrain<dim> cell_strain(velocity, dt);
     if constexpr (metric == mesh::Metric::axisymmetric)
       cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
-    if (model.mpm.volumetric_projection) cell_strain.template project<strained_directions<dim, metric>>(grid.dilation[cell]);
+    if (model.mpm.volumetric_projection)
+      cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
     const Real shift = !grid.pressure_shift.empty() ? grid.pressure_shift[cell] : 0, shift_across = grid.shift_across * shift;
     Real outflow = 0, exchange = 0, level = 0;
     if (grid.water.flows()) {
-      outflow = grid.water.outflow[cell];
+      outflow = patch_dilation(model.patches, grid.water.outflow, cell);
       exchange = dt * leveling_rate<dim>(grid.water.cells[cell], mesh.section(cell));
       level = grid.water.cells[cell].pressure;
     }

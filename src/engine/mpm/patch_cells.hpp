@@ -39,20 +39,4 @@ void for_each_patch(const char* label, const mesh::Patches& patches, const bodie
   });
 }
 
-/// Gives the active cells of each patch the sum of change(cell) over the patch, over the volume of its particles.
-template <int dim, class Change>
-void share_in_patches(const char* label, const mesh::Patches& patches, const bodies::Particles<dim>& particles, const BodyGrid<dim>& grid,
-                      const Change& change, CellField<Real>& share)
-{
-  for_each_patch(label, patches, particles, grid, [&](const PatchCells& patch) {
-    Real volume = 0, sum = 0;
-    for (const Index member : patch) {
-      volume += grid.moments[member].volume;
-      sum += change(member);
-    }
-    for (const Index member : patch)
-      if (particles.is_active(member)) share[member] = sum / volume;
-  });
-}
-
 }  // namespace berm::mpm

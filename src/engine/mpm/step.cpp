@@ -66,9 +66,9 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
 
   move_load_points(model, state, workspace);  // 9: with the soil
   for (Index b = 0; b < bodies; ++b) {
-    if (model.mpm.volumetric_projection) share_dilation(model, state.particles[b], state.dt, workspace.grids[b]);
-    share_outflow(model, state, workspace.grids[b], b);  // water
-    move_and_strain(model, state, workspace, b);         // 5, 9-11: (14), (19)-(23)
+    if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, workspace.grids[b]);
+    sum_outflows(model, state, workspace.grids[b], b);  // water
+    move_and_strain(model, state, workspace, b);        // 5, 9-11: (14), (19)-(23)
     change_cells(model, state, workspace, b);
   }
 }
@@ -94,7 +94,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
 
   for (Index b = 0; b < bodies; ++b) {
     BodyGrid<dim>& grid = workspace.grids[b];
-    if (model.mpm.volumetric_projection) share_dilation(model, state.particles[b], state.dt, grid);
+    if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, grid);
     strain_particles(model, state, workspace, b);
     exchange_moments(model.mesh, state.particles[b], grid);  // ranks
     prepare_cells(model, state.particles[b], grid);

@@ -327,10 +327,11 @@ Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<di
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
   const Real of_block = static_cast<Real>(2 * sizeof(bodies::Block<dim>) + 2 * sizeof(StoredLanes) * particles.extra_size());
   Real of_cell = 4 * sizeof(mpm::Moments<dim>) + 6 * corners * sizeof(mpm::CornerSums<dim>) + 3 * sizeof(mesh::Gradients<dim>) +
-                 5 * corners * sizeof(Index) + 2 * sizeof(Real);
+                 5 * corners * sizeof(Index) + 4 * sizeof(Real);
   Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
   if (grid.water.flows()) {
-    of_cell += 4 * sizeof(mpm::WaterCell) + 2 * corners * sizeof(mpm::WaterAtCorner<dim>) + 4 * sizeof(Real);
+    of_cell +=
+        4 * sizeof(mpm::WaterCell) + 2 * corners * sizeof(mpm::WaterAtCorner<dim>) + 2 * sizeof(mpm::VolumeChange) + 2 * sizeof(Real);
     of_node += 2 * sizeof(mpm::WaterAtNode<dim>) + 6 * sizeof(Vec<dim>) + 2 * sizeof(mpm::ImpermeableFlux);
   }
   const Real count = static_cast<Real>(particles.size());

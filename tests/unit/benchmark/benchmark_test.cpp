@@ -31,7 +31,7 @@ TEST(Bench, sets_the_loops_of_the_kernel_beside_those_of_the_step_and_names_the_
   }
   EXPECT_EQ(shared, (std::set<std::string>{"momentum balance of nodes", "momentum after the forces", "gather new velocities",
                                            "move and strain particles"}));
-  for (const char* label : {"smooth velocities", "dilation of patches", "internal forces of cells", "contact: step 4"})
+  for (const char* label : {"smooth velocities", "volume change of cells", "internal forces of cells", "contact: step 4"})
     EXPECT_TRUE(beside.count(label)) << label;
 
   const Real speed = problem.at("particle_steps_per_s"), ceiling = problem.at("ceiling_particle_steps_per_s");

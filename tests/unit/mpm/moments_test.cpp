@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/moments.hpp"
 
+#include "mpm/linear_field.hpp"
 #include "random_body.hpp"
 
 namespace berm::mpm::this_file {
@@ -53,6 +54,34 @@ TYPED_TEST(Moments, mass_and_momentum_of_the_nodes_are_those_of_the_particles)
   EXPECT_NEAR(of_nodes / mass, 1, 1e-14);
   EXPECT_NEAR((momentum_of_nodes - momentum).norm() / mass, 0, 1e-14);
   EXPECT_NEAR(force.norm() / size, 0, 1e-14);  // internal forces give no momentum
+}
+
+TYPED_TEST(Moments, give_the_momentum_of_particles_that_move_with_the_nodes)
+{
+  constexpr int dim = TypeParam::value;
+  for (const Real place : places) {
+    SCOPED_TRACE(place);
+    RandomBody<dim> random(place);
+    random.to_the_nodes(false);
+    const mesh::Mesh<dim>& mesh = random.mesh();
+    NodeField<Vec<dim>> of_nodes(mesh.node_count(), Vec<dim>::Zero());
+    for (Index i = 0; i < of_nodes.size(); ++i)
+      for (int d = 0; d < dim; ++d) of_nodes[i][d] = std::cos(3 * i + d);
+    std::vector<std::array<Vec<dim>, dim + 1>> wanted(mesh.cell_count());
+    for (auto& of_cell : wanted) of_cell.fill(Vec<dim>::Zero());
+    random.particles().visit([&](Index cell, Index b, int l) {
+      const bodies::Block<dim>& p = random.particles().block(b);
+      const mesh::Shape<dim> shape = mesh.shape(cell);
+      Vec<dim> v = Vec<dim>::Zero();
+      for (int k = 0; k <= dim; ++k) v += shape.value(k, position(p, l)) * of_nodes[mesh.nodes[cell][k]];
+      for (int k = 0; k <= dim; ++k) wanted[cell][k] += p.mass[l] * shape.value(k, position(p, l)) * v;
+    });
+    for (const Index cell : random.particles().occupied()) {
+      const AtCorners<dim> found = momentum_with(random.grid().moments[cell], at_corners(mesh.nodes[cell], of_nodes));
+      const Real round_off = 1e-13 * random.grid().moments[cell].total_mass();
+      for (int k = 0; k <= dim; ++k) EXPECT_NEAR((vector_of<dim>(found[k]) - wanted[cell][k]).norm(), 0, round_off);
+    }
+  }
 }
 
 TYPED_TEST(Moments, a_node_has_no_mass_where_round_off_is_all_of_it)

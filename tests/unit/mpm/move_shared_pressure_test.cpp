@@ -45,7 +45,7 @@ struct Resting {
     gather_mass_and_momentum(mesh, grid());
     spread_internal_forces(problem.model, particles(), 0, grid());
     for (Index i = 0; i < mesh.node_count(); ++i) grid().mapped_velocity[i].setZero();
-    share_dilation(problem.model, particles(), problem.state.dt, grid());
+    sum_volume_changes(mesh, particles(), problem.state.dt, grid());
     move_and_strain(problem.model, problem.state, workspace, 0);
     after = means(), energy_after = elastic_energy();
   }
