@@ -93,12 +93,14 @@ Sum sum_in_two_steps(const char* label, const Chunks& chunks, const First& first
     parts.resize(chunks.number.size());
 #pragma omp parallel for schedule(static, 1)
   for (Index k = 0; k < chunks.count(); ++k) {
+    First first_of_chunk = first_step;  // copies: no write to memory can change what they have captured by value
+    Then then_of_chunk = then;
     Sum sum{};
     Carried carried[group];
     for (Index first = chunks.begin[k]; first < chunks.begin[k + 1]; first += group) {
       const Index end = std::min(first + group, chunks.begin[k + 1]);
-      for (Index i = first; i < end; ++i) first_step(i, carried[i - first], sum);
-      for (Index i = first; i < end; ++i) then(i, carried[i - first], sum);
+      for (Index i = first; i < end; ++i) first_of_chunk(i, carried[i - first], sum);
+      for (Index i = first; i < end; ++i) then_of_chunk(i, carried[i - first], sum);
     }
     parts[ranks.divided() ? chunks.number[k] : k] = sum;
   }

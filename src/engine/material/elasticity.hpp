@@ -40,15 +40,23 @@ inline Real p_wave_modulus(const Elasticity& elastic)
   return elastic.lame + 2 * elastic.shear;
 }
 
-/// Hooke's law: stress += lame tr(strain) I + 2G strain. Stress in Pa, tension positive.
+/// Hooke's law: lame tr(strain) I + 2G strain, Pa, tension positive.
+template <int dim, class N, class T>
+[[gnu::always_inline]] inline SymTensor<dim, T> elastic_stress(const ElasticityOf<N>& elastic, const SymTensor<dim, T>& strain)
+{
+  const T pressure = elastic.lame * trace(strain);
+  const N two_shear = 2 * elastic.shear;
+  SymTensor<dim, T> stress;
+  for (int k = 0; k < 3; ++k) stress[k] = pressure + two_shear * strain[k];
+  for (int k = 3; k < tensor_size<dim>; ++k) stress[k] = two_shear * strain[k];
+  return stress;
+}
 template <int dim, class N, class T>
 [[gnu::always_inline]] inline void add_elastic_stress(const ElasticityOf<N>& elastic, SymTensor<dim, T>& stress,
                                                       const SymTensor<dim, T>& strain)
 {
-  const T pressure = elastic.lame * trace(strain);
-  const N two_shear = 2 * elastic.shear;
-  for (int k = 0; k < 3; ++k) stress[k] += pressure + two_shear * strain[k];
-  for (int k = 3; k < tensor_size<dim>; ++k) stress[k] += two_shear * strain[k];
+  const SymTensor<dim, T> change = elastic_stress(elastic, strain);
+  for (int k = 0; k < tensor_size<dim>; ++k) stress[k] += change[k];
 }
 
 }  // namespace berm::material

@@ -118,20 +118,21 @@ template <int dim, class N, class T>
 {
   using Mask = decltype(T{} < T{});
   T& opening = state[0];
-  SymTensor<dim, T> strain = increment.strain;
+  // That of a cell is the same for all its particles, and made once.
+  SymTensor<dim, T> change = elastic_stress(law.elastic, increment.strain);
   const Mask was_open = opening > T{};
   if (any(was_open)) [[unlikely]] {
-    const T volume = trace(strain), left = opening + volume, one = T{} + 1.;
+    const T volume = trace(increment.strain), left = opening + volume, one = T{} + 1.;
     const Mask stays_open = was_open & (left > T{}), closes = was_open & (left <= T{});
     const T part_after_closing = closes ? left / (closes ? volume : one) : (stays_open ? T{} : one);
     const T apex = law.apex - T{};
     for (int k = 0; k < tensor_size<dim>; ++k) {
-      strain[k] *= part_after_closing;
+      change[k] *= part_after_closing;
       stress[k] = was_open ? (k < 3 ? apex : T{}) : stress[k];
     }
     opening = stays_open ? smaller(left, law.max_opening - T{}) : T{};
   }
-  add_elastic_stress(law.elastic, stress, strain);
+  for (int k = 0; k < tensor_size<dim>; ++k) stress[k] += change[k];
   return_to_surface(law, stress, opening);
 }
 

@@ -240,11 +240,24 @@ struct BodyGrid {
   /// Shape functions of a cell that has been entered; the gradients of others are 0.
   [[gnu::always_inline]] mesh::Shape<dim> shape(const mesh::Mesh<dim>& mesh, Index cell) const
   {
-    return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
+    mesh::Shape<dim> shape;  // number by number, so that they are kept in registers
+#pragma GCC unroll 3
+    for (int d = 0; d < dim; ++d) {
+      shape.origin[d] = mesh.position[mesh.nodes[cell][0]][d];
+#pragma GCC unroll 3
+      for (int k = 0; k < dim; ++k) shape.gradients[k][d] = gradients[cell][k][d];
+    }
+    return shape;
   }
-  [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell) const { return !filter.empty() ? filter[cell] : FilterOfCell<dim>{}; }
+  [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell) const
+  {
+    return !filter.empty() ? filter[cell] : FilterOfCell<dim>{};
+  }
   /// Contribution of the cell of a mesh entry to the node.
-  const CornerSums<dim>& at(mesh::CornerEntry e) const { return corners.data()->data()[e]; }
+  const CornerSums<dim>& at(mesh::CornerEntry e) const
+  {
+    return corners.data()->data()[e];
+  }
 };
 
 /// Lists the nodes of cells with particles; of those of other ranks, the nodes whose cells are all known. A node that no longer has one has no velocity.

@@ -11,11 +11,11 @@ template <int dim>
 struct LaneMoments {
   static constexpr int pairs = Moments<dim>::pairs;
   static constexpr int mn = 1, mnn = mn + dim, mv = mnn + pairs, mvn = mv + dim, volume = mvn + dim * dim, stress = volume + 1,
-                       count = stress + pairs;
+                       kinetic = stress + pairs, count = kinetic + 1;
 
   static constexpr int width = lanes_of<WidePart>, rows = (count + width - 1) / width;
 
-  WidePart of[rows * width], kinetic{};
+  WidePart of[rows * width];
 
   [[gnu::always_inline]] void clear()
   {
@@ -43,7 +43,7 @@ struct LaneMoments {
       of[mn + a] += at[a];
       of[mv + a] += p_mass * v[a];
     }
-    kinetic += p_mass * square;
+    of[kinetic] += p_mass * square;
     for (int a = 0; a < dim; ++a)
       for (int b = a; b < dim; ++b) {
         of[mnn + Moments<dim>::pair(a, b)] += at[a] * n[b];
@@ -54,8 +54,8 @@ struct LaneMoments {
       for (int d = 0; d < dim; ++d) of[mvn + a * dim + d] += at[a] * v[d];
   }
 
-  /// The moments of the cell, and what it gives its corners of mass, momentum and volume. As many sums as fit a register are made at a time.
-  [[gnu::always_inline]] void total(Moments<dim>& t, std::array<CornerSums<dim>, dim + 1>& corners) const
+  /// The moments of the cell, what it gives its corners of mass, momentum and volume, and sum m v.v. As many sums as fit a register are made at a time.
+  [[gnu::always_inline]] Real total(Moments<dim>& t, std::array<CornerSums<dim>, dim + 1>& corners) const
   {
     using M = Moments<dim>;
     alignas(WidePart) Real sum[rows * width];
@@ -92,6 +92,7 @@ struct LaneMoments {
     t.volume = sum[volume];
     for (int k = 0; k < pairs; ++k) t.stress[k] = sum[stress + k];
     for (CornerSums<dim>& corner : corners) corner.volume = sum[volume];
+    return sum[kinetic];
   }
 };
 
@@ -123,8 +124,8 @@ template <mesh::Metric metric, int dim>
     if constexpr (metric == mesh::Metric::axisymmetric)
       hoop_sums.add(part, particles.block(part.block), particles.block(part.other), shape.origin);
   });
-  sums.total(grid.moments[cell], grid.corners[cell]);
-  if (!grid.kinetic.empty()) grid.kinetic[cell] = sum(sums.kinetic);
+  const Real kinetic = sums.total(grid.moments[cell], grid.corners[cell]);
+  if (!grid.kinetic.empty()) grid.kinetic[cell] = kinetic;
   if constexpr (metric == mesh::Metric::axisymmetric) grid.hoop[cell] = {sum(hoop_sums.area), sum(hoop_sums.area_y), sum(hoop_sums.stress)};
 }
 

@@ -168,11 +168,13 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   for (auto& list : workspace.cell_changes) list.clear();
 
   const bool filters = motion > 0 && !grid.filter.empty();
-  const auto move_in_cell = [&](Index c, BeforeMove<dim>& before, WorkDone& done) {
+  // The law is a copy, as is what is captured by value: no particle that is written can change them.
+  const auto move_in_cell = [&, dt, time, motion, filters, min_volume, max_volume, law = soil.law(0),
+                             number = Index(0)](Index c, BeforeMove<dim>& before, WorkDone& done) mutable {
     const Index cell = particles.active()[c];
     particles.prefetch_after(c);
     const Index first_law = soil.first_in(cell);
-    const Law& law = soil.law(first_law);
+    if (first_law != number) law = soil.law(number = first_law);
     [[maybe_unused]] const Law* law_without_dilation = soil.dilates ? &soil.law_without_dilation(first_law) : nullptr;
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
@@ -251,7 +253,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     });
   };
   // The particles are in the cache still where their moments follow at once. Energies are sums of cells before the move and after it.
-  const auto sum_in_cell = [&](Index c, const BeforeMove<dim>& before, WorkDone& done) {
+  const auto sum_in_cell = [&, filters](Index c, const BeforeMove<dim>& before, WorkDone& done) {
     const Index cell = particles.active()[c];
     sum_moments_of(mesh, particles, cell, grid);
     done.internal += 0.5 * (grid.full_cells ? grid.weight[cell] : 1) * work_of<metric>(grid, cell, before.strain);

@@ -92,14 +92,14 @@ TEST(Lanes, square_root_is_that_of_the_numbers)
   for (int l = 0; l < lanes; ++l) EXPECT_EQ(root[l], std::abs(sample[l]));
 }
 
-TYPED_TEST(Vectors, the_sum_adds_numbers_that_lie_half_a_vector_apart_then_half_of_that)
+TYPED_TEST(Vectors, the_sum_adds_neighbours_then_sums_of_neighbours)
 {
   std::mt19937 random(1);
   for (int trial = 0; trial < 1000; ++trial) {
     TypeParam x = random_vector<TypeParam>(random);
     const Real got = sum(x);
     for (int half = lanes_of<TypeParam> / 2; half > 0; half /= 2)
-      for (int l = 0; l < half; ++l) x[l] += x[l + half];
+      for (int l = 0; l < half; ++l) x[l] = x[2 * l] + x[2 * l + 1];
     EXPECT_EQ(got, x[0]);
   }
 }
