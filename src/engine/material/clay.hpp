@@ -152,14 +152,16 @@ struct ClayStrength {
 };
 
 /// Plastic shear strain x of an increment from `shear` = (s1 - s3)/2 of its elastic trial stress: the root of shear - G x = s_u(x), by Newton's method on the
-/// side of the kink, where the rate reaches its reference, on which the root lies. It starts from the strength that the soil had, `begin` over s_u0.
-template <class N, class T>
-[[gnu::noinline]] T plastic_shear(const PreparedClayOf<N>& law, const T& shear, const T& begin, decltype(T{} < T{}) yields, const T& kept,
-                                  const Real& per_x, const T& damage, const Real& weight, T& rate_part)
+/// side of the kink, where the rate reaches its reference, on which the root lies. It starts from the strength that the soil had, `begin` over s_u0. The constants
+/// are a copy, so that the law of a part of a cell, whose particles have a strength of their own, is made in registers.
+template <class T>
+[[gnu::noinline]] T plastic_shear(const ClayConstants law, const T strength, const T stiffness, const T& shear, const T& begin,
+                                  decltype(T{} < T{}) yields, const T& kept, const Real& per_x, const T& damage, const Real& weight,
+                                  T& rate_part)
 {
   // Newton's method squares an error: from 1e-7 of the strength, what is left is below 1e-12 of it.
   constexpr Real precision = 1e-7, flattest = 0.1;
-  const T strength = law.tresca.strength - T{}, stiffness = law.elastic.shear - T{}, zero{};
+  const T zero{};
   decltype(yields) beyond = yields, left = yields;
   T reaches{};
   if (per_x > 0 && any(yields & (kept < T{} + 1.))) {
@@ -210,7 +212,8 @@ template <int dim, class N, class T>
   const Real weight = law.softening_length > 0 && increment.cell_size > 0 ? increment.cell_size / law.softening_length : 1;
   const T damage = law.per_shear > 0 ? exponential(-law.per_shear * xi) : zero;
   T of_flow{};
-  const T x = plastic_shear(law, shear, T(1 + change), yields, kept, per_x, damage, weight, of_flow);
+  const T x = plastic_shear<T>(law, law.tresca.strength - T{}, law.elastic.shear - T{}, shear, T(1 + change), yields, kept, per_x, damage,
+                               weight, of_flow);
   const T flowing = shear - law.elastic.shear * x;
   xi = yields ? xi + weight * x : xi;
   rate_part = yields ? of_flow : begin_rate;
