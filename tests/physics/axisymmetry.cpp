@@ -55,7 +55,7 @@ TEST(Axisymmetry, strains_exactly_where_the_radial_velocity_is_proportional_to_t
     problem::State<2>& state = run.state();
     state.dt = 1e-6;
     mpm::gather_mass_and_momentum(run.model().mesh, grid);
-    mpm::prepare_cells(run.model(), state.particles[0], grid);
+    mpm::prepare_cells(run.model(), state.particles[0], state.dt, grid);
     for (const Index i : grid.nodes)
       grid.mapped_velocity[i] = Vec<2>(3 * run.model().mesh.position[i][0], -run.model().mesh.position[i][1]);
     mpm::sum_volume_changes(run.model().mesh, state.particles[0], state.dt, grid);
@@ -80,7 +80,7 @@ TEST(Axisymmetry, uniform_stress_leaves_no_force_at_inner_nodes)
       const mesh::Mesh<2>& mesh = run.model().mesh;
       mpm::BodyGrid<2>& grid = run.workspace.grids[0];
       mpm::gather_mass_and_momentum(mesh, grid);
-      mpm::prepare_cells(run.model(), run.state().particles[0], grid);
+      mpm::prepare_cells(run.model(), run.state().particles[0], 0, grid);
       mpm::spread_internal_forces(run.model(), run.state().particles[0], 0, grid);
       const Real h = 1 / 8.;
       int inner = 0;

@@ -39,6 +39,10 @@ struct NodalSums {
   }
 };
 
+/// Of the mass that a node has in cells full of soil: one with less is not damped. Its forces are large for its mass, so that it turns round within a step, and
+/// damping would drive it; what it does then the particles hardly feel, but the balance of energies.
+constexpr Real least_damped_part = 0.05;
+
 }  // namespace
 
 template <int dim>
@@ -65,6 +69,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       force += (dashpots.incoming_force(dashpot, workspace.motion_before) + dashpots.incoming_force(dashpot, workspace.motion_after)) / 2;
     return force;
   };
+  const Real least_damped = least_damped_part * model.bodies[body].waves.min_density / (dim + 1);
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n, NodalSums<dim>& to) {
     const Index i = grid.nodes[n];
@@ -95,7 +100,8 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     Components<dim> free = 1 - Components<dim>{};  // 0 where held
     for (int d = 0; d < dim && held != 0; ++d)
       if (held >> d & 1) free[d] = 0;
-    const Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
+    Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
+    if (factor != 0 && m < least_damped * grid.volume_around[i]) factor = 0;
     if (!grid.touching[i]) to.unbalanced += magnitude(free * unbalanced);
     Components<dim> damping{};
     if (factor != 0) damping = free * boundary::local_damping(factor, unbalanced, v);

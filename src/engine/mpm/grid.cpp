@@ -52,6 +52,7 @@ template <int dim>
 void BodyGrid<dim>::enter(const mesh::Mesh<dim>& mesh, Index cell)
 {
   gradients[cell] = mesh.shape(cell).gradients;
+  if (!bearable.empty()) bearable[cell] = infinity;
   if (bulk_viscosity > 0 || filter_speed > 0) height[cell] = mesh.height(cell);
   if (!full_cells) return;
   for (Index node : mesh.nodes[cell])
@@ -130,6 +131,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       if (grids[b].filter_speed > 0) {
         grids[b].filter = CellField<FilterOfCell<dim>>::zeros(model.mesh.cell_count());
         grids[b].kinetic = CellField<Real>::zeros(model.mesh.cell_count());
+        if (!body.flows()) grids[b].bearable = CellField<Real>::zeros(model.mesh.cell_count());
       }
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);

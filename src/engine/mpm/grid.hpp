@@ -175,7 +175,9 @@ struct BodyGrid {
   Real bulk_viscosity = 0;  ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
   CellField<FilterOfCell<dim>> filter;  ///< of this step; empty without the filter
-  Real total_mass = infinity;           ///< of the body, kg
+  CellField<Real>
+      bearable;  ///< m2/s2, stiffness over density that the cell can have in this step (mpm/light_corners.hpp); empty without the filter and where water flows
+  Real total_mass = infinity;  ///< of the body, kg
 
   CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
   CellField<Real> height;                     ///< m, of the same cells where the body has a bulk viscosity or a filter

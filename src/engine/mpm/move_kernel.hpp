@@ -6,6 +6,7 @@
 #include "material/law_list.hpp"
 #include "mpm/flow.hpp"
 #include "mpm/hoop.hpp"
+#include "mpm/light_corners.hpp"
 #include "mpm/moments.hpp"
 #include "mpm/move_by_law.hpp"
 #include "mpm/particle_motion.hpp"
@@ -163,7 +164,8 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   const mesh::Mesh<dim>& mesh = model.mesh;
   BodyGrid<dim>& grid = workspace.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
-  const Real dt = state.dt, time = state.time, per_density = 1 / model.bodies[body].waves.mean_density;
+  const problem::SoilWaves& soil_waves = model.bodies[body].waves;
+  const Real dt = state.dt, time = state.time, per_density = 1 / soil_waves.mean_density;
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   for (auto& list : workspace.cell_changes) list.clear();
 
@@ -188,6 +190,8 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
       cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
     if (model.mpm.volumetric_projection)
       cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
+    const SymTensor<dim> followed =
+        grid.bearable.empty() ? cell_strain.strain : followed_strain<dim>(cell_strain.strain, soil_waves, grid.bearable[cell]);
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
     const Real shift = !grid.pressure_shift.empty() ? grid.pressure_shift[cell] : 0, shift_across = grid.shift_across * shift;
@@ -223,7 +227,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
                                             .active = alive};
       SymTensor<dim, V> stress;
       for (int k = 0; k < tensor_size<dim>; ++k) {
-        increment.strain[k] = cell_strain.strain[k] - V{};
+        increment.strain[k] = followed[k] - V{};
         stress[k] = part.get(p.stress[k], q.stress[k]);
       }
       for (int a = 0; a < 2; ++a) stress[a] += shift;

@@ -2,6 +2,7 @@
 #include "mpm/quadrature.hpp"
 
 #include "mpm/exchange.hpp"
+#include "mpm/light_corners.hpp"
 #include "mpm/linear_field.hpp"
 
 namespace berm::mpm {
@@ -14,13 +15,19 @@ constexpr Real surface_fill = 0.75, full_fill = 0.9;
 /// Of the volume of its particles: a cell of which a rigid body leaves less is integrated over them.
 constexpr Real least_part = 0.25;
 
-/// Degree to which a cell counts as full, 0 to 1.
+/// The smallest filled fraction around the nodes of a cell.
 template <int dim>
-Real fullness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
+Real least_fill(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
 {
   Real min = 1;
   for (Index node : mesh.nodes[cell]) min = std::min(min, grid.fill[node]);
-  const Real s = std::clamp((min - surface_fill) / (full_fill - surface_fill), Real(0), Real(1));
+  return min;
+}
+
+/// Degree to which a cell with this fill counts as full, 0 to 1.
+Real fullness(Real least_fill)
+{
+  const Real s = std::clamp((least_fill - surface_fill) / (full_fill - surface_fill), Real(0), Real(1));
   return s * s * (3 - 2 * s);
 }
 
@@ -37,11 +44,11 @@ void fill_hoop(const mesh::Mesh<dim>& mesh, Index cell, const mesh::CellPart<dim
 }
 
 template <int dim>
-void integrate_full_cell(const mesh::Mesh<dim>& mesh, Index cell, BodyGrid<dim>& grid)
+void integrate_full_cell(const mesh::Mesh<dim>& mesh, Index cell, Real fill, BodyGrid<dim>& grid)
 {
   Moments<dim>& t = grid.moments[cell];
   const mesh::CellPart<dim> part = grid.cut.used() ? grid.cut.parts[cell] : mesh::CellPart<dim>{};
-  const Real zeta = part.cut && part.volume < least_part * t.volume ? 0 : fullness(mesh, grid, cell);
+  const Real zeta = part.cut && part.volume < least_part * t.volume ? 0 : fullness(fill);
   const Real weight = 1 - zeta + zeta * (part.cut ? part.volume : grid.volume[cell]) / t.volume;
   grid.weight[cell] = weight;
   t.volume *= weight;
@@ -61,19 +68,22 @@ void spread_nodal_momentum(const mesh::Mesh<dim>& mesh, Index cell, BodyGrid<dim
 }  // namespace
 
 template <int dim>
-void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& active = particles.active();
-  const bool filters = !grid.filter.empty();
+  const bool filters = !grid.filter.empty(), bounds = !grid.bearable.empty();
   if (!grid.full_cells && !filters) return;
   for_each("quadrature, nodal momentum", particles.active_chunks(), [&](Index c) {
-    if (grid.full_cells) integrate_full_cell(model.mesh, active[c], grid);
-    if (filters) spread_nodal_momentum(model.mesh, active[c], grid);
+    const Index cell = active[c];
+    const Real fill = grid.full_cells ? least_fill(model.mesh, grid, cell) : 0;
+    if (grid.full_cells) integrate_full_cell(model.mesh, cell, fill, grid);
+    if (filters) spread_nodal_momentum(model.mesh, cell, grid);
+    if (bounds) grid.bearable[cell] = fill < surface_fill ? bearable_stiffness(model.mesh, grid, cell, dt) : infinity;
   });
   exchange_moments(model.mesh, particles, grid);
 }
 
-template void prepare_cells(const problem::Model<2>&, const bodies::Particles<2>&, BodyGrid<2>&);
-template void prepare_cells(const problem::Model<3>&, const bodies::Particles<3>&, BodyGrid<3>&);
+template void prepare_cells(const problem::Model<2>&, const bodies::Particles<2>&, Real, BodyGrid<2>&);
+template void prepare_cells(const problem::Model<3>&, const bodies::Particles<3>&, Real, BodyGrid<3>&);
 
 }  // namespace berm::mpm

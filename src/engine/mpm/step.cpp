@@ -35,7 +35,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     exchange_moments(model.mesh, particles, grid);             // ranks
     gather_mass_and_momentum(model.mesh, grid);                // 1: (1), and velocities before the step
     find_cut_cells(model, state, b, grid);                     // cells at rigid bodies
-    prepare_cells(model, particles, grid);                     // quadrature of full cells
+    prepare_cells(model, particles, state.dt, grid);           // quadrature of full cells, light corners
     smooth_velocities(model.mesh, grid);                       // target of the filter
     spread_internal_forces(model, particles, state.dt, grid);  // 1: (2), viscous stress, filter
     exchange_corner_sums(grid);                                // ranks
@@ -83,7 +83,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
     exchange_moments(model.mesh, state.particles[b], grid);  // ranks
     gather_mass_and_momentum(model.mesh, grid);
     find_cut_cells(model, state, b, grid);  // cells at rigid bodies
-    prepare_cells(model, state.particles[b], grid);
+    prepare_cells(model, state.particles[b], state.dt, grid);
     find_viscous_stress(model, state.particles[b], grid);
     predict_velocities(model, 0, workspace.motion_before, state.stage.index, grid);  // those before the step, with the supports
   }
@@ -97,7 +97,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
     if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, grid);
     strain_particles(model, state, workspace, b);
     exchange_moments(model.mesh, state.particles[b], grid);  // ranks
-    prepare_cells(model, state.particles[b], grid);
+    prepare_cells(model, state.particles[b], state.dt, grid);
     spread_internal_forces(model, state.particles[b], state.dt, grid);
     exchange_corner_sums(grid);  // ranks
     solve_momentum_balance(model, state, workspace, b);

@@ -10,7 +10,7 @@ constexpr BigIndex steps_between_time_steps = 16;
 
 /// The part of the longest stable time step of the mesh, and of the time that a wave needs across the smallest height, that a step takes where a case does not
 /// set mpm.courant: the longer of both.
-constexpr Real default_stable_part = 0.5, default_courant = 0.5;
+constexpr Real default_stable_part = 0.75, default_courant = 0.5;
 
 /// length / (c + v), s: c = sqrt(M / density) the speed of pressure waves, v the maximum speed of a node or rigid body; length is courant times the smallest
 /// height of the cells with particles or default_stable_part of Body::critical_length. Throws RunError where speeds are not finite, or so large that the time

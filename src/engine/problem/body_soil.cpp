@@ -308,7 +308,8 @@ SoilWaves waves_of(const material::Material& material)
   const std::optional<material::Hydraulics> water = hydraulics(material);
   const Real stiffness = water_stiffness(material);
   const Real fastest = water ? material::fast_wave_speed(p_wave_modulus(material) - stiffness, stiffness, density, water->porosity) : speed;
-  return {fastest, speed, speed, density, std::sqrt(p_wave_modulus(material) * density), density};
+  const Real shear = elasticity(material).shear, bulk = p_wave_modulus(material) - 4. / 3 * shear;
+  return {fastest, speed, speed, density, std::sqrt(p_wave_modulus(material) * density), density, bulk / density, 2 * shear / density};
 }
 
 }  // namespace berm::problem

@@ -73,10 +73,12 @@ void find_k0(Describe& d, const Case& c, const std::string& path, bodies::BodySe
 /// Throws InputError where strength or stiffness at a depth (m) that a body reaches are none.
 void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body);
 
-/// What a time step takes of the soils of a body together: speed of pressure waves (m/s), inertia density (kg/m3), and their product.
+/// What a time step takes of the soils of a body together: speed of pressure waves (m/s), inertia density (kg/m3), and their product; the largest K and 2G over this
+/// density (m2/s2), K with the water that stays in the pores.
 struct SoilWaves {
   Real fastest = 0, slowest = infinity;
   Real mean_speed = 0, mean_density = 0, mean_impedance = 0, min_density = infinity;
+  Real bulk = 0, shear = 0;
 };
 SoilWaves waves_of(const material::Material& material);
 

@@ -117,6 +117,8 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
     all.fastest = std::max(all.fastest, here.fastest);
     all.slowest = std::min(all.slowest, here.slowest);
     all.min_density = std::min(all.min_density, here.min_density);
+    all.bulk = std::max(all.bulk, here.bulk);
+    all.shear = std::max(all.shear, here.shear);
     all.mean_speed += p.volume * here.mean_speed;
     all.mean_density += p.volume * here.mean_density;
     all.mean_impedance += p.volume * here.mean_impedance;
@@ -129,6 +131,8 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
       all.fastest = std::max(all.fastest, to_come.fastest);
       all.slowest = std::min(all.slowest, to_come.slowest);
       all.min_density = std::min(all.min_density, to_come.min_density);
+      all.bulk = std::max(all.bulk, to_come.bulk);
+      all.shear = std::max(all.shear, to_come.shear);
     }
   for (Real* mean : {&all.mean_speed, &all.mean_density, &all.mean_impedance}) *mean /= volume;
   return all;

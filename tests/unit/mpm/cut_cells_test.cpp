@@ -71,7 +71,7 @@ struct Forces {
     sum_moments(mesh, problem.state.particles[0], grid);
     gather_mass_and_momentum(mesh, grid);
     find_cut_cells(problem.model, problem.state, 0, grid);
-    prepare_cells(problem.model, problem.state.particles[0], grid);
+    prepare_cells(problem.model, problem.state.particles[0], 0, grid);
     spread_internal_forces(problem.model, problem.state.particles[0], 0, grid);
     for (Index node = 0; node < mesh.node_count(); ++node) {
       const Vec<2>& x = mesh.position[node];

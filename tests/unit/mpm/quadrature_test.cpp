@@ -25,7 +25,7 @@ struct Uneven {
   {
     sum_moments(mesh(), particles(), grid());
     gather_mass_and_momentum(mesh(), grid());
-    prepare_cells(problem.model, particles(), grid());
+    prepare_cells(problem.model, particles(), 0, grid());
     spread_internal_forces(problem.model, particles(), 0, grid());
   }
 

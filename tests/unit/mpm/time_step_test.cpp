@@ -63,7 +63,7 @@ TYPED_TEST(TimeStep, is_a_part_of_the_longest_stable_one_where_courant_is_not_se
   problem.model.bodies[0].critical_length = 3;
   const Real wave = std::sqrt(2e6 * 0.8 / (1.2 * 0.6) / 1500);
   Workspace<dim> workspace(problem.model, problem.state);
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.5 * 3 / wave), 1, 1e-14);
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.75 * 3 / wave), 1, 1e-14);
 
   // Never less than half the time that a wave needs across the smallest cell with soil: smaller ones may lie elsewhere.
   problem.model.bodies[0].critical_length = 0;

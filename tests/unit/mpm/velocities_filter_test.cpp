@@ -41,7 +41,7 @@ struct Drifting {
     const mesh::Mesh<dim>& mesh = problem.model.mesh;
     sum_moments(mesh, particles(), grid());
     gather_mass_and_momentum(mesh, grid());
-    prepare_cells(problem.model, particles(), grid());
+    prepare_cells(problem.model, particles(), problem.state.dt, grid());
     smooth_velocities(mesh, grid());
     spread_internal_forces(problem.model, particles(), problem.state.dt, grid());
     spread_new_momentum(mesh, particles(), problem.state.dt, grid());

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/light_corners.hpp"
+
+#include "mpm/balance.hpp"
+#include "mpm/internal_forces.hpp"
+#include "mpm/moments.hpp"
+#include "mpm/move.hpp"
+#include "mpm/quadrature.hpp"
+#include "mpm/velocities.hpp"
+#include "sample_problem.hpp"
+
+#include <gtest/gtest.h>
+#include <tuple>
+
+namespace berm::mpm::this_file {
+namespace {
+
+constexpr Real initial_stress = 1;  // Pa
+
+/// Soil that bears all that happens here, in all cells or as one particle alone in the first, where its corners have these parts of its mass.
+template <int dim>
+struct Soil {
+  problem::Problem<dim> problem;
+  Workspace<dim> workspace;
+
+  explicit Soil(problem::Problem<dim> made) : problem(std::move(made)), workspace(problem.model, problem.state) {}
+
+  static Soil full() { return Soil(soil_on(dim == 2 ? 9 : 8)); }
+  static Soil alone(const std::array<Real, dim + 1>& shape)
+  {
+    auto made = soil_on(1);
+    const mesh::Mesh<dim>& mesh = made.model.mesh;
+    bodies::Particles<dim>& particles = made.state.particles[0];
+    for (Index cell = 1; cell < mesh.cell_count(); ++cell)
+      while (particles.count_in(cell) > 0) particles.take(cell, 0);
+    particles.sort_occupied();
+    Vec<dim> x = Vec<dim>::Zero();
+    for (int k = 0; k <= dim; ++k) x += shape[k] * mesh.position[mesh.nodes[0][k]];
+    for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
+      for (int d = 0; d < dim; ++d) p.x[d][l] = x[d];
+      for (int d = 0; d < 3; ++d) p.stress[d][l] = initial_stress;
+    });
+    return Soil(std::move(made));
+  }
+
+  const mesh::Mesh<dim>& mesh() const { return problem.model.mesh; }
+  bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
+  BodyGrid<dim>& grid() { return workspace.grids[0]; }
+
+  void prepare(Real dt)
+  {
+    problem.state.dt = dt;
+    gather_mass_and_momentum(mesh(), grid());
+    prepare_cells(problem.model, particles(), dt, grid());
+  }
+  void accelerate(Real dt)
+  {
+    prepare(dt);
+    spread_internal_forces(problem.model, particles(), dt, grid());
+    solve_momentum_balance(problem.model, problem.state, workspace, 0);
+  }
+  /// The stress of the particle after a step in which it stays where it is, Pa.
+  SymTensor<dim> stress_after(Real dt)
+  {
+    accelerate(dt);
+    for (const Index i : grid().nodes) grid().mapped_velocity[i] = dt * grid().acceleration[i];
+    strain_particles(problem.model, problem.state, workspace, 0);
+    SymTensor<dim> stress;
+    for_each_particle(particles(), [&](bodies::Block<dim>& p, int l) {
+      for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = p.stress[k][l];
+    });
+    return stress;
+  }
+
+private:
+  static problem::Problem<dim> soil_on(int particles_per_cell)
+  {
+    material::MohrCoulomb strong = sample_sand();
+    strong.friction_angle = 0;
+    strong.cohesion = 1e9;
+    strong.poisson_ratio = 0.4999;  // volume changes alone have stiffness
+    auto made = problem_on<dim>(shaken_box<dim>(), strong, particles_per_cell);
+    made.model.mpm.quadrature = problem::Quadrature::full_cells;
+    made.model.mpm.volumetric_projection = false;
+    made.model.mpm.bulk_viscosity = 0;
+    return made;
+  }
+};
+
+/// sum |grad N_k|^2 M / m_k of a particle that is alone, 1/m2.
+template <int dim>
+Real steepness(const Soil<dim>& soil, const std::array<Real, dim + 1>& shape)
+{
+  Real sum = 0;
+  for (int k = 0; k <= dim; ++k) sum += soil.mesh().shape(0).gradient(k).squaredNorm() / shape[k];
+  return sum;
+}
+
+template <int dim>
+std::array<Real, dim + 1> near_a_face(Real part)
+{
+  std::array<Real, dim + 1> shape;
+  shape.fill((1 - part) / dim);
+  shape[dim] = part;
+  return shape;
+}
+
+}  // namespace
+
+template <class Dimension>
+class LightCorners : public testing::Test {
+};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(LightCorners, Dimensions);
+
+TYPED_TEST(LightCorners, cells_within_a_body_bear_any_stiffness)
+{
+  constexpr int dim = TypeParam::value;
+  auto soil = Soil<dim>::full();
+  soil.prepare(1);
+  for (const Index cell : soil.particles().occupied()) EXPECT_EQ(soil.grid().bearable[cell], infinity) << cell;
+}
+
+TYPED_TEST(LightCorners, a_particle_alone_bears_the_stiffness_that_its_corners_can_follow_in_a_step)
+{
+  constexpr int dim = TypeParam::value;
+  constexpr Real dt = 1e-3;
+  for (const Real part : {0.25, 0.02, 1e-4}) {
+    const auto shape = near_a_face<dim>(part);
+    auto soil = Soil<dim>::alone(shape);
+    soil.prepare(dt);
+    EXPECT_NEAR(soil.grid().bearable[0] / (2 / (dt * dt * steepness(soil, shape))), 1, 1e-9) << part;
+  }
+}
+
+TYPED_TEST(LightCorners, stress_follows_each_part_of_the_strain_as_far_as_its_stiffness_is_borne)
+{
+  constexpr int dim = TypeParam::value;
+  problem::SoilWaves soil;
+  soil.bulk = 8;
+  soil.shear = 2;
+  SymTensor<dim> strain{};
+  for (int k = 0; k < tensor_size<dim>; ++k) strain[k] = k + 1;  // mean 2
+  for (const auto& [bearable, volumetric, deviatoric] : {std::tuple(8., 1., 1.), std::tuple(4., 0.5, 1.), std::tuple(1., 0.125, 0.5)}) {
+    const SymTensor<dim> followed = followed_strain(strain, soil, bearable);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(followed[k], volumetric * 2 + deviatoric * (strain[k] - 2), 1e-15) << bearable << " " << k;
+    for (int k = 3; k < tensor_size<dim>; ++k) EXPECT_NEAR(followed[k], deviatoric * strain[k], 1e-15) << bearable << " " << k;
+  }
+}
+
+TYPED_TEST(LightCorners, the_stress_of_a_particle_alone_does_not_grow)
+{
+  constexpr int dim = TypeParam::value;
+  for (const bool bounded : {true, false}) {
+    const auto shape = near_a_face<dim>(0.02);
+    auto soil = Soil<dim>::alone(shape);
+    if (!bounded) soil.grid().bearable = {};
+    const Real dt = 2 / std::sqrt(soil.problem.model.bodies[0].waves.bulk * steepness(soil, shape));  // so that (omega dt)^2 = 4
+    Real largest = 0;
+    for (int n = 0; n < 20; ++n) {
+      const SymTensor<dim> stress = soil.stress_after(dt);
+      largest = std::max(largest, std::abs(trace(stress)) / 3);
+    }
+    if (bounded)
+      EXPECT_LT(largest, 1.05 * initial_stress);
+    else
+      EXPECT_GT(largest, 1000 * initial_stress);
+  }
+}
+
+TYPED_TEST(LightCorners, a_light_node_is_not_damped)
+{
+  constexpr int dim = TypeParam::value;
+  constexpr Real damping = 0.5;
+  for (const Real part : {0.004, 0.9}) {
+    const auto shape = near_a_face<dim>(part);
+    auto soil = Soil<dim>::alone(shape);
+    for_each_particle(soil.particles(), [](bodies::Block<dim>& p, int l) { set_velocity<dim>(p, l, Vec<dim>::Ones()); });
+    sum_moments(soil.mesh(), soil.particles(), soil.grid());
+    std::fill(soil.problem.model.bodies[0].damping.begin(), soil.problem.model.bodies[0].damping.end(), damping);
+    soil.accelerate(1e-6);
+    const Index node = soil.mesh().nodes[0][dim];
+    Vec<dim> force = Vec<dim>::Zero();
+    for (Index e = soil.mesh().first_entry[node]; e < soil.mesh().first_entry[node + 1]; ++e)
+      force += Eigen::Map<const Vec<dim>>(soil.grid().at(soil.mesh().entries[e]).sum);
+    const Real full = soil.problem.model.bodies[0].waves.min_density * soil.grid().volume_around[node] / (dim + 1);
+    const bool light = soil.grid().mass[node] < 0.05 * full;
+    ASSERT_EQ(light, part < 0.5);
+    for (int d = 0; d < dim; ++d) {
+      const Real damped = force[d] - (light ? 0 : damping * std::abs(force[d]));
+      EXPECT_NEAR(soil.grid().acceleration[node][d] * soil.grid().mass[node], damped, 1e-9 * force.norm()) << part << " " << d;
+    }
+  }
+}
+
+}  // namespace berm::mpm::this_file
