@@ -39,8 +39,8 @@ struct NodalSums {
   }
 };
 
-/// Of the mass that a node has in cells full of soil: one with less is not damped. Its forces are large for its mass, so that it turns round within a step, and
-/// damping would drive it; what it does then the particles hardly feel, but the balance of energies.
+/// Of the mass that a node has in cells full of soil: one with less is not damped. Its forces are large for its mass, so that it may change its direction of motion
+/// within a step; damping, against the velocity before it, would then drive it.
 constexpr Real least_damped_part = 0.05;
 
 }  // namespace

@@ -131,7 +131,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       if (grids[b].filter_speed > 0) {
         grids[b].filter = CellField<FilterOfCell<dim>>::zeros(model.mesh.cell_count());
         grids[b].kinetic = CellField<Real>::zeros(model.mesh.cell_count());
-        if (!body.flows()) grids[b].bearable = CellField<Real>::zeros(model.mesh.cell_count());
+        if (grids[b].full_cells && !body.flows()) grids[b].bearable = CellField<Real>::zeros(model.mesh.cell_count());
       }
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);

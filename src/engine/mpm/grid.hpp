@@ -176,7 +176,7 @@ struct BodyGrid {
   Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
   CellField<FilterOfCell<dim>> filter;  ///< of this step; empty without the filter
   CellField<Real>
-      bearable;  ///< m2/s2, stiffness over density that the cell can have in this step (mpm/light_corners.hpp); empty without the filter and where water flows
+      bearable;  ///< m2/s2, largest stiffness over density in this step (mpm/light_corners.hpp); empty without the filter or full_cells and where water flows
   Real total_mass = infinity;  ///< of the body, kg
 
   CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles

@@ -78,7 +78,9 @@ void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim
     const Real fill = grid.full_cells ? least_fill(model.mesh, grid, cell) : 0;
     if (grid.full_cells) integrate_full_cell(model.mesh, cell, fill, grid);
     if (filters) spread_nodal_momentum(model.mesh, cell, grid);
-    if (bounds) grid.bearable[cell] = fill < surface_fill ? bearable_stiffness(model.mesh, grid, cell, dt) : infinity;
+    if (!bounds) return;
+    const bool at_surface = fill < surface_fill || (grid.cut.used() && grid.cut.parts[cell].cut);
+    grid.bearable[cell] = at_surface ? bearable_stiffness(model.mesh, grid, cell, dt) : infinity;
   });
   exchange_moments(model.mesh, particles, grid);
 }

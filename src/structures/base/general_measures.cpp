@@ -178,8 +178,11 @@ TrustMeasure energy_balance(problem::Method method)
           [](Run run) { return energy_error(run).over_work; },
           energy_words,
           [](Run run, Real value) {
-            return fmt::format("{} of the work is not balanced by energy ({}): halve {}", text::percent_words(value),
-                               energy_error(run).where, run.settings.method == problem::Method::mpm ? "mpm.courant" : "fem.largest_step");
+            const char* smaller = run.settings.method != problem::Method::mpm ? "halve fem.largest_step"
+                                  : run.settings.mpm.courant                  ? "halve mpm.courant"
+                                                                              : "set mpm.courant to 0.5 or less";
+            return fmt::format("{} of the work is not balanced by energy ({}): {}", text::percent_words(value), energy_error(run).where,
+                               smaller);
           },
           text::percent_words};
 }

@@ -193,4 +193,24 @@ TYPED_TEST(LightCorners, a_light_node_is_not_damped)
   }
 }
 
+// One cell, whose nodes are at the radii 0, 2 and 0: R = 2 m.
+TEST(LightCornersAroundAnAxis, count_the_hoop_strain_of_nodes_away_from_it)
+{
+  mesh::Mesh<2> mesh = shaken_box<2>();
+  mesh.metric = mesh::Metric::axisymmetric;
+  const auto [a, b, c] = mesh.nodes[0];
+  mesh.position[a] = {0, 0};
+  mesh.position[b] = {2, 0};
+  mesh.position[c] = {0, 1};
+  BodyGrid<2> grid(mesh);
+  grid.enter(mesh, 0);
+  for (auto& corner : grid.corners[0]) corner.mass = 1;
+  grid.mass[a] = 2;
+  grid.mass[b] = 4;
+  grid.mass[c] = 5;
+  // grad N = (-1/2, -1), (1/2, 0), (0, 1) 1/m; the nodes at the axis move along it alone.
+  const Real sum = 1. / 2 + (0.5 + 0.5) * (0.5 + 0.5) / 4 + 1. / 5;
+  EXPECT_NEAR(bearable_stiffness(mesh, grid, 0, 0.1), 2 / (0.01 * 3 * sum), 1e-10);
+}
+
 }  // namespace berm::mpm::this_file
