@@ -5,6 +5,7 @@
 #include "boundary/damping.hpp"
 
 #include "mpm/diagnose.hpp"
+#include "mpm/light_corners.hpp"
 #include "mpm/moments.hpp"
 #include "problem/stages.hpp"
 
@@ -39,10 +40,6 @@ struct NodalSums {
   }
 };
 
-/// Of the mass that a node has in cells full of soil: one with less is not damped. Its forces are large for its mass, so that it may change its direction of motion
-/// within a step; damping, against the velocity before it, would then drive it.
-constexpr Real least_damped_part = 0.05;
-
 }  // namespace
 
 template <int dim>
@@ -69,7 +66,8 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       force += (dashpots.incoming_force(dashpot, workspace.motion_before) + dashpots.incoming_force(dashpot, workspace.motion_after)) / 2;
     return force;
   };
-  const Real least_damped = least_damped_part * model.bodies[body].waves.min_density / (dim + 1);
+  // Damping, against the velocity before the step, would drive a light node.
+  const Real least_damped = light_node_part * model.bodies[body].waves.min_density / (dim + 1);
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n, NodalSums<dim>& to) {
     const Index i = grid.nodes[n];

@@ -9,6 +9,7 @@
 #include "mpm/exchange.hpp"
 #include "mpm/hoop.hpp"
 #include "mpm/interface.hpp"
+#include "mpm/light_corners.hpp"
 #include "mpm/reaction.hpp"
 
 #include <atomic>
@@ -196,14 +197,13 @@ void solve(const problem::Model<dim>& model, const problem::State<dim>& state, W
 template <int dim>
 void move_with_predicted(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace, Index k)
 {
-  constexpr Real min_mass_ratio = 0.05;  // of the mass of a node whose cells are evenly filled
   const problem::Contact& contact = model.contacts[k];
   const auto use = [&](Index b, Index node) {
     BodyGrid<dim>& grid = workspace.grids[b];
     Real volume = 0;
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
       volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
-    if (grid.mass[node] > min_mass_ratio * model.bodies[b].waves.min_density * volume / (dim + 1))
+    if (grid.mass[node] > light_node_part * model.bodies[b].waves.min_density * volume / (dim + 1))
       grid.mapped_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
   contact::for_each_point(workspace.contact_points[k], [&](const contact::ContactPoint<dim>& point) {

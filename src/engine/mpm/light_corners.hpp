@@ -6,6 +6,10 @@
 
 namespace berm::mpm {
 
+/// A node with less than this part of the mass that it has in cells full of soil is light: its forces are large for its mass, so that it may change its direction of
+/// motion within a step.
+inline constexpr Real light_node_part = 0.05;
+
 /// The largest stiffness over density of a cell for a step of dt (s), m2/s2:
 ///
 ///   2 / (dt^2 M sum_k |b_k|^2 / m_k),

@@ -110,15 +110,18 @@ template <int dim>
 SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies::Particles<dim>& particles)
 {
   SoilWaves all;
+  const auto widen = [&all](const SoilWaves& soil) {
+    all.fastest = std::max(all.fastest, soil.fastest);
+    all.slowest = std::min(all.slowest, soil.slowest);
+    all.min_density = std::min(all.min_density, soil.min_density);
+    all.bulk = std::max(all.bulk, soil.bulk);
+    all.shear = std::max(all.shear, soil.shear);
+  };
   Real volume = 0;
   particles.visit([&](Index cell, Index b, int l) {
     const bodies::Particle<dim> p = particles.read(b, l);
     const SoilWaves here = waves_of(body.soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_depth(p.x)));
-    all.fastest = std::max(all.fastest, here.fastest);
-    all.slowest = std::min(all.slowest, here.slowest);
-    all.min_density = std::min(all.min_density, here.min_density);
-    all.bulk = std::max(all.bulk, here.bulk);
-    all.shear = std::max(all.shear, here.shear);
+    widen(here);
     all.mean_speed += p.volume * here.mean_speed;
     all.mean_density += p.volume * here.mean_density;
     all.mean_impedance += p.volume * here.mean_impedance;
@@ -127,12 +130,7 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
   constexpr int depths = 20;  // of a fill that is looked at from its top to its base
   for (const Earthwork<dim>& work : model.earthworks)
     for (int k = 0; work.fills && &model.bodies[work.body] == &body && k <= depths; ++k) {
-      const SoilWaves to_come = waves_of(body.soil.in_fill(work.material, (work.top - work.bottom) * k / depths));
-      all.fastest = std::max(all.fastest, to_come.fastest);
-      all.slowest = std::min(all.slowest, to_come.slowest);
-      all.min_density = std::min(all.min_density, to_come.min_density);
-      all.bulk = std::max(all.bulk, to_come.bulk);
-      all.shear = std::max(all.shear, to_come.shear);
+      widen(waves_of(body.soil.in_fill(work.material, (work.top - work.bottom) * k / depths)));
     }
   for (Real* mean : {&all.mean_speed, &all.mean_density, &all.mean_impedance}) *mean /= volume;
   return all;

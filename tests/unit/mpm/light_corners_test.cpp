@@ -63,6 +63,7 @@ struct Soil {
   SymTensor<dim> stress_after(Real dt)
   {
     accelerate(dt);
+    // As at nodes that touch a rigid body: the velocity of step 4, without another mapping.
     for (const Index i : grid().nodes) grid().mapped_velocity[i] = dt * grid().acceleration[i];
     strain_particles(problem.model, problem.state, workspace, 0);
     SymTensor<dim> stress;
@@ -119,6 +120,17 @@ TYPED_TEST(LightCorners, cells_within_a_body_bear_any_stiffness)
   auto soil = Soil<dim>::full();
   soil.prepare(1);
   for (const Index cell : soil.particles().occupied()) EXPECT_EQ(soil.grid().bearable[cell], infinity) << cell;
+}
+
+TYPED_TEST(LightCorners, of_cells_that_a_rigid_body_cuts_have_a_limit_however_full_they_are)
+{
+  constexpr int dim = TypeParam::value;
+  auto soil = Soil<dim>::full();
+  soil.grid().cut.parts = CellField<mesh::CellPart<dim>>::zeros(soil.mesh().cell_count());
+  soil.grid().cut.parts[0].cut = true;
+  soil.grid().cut.parts[0].volume = soil.mesh().volume(0);
+  soil.prepare(1);
+  for (const Index cell : soil.particles().occupied()) EXPECT_EQ(soil.grid().bearable[cell] < infinity, cell == 0) << cell;
 }
 
 TYPED_TEST(LightCorners, a_particle_alone_bears_the_stiffness_that_its_corners_can_follow_in_a_step)
