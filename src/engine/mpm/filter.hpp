@@ -6,13 +6,6 @@
 
 namespace berm::mpm {
 
-/// The part of the difference between the velocities of a cell's particles and the smooth one that the filter takes out in a step of dt (s).
-template <int dim>
-[[gnu::always_inline]] inline Real filter_part(Real dt, Index cell, const BodyGrid<dim>& grid)
-{
-  return std::min(Real(1), dt * grid.filter_speed / grid.height[cell]);
-}
-
 /// What the filter takes from the particles of a patch. They get it back, so that it moves no momentum between patches: momentum over mass, m/s. There are as many
 /// patches as nodes, about, and twice as many cells: velocities of cells that cancel at the nodes would stay where each cell kept its own momentum.
 template <int dim>

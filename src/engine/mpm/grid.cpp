@@ -19,7 +19,6 @@ BodyGrid<dim>::BodyGrid(const mesh::Mesh<dim>& mesh)
       gradients(CellField<mesh::Gradients<dim>>::zeros(mesh.cell_count())),
       height(CellField<Real>::zeros(mesh.cell_count())),
       volume(CellField<Real>::zeros(mesh.cell_count())),
-      weight(CellField<Real>::zeros(mesh.cell_count())),
       mass(NodeField<Real>::zeros(mesh.node_count())),
       volume_around(NodeField<Real>::zeros(mesh.node_count())),
       fill(NodeField<Real>::zeros(mesh.node_count())),
@@ -52,7 +51,6 @@ template <int dim>
 void BodyGrid<dim>::enter(const mesh::Mesh<dim>& mesh, Index cell)
 {
   gradients[cell] = mesh.shape(cell).gradients;
-  if (!bearable.empty()) bearable[cell] = infinity;
   if (bulk_viscosity > 0 || filter_speed > 0) height[cell] = mesh.height(cell);
   if (!full_cells) return;
   for (Index node : mesh.nodes[cell])
@@ -129,7 +127,6 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * body.waves.mean_density * wave_speed;
       if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
       if (grids[b].filter_speed > 0) {
-        grids[b].filter = CellField<FilterOfCell<dim>>::zeros(model.mesh.cell_count());
         grids[b].kinetic = CellField<Real>::zeros(model.mesh.cell_count());
         if (grids[b].full_cells && !body.flows()) grids[b].bearable = CellField<Real>::zeros(model.mesh.cell_count());
       }

@@ -70,7 +70,7 @@ template <int dim>
 struct CornerSums {
   Real sum[dim];  ///< its momentum in step 1, kg m/s; then the internal force, N; then its momentum after step 5
   Real mass;      ///< sum m N_k, kg
-  Real volume;    ///< sum V of the whole cell, the same for all its corners
+  Real volume;    ///< sum V of the whole cell; then, but at corner 0, a component of the filter's shift (BodyGrid::filter_of)
 };
 
 /// What the direction around the axis adds to the moments of a cell in axisymmetry. With A = V / x the area of a particle, a_k = sum A N_k follows from
@@ -174,15 +174,13 @@ struct BodyGrid {
   Real shift_across = 1;    ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
   Real bulk_viscosity = 0;  ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
-  CellField<FilterOfCell<dim>> filter;  ///< of this step; empty without the filter
-  CellField<Real>
-      bearable;  ///< m2/s2, largest stiffness over density in this step (mpm/light_corners.hpp); empty without the filter or full_cells and where water flows
+  /// m2/s2, largest stiffness over density in this step (mpm/light_corners.hpp), 0: no limit; empty without the filter or full_cells and where water flows.
+  CellField<Real> bearable;
   Real total_mass = infinity;  ///< of the body, kg
 
   CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
   CellField<Real> height;                     ///< m, of the same cells where the body has a bulk viscosity or a filter
   CellField<Real> volume;                     ///< m2 (per metre run) or m3, of the cell
-  CellField<Real> weight;                     ///< integration volume of the cell over sum V, of cells with particles
   bool full_cells = false;                    ///< cells within the body are integrated over their own volume
 
   CutCells<dim> cut;
@@ -251,9 +249,32 @@ struct BodyGrid {
     }
     return shape;
   }
-  [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell) const
+  bool filters() const
   {
-    return !filter.empty() ? filter[cell] : FilterOfCell<dim>{};
+    return filter_speed > 0;
+  }
+  /// The part of the difference between the velocities of a cell's particles and the smooth one that the filter takes out in a step of dt (s).
+  [[gnu::always_inline]] Real filter_part(Index cell, Real dt) const
+  {
+    return std::min(Real(1), dt * filter_speed / height[cell]);
+  }
+  /// Keeps the filter's shift of a cell until its particles have moved, where their volume is not needed any more.
+  [[gnu::always_inline]] void keep_shift(Index cell, const Components<dim>& shift)
+  {
+    for (int d = 0; d < dim; ++d) corners[cell][d + 1].volume = shift[d];
+  }
+  [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell, Real dt) const
+  {
+    FilterOfCell<dim> filter;
+    if (!filters()) return filter;
+    filter.part = filter_part(cell, dt);
+    for (int d = 0; d < dim; ++d) filter.shift[d] = corners[cell][d + 1].volume;
+    return filter;
+  }
+  /// The volume that a cell is integrated over, over that of its particles.
+  Real weight(Index cell) const
+  {
+    return full_cells ? moments[cell].volume / corners[cell][0].volume : 1;
   }
   /// Contribution of the cell of a mesh entry to the node.
   const CornerSums<dim>& at(mesh::CornerEntry e) const

@@ -96,12 +96,11 @@ template <mesh::Metric metric, int dim>
 void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const bool project = model.mpm.volumetric_projection, filters = !grid.filter.empty(), shifts = !grid.pressure_shift.empty();
+  const bool project = model.mpm.volumetric_projection, filters = grid.filters(), shifts = !grid.pressure_shift.empty();
   const bool is_viscous = grid.bulk_viscosity > 0 && !model.update_stress_first;
   for_each_patch("internal forces of cells", model.patches, particles, grid, [&](const PatchCells& patch) {
     Real volume = 0, volume_stress = 0;
     Real of_member[mesh::max_patch_cells];  // volume times mean stress, N m
-    Real part[mesh::max_patch_cells];       // of their velocities, that the filter takes out
     PatchDivergence<metric, dim> divergence;
     FilteredMomentum<dim> filtered;
     for (int k = 0; k < patch.count; ++k) {
@@ -109,7 +108,7 @@ void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::P
       volume += grid.moments[member].volume;
       volume_stress += of_member[k] = volume_times_mean_stress<metric>(grid, member);
       if (is_viscous) divergence.add(mesh, grid, member);
-      if (filters) filtered.add(mesh, grid, member, part[k] = filter_part(dt, member, grid));
+      if (filters) filtered.add(mesh, grid, member, grid.filter_part(member, dt));
     }
     const Real mean_stress = volume_stress / volume, viscous_stress = is_viscous ? divergence.viscous_stress(grid, volume) : 0;
     const Components<dim> shift = filters ? filtered.momentum / filtered.mass : Components<dim>{};
@@ -118,10 +117,7 @@ void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::P
       if (!particles.is_active(member)) continue;
       const Real of_cell = grid.moments[member].volume;
       const Real change = project ? mean_stress * of_cell - of_member[k] : 0;
-      if (filters) {
-        grid.filter[member].part = part[k];
-        store<dim>(shift, grid.filter[member].shift);
-      }
+      if (filters) grid.keep_shift(member, shift);
       if (is_viscous) grid.viscous_stress[member] = viscous_stress;
       if (shifts) grid.pressure_shift[member] = change / of_cell;
       spread_forces_of<metric>(mesh, member, change + of_cell * grid.viscous_stress[member], grid);

@@ -36,11 +36,11 @@ Real bearable_stiffness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, 
 }
 
 /// The strain increment that the stress of a cell follows: the volumetric part times min(1, bearable / bulk), the deviatoric part times
-/// min(1, bearable / shear), all m2/s2.
+/// min(1, bearable / shear), all m2/s2; all of it where bearable is 0.
 template <int dim>
 [[gnu::always_inline]] inline SymTensor<dim> followed_strain(const SymTensor<dim>& strain, const problem::SoilWaves& soil, Real bearable)
 {
-  if (bearable >= std::max(soil.bulk, soil.shear)) [[likely]]
+  if (bearable == 0 || bearable >= std::max(soil.bulk, soil.shear)) [[likely]]
     return strain;
   const Real mean = trace(strain) / 3, deviatoric = std::min<Real>(1, bearable / soil.shear);
   const Real volumetric = std::min<Real>(1, bearable / soil.bulk) - deviatoric;

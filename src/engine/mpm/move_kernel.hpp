@@ -131,6 +131,7 @@ template <int dim>
 template <int dim>
 struct BeforeMove {
   SymTensor<dim> strain;  ///< of the cell
+  Real weight;            ///< of its particles in the quadrature
 };
 
 /// The stress of a cell, summed over its volume, times the strain: work in the strained directions, J.
@@ -169,7 +170,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   for (auto& list : workspace.cell_changes) list.clear();
 
-  const bool filters = motion > 0 && !grid.filter.empty();
+  const bool filters = motion > 0 && grid.filters();
   // The law is a copy, as is what is captured by value: no particle that is written can change them.
   const auto move_in_cell = [&, dt, time, motion, filters, min_volume, max_volume, law = soil.law(0),
                              number = Index(0)](Index c, BeforeMove<dim>& before, WorkDone& done) mutable {
@@ -180,7 +181,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     [[maybe_unused]] const Law* law_without_dilation = soil.dilates ? &soil.law_without_dilation(first_law) : nullptr;
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const FilterOfCell<dim> filter = motion > 0 ? grid.filter_of(cell) : FilterOfCell<dim>{};
+    const FilterOfCell<dim> filter = motion > 0 ? grid.filter_of(cell, motion) : FilterOfCell<dim>{};
     const Real unfiltered = 1 - filter.part;
     const AtCorners<dim> acceleration = at_corners(nodes, grid.acceleration);
     const LinearField<dim> gain(shape.gradients, velocity_gain(acceleration, nodes, grid, motion, filter)),
@@ -205,7 +206,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     if constexpr (requires { law.softening_length; })
       if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.section(cell)) : std::cbrt(mesh.section(cell));
 
-    before.strain = cell_strain.strain;
+    before = {cell_strain.strain, grid.weight(cell)};
     const Real viscous = grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
     done.internal += 0.5 * work_of<metric>(grid, cell, before.strain) + viscous;
     done.viscous += viscous;
@@ -260,7 +261,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   const auto sum_in_cell = [&, filters](Index c, const BeforeMove<dim>& before, WorkDone& done) {
     const Index cell = particles.active()[c];
     sum_moments_of(mesh, particles, cell, grid);
-    done.internal += 0.5 * (grid.full_cells ? grid.weight[cell] : 1) * work_of<metric>(grid, cell, before.strain);
+    done.internal += 0.5 * before.weight * work_of<metric>(grid, cell, before.strain);
     if (filters) done.filtered -= 0.5 * grid.kinetic[cell];
   };
   const WorkDone work_done =

@@ -50,7 +50,6 @@ void integrate_full_cell(const mesh::Mesh<dim>& mesh, Index cell, Real fill, Bod
   const mesh::CellPart<dim> part = grid.cut.used() ? grid.cut.parts[cell] : mesh::CellPart<dim>{};
   const Real zeta = part.cut && part.volume < least_part * t.volume ? 0 : fullness(fill);
   const Real weight = 1 - zeta + zeta * (part.cut ? part.volume : grid.volume[cell]) / t.volume;
-  grid.weight[cell] = weight;
   t.volume *= weight;
   for (Real& stress : t.stress) stress *= weight;
   if (!grid.hoop.empty()) fill_hoop(mesh, cell, part, zeta, weight, grid.hoop[cell]);
@@ -71,7 +70,7 @@ template <int dim>
 void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& active = particles.active();
-  const bool filters = !grid.filter.empty(), bounds = !grid.bearable.empty();
+  const bool filters = grid.filters(), bounds = !grid.bearable.empty();
   if (!grid.full_cells && !filters) return;
   for_each("quadrature, nodal momentum", particles.active_chunks(), [&](Index c) {
     const Index cell = active[c];
@@ -80,7 +79,10 @@ void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim
     if (filters) spread_nodal_momentum(model.mesh, cell, grid);
     if (!bounds) return;
     const bool at_surface = fill < surface_fill || (grid.cut.used() && grid.cut.parts[cell].cut);
-    grid.bearable[cell] = at_surface ? bearable_stiffness(model.mesh, grid, cell, dt) : infinity;
+    if (at_surface)
+      grid.bearable[cell] = bearable_stiffness(model.mesh, grid, cell, dt);
+    else if (grid.bearable[cell] != 0)
+      grid.bearable[cell] = 0;
   });
   exchange_moments(model.mesh, particles, grid);
 }

@@ -41,7 +41,7 @@ Vec<dim> held_velocity(const problem::Model<dim>& model, const NodeField<std::ui
 template <int dim>
 void smooth_velocities(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
-  if (grid.filter.empty()) return;
+  if (!grid.filters()) return;
   for_each("smooth velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     const Real mass = grid.mass[i];
@@ -58,7 +58,7 @@ void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<di
     const Index cell = active[c];
     const Moments<dim>& t = grid.moments[cell];
     const auto& nodes = mesh.nodes[cell];
-    const FilterOfCell<dim> filter = grid.filter_of(cell);
+    const FilterOfCell<dim> filter = grid.filter_of(cell, dt);
     const AtCorners<dim> gained = momentum_with(t, velocity_gain(at_corners(nodes, grid.acceleration), nodes, grid, dt, filter));
     auto& corners = grid.corners[cell];
     for (int k = 0; k <= dim; ++k) store<dim>((1 - filter.part) * components<dim>(t.momentum[k]) + gained[k], corners[k].sum);

@@ -128,8 +128,8 @@ Real memory_of(const RunSize& size)
   const Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
   // Particles by cell and BodyGrid, where the body is.
   constexpr Real of_cell_with_soil = 3 * sizeof(Index) + sizeof(mpm::Moments<dim>) + corners * sizeof(mpm::CornerSums<dim>) +
-                                     sizeof(mesh::Gradients<dim>) + sizeof(mpm::VolumeChange) + 2 * sizeof(Real);
-  constexpr Real of_node_with_soil = sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index);
+                                     sizeof(mesh::Gradients<dim>) + sizeof(mpm::VolumeChange) + 4 * sizeof(Real);
+  constexpr Real of_node_with_soil = 3 * sizeof(Real) + 4 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index);
   const Real nodes_a_cell = size.nodes / std::max(size.cells, Real(1));
 
   Real frames = 0, bytes = size.cells * of_cell + size.nodes * of_node;

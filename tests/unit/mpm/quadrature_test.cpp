@@ -109,7 +109,7 @@ TYPED_TEST(FullCells, leave_the_cells_at_a_free_surface_to_their_particles)
       whole = whole && soil.grid().fill[node] >= 0.9;
     }
     if (cut) {
-      EXPECT_EQ(soil.grid().weight[cell], 1);
+      EXPECT_EQ(soil.grid().weight(cell), 1);
     }
     if (whole) {
       EXPECT_NEAR(soil.grid().moments[cell].volume, soil.mesh().volume(cell), 1e-12 * soil.mesh().volume(cell));

@@ -134,6 +134,18 @@ TYPED_TEST(VelocityFilter, is_in_the_momentum_that_nodes_are_told)
   EXPECT_LT(error, 0.3 * change);
 }
 
+TYPED_TEST(VelocityFilter, leaves_the_corners_the_volume_of_their_cell_though_its_shift_is_kept_there)
+{
+  constexpr int dim = TypeParam::value;
+  auto velocities = noise<dim>();
+  Drifting<dim> soil(sample_sand(), [&](const Vec<dim>& x) { return velocities(x); });
+  soil.step();
+  CellField<Real> volume(soil.problem.model.mesh.cell_count(), 0);
+  soil.particles().visit([&](Index cell, Index b, int l) { volume[cell] += soil.particles().block(b).volume[l]; });
+  for (const Index cell : soil.particles().occupied())
+    for (const CornerSums<dim>& corner : soil.grid().corners[cell]) EXPECT_NEAR(corner.volume, volume[cell], 1e-13 * volume[cell]) << cell;
+}
+
 TYPED_TEST(VelocityFilter, is_not_in_elastic_bodies)
 {
   constexpr int dim = TypeParam::value;
