@@ -263,6 +263,7 @@ struct BodyGrid {
   {
     for (int d = 0; d < dim; ++d) corners[cell][d + 1].volume = shift[d];
   }
+  /// From keep_shift until the particles have moved.
   [[gnu::always_inline]] FilterOfCell<dim> filter_of(Index cell, Real dt) const
   {
     FilterOfCell<dim> filter;
@@ -271,7 +272,7 @@ struct BodyGrid {
     for (int d = 0; d < dim; ++d) filter.shift[d] = corners[cell][d + 1].volume;
     return filter;
   }
-  /// The volume that a cell is integrated over, over that of its particles.
+  /// The volume that a cell with active particles is integrated over, over that of the particles: from prepare_cells until they have moved.
   Real weight(Index cell) const
   {
     return full_cells ? moments[cell].volume / corners[cell][0].volume : 1;

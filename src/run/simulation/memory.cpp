@@ -126,7 +126,7 @@ Real memory_of(const RunSize& size)
   // Mesh and Model.
   constexpr Real of_cell = sizeof(typename mesh::Mesh<dim>::Corners) + corners * sizeof(mesh::CornerEntry) + 2 * sizeof(Index);
   const Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
-  // Particles by cell and BodyGrid, where the body is.
+  // Particles by cell and BodyGrid, where the body is, of soil that yields.
   constexpr Real of_cell_with_soil = 3 * sizeof(Index) + sizeof(mpm::Moments<dim>) + corners * sizeof(mpm::CornerSums<dim>) +
                                      sizeof(mesh::Gradients<dim>) + sizeof(mpm::VolumeChange) + 4 * sizeof(Real);
   constexpr Real of_node_with_soil = 3 * sizeof(Real) + 4 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index);
