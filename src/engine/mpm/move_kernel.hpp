@@ -43,7 +43,7 @@ struct CellStrain {
   template <int directions>
   [[gnu::always_inline]] void project(Real projected)
   {
-    for (int a = 0; a < directions; ++a) strain[a] += (projected - dilation) / directions;
+    for (int a = 0; a < directions; ++a) strain[a] += (projected - dilation) * (1. / directions);
     dilation = projected;
   }
 };
