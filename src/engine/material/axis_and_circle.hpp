@@ -38,7 +38,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline AxisAndCircle<T> axis_and_circle(const SymTensor<3, T>& stress)
 {
-  constexpr Real smallest = 1e-100;  // Pa; its square does not underflow
+  constexpr Real smallest = 1e-100;  // Pa; its cube does not underflow
   const T mean = trace(stress) * (1. / 3);
   SymTensor<3, T> s;
   for (int k = 0; k < 6; ++k) s[k] = k < 3 ? stress[k] - mean : stress[k];
