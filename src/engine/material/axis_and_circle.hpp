@@ -40,7 +40,7 @@ template <class T>
 {
   constexpr Real smallest = 1e-100;  // Pa; its cube does not underflow
   const T mean = trace(stress) * (1. / 3);
-  SymTensor<3, T> s;
+  SymTensor<3, T> s;  // by components: a copy of the whole is made in pieces, for which registers then wait
   for (int k = 0; k < 6; ++k) s[k] = k < 3 ? stress[k] - mean : stress[k];
   // The square and the determinant do not wait for the size.
   SymTensor<3, T> square;

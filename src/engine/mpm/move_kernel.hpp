@@ -181,7 +181,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     [[maybe_unused]] const Law* law_without_dilation = soil.dilates ? &soil.law_without_dilation(first_law) : nullptr;
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    const FilterOfCell<dim> filter = motion > 0 ? grid.filter_of(cell, motion) : FilterOfCell<dim>{};
+    const FilterOfCell<dim> filter = filters ? grid.filter_of(cell, motion) : FilterOfCell<dim>{};
     const Real unfiltered = 1 - filter.part;
     const AtCorners<dim> acceleration = at_corners(nodes, grid.acceleration);
     const LinearField<dim> gain(shape.gradients, velocity_gain(acceleration, nodes, grid, motion, filter)),
