@@ -138,8 +138,11 @@ struct Point {
   std::size_t contact = 0;
   std::array<Side<dim>, 2> sides{};
   Vec<dim> normal = Vec<dim>::Zero();
-  Real gap = 0, least = 0;  ///< m; the relative normal velocity that must be left, m/s
-  Real response = 0;        ///< of the relative normal velocity to a normal impulse, m/kg or 1/kg
+  Real gap = 0, closing = 0;  ///< m; the relative normal velocity that closes it in the step, m/s
+  Real rests_within = 0;      ///< m: with a smaller gap it rests there
+  Real least = 0;             ///< the relative normal velocity that must be left, m/s
+  bool later = false;         ///< it collides once other impulses have thrown its bodies together, if at all
+  Real response = 0;          ///< of the relative normal velocity to a normal impulse, m/kg or 1/kg
   Real pressed = 0;
   Vec<dim> rubbed = Vec<dim>::Zero();  ///< impulse on the first body along the normal, and across it
 };
@@ -156,15 +159,18 @@ bodies::DriveNow<dim> gives_way(const Model<dim>& model, const State<dim>& state
   return drive;
 }
 
+template <int dim>
+Vec<dim> velocity_at(const State<dim>& state, const Side<dim>& side)
+{
+  const bodies::RigidState<dim>& body = state.rigid_bodies[side.body];
+  return body.velocity + bodies::cross(body.angular_velocity, side.arm);
+}
+
 /// Of the first body less that of the second.
 template <int dim>
 Vec<dim> slip_at(const State<dim>& state, const Point<dim>& point)
 {
-  const auto of = [&](const Side<dim>& side) -> Vec<dim> {
-    const bodies::RigidState<dim>& body = state.rigid_bodies[side.body];
-    return body.velocity + bodies::cross(body.angular_velocity, side.arm);
-  };
-  return of(point.sides[0]) - of(point.sides[1]);
+  return velocity_at(state, point.sides[0]) - velocity_at(state, point.sides[1]);
 }
 
 template <int dim>
@@ -197,6 +203,7 @@ constexpr int max_points = static_cast<int>(max_rigid_contacts) * bodies::max_pr
 template <int dim>
 struct Points {
   int count = 0;
+  Real reach = 0;                           ///< reach_in_step(), m
   std::array<Point<dim>, max_points> list;  ///< the first are in use
 };
 
@@ -214,33 +221,43 @@ Real reach_in_step(const Model<dim>& model, const State<dim>& state, Real dt)
   return both_and_thrown * dt * speed;
 }
 
+/// What a point asks for: where it collides, the restitution of the normal velocity before; where two that bounce may still fly, nothing.
+template <int dim>
+void take_impact(Real restitution, Point<dim>& point, bool collides, Real before)
+{
+  point.least = collides ? std::max(point.closing, -restitution * before) : point.closing;
+  point.later = !collides && restitution > 0 && point.gap > point.rests_within;
+}
+
 template <int dim>
 void find_points(const Model<dim>& model, const State<dim>& state, const RigidVelocities<dim>& last, Real dt, Points<dim>& points)
 {
   // Of an overlap that rotations leave, a tenth is taken back in a step.
   constexpr Real taken_back = 0.1;
-  const Real reach = reach_in_step(model, state, dt);
+  points.reach = reach_in_step(model, state, dt);
   for (std::size_t k = 0; k < model.rigid_contacts.size(); ++k) {
     const RigidContact<dim>& contact = model.rigid_contacts[k];
     const bodies::ProximityPoints<dim> found =
         proximity_points(contact.proximity, model.rigid_bodies[contact.first], state.rigid_bodies[contact.first],
-                         model.rigid_bodies[contact.second], state.rigid_bodies[contact.second], reach);
+                         model.rigid_bodies[contact.second], state.rigid_bodies[contact.second], points.reach);
     for (int p = 0; p < found.count; ++p) {
       const bodies::ProximityPoint<dim>& at = found.points[p];
       Point<dim>& point = points.list[points.count++];
       point = Point<dim>();
       point.contact = k, point.normal = at.normal, point.gap = at.gap;
+      point.rests_within = overlap_that_counts * size_of<dim>(model, contact);
       Vec<dim> before = Vec<dim>::Zero();
       for (int side = 0; side < 2; ++side) {
         const Index r = side == 0 ? contact.first : contact.second;
         point.sides[side] = {r, gives_way(model, state, r),
                              Vec<dim>(at.position - center_now(model.rigid_bodies[r], state.rigid_bodies[r]))};
-        before += (side == 0 ? 1 : -1) * (last.velocity[k][side] + bodies::cross(last.angular[k][side], point.sides[side].arm));
+        const Vec<dim> before_here = last.velocity[k][side] + bodies::cross(last.angular[k][side], point.sides[side].arm);
+        before += (side == 0 ? 1 : -1) * before_here;
+        point.rests_within += dt * (velocity_at(state, point.sides[side]) - before_here).norm();
       }
       point.response = response_along(model, state, point, point.normal);
-      point.least = -(at.gap > 0 ? 1 : taken_back) * at.gap / dt;
-      const bool impact = point.normal.dot(slip_at(state, point)) < point.least;
-      if (impact) point.least = std::max(point.least, -contact.restitution * point.normal.dot(before));
+      point.closing = -(at.gap > 0 ? 1 : taken_back) * at.gap / dt;
+      take_impact(contact.restitution, point, point.normal.dot(slip_at(state, point)) < point.closing, point.normal.dot(before));
     }
   }
 }
@@ -266,7 +283,7 @@ void find_impulses(const Model<dim>& model, State<dim>& state, Points<dim>& poin
     Real change = 0, largest = 0;
     for (int p = 0; p < points.count; ++p) {
       Point<dim>& point = points.list[p];
-      if (!(point.response > 0)) continue;
+      if (!(point.response > 0) || point.later) continue;
       const Real missing = (point.least - point.normal.dot(slip_at(state, point))) / point.response;
       const Real pressed = std::max(Real(0), point.pressed + missing);
       push(model, state, point, Vec<dim>((pressed - point.pressed) * point.normal));
@@ -307,18 +324,10 @@ Real work_on_held(bool free, const Side<dim>& side, const Vec<dim>& impulse, con
   return work;
 }
 
-}  // namespace
-
+/// Books the impulses and their work.
 template <int dim>
-void push_apart(const Model<dim>& model, State<dim>& state, const RigidVelocities<dim>& last, Real dt)
+void count_impulses(const Model<dim>& model, State<dim>& state, const RigidVelocities<dim>& before, const Points<dim>& points)
 {
-  Points<dim> points;
-  find_points(model, state, last, dt, points);
-  if (points.count == 0) return;
-  for (int p = 0; p < points.count; ++p)
-    if (!(points.list[p].response > 0)) refuse_where_neither_gives_way(model, state, points.list[p], dt);
-  const RigidVelocities<dim> before = velocities_at_contacts(model, state);
-  find_impulses(model, state, points);
   for (int p = 0; p < points.count; ++p) {
     const Point<dim>& point = points.list[p];
     const Vec<dim> impulse = point.pressed * point.normal + point.rubbed;
@@ -333,6 +342,43 @@ void push_apart(const Model<dim>& model, State<dim>& state, const RigidVelocitie
       const bool free = model.rigid_bodies[side.body].motion == bodies::Motion::free;
       state.totals.external -= work_on_held(free, side, given, velocity, turning);
     }
+  }
+}
+
+/// Whether impulses have thrown bodies together that bounce, and makes the points ready for it; at the last of the step without bouncing.
+template <int dim>
+bool collide_again(const Model<dim>& model, const State<dim>& state, Real dt, bool last, Points<dim>& points)
+{
+  const Real round_off = overlap_that_counts * points.reach / dt;
+  bool again = false;
+  for (int p = 0; p < points.count; ++p) {
+    Point<dim>& point = points.list[p];
+    const Real restitution = model.rigid_contacts[point.contact].restitution, before = point.normal.dot(slip_at(state, point));
+    const bool collides = restitution > 0 && point.response > 0 && before < point.closing - round_off;
+    again = again || collides;
+    take_impact(last ? 0 : restitution, point, collides, before);
+    point.pressed = 0, point.rubbed = Vec<dim>::Zero();
+  }
+  return again;
+}
+
+}  // namespace
+
+template <int dim>
+void push_apart(const Model<dim>& model, State<dim>& state, const RigidVelocities<dim>& last, Real dt)
+{
+  Points<dim> points;
+  find_points(model, state, last, dt, points);
+  if (points.count == 0) return;
+  for (int p = 0; p < points.count; ++p)
+    if (!(points.list[p].response > 0)) refuse_where_neither_gives_way(model, state, points.list[p], dt);
+  constexpr int most_collisions =
+      1000;  // one after the other in a step: of bodies that fly to and fro between others they lose their bounce
+  for (int n = 1; n == 1 || collide_again(model, state, dt, n == most_collisions, points); ++n) {
+    const RigidVelocities<dim> before = velocities_at_contacts(model, state);
+    find_impulses(model, state, points);
+    count_impulses(model, state, before, points);
+    if (n == most_collisions) break;
   }
 }
 

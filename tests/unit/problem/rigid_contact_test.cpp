@@ -81,6 +81,84 @@ TEST(RigidContact, of_two_disks_head_on_keeps_momentum_and_has_the_restitution_a
   }
 }
 
+/// Three disks in a row, of which the first flies at the others.
+Case three_in_a_row(const std::array<Real, 3>& masses, Real gap, Real restitution)
+{
+  Case c = two_bodies(disk(0.5, 3, masses[0]), disk(0.705, 3, masses[1]), 0, restitution);
+  c.rigid.push_back({"last", disk(0.905 + gap, 3, masses[2])});
+  c.rigid_contact.push_back({"next", {"right", "last", 0, restitution}});
+  return c;
+}
+
+/// Their velocities once each pair that approaches has collided, one pair after the other.
+std::array<Real, 3> one_pair_after_the_other(const std::array<Real, 3>& masses, Real restitution, Real speed)
+{
+  std::array<Real, 3> v{speed, 0, 0};
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Real approach = v[k] - v[k + 1], both = masses[k] + masses[k + 1];
+      if (approach <= 1e-12) continue;
+      v[k] -= masses[k + 1] / both * (1 + restitution) * approach;
+      v[k + 1] += masses[k] / both * (1 + restitution) * approach;
+      again = true;
+    }
+  }
+  return v;
+}
+
+// In a step the first goes 2 mm: with the third 0.5 mm from the second both collisions are in one.
+TEST(RigidContact, of_three_in_a_row_keeps_the_energy_of_collisions_within_one_step)
+{
+  for (const Real e : {0.5, 1.})
+    for (const Real gap : {0.5e-3, 50e-3})
+      for (const std::array<Real, 3>& masses : {std::array<Real, 3>{1, 1, 1}, {3, 1, 2}}) {
+        Flight flight(three_in_a_row(masses, gap, e));
+        flight.body(0).velocity = {20, 0};
+        flight.run(1000);
+        const std::array<Real, 3> expected = one_pair_after_the_other(masses, e, 20);
+        Real lost = masses[0] * 20 * 20 / 2;
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_NEAR(flight.body(k).velocity[0], expected[k], 1e-10) << "body " << k << ", e " << e << ", gap " << gap;
+          lost -= kinetic_energy(flight.model.rigid_bodies[k], flight.body(k));
+        }
+        EXPECT_NEAR(flight.state.totals.friction, lost, 1e-9);
+        EXPECT_LE(e == 1 ? std::abs(lost) : 0, 1e-9);
+      }
+}
+
+// Bodies that bounce rest on each other all the same: the weight of a step is no collision.
+TEST(RigidContact, bears_a_stack_of_disks_that_bounce)
+{
+  Case c = two_bodies(disk(1, 3.1, 2), disk(1, 3.3, 3), 0, 0.5);
+  c.rigid.push_back({"floor", {}});
+  c.rigid.back().second.shape = bodies::HalfPlaneSettings{{1, 3}, {0, 1}};
+  c.rigid_contact.push_back({"ground", {"left", "floor", 0, 0.5}});
+  c.gravity = {0, -10};
+  Flight flight(c);
+  flight.run(5000);
+  for (int k = 0; k < 2; ++k) EXPECT_LE(flight.body(k).displacement.norm(), 1e-9);
+  EXPECT_NEAR(flight.state.rigid_impulses[1][1], (2 + 3) * 10 * 0.5, 1e-6) << "the weight of both times the time";
+}
+
+// A disk that flies to and fro between two walls, many times in a step, goes through neither.
+TEST(RigidContact, holds_a_disk_between_walls_that_it_hits_many_times_in_a_step)
+{
+  Case c = two_bodies(disk(1, 3, 2), disk(0, 0, 1), 0, 1);
+  c.rigid[1].second = {};
+  c.rigid[1].second.shape = bodies::HalfPlaneSettings{{0.8999, 3}, {1, 0}};
+  c.rigid.push_back({"wall", {}});
+  c.rigid.back().second.shape = bodies::HalfPlaneSettings{{1.1001, 3}, {-1, 0}};
+  c.rigid_contact.push_back({"other", {"left", "wall", 0, 1}});
+  Flight flight(c);
+  flight.body(0).velocity = {10, 0};
+  for (int n = 0; n < 20; ++n) {
+    flight.run(1);
+    EXPECT_LE(std::abs(flight.body(0).displacement[0]), 1e-4 + 1e-12);
+  }
+  EXPECT_NEAR(flight.state.totals.friction, 2 * 10 * 10 / 2. - kinetic_energy(flight.model.rigid_bodies[0], flight.body(0)), 1e-9);
+}
+
 // A spinning disk meets an equal one at rest with v = 1 m/s: of the slip R omega a part mu (1 + e) v (1 + 2) is taken, 1 by translation and 2 by rotation of each solid
 // disk, 1/m + R^2/(m R^2/2) each, of both; all of it where friction is enough.
 TEST(RigidContact, rubs_by_coulombs_law_and_sticks_where_friction_is_enough)
