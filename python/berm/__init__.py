@@ -2,8 +2,9 @@
 """berm in Python: start runs, read what they leave, draw it::
 
     import berm
-    run = berm.run("my_case.toml", "out/my_case", set={"material.clay.cohesion": "5 kPa"})
-    run.quantities["V_at_w_0.1D"].value   # N/m
+    case = berm.new("pipe-in-clay", "my_case.toml")
+    run = berm.run(case, "out/my_case", set={"material.clay.undrained_strength": "3 kPa"})
+    run.quantities["w_end_of_push"].value   # m
     run.history["H_N_m"]                  # an array
     run.plot()
 
@@ -11,13 +12,16 @@
 Matplotlib are loaded by what needs them.
 """
 
+import importlib
+from typing import Any
+
 from .element import element
 from .errors import InputError, RunError, Stopped
 from .frames import Field, Frame
 from .history import Column, History
 from .macro_element import macro_element
 from .parameters import Parameter, parameters
-from .program import check, export, find_program, include_folder, new, report, springs, version
+from .program import check, export, find_program, fmu, include_folder, new, report, springs, version
 from .quantity import Quantity
 from .run import Run, run
 from .study import Estimate, Row, Study, open, study
@@ -44,6 +48,7 @@ __all__ = [
     "element",
     "export",
     "find_program",
+    "fmu",
     "include_folder",
     "macro_element",
     "new",
@@ -55,3 +60,16 @@ __all__ = [
     "study",
     "version",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """The engine, which is compiled, when it is first asked for. Throws ImportError where it is not there."""
+    if name != "engine":
+        raise AttributeError(f"module 'berm' has no attribute {name!r}")
+    try:
+        return importlib.import_module("berm.engine")
+    except ModuleNotFoundError as error:
+        raise ImportError(
+            "berm.engine is compiled, and not beside this package: install python3-berm, or build it (ninja -C build/release "
+            "berm_python) and name build/release/python in PYTHONPATH"
+        ) from error

@@ -64,7 +64,12 @@ def include_folder(program: PathLike | None = None) -> Path:
 
 
 def toml_value(value: Any) -> str:
-    """A value of Python as TOML: text, numbers, truth, and lists of them. Throws InputError for others."""
+    """A value of Python as TOML: text, paths, numbers, truth, and lists of them, with those of NumPy and pandas. Throws InputError for
+    others."""
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    elif hasattr(value, "tolist"):
+        value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
@@ -143,9 +148,23 @@ def version(*, program: PathLike | None = None) -> str:
     return call(["--version"], program=program).text.split()[1]
 
 
-def new(kind: str, file: PathLike, *, program: PathLike | None = None) -> Path:
-    """Writes a commented case to begin with, as `berm new` lists them: pipe-in-sand, pipe-in-clay, ... Throws InputError."""
-    call(["new", kind, file], program=program)
+def new(
+    kind: str,
+    file: PathLike,
+    *,
+    size: str | None = None,
+    soil: str | None = None,
+    cpt: PathLike | None = None,
+    location: str | None = None,
+    n_kt: float | None = None,
+    phi: str | None = None,
+    program: PathLike | None = None,
+) -> Path:
+    """Writes a commented case to begin with, as `berm new` lists them: pipe-in-sand, pipe-in-clay, ...; with the options of that command:
+    size quick, normal or fine; a soil by its name; strength from a sounding. Throws InputError."""
+    given = {"size": size, "soil": soil, "cpt": cpt, "location": location, "n-kt": n_kt, "phi": phi}
+    options = [f"--{name}={os.fspath(v) if isinstance(v, os.PathLike) else v}" for name, v in given.items() if v is not None]
+    call(["new", kind, file, *options], program=program)
     return Path(file)
 
 
@@ -153,6 +172,11 @@ def check(case: PathLike, *, set: Mapping[str, Any] = {}, program: PathLike | No
     """What `berm check` says of a case: warnings, then size, memory, time. Throws InputError where it is wrong or makes no sense."""
     answer = call(["check", case, *settings(set)], program=program)
     return "".join(f"warning: {line}\n" for line in answer.warnings) + answer.text
+
+
+def fmu(case: PathLike, output: PathLike, *, set: Mapping[str, Any] = {}, program: PathLike | None = None) -> list[Path]:
+    """Writes the slice of soil that a case is as functional mock-up units, OUTPUT.fmi2.fmu and OUTPUT.fmi3.fmu. Throws InputError."""
+    return [Path(line) for line in call(["fmu", case, *settings(set), "-o", output], program=program).text.splitlines()]
 
 
 def report(

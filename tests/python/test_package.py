@@ -74,15 +74,6 @@ def scripts() -> dict[str, str]:
     return {found[1]: found[2] for found in re.finditer(r"^## ([^\n]+)\n(?:(?!^## ).)*?^```python\n(.*?)^```", page, re.M | re.S)}
 
 
-def test_run_read_draw_as_the_page_has_it(case: Path, tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    text = case.read_text().replace("sand", "clay").replace('until.embedment = "1 mm"', 'until.embedment = "2.2 mm"')
-    (tmp_path / "my_case.toml").write_text(text.replace('friction_angle = "35 deg"', 'friction_angle = "35 deg"\ncohesion = "1 kPa"'))
-    ran = python("-c", scripts()["Run, read, draw"], cwd=tmp_path)
-    assert ran.returncode == 0, ran.stderr
-    assert (tmp_path / "curves.png").stat().st_size > 10000 and (tmp_path / "soil.png").stat().st_size > 10000
-
-
 def test_low_best_and_high_take_fifteen_lines_as_the_page_has_them(sampled: berm.Study, study_text: str, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     script = scripts()["Low, best and high in fifteen lines"]

@@ -86,7 +86,11 @@ def test_a_check_says_sizes_and_warnings_and_refuses_what_is_wrong(case: Path) -
 
 def test_changes_are_written_as_toml() -> None:
     assert toml_value("35 deg") == '"35 deg"' and toml_value(True) == "true" and toml_value(3) == "3" and toml_value(0.1) == "0.1"
-    assert toml_value(np.float64(0.5)) == "0.5" and toml_value([1, "a"]) == '[1, "a"]'
+    assert toml_value([1, "a"]) == '[1, "a"]'
+    assert toml_value(np.float64(0.5)) == "0.5" and toml_value(np.int64(4)) == "4" and toml_value(np.bool_(True)) == "true"
+    assert toml_value(np.array([0, -9.81])) == "[0.0, -9.81]" and toml_value(np.array(3)) == "3" and toml_value(np.arange(2)) == "[0, 1]"
+    assert toml_value(np.array([["a", "b"]])) == '[["a", "b"]]' and toml_value([np.float32(0.5), Path("b/c.csv")]) == '[0.5, "b/c.csv"]'
+    assert toml_value(Path("a b.msh")) == '"a b.msh"'
     with pytest.raises(berm.InputError, match="neither a number"):
         toml_value({})
 
@@ -103,8 +107,25 @@ def test_parameters_are_those_of_the_manual() -> None:
     assert len(berm.parameters()) == of_a_case.count("\n| `")
 
 
+def test_a_case_is_changed_by_numbers_of_numpy_and_by_paths(case: Path) -> None:
+    sizes = [
+        [line for line in berm.check(case, set=changes).splitlines() if "cells" in line]
+        for changes in (
+            {"gravity": [0.0, -490.5], "mesh.cells": [40, 20]},
+            {"gravity": np.array([0, -490.5]), "mesh.cells": np.array([40, 20]), "title": Path("a/b")},
+            {},
+        )
+    ]
+    assert sizes[0] == sizes[1] != sizes[2]
+
+
 def test_a_commented_case_can_be_begun_with(tmp_path: Path) -> None:
     assert "particles" in berm.check(berm.new("pipe-in-clay", tmp_path / "pipe.toml"))
+    quick = berm.new("pipe-in-clay", tmp_path / "quick.toml", size="quick", soil="kaolin")
+    assert "Kaolin" in quick.read_text() and quick.read_text() != (tmp_path / "pipe.toml").read_text()
+    (tmp_path / "cpt.csv").write_text("depth_m,qt_MPa\n" + "".join(f"{0.1 * k:.1f},{0.03 + 0.02 * k:.3f}\n" for k in range(1, 40)))
+    sounded = [berm.new("pipe-in-clay", tmp_path / f"{n}.toml", cpt=tmp_path / "cpt.csv", n_kt=n).read_text() for n in (12, 15.0)]
+    assert sounded[0] != sounded[1]
     with pytest.raises(berm.InputError, match="pipe-in-clai"):
         berm.new("pipe-in-clai", tmp_path / "other.toml")
 
