@@ -39,6 +39,22 @@ Real velocity_at(const MotionSettings& motion, int axis, Real since)
 
 namespace {
 
+/// Whether a value leaves rest as a sine does, with its largest slope at once, in a quarter of its wave; a change that begins level takes half of it. Rows from `rest` to
+/// the turning point at `turn`, which may lie before it.
+bool is_quarter(const std::vector<std::pair<Real, Real>>& rows, std::size_t rest, std::size_t turn)
+{
+  constexpr Real early = 0.25,
+                 least = 0.2;  // of the time and of the change: 0.38 of a sine, 0.25 of a straight line, 0.15 of one that begins level
+  const Real at = std::lerp(rows[rest].first, rows[turn].first, early);
+  std::size_t k = rest;
+  const int step = turn > rest ? 1 : -1;
+  while ((rows[k + step].first - at) * step < 0) k += step;
+  const auto [t0, v0] = rows[k];
+  const auto [t1, v1] = rows[k + step];
+  const Real value = t1 == t0 ? v1 : std::lerp(v0, v1, (at - t0) / (t1 - t0));
+  return (value - rows[rest].second) / (rows[turn].second - rows[rest].second) > least;
+}
+
 /// The rows up to a time, the last one at that time: it goes on at its last velocity.
 std::vector<std::pair<Real, Real>> rows_until(const MotionSettings& motion, int axis, Real time)
 {
@@ -61,6 +77,14 @@ MotionMeasures measures_of(const MotionSettings& motion, int axis, Real time)
   for (const auto& row : rows) found.speed = std::max(found.speed, std::abs(row.second));
   found.last = rows.back().second;
   if (std::abs(rows.front().second) > counts * found.speed) found.half_wave = 0;
+  const auto sign = [](Real x) { return (x > 0) - (x < 0); };
+  const auto turns_at = [&](std::size_t k) {
+    return k > 0 && k + 1 < rows.size() && sign(rows[k + 1].second - rows[k].second) * sign(rows[k].second - rows[k - 1].second) < 0;
+  };
+  const auto rests = [&](std::size_t k, int side) {
+    const bool at_end = side < 0 ? k == 0 : k + 1 == rows.size();
+    return std::abs(rows[k].second) < counts * found.speed && (at_end || rows[k + side].second == rows[k].second);
+  };
   std::size_t begin = 0;  // of the rise or fall in hand
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const auto [t0, v0] = rows[k - 1];
@@ -72,10 +96,12 @@ MotionMeasures measures_of(const MotionSettings& motion, int axis, Real time)
     }
     found.residual += 0.5 * (v0 + v1) * (t1 - t0);
     found.excursion = std::max(found.excursion, std::abs(found.residual));
-    const auto sign = [](Real x) { return (x > 0) - (x < 0); };
     const bool goes_on = k + 1 < rows.size() && sign(rows[k + 1].second - v1) == sign(v1 - v0);
     if (goes_on) continue;
-    if (std::abs(v1 - rows[begin].second) > counts * found.speed) found.half_wave = std::min(found.half_wave, t1 - rows[begin].first);
+    const bool quarter =
+        (rests(begin, -1) && turns_at(k) && is_quarter(rows, begin, k)) || (rests(k, 1) && turns_at(begin) && is_quarter(rows, k, begin));
+    if (std::abs(v1 - rows[begin].second) > counts * found.speed)
+      found.half_wave = std::min(found.half_wave, (quarter ? 2 : 1) * (t1 - rows[begin].first));
     begin = k;
   }
   return found;
