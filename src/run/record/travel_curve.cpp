@@ -9,6 +9,12 @@ namespace {
 constexpr std::size_t max_marks = 2000;    // each takes a sum over its window
 constexpr std::size_t max_points = 10000;  // that are averaged as they are
 
+/// Half of the window of a line that is drawn over this travel, at most.
+Real drawn_half(Real travel)
+{
+  return travel / 20;
+}
+
 }  // namespace
 
 TravelCurve::TravelCurve(const std::vector<Real>& travel, const std::vector<Real>& value)
@@ -73,17 +79,53 @@ TravelCurve TravelCurve::condensed(Real half) const
   return {means_s, means_y};
 }
 
+std::vector<Real> TravelCurve::marks() const
+{
+  if (travel_.size() <= max_marks) return travel_;
+  std::vector<Real> marks(max_marks, end());
+  for (std::size_t k = 0; k + 1 < max_marks; ++k) marks[k] = begin() + static_cast<Real>(k) / (max_marks - 1) * (end() - begin());
+  return marks;
+}
+
 TravelCurve TravelCurve::smoothed(Real half) const
 {
   const TravelCurve short_enough = condensed(half);
-  std::vector<Real> marks = travel_, values;
-  if (marks.size() > max_marks) {
-    marks.resize(max_marks);
-    for (std::size_t k = 0; k < max_marks; ++k)
-      marks[k] = k + 1 == max_marks ? end() : begin() + static_cast<Real>(k) / (max_marks - 1) * (end() - begin());
+  const std::vector<Real> travels = marks();
+  std::vector<Real> values;
+  for (const Real s : travels) values.push_back(short_enough.at(s, half));
+  return {travels, values};
+}
+
+Real TravelCurve::drawn_at(Real s, Real half) const
+{
+  return at(s, std::min({half, drawn_half(end() - begin()), std::max(Real(0), s - begin())}));
+}
+
+TravelCurve TravelCurve::drawn(Real half) const
+{
+  const TravelCurve short_enough = condensed(half);
+  const std::vector<Real> travels = marks();
+  std::vector<Real> values;
+  for (const Real s : travels) values.push_back(short_enough.drawn_at(s, half));
+  return {travels, values};
+}
+
+std::vector<Real> drawn_along(const std::vector<Real>& travel, const std::vector<Real>& value, Real half)
+{
+  if (half == 0) return value;
+  std::vector<Real> drawn(travel.size(), nan);
+  const TravelCurve curve = TravelCurve(travel, value).condensed(half);
+  if (curve.empty()) return drawn;
+  const Real least_way_back = std::min(half, drawn_half(curve.end() - curve.begin()));
+  Real farthest = -infinity;
+  for (const Real s : travel) {
+    if (std::isnan(s)) continue;
+    if (farthest - s > least_way_back) return drawn;
+    farthest = std::max(farthest, s);
   }
-  for (const Real s : marks) values.push_back(short_enough.at(s, half));
-  return {marks, values};
+  for (std::size_t k = 0; k < travel.size(); ++k)
+    if (!std::isnan(travel[k])) drawn[k] = curve.drawn_at(travel[k], half);
+  return drawn;
 }
 
 }  // namespace berm::record

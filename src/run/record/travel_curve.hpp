@@ -32,10 +32,21 @@ public:
   /// The curve of at(s, half), at its own travels; of more than 2000 travels, at 2000 equally spaced ones from begin to end.
   TravelCurve smoothed(Real half) const;
 
+  /// The same as it is drawn: its windows do not reach from the first row further than to both sides of s, so that it begins at that row, and are a tenth of the travel at most.
+  TravelCurve drawn(Real half) const;
+
 private:
+  friend std::vector<Real> drawn_along(const std::vector<Real>& travel, const std::vector<Real>& value, Real half);
+
   Real interpolated(Real s) const;
+  std::vector<Real> marks() const;
+  Real drawn_at(Real s, Real half) const;
 
   std::vector<Real> travel_, value_;
 };
+
+/// Values along a travel as a smooth line is drawn through their rows (TravelCurve::drawn), by row; half = 0: the values. NaN in all rows where the travel goes back by more than
+/// half of a window: a mean over a travel that goes back and forth means nothing.
+std::vector<Real> drawn_along(const std::vector<Real>& travel, const std::vector<Real>& value, Real half);
 
 }  // namespace berm::record

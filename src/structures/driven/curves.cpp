@@ -15,27 +15,17 @@
 namespace berm::driven {
 namespace {
 
-using record::TravelCurve;
-
-/// Freed from noise over +-half, and over less where that would reach beyond the curve: it begins and ends where the rows do.
-Real smooth_at(const TravelCurve& curve, Real travel, Real half)
-{
-  return curve.empty() ? nan : curve.at(travel, std::max(Real(0), std::min({half, travel - curve.begin(), curve.end() - travel})));
-}
-
 /// Lines of the file: x, and each value of the row and freed from noise along the travel.
 std::string block(const std::vector<Real>& x, const std::vector<Real>& travel, const std::vector<std::vector<Real>>& values, Real half,
                   Real x_unit, const std::vector<Real>& units)
 {
-  std::vector<TravelCurve> curves;
-  for (const auto& value : values) curves.emplace_back(travel, value);
+  std::vector<std::vector<Real>> smooth;
+  for (const auto& value : values) smooth.push_back(record::drawn_along(travel, value, half));
   std::string text;
   for (std::size_t k = 0; k < travel.size(); ++k) {
     text += fmt::format("{:.6g}", x[k] * x_unit);
-    for (std::size_t c = 0; c < values.size(); ++c) {
-      const Real smooth = smooth_at(curves[c], travel[k], half);
-      for (const Real value : {values[c][k], smooth}) text += std::isnan(value) ? " NaN" : fmt::format(" {:.6g}", value * units[c]);
-    }
+    for (std::size_t c = 0; c < values.size(); ++c)
+      for (const Real value : {values[c][k], smooth[c][k]}) text += std::isnan(value) ? " NaN" : fmt::format(" {:.6g}", value * units[c]);
     text += '\n';
   }
   return text;

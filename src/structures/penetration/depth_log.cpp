@@ -35,7 +35,7 @@ void add_run(LogPanel& panel, const PenetrationRun& run, const TravelCurve& rows
 {
   using plot::scaled;
   if (rows.empty()) return;
-  const TravelCurve mean = rows.smoothed(run.half());
+  const TravelCurve mean = rows.drawn(run.half());
   if (run.half() > 0)
     panel.curves.push_back({"", LogCurve::Line::rows, run.number, scaled(rows.value(), value_unit), scaled(rows.travel(), depth_unit)});
   panel.curves.push_back({name, LogCurve::Line::mean, run.number, scaled(mean.value(), value_unit), scaled(mean.travel(), depth_unit)});

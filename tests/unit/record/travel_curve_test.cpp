@@ -56,5 +56,44 @@ TEST(TravelCurve, leaves_out_rows_that_go_back_and_does_not_reach_beyond_its_end
   EXPECT_TRUE(std::isnan(TravelCurve({}, {}).at(0, 1)));
 }
 
+/// A resistance that grows with the travel and has jumped to 100 within its first hundredth, rows 0.1 mm apart over 0.1 m.
+struct Jump {
+  std::vector<Real> s, y;
+  Jump()
+  {
+    for (int k = 0; k <= 1000; ++k) s.push_back(1e-4 * k), y.push_back(k < 10 ? 10. * k : 100 + 1000 * s.back());
+  }
+};
+
+TEST(TravelCurve, is_drawn_from_its_first_row_on)
+{
+  const Jump jump;
+  const TravelCurve curve(jump.s, jump.y);
+  EXPECT_GT(curve.at(0, 0.005), 50) << "the line fitted beyond the jump begins above it";
+  EXPECT_EQ(curve.drawn(0.005).value().front(), 0);
+  EXPECT_EQ(drawn_along(jump.s, jump.y, 0.005).front(), 0);
+  EXPECT_NEAR(curve.drawn(0.005).value().back(), 200, 1e-9) << "at its end it follows the rows, as numbers at the end do";
+}
+
+TEST(TravelCurve, of_a_short_travel_is_drawn_with_its_bend)
+{
+  std::vector<Real> s, y;
+  for (int k = 0; k <= 100; ++k) s.push_back(1e-5 * k), y.push_back(std::sqrt(Real(k)));
+  // A window of all the travel makes it a straight line; one of a tenth is off by its curvature, h^2 y''/6 at most.
+  EXPECT_NEAR(drawn_along(s, y, 0.01)[50], std::sqrt(50.), 0.01);
+  EXPECT_GT(std::abs(TravelCurve(s, y).at(s[50], 0.01) - std::sqrt(50.)), 0.2);
+}
+
+TEST(TravelCurve, of_a_travel_that_goes_back_and_forth_is_not_drawn)
+{
+  std::vector<Real> s, y;
+  for (int k = 0; k <= 400; ++k) s.push_back(0.1 * std::sin(0.05 * k) * (1 + 0.001 * k)), y.push_back(std::cos(0.05 * k));
+  for (const Real drawn : drawn_along(s, y, 0.002)) EXPECT_TRUE(std::isnan(drawn));
+  EXPECT_EQ(drawn_along(s, y, 0), y) << "without noise the rows are the line";
+  std::vector<Real> noisy, value;
+  for (int k = 0; k <= 400; ++k) noisy.push_back(1e-3 * k - (k % 2) * 1.5e-3), value.push_back(k);
+  EXPECT_NEAR(drawn_along(noisy, value, 0.01)[200], 200, 2) << "a row that is less than half a window behind is noise";
+}
+
 }  // namespace
 }  // namespace berm::record::this_file

@@ -53,21 +53,17 @@ const Chart charts[] = {
 
 /// A line of a chart: by row, and freed from noise.
 struct Line {
-  std::vector<Real> x, y, smooth_x, smooth_y;  ///< m, and the unit of the chart
+  std::vector<Real> x, y, smooth;  ///< m, and the unit of the chart; freed from noise all NaN where that means nothing
 };
 
 std::vector<Line> lines_of(const Chart& chart, const DrivenRun& run)
 {
   std::vector<Line> lines;
   const auto add = [&](const std::vector<Real>& travel, const std::vector<Real>& y, Real begin, Real direction) {
-    const TravelCurve curve(travel, y);
-    if (curve.empty()) return;
-    const TravelCurve smooth = curve.smoothed(averaging_half(run.scale));
-    const auto along_x = [&](std::vector<Real> x) {
-      for (Real& each : x) each = begin + direction * each;
-      return x;
-    };
-    lines.push_back({along_x(travel), y, along_x(smooth.travel()), smooth.value()});
+    if (TravelCurve(travel, y).empty()) return;
+    std::vector<Real> x;
+    for (const Real each : travel) x.push_back(begin + direction * each);
+    lines.push_back({std::move(x), y, record::drawn_along(travel, y, averaging_half(run.scale))});
   };
   if (run.history.rows() == 0) return lines;
   const Path path = path_of(run.history, run.stages);
@@ -82,16 +78,18 @@ std::string label_with(const std::string& words, const plot::PlotUnit& unit)
   return std::string(unit.name) == "1" ? words : fmt::format("{} ({})", words, unit.name);
 }
 
-/// The rows of a run, pale, and the same freed from noise.
+/// The rows of a run, pale, and the same freed from noise where that means something.
 void add_run(plot::Figure& figure, const std::vector<Line>& lines, const DrivenRun& run, const plot::PlotUnit& x_unit,
              const plot::PlotUnit& y_unit)
 {
   for (const Line& line : lines) {
-    if (run.scale.noisy)
-      figure.curves.push_back(
-          {"", plot::curve_style(run.number, 0, 0.4), plot::scaled(line.x, x_unit.per_si), plot::scaled(line.y, y_unit.per_si)});
-    figure.curves.push_back({&line == &lines.front() ? run.name : "", plot::curve_style(run.number, run.number),
-                             plot::scaled(line.smooth_x, x_unit.per_si), plot::scaled(line.smooth_y, y_unit.per_si)});
+    const bool has_mean = std::ranges::any_of(line.smooth, [](Real y) { return std::isfinite(y); });
+    const auto add = [&](const std::string& name, const std::string& style, const std::vector<Real>& y) {
+      figure.curves.push_back({name, style, plot::scaled(line.x, x_unit.per_si), plot::scaled(y, y_unit.per_si)});
+    };
+    const std::string name = &line == &lines.front() ? run.name : "";
+    if (run.scale.noisy) add(has_mean ? "" : name, plot::curve_style(run.number, 0, 0.4), line.y);
+    if (has_mean) add(name, plot::curve_style(run.number, run.number), line.smooth);
   }
 }
 
