@@ -3,71 +3,18 @@
 #include "input/table_file.hpp"
 
 #include "core/error.hpp"
-#include "core/read_file.hpp"
+#include "core/text_file.hpp"
 #include "input/message_text.hpp"
+#include "input/text_table.hpp"
 #include "input/units.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <fmt/format.h>
 #include <sstream>
 
 namespace berm::input {
 namespace {
-
-std::string trimmed(std::string_view field)
-{
-  const auto begin = field.find_first_not_of(" \t\""), end = field.find_last_not_of(" \t\r\"");
-  return begin == std::string_view::npos ? "" : std::string(field.substr(begin, end + 1 - begin));
-}
-
-/// The fields of a line; none where a quotation mark is not closed.
-std::vector<std::string> fields_of(const std::string& line, char separator)
-{
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (c == separator && !quoted)
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  for (std::string& field : fields) field = trimmed(field);
-  return quoted ? std::vector<std::string>() : fields;
-}
-
-/// Semicolons where one stands outside quotation marks.
-char separator_in(const std::string& line)
-{
-  return fields_of(line, ';').size() > 1 ? ';' : ',';
-}
-
-bool is_digit(char c)
-{
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The number that a field is; empty where it is none.
-std::optional<Real> number_of(const std::string& field)
-{
-  const bool plus = field.size() > 1 && field[0] == '+' && (is_digit(field[1]) || field[1] == '.');
-  const char *first = field.data() + (plus ? 1 : 0), *last = field.data() + field.size();
-  Real number = 0;
-  const auto [rest, error] = std::from_chars(first, last, number);
-  if (error != std::errc() || rest != last || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
-/// A number with a decimal comma as it is written with a point; "" where a field is none.
-std::string with_point(std::string field)
-{
-  const std::size_t comma = field.find(',');
-  if (comma == std::string::npos) return "";
-  field[comma] = '.';
-  return number_of(field) ? field : "";
-}
 
 std::string without_capitals(std::string text)
 {
@@ -114,28 +61,38 @@ public:
 
   void read()
   {
-    std::istringstream lines(text_);
-    std::string line;
-    for (number_ = 1; std::getline(lines, line); ++number_) {
-      constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-      if (number_ == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
-      if (number_ == 1 && (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")))
-        refuse("is text in UTF-16: save it as CSV in UTF-8");
-      if (line.find_first_not_of(" \t\r,;\"") == std::string::npos || line[0] == '#') continue;
-      if (!begun_) separator_ = separator_in(line);
-      const std::vector<std::string> fields = fields_of(line, separator_);
-      if (fields.empty()) refuse("a quotation mark is not closed");
+    for_each_line([&](const std::vector<std::string>& fields) {
+      for (const std::string& field : fields) commas_.see(field);
+    });
+    for_each_line([&](std::vector<std::string> fields) {
+      for (std::string& field : fields) field = commas_.with_point(field);
       if (!begun_ && !begins_row(fields.front()))
         read_header(fields);
       else
         read_row(fields);
       begun_ = true;
-    }
+    });
     if (rows_ < 2)
       throw InputError(fmt::format("{}: has {} of numbers: it needs two at least", file_, rows_ == 0 ? "no line" : "one line"));
   }
 
 private:
+  /// Gives the fields of each line that counts.
+  template <class Take>
+  void for_each_line(const Take& take)
+  {
+    std::istringstream lines(text_);
+    std::string line;
+    bool first = true;
+    for (number_ = 1; std::getline(lines, line); ++number_) {
+      if (line.find_first_not_of(" \t\r,;\"") == std::string::npos || line[0] == '#' || (first && says_separator(line))) continue;
+      if (first) separator_ = separator_of(line);
+      first = false;
+      if (!closes_its_quotes(line)) refuse("a quotation mark is not closed");
+      take(fields_of(line, separator_));
+    }
+  }
+
   [[noreturn]] void refuse(const std::string& why) const { throw InputError(fmt::format("{}:{}: {}", file_, number_, why)); }
 
   const std::string& name_of(std::size_t k) const { return form_.columns[k].name; }
@@ -230,11 +187,10 @@ private:
              (separator_ == ',' && fields.size() > count ? "; a comma stands between numbers: write decimals with a point" : ""));
     std::vector<Real> numbers;
     for (std::size_t n = 0; n < count; ++n) {
-      const std::optional<Real> number = number_of(fields[n]);
+      const std::optional<Real> number = number_in(fields[n]);
       const std::string column = headers_.empty() ? fmt::format("{}", n + 1) : in_quotes(headers_[n]);
-      if (const std::string point = with_point(fields[n]); !point.empty())
-        refuse(
-            fmt::format("{} in column {} has a decimal comma: write {}, and a point in all numbers", in_quotes(fields[n]), column, point));
+      if (const std::string fault = fault_of_commas(fields[n]); !number && !fault.empty())
+        refuse(fmt::format("{} in column {} {}", in_quotes(fields[n]), column, fault));
       if (!number) refuse(fmt::format("{} in column {} is no finite number", in_quotes(fields[n]), column));
       numbers.push_back(*number);
     }
@@ -258,6 +214,7 @@ private:
   std::vector<std::string> headers_;  ///< as they are written; empty where the file has none
   std::vector<std::size_t> columns_;  ///< in the order of the file, without the first
   std::vector<Real> scales_;          ///< to SI: of the first column, then of each other
+  DecimalCommas commas_;
   char separator_ = ',';
   int number_ = 0, rows_ = 0;
   bool begun_ = false;
@@ -268,7 +225,7 @@ private:
 void read_table(const std::string& key, const std::filesystem::path& file, const TableForm& form, const TakeRow& take_row)
 {
   constexpr std::uintmax_t max_bytes = 100'000'000;
-  const FileBytes found = read_file(file, max_bytes);
+  const FileBytes found = read_text(file, max_bytes);
   if (!found.fault.empty()) throw KeyError(fmt::format("{}: {}: {}", key, file.string(), found.fault));
   TableFile(file, found.bytes, form, take_row).read();
 }

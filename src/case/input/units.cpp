@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "input/text_table.hpp"
 
 #include <charconv>
 #include <cstring>
@@ -137,6 +138,13 @@ struct Written {
   std::string unit;
 };
 
+/// The digits that a quantity begins with, with commas, points and blanks between them.
+std::string digits_of(const std::string& quantity)
+{
+  const std::string begin = quantity.substr(0, quantity.find_first_not_of("+-0123456789., "));
+  return begin.substr(0, begin.find_last_not_of("., ") + 1);
+}
+
 [[noreturn]] void refuse_text(const std::string& text, const std::string& why, const std::string& wanted_words)
 {
   throw UnitError(fmt::format("{} {}; expected {}", in_quotes(text), why, wanted_words));
@@ -144,7 +152,7 @@ struct Written {
 
 Written taken_apart(const std::string& text, const std::string& wanted_words)
 {
-  const std::string whole = trimmed(text);
+  const std::string whole = trimmed(with_plain_blanks(text));
   const char *first = whole.data() + (whole.starts_with("+") ? 1 : 0), *last = whole.data() + whole.size();
   Real number = 0;
   const auto [end, problem] = std::from_chars(first, last, number);
@@ -152,7 +160,8 @@ Written taken_apart(const std::string& text, const std::string& wanted_words)
     refuse_text(text, "does not begin with a number", wanted_words);
   if (problem != std::errc{} || !std::isfinite(number)) refuse_text(text, "is not a finite number", wanted_words);
   const std::string name = trimmed(std::string(end, last));
-  if (name.starts_with(",")) refuse_text(text, "has a decimal comma where a point should be", wanted_words);
+  if (const std::string fault = fault_of_commas(digits_of(whole)); !fault.empty()) refuse_text(text, fault, wanted_words);
+  if (name.starts_with(",")) refuse_text(text, "has a comma where a point should be", wanted_words);
   return {number, name};
 }
 

@@ -3,7 +3,7 @@
 #include "mesh/line_reader.hpp"
 
 #include "core/error.hpp"
-#include "core/read_file.hpp"
+#include "core/text_file.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -45,8 +45,7 @@ Lines::Lines(const std::filesystem::path& path) : name_(path.string())
   FileBytes found = read_file(path, max_bytes);
   if (!found.fault.empty()) throw InputError(fmt::format("{}: {}", name_, found.fault));
   content_ = std::move(found.bytes);
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (content_.starts_with(byte_order_mark)) place_ = byte_order_mark.size();
+  place_ = begin_of_text(content_);
 }
 
 bool Lines::next()

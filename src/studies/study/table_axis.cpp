@@ -3,8 +3,9 @@
 
 #include "core/control_characters.hpp"
 #include "core/error.hpp"
-#include "core/read_file.hpp"
+#include "core/text_file.hpp"
 #include "input/message_text.hpp"
+#include "input/text_table.hpp"
 #include "input/units.hpp"
 #include "run_folder/csv_line.hpp"
 
@@ -32,14 +33,11 @@ public:
   explicit TableLines(const fs::path& file) : file_(file)
   {
     constexpr std::uintmax_t max_bytes = 10'000'000;
-    FileBytes found = read_file(file, max_bytes);
+    FileBytes found = read_text(file, max_bytes);
     if (!found.fault.empty()) throw InputError(one_line(fmt::format("{}: {}", file.string(), found.fault)));
     text_ = std::move(found.bytes);
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // written by spreadsheets
-    if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
     if (!text_.empty() && text_.back() != '\n') text_ += '\n';
-    if (text_.find('\0') != std::string::npos) refuse("holds a NUL byte: this is no text file; save it as CSV in UTF-8");
-    std::size_t begin = at_;
+    std::size_t begin = 0;
     while (begin < text_.size() && text_[begin] == '#') begin = text_.find('\n', begin) + 1;
     const std::string first = text_.substr(begin, text_.find('\n', begin) - begin);
     if (first.find(',') == std::string::npos && first.find(';') != std::string::npos) separator_ = ';';
@@ -57,7 +55,7 @@ public:
       }
       if (!run_folder::next_csv_line(text_, at_, fields, separator_)) refuse("a quote is not closed");
       for (std::string& field : fields) {
-        field = trimmed(field);
+        field = trimmed(input::with_plain_blanks(field));
         if (has_control_character(field))
           refuse(
               fmt::format("{} holds a control character; fields are separated by commas, or all by semicolons", input::in_quotes(field)));

@@ -195,26 +195,37 @@ TEST_F(LoadHistory, is_read_as_spreadsheets_and_programs_write_it)
   EXPECT_EQ(read("+0.000E+00,+0.000E+00\n+0.100E+00,+1.000E+00\n+1.000E+00,+1.000E+00\n").load_times, (std::vector<Real>{0, 0.1, 1}))
       << "a row of numbers, and no header";
   EXPECT_EQ(read("\"time_s\",\"factor\"\n\"0\",\"1\"\n\"2\",\"3\"\n").load_factors, (std::vector<Real>{1, 3}));
-  for (const char* word : {"+nan", "+inf", "++1", "+-1", "+", "1.0.0", "1e", "0x10", "1 000"})
+  for (const char* word : {"+nan", "+inf", "++1", "+-1", "+", "1.0.0", "1e", "0x10"})
     EXPECT_NE(
         refusal(std::string("0,1\n1,") + word + "\n").find(std::string("storm.csv:2: \"") + word + "\" in column 2 is no finite number"),
         std::string::npos)
         << word;
   EXPECT_NE(refusal("nan,1\n1,2\n").find("storm.csv:1: \"nan\" in column 1 is no finite number"), std::string::npos);
-  EXPECT_NE(refusal("\xFF\xFEt\n").find("storm.csv:1: is text in UTF-16: save it as CSV in UTF-8"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n1,1 000\n").find("storm.csv:2: \"1 000\" in column 2 has blanks between thousands: write 1000"),
+            std::string::npos);
+  EXPECT_NE(refusal("\xFF\xFEt\n").find("storm.csv: is text in UTF-16: save it as text in UTF-8"), std::string::npos);
+  EXPECT_EQ(read("# Sturm, S\xFC\x64\r0,1\r2,-3\r").load_factors, (std::vector<Real>{1, -3})) << "Latin-1, lines that end with CR";
+  EXPECT_EQ(read("0,1\n2,\u22123\n").load_factors, (std::vector<Real>{1, -3})) << "the minus sign of typesetting";
+  EXPECT_EQ(read("sep=\t\ntime_s\tfactor\n0\t1\n2\t3\n").load_factors, (std::vector<Real>{1, 3}));
   EXPECT_NE(refusal("0,1\n\"1,2\n").find("storm.csv:2: a quotation mark is not closed"), std::string::npos);
 }
 
-TEST_F(LoadHistory, with_decimal_commas_is_refused_with_what_to_write)
+TEST_F(LoadHistory, may_have_decimal_commas)
+{
+  EXPECT_EQ(read("time_s;factor\n0;1\n0,5;-1,5E+3\n").load_factors, (std::vector<Real>{1, -1500}));
+  EXPECT_EQ(read("0,0;1,5\n0,5;2\n").load_times, (std::vector<Real>{0, 0.5}));
+  EXPECT_EQ(read("\"0,5\",\"1,500\"\n\"1,500\",\"2,000\"\n").load_times, (std::vector<Real>{0.5, 1.5})) << "as 0,5 has one";
+}
+
+TEST_F(LoadHistory, with_commas_that_may_mean_something_else_is_refused_with_what_to_write)
 {
   const auto says = [&](const std::string& text, const std::string& words) {
     EXPECT_NE(refusal(text, false).find(words), std::string::npos) << refusal(text, false);
   };
-  says("time_s;H_N_m\n0;1\n0,5;2\n",
-       "storm.csv:3: \"0,5\" in column \"time_s\" has a decimal comma: write 0.5, and a point in all numbers");
-  says("time_s;H_N_m\n0;1\n1;-1,5E+3\n", "storm.csv:3: \"-1,5E+3\" in column \"H_N_m\" has a decimal comma: write -1.5E+3");
-  says("0,0;1,5\n0,5;2\n", "storm.csv:1: \"0,0\" in column 1 has a decimal comma: write 0.0");
-  says("\"0,5\",\"1,5\"\n", "storm.csv:1: \"0,5\" in column 1 has a decimal comma: write 0.5");
+  says("time_s;H_N_m\n0;1.5\n0,5;2\n", "storm.csv:3: \"0,5\" in column \"time_s\" has a decimal comma: write 0.5");
+  says("time_s;H_N_m\n0;1,000\n1;2\n",
+       "storm.csv:2: \"1,000\" in column \"H_N_m\" is 1000 if its comma stands between thousands, and 1.000 if it is a decimal comma");
+  says("time_s;H_N_m\n0;1,000,000.5\n1;2\n", "has commas between thousands: write 1000000.5");
   says("time_s,H_N_m\n0,0,1,5\n",
        "storm.csv:2: needs 2 numbers, one for each column, and has 4; a comma stands between numbers: write decimals "
        "with a point");
