@@ -3,6 +3,7 @@
 #include "benchmark/benchmark.hpp"
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 
 namespace berm::commands {
 
@@ -14,7 +15,7 @@ Command add_bench(CLI::App& program)
   };
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("bench", "measure the speed on fixed problems");
-  app->add_option("NAME", options->names, "problems (default: all)")->check(CLI::IsMember(benchmark::bench_names()));
+  app->add_option("NAME", options->names, "problems (default: all)")->check(one_of(benchmark::bench_names()));
   app->add_option("--json", options->json, "also write the table to this file");
   options->take_threads(*app);
   return {app, [options] {

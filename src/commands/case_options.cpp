@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/run_test.cpp
 #include "commands/case_options.hpp"
+#include "commands/option_values.hpp"
 
 #include "core/error.hpp"
 #include "core/ranks.hpp"
@@ -62,12 +63,14 @@ void CaseOptions::take_stdin(CLI::App& command)
 
 void CaseOptions::take_threads(CLI::App& command)
 {
-  command.add_option("--threads", threads, "threads to use (default: OMP_NUM_THREADS, else all processors)")->check(CLI::Range(1, 1024));
+  command.add_option("--threads", threads, "threads to use (default: OMP_NUM_THREADS, else all processors)")
+      ->check(whole_number_within(1, 1024));
 }
 
 void CaseOptions::take_jobs(CLI::App& command)
 {
-  command.add_option("--threads", threads, "runs at a time, each on one thread (default: all processors)")->check(CLI::Range(1, 1024));
+  command.add_option("--threads", threads, "runs at a time, each on one thread (default: all processors)")
+      ->check(whole_number_within(1, 1024));
 }
 
 int CaseOptions::jobs() const
@@ -120,7 +123,7 @@ void CaseOptions::take_runner(CLI::App& command)
       "--runner", runner_words,
       "what runs the cases: slurm, or a command with {jobs}, the file of one command a line (default: processes on this machine)");
   command.add_option("--sbatch", sbatch, "options for sbatch: \"--partition=long --time=8:00:00\"");
-  command.add_option("--pack", pack, "runs a task of Slurm (default: 1)")->check(CLI::Range(1, 1000000));
+  command.add_option("--pack", pack, "runs a task of Slurm (default: 1)")->check(whole_number_within(1, 1000000));
   command.add_flag("--no-wait", no_wait, "hand the runs over and end; the same command collects their results later");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/manual_test.cpp
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 
@@ -13,7 +14,7 @@ Command add_completion(CLI::App& program)
 {
   const auto shell = std::make_shared<std::string>();
   CLI::App* app = program.add_subcommand("completion", "print the script that completes berm's commands in a shell");
-  app->add_option("SHELL", *shell, "the shell: source <(berm completion bash)")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  app->add_option("SHELL", *shell, "the shell: source <(berm completion bash)")->required()->check(one_of({"bash", "zsh", "fish"}));
   return {app, [shell, &program] {
             fmt::print("{}", *shell == "bash"  ? bash_completion(program)
                              : *shell == "zsh" ? zsh_completion(program)

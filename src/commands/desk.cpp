@@ -4,6 +4,7 @@
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/child_process.hpp"
 #include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
@@ -39,9 +40,9 @@ Command add_desk(CLI::App& program)
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("desk", "work on the cases and runs of a folder in a browser of this machine");
   app->add_option("FOLDER", options->folder, "the folder; nothing outside of it is shown or written (default: here)");
-  app->add_option("--port", options->port, "port of 127.0.0.1 (default: one that is free)")->check(CLI::Range(1, 65535));
+  app->add_option("--port", options->port, "port of 127.0.0.1 (default: one that is free)")->check(whole_number_within(1, 65535));
   app->add_option("--threads", options->threads, "threads of all runs together; more wait (default: all processors)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number_within(1, 1024));
   app->add_flag("--no-browser", options->no_browser, "print the address and open no browser");
   return {app, [options] {
             messages_to_stderr();

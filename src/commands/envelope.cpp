@@ -4,6 +4,7 @@
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "structures/structures.hpp"
@@ -26,10 +27,11 @@ Command add_envelope(CLI::App& program)
   app->add_option("-o,--output", options->output, "folder for the envelope and its runs (default: out/envelope/CASE)");
   app->add_option("--points", options->how.directions,
                   "directions between straight down and 45 degrees upwards, of a footing between straight down and sideways (default: 10)")
-      ->check(CLI::Range(2, 50));
+      ->check(whole_number_within(2, 50));
   app->add_option("--turns", options->how.turns, "of a footing: directions with rotation, and swipes with it (default: 5; 0: V-H only)")
-      ->check(CLI::Range(0, 50));
-  app->add_option("--travel", options->how.travel, "travel of each probe over the diameter (default: 0.1)")->check(CLI::Range(1e-3, 1.));
+      ->check(whole_number_within(0, 50));
+  app->add_option("--travel", options->how.travel, "travel of each probe over the diameter (default: 0.1)")
+      ->check(number_within({1e-3, 1}));
   return {app, [options] {
             catch_interrupts();
             messages_to_stderr();

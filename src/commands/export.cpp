@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/export_test.cpp
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "springs/line_formats.hpp"
@@ -114,7 +115,7 @@ Command add_export(CLI::App& program)
     }
   };
   list(springs::formats), list(springs::line_formats);
-  app->add_option("--to", options->format, words + " (default: table)")->check(CLI::IsMember(names));
+  app->add_option("--to", options->format, words + " (default: table)")->check(one_of(names));
   app->add_option("--state", options->selection.state,
                   "state of the pipe: touchdown, laid, flooded, emptied, operation, after_DRAG (default: operation, else touchdown)");
   app->add_option("--travels", options->selection.travels, "drags, with commas between them (default: those in that state)")

@@ -2,6 +2,7 @@
 // Tests: tests/unit/macro_element_fit/files_test.cpp
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/error.hpp"
 #include "macro_element_fit/files.hpp"
 
@@ -23,7 +24,7 @@ Command add_macro_element(CLI::App& program)
   app->add_option("--check", options->check, "runs that it is compared with and not fitted to");
   app->add_option("--axial-friction", options->axial_friction,
                   "friction coefficient along the pipe (default: that of the runs' contact, the tangent of its friction angle)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_within(not_negative));
   app->add_option("-o,--output", options->output, "folder for the files (default: out/macro_element)");
   return {app, [options] {
             messages_to_stderr();

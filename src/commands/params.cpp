@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "element/element_settings.hpp"
 #include "expectations/expectation.hpp"
 #include "input/catalogue.hpp"
@@ -52,7 +53,7 @@ Command add_params(CLI::App& program)
   CLI::Option* markdown = app->add_flag("--markdown", options->markdown, "as Markdown");
   app->add_option("--json-schema", options->schema_of,
                   "as JSON Schema (draft 4), for editors: of a case, element tests, a study, or expected.toml")
-      ->check(CLI::IsMember({"case", "element", "study", "expected"}))
+      ->check(one_of({"case", "element", "study", "expected"}))
       ->excludes(markdown);
   return {app, [options] { return options->schema_of.empty() ? print_list(options->markdown) : print_schema(options->schema_of); }};
 }

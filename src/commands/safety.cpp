@@ -2,6 +2,7 @@
 // Tests: tests/unit/safety/find_safety_test.cpp
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "safety/find_safety.hpp"
@@ -34,11 +35,11 @@ Command add_safety(CLI::App& program)
   options->take_jobs(*app);
   options->take_runner(*app);
   app->add_option("-o,--output", options->output, "folder for the answer and its trials (default: out/safety/CASE)");
-  const CLI::Range factors(safety::min_factor, safety::max_factor);
+  const CLI::Validator factors = number_within({safety::min_factor, safety::max_factor});
   app->add_option("--low", options->how.low, "factor where the search begins (default: 1)")->check(factors);
   app->add_option("--high", options->how.high, "and where it begins from above (default: 2)")->check(factors);
   app->add_option("--tolerance", options->how.tolerance, "how near the two factors of the answer come to each other (default: 0.01)")
-      ->check(CLI::Range(safety::smallest_tolerance, 0.5));
+      ->check(number_within({safety::smallest_tolerance, 0.5}));
   return {app, [options] {
             catch_interrupts();
             messages_to_stderr();
