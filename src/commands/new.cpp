@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/new_test.cpp
+#include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "site/sounding.hpp"
@@ -12,6 +14,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <spdlog/spdlog.h>
 
 namespace berm::commands {
 namespace {
@@ -19,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct NewOptions {
-  std::string kind, file, size = "normal", soil, cpt, location;
-  start::CptChoice choice;
+  std::string kind, file, size = "normal", soil, cpt, location, phi;
+  std::optional<Real> N_kt;
   bool soils = false, json = false;
 };
 
@@ -81,12 +85,38 @@ nlohmann::ordered_json soils_as_json()
   return all;
 }
 
+const std::vector<std::pair<std::string, site::Correlation>> correlations = {
+    {"kulhawy-mayne", site::Correlation::kulhawy_mayne}, {"robertson-campanella", site::Correlation::robertson_campanella}};
+
+std::vector<std::string> names_of_correlations()
+{
+  std::vector<std::string> all;
+  for (const auto& [name, correlation] : correlations) all.push_back(name);
+  return all;
+}
+
+/// The case with the strength of a sounding; says which of its rows count, and what is doubted.
+std::string with_sounding(const NewOptions& options, const start::Kind& kind, const std::string& text)
+{
+  start::CptChoice choice = {options.N_kt, {}};
+  for (const auto& [name, correlation] : correlations)
+    if (name == options.phi) choice.correlation = correlation;
+  const site::Sounding sounding = site::read_sounding(options.cpt, options.location);
+  start::CptCase written = start::with_cpt(kind, text, sounding, choice);
+  fmt::print("{}; {}\n", site::rows_of(sounding), sounding.corrected);
+  for (const std::string& doubt : written.doubts) spdlog::warn("{}: {}", sounding.file, doubt);
+  return std::move(written.text);
+}
+
 void write_case(const NewOptions& options)
 {
   const start::Kind& kind = start::kind_called(options.kind);
+  for (const auto& [given, option] :
+       {std::pair(!options.location.empty(), "--location"), {!options.phi.empty(), "--phi"}, {options.N_kt.has_value(), "--n-kt"}})
+    if (given && options.cpt.empty()) throw InputError(fmt::format("{} goes with --cpt FILE", option));
   std::string text = start::at_size(kind, options.size);
   if (!options.soil.empty()) text = start::with_soil(kind, text, options.soil);
-  if (!options.cpt.empty()) text = start::with_cpt(kind, text, site::read_sounding(options.cpt, options.location), options.choice);
+  if (!options.cpt.empty()) text = with_sounding(options, kind, text);
   const fs::path path = options.file.empty() ? fs::path(kind.name + ".toml") : fs::path(options.file);
   if (fs::exists(fs::symlink_status(path))) throw InputError(fmt::format("{} is there already: name another file", path.string()));
   io::write_atomically(path, schema_line() + text);
@@ -97,6 +127,7 @@ void write_case(const NewOptions& options)
 /// Writes a case, or lists what there is where none is named.
 int act(const NewOptions& options)
 {
+  messages_to_stderr();
   if (!options.kind.empty() && (options.soils || options.json))
     throw InputError("berm new KIND writes a case: --soils and --json list what there is, without a KIND");
   if (!options.kind.empty())
@@ -129,11 +160,9 @@ Command add_new(CLI::App& program)
   app->add_option("--cpt", options->cpt, "strength from a cone penetration test: a file of AGS 4 (.ags), GEF (.gef) or a table (.csv)")
       ->type_name("FILE");
   app->add_option("--location", options->location, "which sounding of an AGS file, LOCA_ID or LOCA_ID/SCPG_TESN");
-  app->add_option("--n-kt", options->choice.N_kt, "cone factor of clay, s_u = (q_t - sigma_v0) / N_kt (default: 14)")
-      ->check(CLI::Range(5.0, 30.0));
-  app->add_option("--phi", options->choice.correlation, "correlation of sand (default: kulhawy-mayne)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, site::Correlation>{
-          {"kulhawy-mayne", site::Correlation::kulhawy_mayne}, {"robertson-campanella", site::Correlation::robertson_campanella}}));
+  app->add_option("--n-kt", options->N_kt, "cone factor of clay, s_u = (q_t - sigma_v0) / N_kt (default: 14)")
+      ->check(number_within({start::least_N_kt, start::most_N_kt}));
+  app->add_option("--phi", options->phi, "correlation of sand (default: kulhawy-mayne)")->check(one_of(names_of_correlations()));
   app->add_flag("--soils", options->soils, "list the soils that have names, with their sources");
   app->add_flag("--json", options->json, "list as JSON");
   return {app, [options] { return act(*options); }};

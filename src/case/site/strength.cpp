@@ -6,12 +6,22 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace berm::site {
 namespace {
 
-constexpr Real gamma_w = 9810, p_a = 100e3, degree = std::numbers::pi / 180;
+constexpr Real least_friction_angle = 25 * degree;
+
+/// Layers without strength, of all, beyond which the sounding is none of this kind of soil, or its zero or unit is wrong.
+constexpr Real most_without = 0.25;
+
+void refuse_many(const Sounding& sounding, const StrengthProfile& profile, std::size_t layers, const std::string& why)
+{
+  if (static_cast<Real>(profile.without.size()) <= most_without * static_cast<Real>(layers) && profile.without.size() < layers) return;
+  const Layer& first = profile.without.front();
+  throw InputError(fmt::format("{}: at a depth of {:.2f} m the cone resistance is {:.1f} kPa, {} ({} of {} layers)", sounding.file,
+                               first.middle, first.q_t / 1000, why, profile.without.size(), layers));
+}
 
 Real friction_of(const Layer& layer, Real submerged_unit_weight, Correlation correlation)
 {
@@ -46,45 +56,51 @@ std::vector<Layer> layers_of(const Sounding& sounding)
   return layers;
 }
 
-std::vector<Strength> undrained_strength(const Sounding& sounding, Real submerged_unit_weight, Real N_kt)
+StrengthProfile undrained_strength(const Sounding& sounding, Real submerged_unit_weight, Real N_kt)
 {
-  std::vector<Strength> all;
-  for (const Layer& layer : layers_of(sounding)) {
+  StrengthProfile profile;
+  const std::vector<Layer> layers = layers_of(sounding);
+  for (const Layer& layer : layers) {
     const Real s_u = (layer.q_t - (submerged_unit_weight + gamma_w) * layer.middle) / N_kt;
-    if (s_u <= 0)
-      throw InputError(fmt::format("{}: at a depth of {:.2f} m the cone resistance is {:.1f} kPa, no more than the weight above: clay has "
-                                   "no strength there. Is its zero that at the seabed?",
-                                   sounding.file, layer.middle, layer.q_t / 1000));
-    all.push_back({layer.top, layer.middle, s_u});
+    if (s_u > 0)
+      profile.strength.push_back({layer.top, layer.middle, s_u});
+    else
+      profile.without.push_back(layer);
   }
-  return all;
+  refuse_many(sounding, profile, layers.size(),
+              "no more than the weight above: clay has no strength there. Is its unit right, and its zero that at the seabed?");
+  return profile;
 }
 
-std::vector<Strength> friction_angle(const Sounding& sounding, Real submerged_unit_weight, Correlation correlation)
+StrengthProfile friction_angle(const Sounding& sounding, Real submerged_unit_weight, Correlation correlation)
 {
-  std::vector<Strength> all;
+  StrengthProfile profile;
   Real low = 0, high = 0;
   std::size_t together = 0;
-  for (const Layer& layer : layers_of(sounding)) {
-    const Real phi = layer.middle > 0 && layer.q_t > 0 ? std::min(friction_of(layer, submerged_unit_weight, correlation), 45 * degree) : 0;
-    if (!(phi >= 25 * degree))
-      throw InputError(fmt::format("{}: at a depth of {:.2f} m the cone resistance of {:.0f} kPa is that of no sand, as the angle of "
-                                   "friction would be less than 25 deg: begin with a kind in clay",
-                                   sounding.file, layer.middle, layer.q_t / 1000));
+  const std::vector<Layer> layers = layers_of(sounding);
+  for (const Layer& layer : layers) {
+    const Real phi =
+        layer.middle > 0 && layer.q_t > 0 ? std::min(friction_of(layer, submerged_unit_weight, correlation), most_friction_angle) : 0;
+    if (!(phi >= least_friction_angle)) {
+      profile.without.push_back(layer);
+      continue;
+    }
     low = together > 0 ? std::min(low, phi) : phi;
     high = together > 0 ? std::max(high, phi) : phi;
     if (together > 0 && high - low <= 2 * degree) {
-      Strength& last = all.back();
+      Strength& last = profile.strength.back();
       const auto n = static_cast<Real>(together);
       last = {last.top, (n * last.middle + layer.middle) / (n + 1), (n * last.value + phi) / (n + 1)};
       ++together;
     } else {
-      all.push_back({layer.top, layer.middle, phi});
+      profile.strength.push_back({layer.top, layer.middle, phi});
       low = high = phi;
       together = 1;
     }
   }
-  return all;
+  refuse_many(sounding, profile, layers.size(),
+              "that of no sand, as the angle of friction would be less than 25 deg: begin with a kind in clay, unless its unit is wrong");
+  return profile;
 }
 
 }  // namespace berm::site

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `berm new`, from outside.
+#include "core/types.hpp"
 #include "samples/program.hpp"
 
+#include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -89,13 +92,38 @@ TEST_F(New, lists_kinds_and_soils_as_json)
     EXPECT_TRUE(std::any_of(soils.begin(), soils.end(), [&](const auto& one) { return one["soil"] == soil; })) << soil;
 }
 
-TEST_F(New, writes_the_strength_of_a_sounding)
+TEST_F(New, writes_the_strength_of_a_sounding_and_says_what_counts_and_what_is_doubted)
 {
-  folder_.write("cpt.csv", "depth_m,q_c_MPa\n0.05,0.1\n0.15,0.12\n0.25,0.14\n");
+  folder_.write("cpt.csv", "depth_m,q_c_MPa\n0.05,0.1\n0.15,0.12\n0.15,0.13\n0.25,0.14\n");
   const Ended written = berm({"new", "pipe-in-clay", "case.toml", "--cpt", "cpt.csv", "--n-kt", "12"});
   ASSERT_EQ(written.status, 0) << written.err;
+  EXPECT_NE(written.out.find("cpt.csv: 3 of 4 rows, 0.05 to 0.25 m; left out: 1 no deeper than a row before; q_c for q_t: the file does "
+                             "not say u_2 and the area ratio of the cone\n"),
+            std::string::npos)
+      << written.out;
+  EXPECT_NE(written.err.find("warning: cpt.csv: 1 of 4 rows are left out"), std::string::npos) << written.err;
+  EXPECT_NE(written.err.find("warning: cpt.csv: the sounding ends at 0.25 m"), std::string::npos) << written.err;
   EXPECT_NE(folder_.read("case.toml").find("N_kt = 12"), std::string::npos);
   EXPECT_EQ(doubts(folder_.path(), {"case.toml"}), "");
+}
+
+TEST_F(New, writes_cases_of_soundings_in_clay_and_sand_that_check_takes_without_a_doubt)
+{
+  std::string clay = "depth_m,q_t_kPa\n", sand = clay;
+  for (int n = 1; n <= 60; ++n) {
+    const Real z = 0.1 * n;
+    clay += fmt::format("{:.2f},{:.1f}\n", z, 14 * (2 + 1.5 * z) + 15.81 * z);
+    sand += fmt::format("{:.2f},{:.1f}\n", z, 4000 * std::sqrt(z));
+  }
+  folder_.write("clay.csv", clay);
+  folder_.write("sand.csv", sand);
+  std::vector<std::string> files;
+  for (const auto& [kind, cpt] : {std::pair("pipe-in-clay", "clay.csv"), {"lateral-buckle", "clay.csv"}, {"pipe-in-sand", "sand.csv"}}) {
+    files.push_back(std::string(kind) + ".toml");
+    const Ended written = berm({"new", kind, "--size", "quick", "--cpt", cpt});
+    ASSERT_EQ(written.status, 0) << written.err;
+  }
+  EXPECT_EQ(doubts(folder_.path(), files), "");
 }
 
 TEST_F(New, refuses_a_size_a_soil_and_a_sounding_that_do_not_fit)
@@ -105,6 +133,8 @@ TEST_F(New, refuses_a_size_a_soil_and_a_sounding_that_do_not_fit)
            {{"--soil", "calcareous"}, "pipe-in-clay takes no soil \"calcareous\""},
            {{"--cpt", "none.csv"}, "none.csv: there is no such file"},
            {{"--cpt", "none.txt"}, "AGS 4 (.ags), GEF (.gef) or a table (.csv)"},
+           {{"--location", "P7"}, "--location goes with --cpt FILE"},
+           {{"--n-kt", "12"}, "--n-kt goes with --cpt FILE"},
            {{"--json"}, "without a KIND"}}) {
     std::vector<std::string> all = {"new", "pipe-in-clay"};
     all.insert(all.end(), arguments.begin(), arguments.end());

@@ -6,6 +6,7 @@
 #include "samples/error_of.hpp"
 #include "samples/temporary_folder.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace berm::site::this_file {
@@ -78,11 +79,11 @@ void expect_near(const std::vector<Real>& found, const std::vector<Real>& expect
 TEST_F(Soundings, of_ags_are_corrected_by_the_area_ratio_of_their_cone)
 {
   const Sounding one = read("site.ags", ags, "CPT1/1");
-  expect_near(one.depth, {0.02, 0.06});
-  expect_near(one.q_t, {102e3, 306e3});  // q_c + 0.2 u_2
-  expect_near(one.f_s, {2e3, 6e3});
-  expect_near(one.u_2, {10e3, 30e3});
-  EXPECT_EQ(one.left_out, 1);
+  expect_near(one.depth, {0.02, 0.04, 0.06});
+  expect_near(one.q_t, {102e3, 204e3, 306e3});  // q_c + 0.2 u_2, also where f_s is void
+  EXPECT_EQ(one.f_s[0], 2e3);
+  EXPECT_TRUE(std::isnan(one.f_s[1]));
+  EXPECT_TRUE(one.left_out.empty());
   EXPECT_EQ(one.corrected, "q_t = q_c + (1 - 0.8) u_2");
   const Sounding other = read("site.ags", ags, "CPT2/1");
   expect_near(other.q_t, {1e6, 2e6});  // without its area ratio
@@ -100,7 +101,8 @@ TEST_F(Soundings, of_gef_have_their_columns_by_quantity_and_no_void_rows)
   expect_near(one.depth, {0.02, 0.06});
   expect_near(one.q_t, {1.01e6, 3.01e6});  // q_c + 0.25 u_2
   expect_near(one.f_s, {10e3, 30e3});
-  EXPECT_EQ(one.left_out, 1);
+  EXPECT_NE(rows_of(one).find("cpt.GEF: 2 of 3 rows, 0.02 to 0.06 m; left out: 1 without a cone resistance"), std::string::npos)
+      << rows_of(one);
 }
 
 TEST_F(Soundings, of_gef_may_have_separators_and_a_corrected_depth)
@@ -139,24 +141,27 @@ TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
     const char *name, *text, *said;
   } wrong[] = {
       {"a.csv", "depth_m,q_c_s\n0,1\n1,2\n", "a.csv:1: column \"q_c_s\": \"s\" is no unit of the cone resistance q_c, which is a pressure"},
-      {"a.csv", "depth,q_c_MPa\n0,1\n1,2\n", "a.csv:1: column \"depth\" says no unit"},
+      {"a.csv", "depth,q_c_MPa\n0,1\n1,2\n", "a.csv:1: column \"depth\" says no unit of the depth"},
       {"a.csv", "depth_m,q_c_MPa\n0,1\n1,x\n", "a.csv:3: column \"q_c_MPa\": \"x\" is no number"},
       {"a.csv", "depth_m,q_c_MPa\n0,1\n1\n", "a.csv:3: has 1 values, and 2 columns were named"},
-      {"a.csv", "depth_m,q_c_MPa\n1,1\n1,2\n", "a.csv:3: column \"depth_m\": 1 m comes after 1 m"},
-      {"a.csv", "depth_m,q_c_MPa\n-1,1\n1,2\n", "a.csv:2: column \"depth_m\": a depth of -1 m lies above the seabed"},
-      {"a.csv", "depth_m,q_c_MPa\n1,1\n", "a.csv: has 1 rows with all values"},
+      {"a.csv", "depth_m,q_c_MPa\n1,1\n1,2\n",
+       "a.csv: 1 of 2 rows, 1.00 to 1.00 m; left out: 1 no deeper than a row before, and two are needed"},
+      {"a.csv", "depth_m,q_c_MPa\n-1,1\n1,2\n",
+       "left out: 1 above the seabed, and two are needed at least: depths are positive below the seabed"},
+      {"a.csv", "depth_m,q_c_MPa\n1,1\n", "a.csv: 1 of 1 rows"},
+      {"a.csv", "depth_m,q_c_MPa\n1,\n2,\n", "a.csv: has no column of the cone resistance, q_c or q_t, with a value"},
       {"a.csv", "depth_m,f_s_MPa\n1,1\n2,1\n", "a.csv: has no column of the cone resistance"},
       {"a.csv", "depth_m,q_c_MPa,qc_kPa\n1,1,1\n2,1,1\n",
        "a.csv:1: column \"qc_kPa\" is the cone resistance q_c, as column \"q_c_MPa\" is"},
       {"a.csv", "# area_ratio = 80 %\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: \"80 %\" is no number"},
       {"a.csv", "# area_ratio = 80\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: the area ratio of a cone is above 0 and at most 1"},
-      {"a.csv", "# area_ratio =\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: \"\" is no number"},
       {"a.csv", "# area_ratio = 0.8\n# area_ratio = 0.7\ndepth_m,q_c_MPa\n", "a.csv:2: area_ratio stands in the file twice"},
       {"a.gef", "#MEASUREMENTVAR= 3, 15, cm2, area\n#EOH=\n1 1\n", "a.gef:1: #MEASUREMENTVAR 3: the area ratio of a cone is above 0"},
       {"a.ags", "\"DATA\",\"x\"\n", "a.ags:1: begins with \"DATA\""},
       {"a.ags", "\"GROUP\",\"LOCA\"\n\"HEADING\",\"LOCA_ID\"\n\"DATA\",\"a\",\"b\"\n", "a.ags:3: has 2 values, and the group 1 headings"},
       {"a.ags", "\"GROUP\",\"LOCA\"\n", "a.ags: has no group SCPT"},
-      {"a.gef", "#GEFID= 1\n0.1 1\n", "a.gef:2: a line of the header is #KEY= VALUE"},
+      {"a.ags", "\"GROUP\",\"SCPT\"\n\"HEADING\",\"SCPT_RES\"\n", "a.ags: the group SCPT has no line DATA"},
+      {"a.gef", "#GEFID= 1\n0.1 1\n", "a.gef: has no line #EOH="},
       {"a.gef", "#GEFID= 1\n", "a.gef: has no line #EOH="},
       {"a.gef", "#REPORTCODE= GEF-BORE-Report\n#EOH=\n", "a.gef:1: #REPORTCODE is \"GEF-BORE-Report\""},
       {"a.gef", "#COLUMNINFO= 1, m, depth\n#EOH=\n", "a.gef:1: #COLUMNINFO has 3 values, and 4 are needed"},
@@ -171,9 +176,9 @@ TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
 TEST_F(Soundings, tell_the_mean_friction_ratio)
 {
   Sounding one;
-  one.depth = {1, 2};
-  one.q_t = {115.81e3, 131.62e3};
-  one.f_s = {2e3, 4e3};
+  one.depth = {1, 2, 3};
+  one.q_t = {115.81e3, 131.62e3, 147.43e3};
+  one.f_s = {2e3, 4e3, nan};
   EXPECT_NEAR(friction_ratio(one, 6000), 0.03, 1e-12);
 }
 

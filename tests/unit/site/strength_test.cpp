@@ -37,17 +37,28 @@ TEST(Strength, is_of_means_over_layers_that_grow_with_depth)
 
 TEST(Strength, of_clay_is_the_net_cone_resistance_over_N_kt)
 {
-  const std::vector<Strength> s_u = undrained_strength(made({1, 2}, {155.81e3, 171.62e3}), 6000, 14);
+  const std::vector<Strength> s_u = undrained_strength(made({1, 2}, {155.81e3, 171.62e3}), 6000, 14).strength;
   ASSERT_EQ(s_u.size(), 2u);
   EXPECT_NEAR(s_u[0].value, 10e3, 1e-6);
   EXPECT_NEAR(s_u[1].value, 10e3, 1e-6);
+}
+
+TEST(Strength, of_a_layer_without_any_is_left_out_and_of_many_refused)
+{
+  const StrengthProfile one = undrained_strength(made({0, 1, 2, 3}, {-12e3, 155.81e3, 171.62e3, 187.43e3}), 6000, 14);
+  ASSERT_EQ(one.without.size(), 1u);
+  EXPECT_EQ(one.without[0].middle, 0);
+  ASSERT_EQ(one.strength.size(), 3u);
+  EXPECT_NEAR(one.strength[0].value, 10e3, 1e-6);
   EXPECT_THROW(undrained_strength(made({1, 2}, {155e3, 30e3}), 6000, 14), InputError);
+  const StrengthProfile sand = friction_angle(made({0, 10, 10.01, 12, 14}, {0, 10e6, 10e6, 10e6, 10e6}), 10e3, Correlation::kulhawy_mayne);
+  EXPECT_EQ(sand.without.size(), 1u);
 }
 
 TEST(Strength, of_sand_by_kulhawy_and_mayne)
 {
   // q_t / p_a = 100, sigma'_v0 / p_a = 1: 17.6 + 22 = 39.6 deg.
-  const std::vector<Strength> phi = friction_angle(made({10, 10.01}, {10e6, 10e6}), 10e3, Correlation::kulhawy_mayne);
+  const std::vector<Strength> phi = friction_angle(made({10, 10.01}, {10e6, 10e6}), 10e3, Correlation::kulhawy_mayne).strength;
   ASSERT_EQ(phi.size(), 1u);
   EXPECT_NEAR(phi[0].value / degree, 39.6, 0.01);
 }
@@ -55,14 +66,14 @@ TEST(Strength, of_sand_by_kulhawy_and_mayne)
 TEST(Strength, of_sand_by_robertson_and_campanella)
 {
   // q_t / sigma'_v0 = 100: tan phi = 2.29 / 2.68.
-  const std::vector<Strength> phi = friction_angle(made({10, 10.01}, {10e6, 10e6}), 10e3, Correlation::robertson_campanella);
+  const std::vector<Strength> phi = friction_angle(made({10, 10.01}, {10e6, 10e6}), 10e3, Correlation::robertson_campanella).strength;
   EXPECT_NEAR(std::tan(phi[0].value), 2.29 / 2.68, 1e-3);
 }
 
 TEST(Strength, of_sand_puts_layers_together_that_differ_by_two_degrees_at_most_and_ends_at_45_degrees)
 {
   const std::vector<Strength> phi =
-      friction_angle(made({10, 11, 12.1, 13.4}, {10e6, 11e6, 200e6, 200e6}), 10e3, Correlation::kulhawy_mayne);
+      friction_angle(made({10, 11, 12.1, 13.4}, {10e6, 11e6, 200e6, 200e6}), 10e3, Correlation::kulhawy_mayne).strength;
   ASSERT_EQ(phi.size(), 2u);
   EXPECT_NEAR(phi[1].value / degree, 45, 1e-9);
 }
