@@ -51,10 +51,30 @@ enum { IMPLICIT_INTEGRATION = 2 };
 
 /* Of one data item. Each of the three has its own: all go the same way and have the same state. */
 typedef struct {
+  unsigned long long of; /* the parameters that it belongs to: parameters_now() */
   double length, seabed, heading, origin[2];
   int placed;                          /* whether origin is known, where the node was first */
   berm_macro_element_state done, tried; /* at the end of the last time step; of the last call */
 } soil;
+
+/* A number for the fitted parameters (FNV-1a): a state that was stored with others is none of this library. */
+static unsigned long long parameters_now(void)
+{
+  const unsigned char* bytes = (const unsigned char*)&berm_macro_element_fitted;
+  unsigned long long number = 14695981039346656037ull;
+  size_t k;
+  for (k = 0; k < sizeof berm_macro_element_fitted; ++k) number = (number ^ bytes[k]) * 1099511628211ull;
+  return number;
+}
+
+/* The parameters of the load, from their text. */
+static int read_parameters(const char* text, soil* s, double* embedment, double* V)
+{
+  double* const values[5] = {&s->length, &s->seabed, &s->heading, embedment, V};
+  int k;
+  for (k = 0; k < 5 && text != NULL; ++k) text = berm_macro_element_read_number(text, values[k]);
+  return text != NULL;
+}
 
 static double force_on(soil* s, const external_function* info, int direction)
 {
@@ -85,15 +105,20 @@ static void call(external_function* info, int direction)
       info->lpData = s = (soil*)calloc(1, sizeof *s);
       info->UpdateDuringStatics = 1;
       info->Value = NAN;
-      if (s == NULL || info->lpObjectParameters == NULL ||
-          sscanf(info->lpObjectParameters, "%lf %lf %lf %lf %lf", &s->length, &s->seabed, &s->heading, &embedment, &V) != 5)
-        break;
+      if (s == NULL || !read_parameters(info->lpObjectParameters, s, &embedment, &V)) break;
+      s->of = parameters_now();
       s->heading *= atan(1) / 45;
       d[2] = embedment;
       if (berm_macro_element_start(&berm_macro_element_fitted, d, V, &s->done) != 0) break;
       s->tried = s->done;
+      if (info->lpStateData != NULL) {
+        if (info->LengthOfStateData != (int)sizeof *s || memcmp(info->lpStateData, &s->of, sizeof s->of) != 0) {
+          memset(s, 0, sizeof *s); /* forces are no numbers then, and OrcaFlex stops */
+          break;
+        }
+        memcpy(s, info->lpStateData, sizeof *s);
+      }
       info->Value = direction == 2 ? s->length / 1000 * V : 0;
-      if (info->lpStateData != NULL && info->LengthOfStateData == (int)sizeof *s) memcpy(s, info->lpStateData, sizeof *s);
       break;
     case CALCULATE:
       info->Value = s == NULL ? NAN : force_on(s, info, direction);

@@ -43,6 +43,7 @@ int main(void)
 {
   double u[3] = {0}, svars[19] = {0}, tried[19], du[3], r[3], load[3], zero[3] = {0}, wild[3] = {0, 1e9, 0};
   int step, k, i, most = 0;
+  take_locale();
   call(zero, svars, 1);
   CHECK_NEAR(rhs[2], props[0] * props[2], 1e-6); /* the soil carries what acted at the start */
   CHECK(svars[18] == 1);

@@ -17,12 +17,22 @@ static void displacement_at(int k, double d[3])
   d[2] = 0.1 * D + 0.02 * D * sin(0.011 * k);
 }
 
+/* A master that solves for the start asks for outputs in initialization mode: they are those at its end. */
 static instance begin(const char* token, const char* resources, double start[3], double V)
 {
   const instance c = make(token, resources);
-  if (c == NULL) fprintf(stderr, "no instance of FMI %d\n", version), exit(1);
-  CHECK(set(c, inputs, 3, start) == OK && set(c, V_start, 1, &V) == OK);
-  CHECK(enter(c) == OK && ((simple*)function("ExitInitializationMode"))(c) == OK);
+  const double less = 0.5 * V, nowhere[3] = {0, 0, NAN}, seed[3] = {1, 1, 1};
+  double F[3], end[3];
+  if (c == NULL) fprintf(stderr, "no instance of FMI %d: %s\n", version, said), exit(1);
+  CHECK(set(c, inputs, 3, start) == OK && set(c, V_start, 1, &less) == OK && enter(c) == OK);
+  CHECK(get(c, outputs, 3, F) == OK);
+  CHECK_NEAR(F[2], less, 1e-9 * V);
+  CHECK(set(c, V_start, 1, &V) == OK && get(c, outputs, 3, F) == OK);
+  CHECK_NEAR(F[2], V, 1e-9 * V);
+  logged = 0;
+  CHECK(set(c, inputs, 3, nowhere) == OK && get(c, outputs, 3, end) == ERROR && derive(c, outputs, 3, inputs, 3, seed, end) == ERROR && logged == 2);
+  CHECK(set(c, inputs, 3, start) == OK && ((simple*)function("ExitInitializationMode"))(c) == OK);
+  CHECK(get(c, outputs, 3, end) == OK && memcmp(F, end, sizeof F) == 0);
   return c;
 }
 
@@ -86,6 +96,12 @@ static void run(const char* token, const char* resources)
     ((void (*)(instance))function("FreeInstance"))(other);
   }
   CHECK(((state_to*)function(of_state("FreeFMUstate", "FreeFMUState")))(c, &saved) == OK && saved == NULL);
+
+  /* Of a unit with another token. */
+  logged = 0;
+  bytes[0] ^= 1;
+  CHECK(((state_of_bytes*)function(of_state("DeSerializeFMUstate", "DeserializeFMUState")))(c, bytes, size, &read) == ERROR);
+  CHECK(read == NULL && logged == 1 && strstr(said, "another FMU") != NULL);
   free(bytes);
 
   /* Errors are told, and nothing changes. */
@@ -103,6 +119,7 @@ static void run(const char* token, const char* resources)
 
 int main(int argc, char** argv)
 {
+  take_locale();
   for (version = 2; version <= 3 && argc == 7; ++version) {
     char** arguments = argv + 1 + 3 * (version - 2);
     library = dlopen(arguments[0], RTLD_NOW | RTLD_LOCAL);

@@ -66,11 +66,12 @@ int main(void)
   void* stored[3];
   int k, i;
   (void)seabed;
+  take_locale();
   position[2] = seabed + D / 2 - 0.04;
   memcpy(begin, position, sizeof begin);
   RegisterCapabilities(&capabilities);
   CHECK(capabilities == 2);
-  for (k = 0; k < 3; ++k) items[k].lpObjectParameters = "3 -100 30 0.04 700";
+  for (k = 0; k < 3; ++k) items[k].lpObjectParameters = "3 -100.0 30 0.04 7e2";
   act(0, NULL, 0, force);
   CHECK(force[0] == 0 && force[1] == 0 && items[0].UpdateDuringStatics);
   CHECK_NEAR(force[2], L * V / 1000, 1e-12);
@@ -103,7 +104,27 @@ int main(void)
   position[0] += 0.003;
   act(2, position, 1, force);
   act(1, NULL, 0, NULL);
-  for (k = 0; k < 3; ++k) items[k].lpStateData = stored[k];
+  /* A state of other parameters, and one that was cut, are none. */
+  for (k = 0; k < 3; ++k) {
+    items[k].lpStateData = stored[k];
+    ((char*)stored[k])[0] ^= 1;
+  }
+  act(0, NULL, 0, NULL);
+  act(2, position, 1, again);
+  CHECK(again[0] != again[0] && again[2] != again[2]);
+  act(1, NULL, 0, NULL);
+  for (k = 0; k < 3; ++k) {
+    ((char*)stored[k])[0] ^= 1;
+    --items[k].LengthOfStateData;
+  }
+  act(0, NULL, 0, NULL);
+  act(2, position, 1, again);
+  CHECK(again[0] != again[0]);
+  act(1, NULL, 0, NULL);
+  for (k = 0; k < 3; ++k) {
+    items[k].lpStateData = stored[k];
+    ++items[k].LengthOfStateData;
+  }
   act(0, NULL, 0, NULL);
   act(2, position, 1, again);
   CHECK(memcmp(force, again, sizeof force) == 0);
@@ -115,6 +136,10 @@ int main(void)
   }
   act(0, NULL, 0, force);
   CHECK(force[0] != force[0]); /* no number: OrcaFlex stops */
+  act(1, NULL, 0, NULL);
+  for (k = 0; k < 3; ++k) items[k].lpObjectParameters = "3 -100 30 0,04 700"; /* whatever the locale */
+  act(0, NULL, 0, force);
+  CHECK(force[0] != force[0]);
   act(1, NULL, 0, NULL);
   return failures == 0 ? 0 : 1;
 }

@@ -37,6 +37,13 @@ static void set_path(char to[45], const char* path)
   memcpy(to, path, strlen(path));
 }
 
+static void write_line(const char* name, const char* line)
+{
+  FILE* file = fopen(name, "w");
+  fputs(line, file);
+  fclose(file);
+}
+
 static int start(const char* path)
 {
   static const double nowhere[6];
@@ -213,6 +220,7 @@ static void check_errors(void)
   double wrong[6] = {0};
   CHECK(!start("./nowhere.txt") && now.error_code[0] == 101);
   CHECK(!start("./twice.txt") && now.errors == 2 && now.error_code[0] == 102 && now.error_code[1] == 1017);
+  CHECK(!start("./comma.txt") && now.errors == 2 && now.error_code[0] == 102 && now.error_code[1] == 1001);
   CHECK(!start("./short.txt") && now.errors == 1 && now.error_code[0] == 102);
   CHECK(!start("./negative.txt") && now.errors == 1 && now.error_code[0] == 103);
   call(&now, 2, wrong);
@@ -314,7 +322,9 @@ int main(int argc, char** argv)
     write_properties("sticks.txt", 0.1, 0, "");
     write_properties("twice.txt", 0, 0, "b1 0.5\n");
     write_properties("negative.txt", -0.1, 0, "");
-    fclose(fopen("short.txt", "w"));
+    write_line("short.txt", "");
+    write_line("comma.txt", "b1 0,7\n");
+    take_locale(); /* after what this program writes */
     check_elastic();
     check_paths();
     check_hardening();

@@ -26,6 +26,7 @@ int main(int argc, char** argv)
   berm_slice *slice = NULL, *kept = NULL, *other = NULL;
   berm_slice_state laid, moved;
   double force[3], same[3], impulse, again;
+  take_locale();
   if (argc != 3) return 1;
   CHECK(berm_slice_open("no_such.toml", 0, NULL, &slice) == BERM_SLICE_INPUT);
   CHECK(strstr(berm_slice_message(), "no_such.toml") != NULL);

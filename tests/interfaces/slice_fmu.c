@@ -71,10 +71,12 @@ static void open_unit(const char* folder)
 static instance begin(void)
 {
   const instance c = make(token, version == 2 ? uri : resources);
+  double outset[5], laid[5];
   if (c == NULL) fprintf(stderr, "no instance of FMI %d: %s\n", version, said), exit(1);
   CHECK(step(c, 1.5, dt) == ERROR);
-  CHECK(set(c, inputs, 2, velocity) == OK && enter(c) == OK);
+  CHECK(set(c, inputs, 2, velocity) == OK && enter(c) == OK && get(c, outputs, 5, outset) == OK && step(c, 1.5, dt) == ERROR);
   if (((simple*)function("ExitInitializationMode"))(c) != OK) fprintf(stderr, "%s\n", said), exit(1);
+  CHECK(get(c, outputs, 5, laid) == OK && memcmp(outset, laid, sizeof laid) == 0); /* in initialization mode as at its end */
   return c;
 }
 
@@ -198,7 +200,10 @@ int main(int argc, char** argv)
       CHECK(make(token, resources) == NULL && strstr(said, "libberm") != NULL);
       continue;
     }
-    if (row_count == 0) read_history(argv[1]);
+    if (row_count == 0) {
+      read_history(argv[1]);
+      take_locale(); /* after what this program reads */
+    }
     as_the_run();
     goes_back();
   }

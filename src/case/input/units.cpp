@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <limits>
+#include <locale.h>
 #include <memory>
 #include <udunits2.h>
 
@@ -49,9 +50,26 @@ struct Free {
 };
 using Unit = std::unique_ptr<ut_unit, Free>;
 
+/// UDUNITS-2 reads numbers, those of its own table too, with the decimal sign of the locale: of a program that loads berm this may be a comma.
+class WithDecimalPoint {
+public:
+  WithDecimalPoint() : plain_(::newlocale(LC_ALL_MASK, "C", nullptr)), before_(::uselocale(plain_)) {}
+  ~WithDecimalPoint()
+  {
+    ::uselocale(before_);
+    ::freelocale(plain_);
+  }
+  WithDecimalPoint(const WithDecimalPoint&) = delete;
+  WithDecimalPoint& operator=(const WithDecimalPoint&) = delete;
+
+private:
+  locale_t plain_, before_;
+};
+
 ut_system* unit_system()
 {
   static ut_system* const system = [] {
+    const WithDecimalPoint here;
     ut_set_error_message_handler(ut_ignore);
     ut_system* read = ut_read_xml(nullptr);
     if (read == nullptr) throw RunError("the table of units of UDUNITS-2 cannot be read; is the package libudunits2-data installed?");
@@ -66,6 +84,7 @@ Unit parse_unit(const std::string& text)
 {
   bool ascii = true;
   for (const char c : text) ascii = ascii && static_cast<unsigned char>(c) < 0x80;
+  const WithDecimalPoint here;
   return Unit(ut_parse(unit_system(), text.c_str(), ascii ? UT_ASCII : UT_UTF8));
 }
 

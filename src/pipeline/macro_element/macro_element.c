@@ -3,7 +3,9 @@
 #include "macro_element.h"
 
 #include <float.h>
+#include <locale.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A number with its derivatives by the displacement of the step. */
@@ -594,4 +596,20 @@ int berm_macro_element_step(const berm_macro_element_parameters* p, const berm_m
     if (K != NULL) memcpy(K[k], force->d, sizeof force->d);
   }
   return BERM_MACRO_ELEMENT_OK;
+}
+
+/* strtod obeys the locale that the program has set: it gets that one's decimal sign. */
+const char* berm_macro_element_read_number(const char* text, double* value)
+{
+  const char* sign = localeconv()->decimal_point;
+  const size_t blanks = strspn(text, " \t\r\n"), length = strcspn(text + blanks, " \t\r\n");
+  const char *begin = text + blanks, *point = (const char*)memchr(begin, '.', length);
+  const size_t before = point == NULL ? length : (size_t)(point - begin);
+  char own[100], *end = own;
+  if (length == 0 || length + strlen(sign) >= sizeof own || strspn(begin, "+-.0123456789eE") < length) return NULL;
+  memset(own, 0, sizeof own);
+  memcpy(own, begin, before);
+  if (point != NULL) strncat(strcpy(own + before, sign), point + 1, length - before - 1);
+  *value = strtod(own, &end);
+  return *end == 0 ? begin + length : NULL;
 }

@@ -107,6 +107,9 @@ int berm_macro_element_start(const berm_macro_element_parameters* p, const doubl
 int berm_macro_element_step(const berm_macro_element_parameters* p, const berm_macro_element_state* before, const double displacement[3],
                             berm_macro_element_state* after, double F[3], double K[3][3]);
 
+/* A number in a text, with a point whatever decimal sign the program's locale has. Gives where the text goes on; NULL where there is no such number. */
+const char* berm_macro_element_read_number(const char* text, double* value);
+
 /* Fitted to runs; macro_element.json has how well. */
 extern const berm_macro_element_parameters berm_macro_element_fitted;
 

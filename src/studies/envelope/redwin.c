@@ -12,8 +12,10 @@
    Flow is associated where the footing sinks; where it would rise V stays elastic. It parts from the soil at V = -tension V0, and has no tension then.
 
    Each call is one implicit step from what StVar holds to Disp. Nothing is kept outside of Props and StVar. */
+#include <locale.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { PATH_LETTERS = 45, SIGNATURE = 20261127 };
@@ -217,10 +219,24 @@ static int in_range(const double* p)
   return p[K_HM] * p[K_HM] < p[K_H] * p[K_M] && fabs(p[CROSS]) < 1 && p[TENSION] >= 0 && p[TENSION] < 1 && p[B1] <= 1 && p[B2] <= 1 && p[HARDENING] >= 0;
 }
 
+/* Whether a word is a number, with a point: strtod obeys the locale that the program has set, and gets that one's decimal sign. */
+static int read_number(const char* word, double* value)
+{
+  const char *sign = localeconv()->decimal_point, *point = strchr(word, '.');
+  const size_t before = point == NULL ? strlen(word) : (size_t)(point - word);
+  char own[300], *end;
+  if (strlen(word) + strlen(sign) >= sizeof own || word[strspn(word, "+-.0123456789eE")] != 0) return 0;
+  memcpy(own, word, before);
+  own[before] = 0;
+  if (point != NULL) strcat(strcat(own, sign), point + 1);
+  *value = strtod(own, &end);
+  return end != own && *end == 0;
+}
+
 /* Lines of a name and a number; # begins a comment. Gives an error, and the line that it is about. */
 static int read_properties(const char* path, double* p, int* line)
 {
-  char text[256], name[64], more;
+  char text[256], name[64], number[256], more;
   int seen[PROPERTIES] = {0}, k;
   FILE* file = fopen(path, "r");
   if (file == NULL) return NO_FILE;
@@ -229,10 +245,10 @@ static int read_properties(const char* path, double* p, int* line)
     int found;
     if (strchr(text, '\n') == NULL && !feof(file)) break;
     text[strcspn(text, "#\n\r")] = 0;
-    found = sscanf(text, "%63s %lf %c", name, &value, &more);
+    found = sscanf(text, "%63s %255s %c", name, number, &more);
     if (found <= 0) continue;
     for (k = 0; k < PROPERTIES && strcmp(name, names[k]) != 0; ++k) {}
-    if (found != 2 || k == PROPERTIES || seen[k]) break;
+    if (found != 2 || k == PROPERTIES || seen[k] || !read_number(number, &value)) break;
     seen[k] = 1;
     p[k] = value;
   }

@@ -37,7 +37,8 @@ int model_initialize(model* m);
 int model_step(model* m, double time, double dt);
 /* As it was created. */
 void model_reset(model* m);
-int model_get(const model* m, const unsigned int* variables, size_t n, double* values);
+/* Outputs before initialization ends are those that it would end with. */
+int model_get(model* m, const unsigned int* variables, size_t n, double* values);
 int model_set(model* m, const unsigned int* variables, size_t n, const double* values);
 int model_derive(const model* m, const unsigned int* unknowns, size_t n_unknowns, const unsigned int* knowns, size_t n_knowns, const double* seed, double* result);
 /* All that changes: kept in *saved, which is NULL or was kept before, and put back. */

@@ -2,7 +2,7 @@
 /* A slice of soil that the material point method computes, as the model of a functional mock-up unit (fmi.h): berm/slice.h, of a libberm that the loader finds. C99, with fmi.c.
 
    Inputs v_u, v_w are the velocity of the pipe in the next step; H, V are the mean forces in the last one, u, w and contact_mass those of its end. resources/case.toml is laid
-   when initialization ends, up to the stage that resources/unit.txt names behind the token. All that changes is in `changing`. */
+   when initialization ends, or before, where outputs are asked for, up to the stage that resources/unit.txt names behind the token. All that changes is in `changing`. */
 #include "fmi.h"
 
 #include <berm/slice.h>
@@ -16,7 +16,8 @@ enum { TIME, INPUT, OUTPUT = INPUT + 2, VARIABLES = OUTPUT + 5 };
 enum { TOKEN_LETTERS = 64, STAGE_LETTERS = 255 };
 
 typedef struct {
-  berm_slice* slice; /* NULL before the end of initialization */
+  berm_slice* slice; /* NULL before it is laid */
+  int initialized;
   double time, input[2], output[5];
 } changing;
 
@@ -108,12 +109,12 @@ static int look(model* m, const double force[2], const berm_slice_state* state)
   return FMI_OK;
 }
 
-int model_initialize(model* m)
+/* As the case has it, once: inputs drive the first step. */
+static int lay(model* m)
 {
   berm_slice_state state;
   berm_slice* slice = NULL;
-  m->close(m->now.slice);
-  m->now.slice = NULL;
+  if (m->now.slice != NULL) return FMI_OK;
   if (m->open(m->case_file, 0, NULL, &slice) != BERM_SLICE_OK || m->lay(slice, m->stage) != BERM_SLICE_OK || m->look(slice, &state) != BERM_SLICE_OK) {
     fmi_fail(m->teller, m->message());
     m->close(slice);
@@ -123,23 +124,31 @@ int model_initialize(model* m)
   return look(m, state.force, &state);
 }
 
+int model_initialize(model* m)
+{
+  if (lay(m) != FMI_OK) return FMI_ERROR;
+  m->now.initialized = 1;
+  return FMI_OK;
+}
+
 int model_step(model* m, double time, double dt)
 {
   const double velocity[3] = {m->now.input[0], -m->now.input[1], NAN};
   double force[3];
   berm_slice_state state;
-  if (m->now.slice == NULL) return fmi_fail(m->teller, "a step before the end of initialization");
+  if (!m->now.initialized) return fmi_fail(m->teller, "a step before the end of initialization");
   if (m->step(m->now.slice, velocity, dt, force) != BERM_SLICE_OK || m->look(m->now.slice, &state) != BERM_SLICE_OK) return fmi_fail(m->teller, m->message());
   m->now.time = time + dt;
   return look(m, force, &state);
 }
 
-int model_get(const model* m, const unsigned int* variables, size_t n, double* values)
+int model_get(model* m, const unsigned int* variables, size_t n, double* values)
 {
   size_t k;
   for (k = 0; k < n; ++k) {
     const unsigned int v = variables[k];
     if (v >= VARIABLES) return fmi_fail(m->teller, "there is no such variable");
+    if (v >= OUTPUT && lay(m) != FMI_OK) return FMI_ERROR;
     values[k] = v == TIME ? m->now.time : v < OUTPUT ? m->now.input[v - INPUT] : m->now.output[v - OUTPUT];
   }
   return FMI_OK;

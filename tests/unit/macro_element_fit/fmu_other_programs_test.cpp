@@ -37,13 +37,15 @@ protected:
   {
     return std::system(fmt::format("cd '{}' && {}", folder_.path().string(), command).c_str());
   }
-  /// Compiles a driver with the code, and with what lies in examples/macro_element, and runs it. The two that are compared round alike.
+  /// Compiles a driver with the code, and with what lies in examples/macro_element, and runs it, also where the host has a decimal comma. The two
+  /// that are compared round alike.
   int drive(const std::string& name, const std::string& more, const std::string& arguments) const
   {
     return shell(fmt::format("cc -std=c99 -D_GNU_SOURCE -Wall -Wextra -Werror -O2 -ffp-contract=off -I. '{0}/tests/interfaces/{1}.c' {2} "
-                             "macro_element.c -o {1} -ldl -lm && ./{1} {3}",
+                             "macro_element.c -o {1} -ldl -lm && ./{1} {3} && env {4} ./{1} {3}",
                              BERM_SOURCE_DIR, name,
-                             more.empty() ? "" : fmt::format("'{}/examples/macro_element/{}'", BERM_SOURCE_DIR, more), arguments));
+                             more.empty() ? "" : fmt::format("'{}/examples/macro_element/{}'", BERM_SOURCE_DIR, more), arguments,
+                             BERM_COMMA_LOCALE));
   }
 
   io::ScratchFolder folder_;

@@ -8,8 +8,8 @@
 #include "structures/driven/results/states.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <regex>
 
 namespace berm::driven {
@@ -85,7 +85,10 @@ std::string without_number(const std::string& name)
   static const std::regex with_number("V_at_w_([0-9.]{1,20})D(_over_gammaD2)?");
   std::smatch parts;
   if (!std::regex_match(name, parts, with_number)) return name;
-  const Real number = std::round(std::strtod(parts.str(1).c_str(), nullptr) / push_spacing) * push_spacing;
+  const std::string digits = parts.str(1);
+  Real read = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), read);
+  const Real number = std::round(read / push_spacing) * push_spacing;
   const bool is_taken = number > 0 && name == name_at("V_at_w", number) + parts.str(2);
   return is_taken ? "V_at_w_#D" + parts.str(2) : name;
 }
