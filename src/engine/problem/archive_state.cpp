@@ -163,11 +163,13 @@ void archive_earthworks(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t w = 0; w < state.earthworks.size(); ++w)
     k.table(model.earthworks[w].name, [&] {
       EarthworkState<dim>& work = state.earthworks[w];
-      static_assert(sizeof(work) == (5 + dim) * sizeof(Real));
+      static_assert(sizeof(work) == (6 + dim) * sizeof(Real));
       k("lifts", work.lifts);
+      k("first", work.first);
       k("particles", work.particles);
       k("volume", work.volume);
       k("mass", work.mass);
+      k("room", work.room);
       k("momentum", work.momentum);
       k("kinetic", work.kinetic);
       if (work.lifts < 0 || work.lifts > model.earthworks[w].lifts) k.refuse(fmt::format("there is no lift {}", work.lifts));

@@ -4,7 +4,7 @@
 
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
-#include "problem/model.hpp"
+#include "problem/fill_room.hpp"
 #include "problem/names.hpp"
 
 #include <algorithm>
@@ -12,11 +12,6 @@
 
 namespace berm::problem {
 namespace {
-
-/// Between two levels, m.
-struct Slab {
-  Real bottom, top;
-};
 
 /// Of the lifts from `first` to before `end`.
 template <int dim>
@@ -35,28 +30,6 @@ Index lifts_due(const Earthwork<dim>& work, const State<dim>& state)
   return passed < work.lifts ? 1 + static_cast<Index>(passed) : work.lifts;
 }
 
-template <int dim>
-bool is_within(const Earthwork<dim>& work, const Slab& slab, const Vec<dim>& x)
-{
-  if (x[1] < slab.bottom || x[1] > slab.top) return false;
-  if (dim == 3 && (x[dim - 1] < work.z_range[0] || x[dim - 1] > work.z_range[1])) return false;
-  return surface_at(work.area, x).distance <= 0;
-}
-
-/// Whether the box around a cell has a part in the slab of the box around the area.
-template <int dim>
-bool comes_near(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, Index cell)
-{
-  Real left = infinity, right = -infinity;
-  for (const Vec<2>& corner : work.corners) left = std::min(left, corner[0]), right = std::max(right, corner[0]);
-  Vec<dim> lower = Vec<dim>::Constant(infinity), upper = -lower;
-  for (const Index node : model.mesh.nodes[cell]) {
-    lower = lower.cwiseMin(model.mesh.position[node]);
-    upper = upper.cwiseMax(model.mesh.position[node]);
-  }
-  return lower[0] <= right && upper[0] >= left && lower[1] <= slab.top && upper[1] >= slab.bottom;
-}
-
 /// The highest level of the area at x, m.
 template <int dim>
 Real top_at(const Earthwork<dim>& work, Real x)
@@ -72,12 +45,11 @@ Real top_at(const Earthwork<dim>& work, Real x)
 
 /// Points of a cell where particles of a fill would be, but for what is there already.
 template <int dim>
-std::vector<Vec<dim>> points_in(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, Index cell,
-                                const bodies::CellPoints<dim>& points)
+std::vector<Vec<dim>> points_in(const WorkRegion<dim>& region, Index cell, const bodies::CellPoints<dim>& points)
 {
   std::vector<Vec<dim>> inside;
   for (int k = 0; k < points.count(); ++k)
-    if (const Vec<dim> x = points.at(model.mesh, cell, k); is_within(work, slab, x)) inside.push_back(x);
+    if (const Vec<dim> x = points.at(region.model.mesh, cell, k); region.holds(x)) inside.push_back(x);
   return inside;
 }
 
@@ -118,81 +90,17 @@ template <int dim>
 std::vector<InCell<dim>> take_out(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, bodies::Particles<dim>& particles)
 {
   std::vector<InCell<dim>> done;
+  const WorkRegion<dim> region{model, work, slab};
   const std::vector<Index> cells = particles.occupied();
   for (const Index cell : cells) {
     if (!comes_near(model, work, slab, cell)) continue;
     InCell<dim> here{cell};
     for (Index index = particles.count_in(cell); index-- > 0;)
-      if (is_within(work, slab, particles.read_at(cell, index).x)) here.add(particles.take(cell, index));
+      if (region.holds(particles.read_at(cell, index).x)) here.add(particles.take(cell, index));
     if (here.particles > 0) done.push_back(here);
   }
   return gathered(done);
 }
-
-/// A particle that is there already.
-template <int dim>
-struct Neighbour {
-  Index cell;
-  Vec<dim> x;
-  Real section;  ///< m2, in space m3
-};
-
-/// The particles of all bodies, of all ranks, in and around the cells where a fill may come; by cell.
-template <int dim>
-class SoilAround {
-public:
-  SoilAround(const Model<dim>& model, const State<dim>& state, const Earthwork<dim>& work, const Slab& slab) : mesh_(model.mesh)
-  {
-    auto near = NodeField<std::uint8_t>::zeros(mesh_.node_count());
-    for (Index cell = 0; cell < mesh_.cell_count(); ++cell)
-      if (comes_near(model, work, slab, cell))
-        for (const Index node : mesh_.nodes[cell]) near[node] = 1;
-    std::vector<Neighbour<dim>> own;
-    for (const bodies::Particles<dim>& particles : state.particles)
-      for (const Index cell : particles.occupied()) {
-        const auto& nodes = mesh_.nodes[cell];
-        if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return near[node] != 0; })) continue;
-        for (Index index = 0; index < particles.count_in(cell); ++index) {
-          const bodies::Particle<dim> p = particles.read_at(cell, index);
-          own.push_back({cell, p.x, section_of(mesh_.metric, p.volume, p.x)});
-        }
-      }
-    Ranks::of_run().gather(own, all_);
-    std::stable_sort(all_.begin(), all_.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; });
-  }
-
-  /// Whether a particle of this section finds room at a point of a cell: three quarters of the width of the wider of the two from all others, where less than nine
-  /// tenths of the cells around are filled.
-  bool has_room(Index cell, const Vec<dim>& x, Real section) const
-  {
-    constexpr Real apart = 0.75, full = 0.9;
-    const mesh::Shape<dim> shape = mesh_.shape(cell);
-    Real filled = 0;
-    for (int k = 0; k <= dim; ++k) {
-      Real taken = 0, whole = 0;
-      const Index node = mesh_.nodes[cell][k];
-      for (Index e = mesh_.first_entry[node]; e < mesh_.first_entry[node + 1]; ++e) {
-        const Index around = mesh_.entries[e] / (dim + 1);
-        whole += mesh_.section(around);
-        for (auto p = first_in(around); p != all_.end() && p->cell == around; ++p) {
-          if ((p->x - x).norm() < apart * std::pow(std::max(section, p->section), 1. / dim)) return false;
-          taken += p->section;
-        }
-      }
-      filled += shape.value(k, x) * taken / whole;
-    }
-    return filled < full;
-  }
-
-private:
-  auto first_in(Index cell) const
-  {
-    return std::lower_bound(all_.begin(), all_.end(), cell, [](const Neighbour<dim>& p, Index wanted) { return p.cell < wanted; });
-  }
-
-  const mesh::Mesh<dim>& mesh_;
-  std::vector<Neighbour<dim>> all_;
-};
 
 /// A particle of a fill, without a number.
 template <int dim>
@@ -217,35 +125,50 @@ bodies::Particle<dim> particle_at(const Model<dim>& model, const Earthwork<dim>&
   return p;
 }
 
+/// By which the particles that were found are to be larger so that a lift has its volume; 0: there is next to no room. Within a hundredth they stay as they are; at most twice as large.
+Real growth_of(Real wanted, Real found)
+{
+  constexpr Real a_hundredth = 0.01, least = 0.1, most = 2;
+  if (wanted < least * found) return 0;
+  return std::abs(wanted - found) <= a_hundredth * found ? 1 : std::min(wanted / found, most);
+}
+
 template <int dim>
-std::vector<InCell<dim>> place(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, State<dim>& state)
+std::vector<InCell<dim>> place(const Model<dim>& model, const Earthwork<dim>& work, const Slab& slab, State<dim>& state,
+                               EarthworkState<dim>& so_far)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   bodies::Particles<dim>& particles = state.particles[work.body];
-  std::vector<bodies::RigidShape<dim>> holes;
-  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) holes.push_back(placed(model.rigid_bodies[r], state.rigid_bodies[r]));
+  if (so_far.lifts == 0) so_far.first = state.numbered[work.body];
+  WorkRegion<dim> lift{model, work, slab};
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) lift.holes.push_back(placed(model.rigid_bodies[r], state.rigid_bodies[r]));
+  WorkRegion<dim> up_to_it = lift;
+  up_to_it.slab.bottom = work.bottom;
   const auto points = points_of_regions(work);
-  const SoilAround<dim> around(model, state, work, slab);
+  const SoilAround<dim> around(state, up_to_it, so_far.first);
   std::vector<InCell<dim>> done;
   std::vector<std::pair<Index, bodies::Particle<dim>>> made;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     if (!Ranks::of_run().owns_cell(cell) || !comes_near(model, work, slab, cell)) continue;
     const auto& of_cell = points[mesh.region[cell]];
     const Real section = mesh.section(cell) / of_cell.count();
-    std::vector<Vec<dim>> free = points_in(model, work, slab, cell, of_cell);
-    std::erase_if(free, [&](const Vec<dim>& x) {
-      return !around.has_room(cell, x, section) ||
-             std::any_of(holes.begin(), holes.end(), [&](const auto& hole) { return surface_at(hole, x).distance < 0; });
-    });
     InCell<dim> here{cell};
-    for (const Vec<dim>& x : free) {
+    for (const Vec<dim>& x : points_in(lift, cell, of_cell)) {
+      if (!around.has_room(cell, x, section)) continue;
       made.emplace_back(cell, particle_at(model, work, slab, x, section));
       here.add(made.back().second);
     }
     if (here.particles > 0) done.push_back(here);
   }
+  std::vector<InCell<dim>> of_all = gathered(done);
+  Real found = 0;
+  for (const InCell<dim>& cell : of_all) found += cell.volume;
+  const Real wanted = std::max(Real(0), up_to_it.volume() - around.volume_in_region()), growth = growth_of(wanted, found);
+  so_far.room = so_far.volume + wanted;
+  if (growth == 0) return {};
+  for (auto& [cell, particle] : made) particle.volume *= growth, particle.mass *= growth;
+  for (InCell<dim>& cell : of_all) cell.volume *= growth, cell.mass *= growth;
   // Numbers go on in the order of the cells, whichever rank has them.
-  const std::vector<InCell<dim>> of_all = gathered(done);
   std::int32_t next = state.numbered[work.body];
   for (const InCell<dim>& cell : of_all) {
     if (!done.empty() && cell.cell == done.front().cell) break;
@@ -277,10 +200,10 @@ Index room_for(const Model<dim>& model, const Earthwork<dim>& fill)
 {
   Index room = 0;
   const auto points = points_of_regions(fill);
-  const Slab slab = slab_of(fill, 0, fill.lifts);
+  const WorkRegion<dim> region{model, fill, slab_of(fill, 0, fill.lifts)};
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
-    if (comes_near(model, fill, slab, cell))
-      room += static_cast<Index>(points_in(model, fill, slab, cell, points[model.mesh.region[cell]]).size());
+    if (comes_near(model, fill, region.slab, cell))
+      room += static_cast<Index>(points_in(region, cell, points[model.mesh.region[cell]]).size());
   return room;
 }
 
@@ -386,6 +309,13 @@ Index room_for_fills(const Model<dim>& model, Index body)
 }
 
 template <int dim>
+Real mass_of_room(const Model<dim>& model, const Earthwork<dim>& fill, const EarthworkState<dim>& so_far)
+{
+  const Body<dim>& body = model.bodies[fill.body];
+  return body.weight_over_mass * inertia_density(body.soil.in_fill(fill.material, 0)) * so_far.room;
+}
+
+template <int dim>
 bool carry_out_earthworks(const Model<dim>& model, State<dim>& state)
 {
   bool changed = false;
@@ -396,7 +326,7 @@ bool carry_out_earthworks(const Model<dim>& model, State<dim>& state)
     if (so_far.lifts >= due) continue;
     const Slab slab = slab_of(work, so_far.lifts, due);
     bodies::Particles<dim>& particles = state.particles[work.body];
-    const std::vector<InCell<dim>> done = work.fills ? place(model, work, slab, state) : take_out(model, work, slab, particles);
+    const std::vector<InCell<dim>> done = work.fills ? place(model, work, slab, state, so_far) : take_out(model, work, slab, particles);
     count(done, model.bodies[work.body].weight_over_mass, so_far);
     so_far.lifts = due;
     particles.sort_occupied();
@@ -416,6 +346,7 @@ EarthworkState<dim> taken_out(const State<dim>& state)
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void add_earthworks(const bodies::BodySettings&, Index, Model<dim>&);                                                           \
   template Index room_for_fills(const Model<dim>&, Index);                                                                                 \
+  template Real mass_of_room(const Model<dim>&, const Earthwork<dim>&, const EarthworkState<dim>&);                                        \
   template bool carry_out_earthworks(const Model<dim>&, State<dim>&);                                                                      \
   template EarthworkState<dim> taken_out(const State<dim>&);
 BERM_INSTANTIATE(2)

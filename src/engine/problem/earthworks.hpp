@@ -36,10 +36,12 @@ struct Earthwork {
 /// What an earthwork has done so far, per metre run (in space: in all; around an axis per radian).
 template <int dim>
 struct EarthworkState {
-  Index lifts = 0;  ///< of its lifts
+  Index lifts = 0;         ///< of its lifts
+  std::int32_t first = 0;  ///< of a fill: number of its first particle
   BigIndex particles = 0;
   Real volume = 0;  ///< m2 or m3, as the particles had it
   Real mass = 0;    ///< kg/m or kg, of the density that gives the weight
+  Real room = 0;    ///< m2 or m3, of a fill: what its lifts so far had room for
   // Of soil taken out; soil that is placed rests.
   Vec<dim> momentum = Vec<dim>::Zero();  ///< N s/m or N s, of the density that gives the inertia
   Real kinetic = 0;                      ///< J/m or J
@@ -52,13 +54,17 @@ void add_earthworks(const bodies::BodySettings& settings, Index body, Model<dim>
 /// Checks beyond the range of a single key.
 void check_earthworks(Describe& d, const Case& c);
 
+/// The mass that a fill had room for so far, in the unit of EarthworkState::mass.
+template <int dim>
+Real mass_of_room(const Model<dim>& model, const Earthwork<dim>& fill, const EarthworkState<dim>& so_far);
+
 /// How many particles the fills of a body can need.
 template <int dim>
 Index room_for_fills(const Model<dim>& model, Index body);
 
 /// Places and takes out what is due at this moment; true where something was. A fill puts particles, at rest, at the points of the cells where a body would have
-/// them at the start: inside its area and no rigid body, three quarters of a particle's width or more away from those that are there, and where
-/// these fill less than nine tenths of the cells around. Depends on the state alone, and not on how it is divided among ranks.
+/// them at the start: inside its area and no rigid body, and where soil that is there leaves room (SoilAround::has_room). The volume of those of a lift is scaled so that they fill what soil and rigid
+/// bodies leave of the area up to the top of the lift. Depends on the state alone, and not on how it is divided among ranks.
 template <int dim>
 bool carry_out_earthworks(const Model<dim>& model, State<dim>& state);
 
