@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "mesh/seabed.hpp"
 #include "sample_case.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -76,7 +77,8 @@ Real round_off(Real size)
 /// The problem in its second stage.
 Problem<2> at_works(const Case& c)
 {
-  Problem<2> problem = build<2>(c, ".", ".");
+  const TemporaryFolder folder;
+  Problem<2> problem = build<2>(c, ".", folder.path().string());
   problem.state.stage.index = 1;
   begin_stage(problem.model, problem.state);
   return problem;
