@@ -159,7 +159,7 @@ Command add_new(CLI::App& program)
   app->add_option("--soil", options->soil, "a soil of `berm new --soils`, instead of the clay or the sand of the kind");
   app->add_option("--cpt", options->cpt, "strength from a cone penetration test: a file of AGS 4 (.ags), GEF (.gef) or a table (.csv)")
       ->type_name("FILE");
-  app->add_option("--location", options->location, "which sounding of an AGS file, LOCA_ID or LOCA_ID/SCPG_TESN");
+  app->add_option("--location", options->location, "which sounding of an AGS file: LOCA_ID, with several tests LOCA_ID/SCPG_TESN");
   app->add_option("--n-kt", options->N_kt, "cone factor of clay, s_u = (q_t - sigma_v0) / N_kt (default: 14)")
       ->check(number_within({start::least_N_kt, start::most_N_kt}));
   app->add_option("--phi", options->phi, "correlation of sand (default: kulhawy-mayne)")->check(one_of(names_of_correlations()));

@@ -39,6 +39,14 @@ std::string unit_in(const std::string& written)
   return unit;
 }
 
+/// "H [N/m]" and "H (N/m)" of a header as "H_N/m".
+std::string without_brackets(const std::string& header)
+{
+  const std::size_t open = header.find_first_of("[("), name = header.find_last_not_of(" _", open - 1);
+  if (open == std::string::npos || open == 0 || name == std::string::npos || name >= open) return header;
+  return header.substr(0, name + 1) + "_" + header.substr(open + 1, header.find_first_of("])", open) - open - 1);
+}
+
 /// How a unit is written in a header.
 std::string unit_in_header(const char* unit)
 {
@@ -66,7 +74,12 @@ public:
     });
     for_each_line([&](std::vector<std::string> fields) {
       for (std::string& field : fields) field = commas_.with_point(field);
-      if (!begun_ && !begins_row(fields.front()))
+      const bool header = !begun_ && !begins_row(fields.front());
+      if (header) index_ = fields.front().empty();
+      if (index_) fields.erase(fields.begin());
+      const std::size_t least = header ? 1 : headers_.size();
+      while (fields.size() > least && least > 0 && fields.back().empty()) fields.pop_back();
+      if (header)
         read_header(fields);
       else
         read_row(fields);
@@ -115,8 +128,9 @@ private:
                                  unit_in_header(si_unit.c_str()))));
   }
 
-  void read_header(const std::vector<std::string>& names)
+  void read_header(std::vector<std::string> names)
   {
+    for (std::string& written : names) written = without_brackets(written);
     const std::string &first = names.front(), &name = form_.first.name;
     if (first != name && !first.starts_with(name + "_"))
       refuse(fmt::format("the first column is {}, {}, and not {}", form_.over, in_quotes(header_of(form_.first)), in_quotes(first)));
@@ -217,7 +231,7 @@ private:
   DecimalCommas commas_;
   char separator_ = ',';
   int number_ = 0, rows_ = 0;
-  bool begun_ = false;
+  bool begun_ = false, index_ = false;  ///< of rows, in a first column without a name
 };
 
 }  // namespace

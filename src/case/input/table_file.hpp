@@ -30,7 +30,8 @@ using TakeRow = std::function<std::string(Real first, const std::vector<std::siz
 
 /// Reads the CSV file, of numbers over a time or something else, that a key names. Lines that begin with # do not count. Of a file of factors the others are two numbers with a
 /// comma between them, time in s and factor, under a first line of words or none. Of columns the first line names them, each with its unit as in history.csv: time_s,H_N_m,V_kN_m
-/// (N_m stands for N/m, Nm_m for N m/m). Where the first line that counts has semicolons or tabs, they stand for commas; a decimal
+/// (N_m stands for N/m, Nm_m for N m/m), also in brackets, H [N/m]; a first column without a name
+/// and empty ones at the end are not read. Where the first line that counts has semicolons or tabs, they stand for commas; a decimal
 /// comma is one where no number has a point and not all commas may stand between thousands. There are two rows of numbers at least. Throws KeyError where
 /// there is no such file, and InputError with file and line where it is wrong.
 void read_table(const std::string& key, const std::filesystem::path& file, const TableForm& form, const TakeRow& take_row);

@@ -143,9 +143,7 @@ Table read_gef(const std::string& file, const std::string& text)
   table.area_ratio = header.area_ratio;
   table.dug_to = std::max(header.dug_to, Real(0));
   if (header.other_lines > 0)
-    table.notes.push_back(fmt::format("{} of the header that {} no #KEY= VALUE {} not read",
-                                      header.other_lines == 1 ? "a line" : fmt::format("{} lines", header.other_lines),
-                                      header.other_lines == 1 ? "is" : "are", header.other_lines == 1 ? "is" : "are"));
+    table.notes.push_back(fmt::format("lines of the header that are no #KEY= VALUE are not read: {}", header.other_lines));
   return table;
 }
 

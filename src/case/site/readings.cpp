@@ -145,12 +145,26 @@ struct Readings {
   Real resistance(std::size_t row) const { return has(q_t, row) ? q_t[row] : has(q_c, row) ? q_c[row] : nan; }
 };
 
-/// How q_t comes about where the file does not have it.
-std::string correction_of(const Table& table, const Readings& all)
+/// Rows that count, by what their values come from.
+struct Origins {
+  Index given = 0, corrected = 0, as_measured = 0, by_length = 0, without_friction = 0;
+};
+
+/// Says how q_t came about, and what single rows were done without.
+void say_origins(Sounding& sounding, const Origins& rows, const Table& table, bool has_u_2)
 {
-  if (all.q_c.empty() || (!all.u_2.empty() && table.area_ratio)) return "";
-  const char* missing = !all.u_2.empty() ? "the area ratio of the cone" : table.area_ratio ? "u_2" : "u_2 and the area ratio of the cone";
-  return fmt::format("q_c for q_t: the file does not say {}", missing);
+  const std::string correction = fmt::format("q_c + (1 - {:.3g}) u_2", table.area_ratio.value_or(1));
+  const char* missing = has_u_2 ? "the area ratio of the cone" : table.area_ratio ? "u_2" : "u_2 and the area ratio of the cone";
+  sounding.corrected = rows.given > 0       ? "q_t as in the file"
+                       : rows.corrected > 0 ? "q_t = " + correction
+                                            : fmt::format("q_c for q_t: the file does not say {}", missing);
+  const auto note = [&](Index count, const std::string& what) {
+    if (count > 0) sounding.notes.push_back(fmt::format("{} {} {}", count, count == 1 ? "row has" : "rows have", what));
+  };
+  if (rows.given > 0) note(rows.corrected, "no q_t: it is " + correction + " there");
+  if (rows.given + rows.corrected > 0) note(rows.as_measured, rows.given > 0 ? "no q_t: it is q_c there" : "no u_2: q_t is q_c there");
+  note(rows.without_friction, "no f_s: the mean friction ratio is without them");
+  note(rows.by_length, "no corrected depth: it is the length of penetration there");
 }
 
 void refuse_unit(const Sounding& sounding, const Readings& all)
@@ -184,39 +198,29 @@ Sounding sounding_of(Table table)
   sounding.file = table.file;
   sounding.rows = static_cast<Index>(table.rows.size());
   refuse_unit(sounding, all);
-  const std::string uncorrected = correction_of(table, all);
   const bool correct = table.area_ratio && !all.u_2.empty() && !all.q_c.empty();
   std::vector<Real> depth(table.rows.size());
   for (std::size_t row = 0; row < depth.size(); ++row) depth[row] = all.depth(row);
   if (correct) make_plausible(table.file, depth, all.q_c, *table.area_ratio, all.u_2, table.notes);
   if (!all.q_t.empty() && !all.q_c.empty() && !all.u_2.empty())
     if (const std::string doubt = doubt_of_given(depth, all.q_c, all.q_t, all.u_2); !doubt.empty()) table.notes.push_back(doubt);
-  Index given = 0, corrected = 0, as_measured = 0, by_length = 0, without_friction = 0;
+  Origins origins;
   for (std::size_t row = 0; row < depth.size(); ++row) {
     if (const std::string why = why_left_out(sounding, depth[row], all.resistance(row), table.dug_to); !why.empty()) {
       leave_out(sounding, why);
       continue;
     }
     const bool with_u = !has(all.q_t, row) && correct && has(all.u_2, row);
-    ++(has(all.q_t, row) ? given : with_u ? corrected : as_measured);
-    by_length += all.corrected.empty() || has(all.corrected, row) ? 0 : 1;
+    ++(has(all.q_t, row) ? origins.given : with_u ? origins.corrected : origins.as_measured);
+    origins.by_length += all.corrected.empty() || has(all.corrected, row) ? 0 : 1;
+    origins.without_friction += !all.f_s.empty() && !has(all.f_s, row) ? 1 : 0;
     sounding.depth.push_back(depth[row]);
     sounding.q_t.push_back(all.resistance(row) + (with_u ? (1 - *table.area_ratio) * all.u_2[row] : 0));
     if (!all.f_s.empty()) sounding.f_s.push_back(all.f_s[row]);
-    without_friction += !all.f_s.empty() && !has(all.f_s, row) ? 1 : 0;
   }
   if (sounding.depth.size() < 2) refuse_few(sounding);
-  sounding.corrected = given > 0       ? "q_t as in the file"
-                       : corrected > 0 ? fmt::format("q_t = q_c + (1 - {:.3g}) u_2", *table.area_ratio)
-                                       : uncorrected;
   sounding.notes = table.notes;
-  const auto note = [&](Index rows, const std::string& what) {
-    if (rows > 0) sounding.notes.push_back(fmt::format("{} {} {}", rows, rows == 1 ? "row has" : "rows have", what));
-  };
-  if (given > 0) note(corrected, fmt::format("no q_t: it is q_c + (1 - {:.3g}) u_2 there", table.area_ratio.value_or(1)));
-  if (given + corrected > 0) note(as_measured, given > 0 ? "no q_t: it is q_c there" : "no u_2: q_t is q_c there");
-  note(without_friction, "no f_s: the mean friction ratio is without them");
-  note(by_length, "no corrected depth: it is the length of penetration there");
+  say_origins(sounding, origins, table, !all.u_2.empty());
   return sounding;
 }
 

@@ -206,6 +206,9 @@ TEST_F(LoadHistory, is_read_as_spreadsheets_and_programs_write_it)
   EXPECT_NE(refusal("\xFF\xFEt\n").find("storm.csv: is text in UTF-16: save it as text in UTF-8"), std::string::npos);
   EXPECT_EQ(read("# Sturm, S\xFC\x64\r0,1\r2,-3\r").load_factors, (std::vector<Real>{1, -3})) << "Latin-1, lines that end with CR";
   EXPECT_EQ(read("0,1\n2,\u22123\n").load_factors, (std::vector<Real>{1, -3})) << "the minus sign of typesetting";
+  EXPECT_EQ(read_columns("time [s],H (kN/m)\n0,1\n2,3\n").loads.of("H"), (std::vector<Real>{1000, 3000}));
+  EXPECT_EQ(read_columns(",time_s,H_N_m,,\n0,0,1,,\n1,2,3,,\n").loads.of("H"), (std::vector<Real>{1, 3})) << "an index, empty columns";
+  EXPECT_NE(refusal("time_s,H_N_m\n0,1\n1,\n", false).find("storm.csv:3: \"\" in column \"H_N_m\""), std::string::npos);
   EXPECT_EQ(read("sep=\t\ntime_s\tfactor\n0\t1\n2\t3\n").load_factors, (std::vector<Real>{1, 3}));
   EXPECT_NE(refusal("0,1\n\"1,2\n").find("storm.csv:2: a quotation mark is not closed"), std::string::npos);
 }

@@ -152,7 +152,7 @@ std::vector<File> files_of_gef()
        everywhere(gef_head, "0.75", "0,75") + "#COLUMNSEPARATOR= ;\n#EOH=\n" + everywhere(everywhere(data, ".", ","), " ", ";"), rows,
        corrected, ""},
       {"with a text over two lines", "a.gef", with("#MEASUREMENTTEXT= 4, a note\nthat goes on\n"), rows, corrected,
-       "a line of the header that is no #KEY= VALUE is not read"},
+       "lines of the header that are no #KEY= VALUE are not read: 1"},
       {"#EOH without =", "a.gef", gef_head + "#EOH\n" + data, rows, corrected, ""},
       {"without #EOH", "a.gef", gef_head + data, 0, 0, "has no line #EOH=, which ends the header"},
       {"with a report code in small letters", "a.gef", changed(plain, "GEF-CPT-Report", "gef-cpt-report"), rows, corrected, ""},
