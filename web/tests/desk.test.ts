@@ -140,6 +140,42 @@ test("a_run_grows_stops_and_goes_on", async () => {
   await take_screenshot(page, "desk_run");
 });
 
+/** A run as the server could have it, in place of its answer. */
+async function shows(run: Record<string, unknown>): Promise<void> {
+  const answer = { path: "out/pipe", case: "", progress: 0.1, time_left_s: 10, began_here: true, can_resume: false, of: "1", from_row: 0, rows: [], more: false, log_tail: "", ...run };
+  await page.unroute("**/api/run?*");
+  await page.route("**/api/run?*", (route) => route.fulfill({ json: answer }));
+  await go("/runs");
+  await go("/run?path=out%2Fpipe");
+}
+
+const columns = [["time_s", "time", "s"], ["stage", "stage", null], ["u_m", "u", "m"], ["w_m", "w", "m"], ["H_N_m", "H", "N/m"], ["V_N_m", "V", "N/m"]].map(([name, label, unit]) => ({ name, label, unit, meaning: "" }));
+
+test("curves_are_drawn_while_a_body_does_not_move_yet", async () => {
+  const seen = errors.length, w = -0.025;
+  const rows_of_w = (values: number[]) => values.map((value, k) => [0.01 * k, "rest", 0, value, 0, 0]);
+  for (const values of [[w], [w, w, w], [w, w + 4e-18, w], [0, 0]]) {
+    await shows({ status: "running", columns, rows: rows_of_w(values) });
+    await page.waitForFunction(() => document.querySelectorAll(".live_chart canvas").length === 3);
+    await page.waitForTimeout(300);
+    assert.deepEqual(errors.slice(seen), [], `w ${values}`);
+  }
+  await page.unroute("**/api/run?*");
+});
+
+test("a_run_that_died_says_why_and_offers_no_more_than_makes_sense", async () => {
+  const quantity = (value: number, of: string) => ({ value, unit: "N/m", meaning: "a force", kind: "answer", of });
+  const summary = { quantities: { V_lay: quantity(1, "lay"), H_drag: quantity(2, "drag") } }, rows = [[0, "lay", 0, 0, 0, 0], [1, "drag", 0.1, 0, 0, 0]];
+  await shows({ status: "failed", columns, rows, summary, why: "the pipe leaves the mesh" });
+  await page.getByText("the pipe leaves the mesh").waitFor();
+  await page.locator("tr.cut", { hasText: "H_drag" }).getByText("drag did not end").waitFor();
+  assert.equal(await page.locator("tr.cut").count(), 1);
+  assert.equal(await page.getByRole("button", { name: "Resume" }).count(), 0);
+  await shows({ status: "stopped", columns, rows, summary, why: "stopped at t = 1 s", can_resume: true });
+  await page.getByRole("button", { name: "Resume" }).waitFor();
+  await page.unroute("**/api/run?*");
+});
+
 test("two_runs_are_compared_and_springs_are_written", async () => {
   await go("/case?path=pipe.toml");
   await page.locator('[data-path="material.sand"] > summary').waitFor();

@@ -8,6 +8,7 @@
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "record/logged_end.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -68,6 +69,9 @@ void compare_history_with_end(RunRecord& run)
     run.faults.push_back(fmt::format("history.csv ends in stage \"{}\", although the run finished: it was cut", run.history.stage.back()));
 }
 
+/// How a run says that it was asked to stop.
+constexpr std::string_view stopped_at = "stopped at t = ";
+
 /// run.log: "2026-01-31 12:00:00 words" a line; messages of several lines go on without a time.
 void take_log(RunRecord& run)
 {
@@ -83,8 +87,12 @@ void take_log(RunRecord& run)
     if (words.starts_with(warning)) run.warnings.push_back(words.substr(warning.size()));
     run.last_log_line = words;
   }
-  // A run that was stopped says so, and then writes its results.
-  if (run.last_log_line.starts_with("everything is in ") && !run.warnings.empty()) run.last_log_line = run.warnings.back();
+  // A run that was stopped says so, and then writes its results, of which it may warn.
+  if (run.last_log_line.starts_with("everything is in ") && !run.warnings.empty()) {
+    const auto said =
+        std::find_if(run.warnings.rbegin(), run.warnings.rend(), [](const std::string& words) { return words.starts_with(stopped_at); });
+    run.last_log_line = said == run.warnings.rend() ? run.warnings.back() : *said;
+  }
   if (run.begun.empty()) run.faults.emplace_back("run.log is missing, empty or cannot be read");
 }
 
@@ -169,6 +177,14 @@ const run_folder::Quantity* RunRecord::quantity(const std::string& quantity_name
   const auto found =
       std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == quantity_name; });
   return found == quantities.end() ? nullptr : &*found;
+}
+
+LoggedEnd logged_end(const fs::path& folder)
+{
+  RunRecord run;
+  run.folder = folder;
+  take_log(run);
+  return {run.last_log_line, run.last_log_line.find(stopped_at) <= std::string_view("warning: ").size()};
 }
 
 std::string file_name_of(const std::string& name)

@@ -63,16 +63,35 @@ Glance glance_at(const fs::path& file)
   return seen;
 }
 
+bool is_utf8(const std::string& text)
+{
+  try {
+    (void)Json(text).dump();
+    return true;
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+/// Such a text would come to the page, and back from it, with other bytes.
+void refuse_other_than_utf8(const std::string& text, const std::string& name)
+{
+  if (is_utf8(text)) return;
+  std::istringstream lines(text);
+  int number = 1;
+  for (std::string line; std::getline(lines, line) && is_utf8(line);) ++number;
+  throw Refusal(
+      422, fmt::format("{0} is not in UTF-8: line {1} has other bytes, as of Latin-1. Save it as UTF-8 (iconv -f LATIN1 -t UTF-8 {0}), "
+                       "then open it again",
+                       name, number));
+}
+
 void check_name(const std::string& name)
 {
   const auto refuse = [&](const char* why) { throw Refusal(403, fmt::format("the path {} {}", one_line(name), why)); };
   if (name.size() > longest_name) throw Refusal(403, "the path is too long");
   if (has_control_character(name)) refuse("has control characters");
-  try {
-    (void)Json(name).dump();
-  } catch (const Json::exception&) {
-    throw Refusal(403, "the path is no UTF-8");
-  }
+  if (!is_utf8(name)) throw Refusal(403, "the path is no UTF-8");
   if (name.starts_with('/')) refuse("is not relative to the folder");
   for (const fs::path& part : fs::path(name)) {
     if (part == "..") refuse("has ..");
@@ -174,6 +193,7 @@ Json Folder::read(const std::string& name) const
   const fs::path file = input(name);
   if (!fs::is_regular_file(file)) throw Refusal(404, fmt::format("there is no {}", name));
   const std::string text = io::read_text_file(file, most_bytes_of_body);
+  refuse_other_than_utf8(text, name);
   return {{"text", text}, {"modified", io::sha256_of(text)}};
 }
 

@@ -91,6 +91,19 @@ private:
   std::atomic<bool> stopping_{false};
 };
 
+/// Whether a host is this machine as the machine calls itself. With any port: a tunnel may begin at another than it ends at, and what a page of a foreign name would need is
+/// the name.
+bool is_this_machine(const std::string& host)
+{
+  for (const std::string name : {"127.0.0.1", "localhost", "[::1]"}) {
+    if (!host.starts_with(name)) continue;
+    const std::string rest = host.substr(name.size());
+    return rest.empty() ||
+           (rest[0] == ':' && rest.size() > 1 && rest.size() <= 6 && rest.find_first_not_of("0123456789", 1) == std::string::npos);
+  }
+  return false;
+}
+
 /// In a time that tells nothing of where they differ.
 bool same_word(const std::string& a, const std::string& b)
 {
@@ -176,10 +189,9 @@ struct HttpServer::Parts {
   /// Throws Refusal where the request may not be answered; before its body is read.
   void guard(const httplib::Request& request) const
   {
-    const std::string hosts[] = {fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)};
     const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
-    if (request.get_header_value_count("Host") != 1 || (host != hosts[0] && host != hosts[1]))
-      throw Refusal(403, "this server has another name");
+    if (request.get_header_value_count("Host") != 1 || !is_this_machine(host))
+      throw Refusal(403, "this server answers to 127.0.0.1, localhost and [::1] only: open the address that berm desk prints");
     if (request.has_header("Origin") && origin != "http://" + host) throw Refusal(403, "a page from elsewhere asks");
     if (request.method != "GET" && request.method != "POST" && request.method != "PUT")
       throw Refusal(405, "only GET, POST and PUT are answered");

@@ -5,6 +5,7 @@
 #include "core/control_characters.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
+#include "record/logged_end.hpp"
 #include "run_folder/json_file.hpp"
 #include "run_folder/summary_file.hpp"
 #include "simulation/run_place.hpp"
@@ -42,16 +43,32 @@ int process_in(const fs::path& run)
   return 0;
 }
 
-/// Of a run that nobody is at work on.
-WorkState state_at_rest(const fs::path& run)
+/// Of a run that nobody is at work on: what it is, and why it did not come to its end. One that an error ended would come to the same error again.
+std::pair<WorkState, std::string> state_at_rest(const fs::path& run)
 {
   try {
     const auto summary = run_folder::read_summary(run);
-    if (summary && summary->finished()) return WorkState::finished;
-    return !summary || simulation::has_checkpoint(run) ? WorkState::stopped : WorkState::failed;
-  } catch (const std::exception&) {
-    return WorkState::failed;
+    if (!summary) return {WorkState::stopped, "It did not come to its end: it was killed, or it crashed."};
+    if (summary->finished()) return {WorkState::finished, ""};
+    const record::LoggedEnd end = record::logged_end(run);
+    return {end.stopped && simulation::has_checkpoint(run) ? WorkState::stopped : WorkState::failed, end.words};
+  } catch (const std::exception& error) {
+    return {WorkState::failed, error.what()};
   }
+}
+
+/// With what the log adds: a run writes it to its very end.
+std::string identity_with_log(const fs::path& run)
+{
+  std::error_code none;
+  const auto size = fs::file_size(run / "run.log", none);
+  return identity_of(run) + (none ? "" : fmt::format("{}", size));
+}
+
+std::string last_line(const std::string& text)
+{
+  const std::size_t end = text.find_last_not_of("\n ");
+  return end == std::string::npos ? "" : text.substr(text.rfind('\n', end) + 1, end - text.rfind('\n', end));
 }
 
 std::string case_of(const fs::path& run)
@@ -139,13 +156,14 @@ void Runs::stop(const std::string& name)
 
 Runs::AtRest Runs::at_rest(const fs::path& run)
 {
-  const std::string of = identity_of(run);
+  const std::string of = identity_with_log(run);
   {
     const std::lock_guard lock(mutex_);
     const auto known = at_rest_.find(run.string());
     if (known != at_rest_.end() && known->second.of == of) return known->second;
   }
-  const AtRest seen{of, case_of(run), state_at_rest(run)};
+  const auto [state, why] = state_at_rest(run);
+  const AtRest seen{of, case_of(run), state, why};
   const std::lock_guard lock(mutex_);
   if (at_rest_.size() >= most_known) at_rest_.clear();
   return at_rest_[run.string()] = seen;
@@ -178,6 +196,8 @@ Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& 
                  {"status", word_of(state)},
                  {"progress", nullptr},
                  {"time_left_s", nullptr},
+                 {"can_resume", state == WorkState::stopped ||
+                                    (state == WorkState::failed && rest.state == WorkState::stopped && simulation::can_be_resumed(run))},
                  {"began_here", entry.has_value()}};
   if (state == WorkState::finished) answer["progress"] = 1;
   if (const auto advance =
@@ -210,6 +230,12 @@ Json Runs::one(const std::string& name, std::size_t from_row)
   const std::string messages = tail_of(run.string() + ".messages", log_bytes);
   const std::string log = tail_of(run / "run.log", log_bytes);
   answer["log_tail"] = log.empty() || answer["status"] == "failed" ? log + messages : log;
+  if (const std::string status = answer["status"]; status == "failed" || status == "stopped") {
+    const std::string said = last_line(messages);
+    const bool begun = fs::exists(run / "resolved.toml"), ended = fs::exists(run / "summary.json"),
+               is_error = said.starts_with("berm: ") && !said.starts_with("berm: warning: ");
+    answer["why"] = !begun || (!ended && is_error) ? said : at_rest(run).why;
+  }
   if (answer["status"] != "running" && fs::exists(run / "summary.json"))
     answer["summary"] = run_folder::read_json(run / "summary.json", 10'000'000);
   return answer;

@@ -36,6 +36,7 @@ private:
   struct AtRest {
     std::string of, case_file;
     WorkState state;
+    std::string why;  ///< it did not come to its end
   };
   AtRest at_rest(const std::filesystem::path& run);
   Json state_of(const std::string& name, const std::optional<Queue::Entry>& entry);

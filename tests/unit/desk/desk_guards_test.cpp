@@ -80,13 +80,18 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
       {401, "a run without the token", replaced(start, desk.token, "x") + json + length(run)},
       {403, "the name of another host", replaced(about, host, "evil.example") + "\r\n"},
       {403, "another host with this port", replaced(about, host, fmt::format("evil.example:{}", desk.port)) + "\r\n"},
-      {403, "another port", replaced(about, host, "127.0.0.1:1") + "\r\n"},
+      {403, "a name that begins like this one", replaced(about, host, "127.0.0.1.evil.example") + "\r\n"},
+      {403, "a name that begins like this one, with the port",
+       replaced(about, host, fmt::format("localhost.evil.example:{}", desk.port)) + "\r\n"},
+      {403, "a port that is none", replaced(about, host, "127.0.0.1:80.evil.example") + "\r\n"},
+      {403, "another address of this machine", replaced(about, host, fmt::format("127.0.0.2:{}", desk.port)) + "\r\n"},
       {403, "no host", replaced(about, "Host: " + host + "\r\n", "") + "\r\n"},
       {403, "two hosts", about + "Host: " + host + "\r\n\r\n"},
       {403, "the page itself by another name", replaced(replaced(about, host, "evil.example"), "/api/about", "/") + "\r\n"},
       {403, "a page of another origin", about + "Origin: http://evil.example\r\n\r\n"},
       {403, "a page without an origin", about + "Origin: null\r\n\r\n"},
       {403, "a page of another port", about + "Origin: http://127.0.0.1:1\r\n\r\n"},
+      {403, "a page of the server's port through a tunnel", replaced(about, host, "127.0.0.1:1") + "Origin: http://" + host + "\r\n\r\n"},
       {403, "a page of another scheme", about + "Origin: https://" + host + "\r\n\r\n"},
       {405, "DELETE", desk.head("DELETE", "/api/case?path=bay/case.toml") + "\r\n"},
       {405, "OPTIONS", desk.head("OPTIONS", "/api/runs") + "Origin: http://" + host + "\r\n\r\n"},
@@ -159,6 +164,31 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
   }
   EXPECT_EQ(all_files(), before);
   EXPECT_EQ(desk.get("/api/about").status, 200);
+}
+
+// ssh -L 8081:127.0.0.1:8080, editors that choose a port: the browser names the port where the tunnel begins.
+TEST_F(DeskGuards, answers_behind_a_tunnel_that_begins_at_another_port)
+{
+  const std::string host = fmt::format("127.0.0.1:{}", desk_->port), about = desk_->head("GET", "/api/about");
+  for (const std::string tunnel : {"127.0.0.1:1", "localhost:65535", "[::1]:8081", "localhost"}) {
+    const std::string through = replaced(about, host, tunnel);
+    EXPECT_EQ(desk_->raw(through + "\r\n").status, 200) << tunnel;
+    EXPECT_EQ(desk_->raw(through + "Origin: http://" + tunnel + "\r\n\r\n").status, 200) << tunnel;
+    EXPECT_EQ(desk_->raw(replaced(through, desk_->token, std::string(64, 'a')) + "\r\n").status, 401) << tunnel;
+  }
+}
+
+TEST_F(DeskGuards, does_not_open_a_case_whose_bytes_it_would_change)
+{
+  const fs::path file = served() / "bay/latin.toml";
+  const std::string text = "x = 1\n# K\xf6ln\n";
+  std::ofstream(file, std::ios::binary) << text;
+  const Response response = desk_->get("/api/case?path=bay/latin.toml");
+  EXPECT_EQ(response.status, 422);
+  const std::string why = response.json().value("error", "");
+  EXPECT_NE(why.find("bay/latin.toml is not in UTF-8: line 2"), std::string::npos) << why;
+  EXPECT_EQ(desk_->get("/api/folder?path=bay").status, 200) << "others are there";
+  EXPECT_EQ(text_of_file(file), text);
 }
 
 TEST_F(DeskGuards, its_pages_fetch_nothing_and_are_not_framed)

@@ -108,12 +108,38 @@ TEST_F(DeskTest, queues_stops_and_resumes_runs_which_outlive_it)
   EXPECT_EQ(other.get("/api/runs").json().size(), 2u);
 }
 
+TEST_F(DeskTest, says_why_a_run_died_and_whether_it_can_go_on)
+{
+  write_long_case();
+  const std::string stopped = desk_->post("/api/runs", {{"case", "bay/long.toml"}}).json().value("path", "");
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / stopped / "history.csv"); }));
+  desk_->post("/api/runs/stop", {{"path", stopped}});
+  ASSERT_TRUE(becomes(stopped, "stopped"));
+  Json run = desk_->get("/api/run?path=" + stopped).json();
+  EXPECT_TRUE(run.at("can_resume"));
+  EXPECT_NE(run.value("why", "").find("stopped at t = "), std::string::npos) << run.value("why", "");
+  // The same folder, as an error would have left it.
+  std::ofstream(folder_ / stopped / "run.log", std::ios::app) << "2026-11-28 12:00:00 the pipe leaves the mesh\n";
+  run = desk_->get("/api/run?path=" + stopped).json();
+  EXPECT_EQ(run.value("why", ""), "the pipe leaves the mesh");
+  EXPECT_FALSE(run.at("can_resume"));
+  EXPECT_EQ(run.at("status"), "failed");
+  // Killed: nothing was written of why.
+  fs::remove(folder_ / stopped / "summary.json");
+  run = desk_->get("/api/run?path=" + stopped).json();
+  EXPECT_NE(run.value("why", "").find("killed"), std::string::npos);
+  EXPECT_TRUE(run.at("can_resume"));
+}
+
 TEST_F(DeskTest, says_why_a_run_failed)
 {
   std::ofstream(folder_ / "bay/wrong.toml") << test::small_case << "\n[nonsense]\n";
   const std::string run = desk_->post("/api/runs", {{"case", "bay/wrong.toml"}}).json().value("path", "");
   ASSERT_TRUE(becomes(run, "failed"));
-  EXPECT_NE(desk_->get("/api/run?path=" + run).json().at("log_tail").get<std::string>().find("nonsense"), std::string::npos);
+  const Json failed = desk_->get("/api/run?path=" + run).json();
+  EXPECT_NE(failed.at("log_tail").get<std::string>().find("nonsense"), std::string::npos);
+  EXPECT_NE(failed.value("why", "").find("nonsense"), std::string::npos) << failed.value("why", "");
+  EXPECT_FALSE(failed.at("can_resume"));
 }
 
 }  // namespace

@@ -57,13 +57,13 @@ export interface Kind { kind: string; title: string; group: string; question: st
 export type InputKind = "case" | "study" | "element";
 export interface Soil { soil: string; material: string; title: string; source: string; trust: string }
 export interface FileOf { path: string; title?: string; modified?: string | number }
-export interface RunState { path: string; case: string; status: Status; progress: number | null; time_left_s: number | null; began_here: boolean }
+export interface RunState { path: string; case: string; status: Status; progress: number | null; time_left_s: number | null; began_here: boolean; can_resume: boolean }
 export interface FolderOf { path: string; cases: FileOf[]; studies: FileOf[]; tests: FileOf[]; runs: string[]; folders: string[] }
 export interface Column { name: string; label: string; unit: string | null; meaning: string }
 export interface Rows { of: string; columns: Column[]; rows: (number | string | null)[][]; from_row: number; more: boolean }
-export interface RunNow extends RunState, Rows { log_tail: string; summary?: Summary }
+export interface RunNow extends RunState, Rows { log_tail: string; why?: string; summary?: Summary }
 export interface Quantity { value: number; unit: string; meaning: string; kind: string; of: string }
-export interface Summary { quantities?: Record<string, unknown>; checks?: Record<string, unknown>; warnings?: string[]; spoiled?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
+export interface Summary { quantities?: Record<string, Quantity>; checks?: Record<string, unknown>; warnings?: string[]; spoiled?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
 export interface Soil2D { frame: number; time_s: number; points: number; x: number[]; y: number[]; z?: number[]; size: number[]; field?: { name: string; label: string; unit: string; values: number[] }; fields: string[]; rigids: [number, number][][] }
 export interface Checked { findings: Finding[]; estimate: { particles: number; time_s: number | null; memory_bytes: number; disk_bytes: number; lines: string[] } | null }
 export interface Job { job: string; command: string; status: Status; log_tail: string; made: string[] }

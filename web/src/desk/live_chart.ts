@@ -8,6 +8,14 @@ import type { Column } from "./api";
 
 const height = 210;
 
+/** From where to where an axis goes: a little beyond the values, and around them where they are one value but for round-off, as before a body moves. */
+export function axis_range(least: number | null, most: number | null): [number, number] {
+  if (least === null || most === null) return [-1, 1];
+  const size = Math.max(Math.abs(least), Math.abs(most)), span = most - least;
+  const beyond = span > 1e-6 * size ? 0.05 * span : size > 0 ? 0.1 * size : 1;
+  return [least - beyond, most + beyond];
+}
+
 export class LiveChart {
   readonly element = make("div", "live_chart");
   private plot: uPlot | null = null;
@@ -48,11 +56,12 @@ export class LiveChart {
     if (this.plot !== null && units !== this.units) this.plot.destroy(), (this.plot = null);
     this.units = units;
     if (this.plot === null) {
+      const range: uPlot.Scale.Range = (_, least, most) => axis_range(least, most);
       const axis = { stroke: page_colour("--quiet"), grid: { stroke: page_colour("--grid"), width: 1 }, ticks: { stroke: page_colour("--line"), width: 1 } };
       this.plot = new uPlot(
         {
           mode: 2, width: this.element.clientWidth, height, legend: { show: false }, cursor: { drag: { x: true, y: true } },
-          scales: { x: { time: false }, y: {} },
+          scales: { x: { time: false, range }, y: { range } },
           axes: [{ ...axis, label: label(this.x, of_x.name), scale: "x" }, { ...axis, label: label(this.y, of_y.name), scale: "y", size: 62 }],
           series: [null as unknown as uPlot.Series, { stroke: page_colour("--accent"), width: 1.8, facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: curve }],
         } as unknown as uPlot.Options,

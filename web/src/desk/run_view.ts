@@ -3,7 +3,7 @@
 import { element } from "../element";
 import { digits } from "../film_numbers";
 import { make } from "../film_elements";
-import { api, type Column, type RunNow, type Summary } from "./api";
+import { api, type Column, type Quantity, type RunNow, type Summary } from "./api";
 import { LiveChart } from "./live_chart";
 import type { Place } from "./place";
 import { progress_bar, Pulse, status_badge, stop_or_resume } from "./runs_view";
@@ -16,6 +16,7 @@ export class RunView implements Place {
   readonly element = make("div", "run_view");
   readonly title: string;
   private head = make("div", "bar run_head");
+  private why = make("p", "bad why");
   private acts = make("div", "bar");
   private charts: LiveChart[] = [];
   private chart_place = make("div", "live_charts");
@@ -31,7 +32,7 @@ export class RunView implements Place {
   constructor(private readonly path: string) {
     this.title = path;
     this.element.append(
-      make("h2", "", path), this.head, this.acts,
+      make("h2", "", path), this.head, this.why, this.acts,
       make("div", "run_panes", make("section", "pane", make("h2", "", "Curves"), this.chart_place), make("section", "pane", make("h2", "", "Soil"), this.soil.element, make("h2", "", "Key results"), this.answer)),
       make("details", "", make("summary", "", "Log"), this.log));
     this.pulse = new Pulse(1000, () => this.look());
@@ -76,16 +77,19 @@ export class RunView implements Place {
     const words = now.progress === null ? "" : `${Math.round(100 * now.progress)} %`;
     this.head.replaceChildren(status_badge(now.status), ...(now.status === "running" ? [progress_bar(now.progress)] : []), make("span", "", words), make("span", "quiet", left),
       make("span", "quiet", now.case ? `of ${now.case}` : ""));
-    if (this.acts.dataset.of !== now.status) {
+    this.why.textContent = now.why ?? "";
+    this.why.hidden = !now.why;
+    const offered = `${now.status} ${now.can_resume}`;
+    if (this.acts.dataset.of !== offered) {
       const focused = this.acts.contains(document.activeElement);
-      this.acts.dataset.of = now.status;
+      this.acts.dataset.of = offered;
       this.acts.replaceChildren(...stop_or_resume(now), ...this.buttons(now));
       if (focused) this.acts.querySelector("button")?.focus();
     }
     this.log.textContent = now.log_tail;
     this.show_curves();
     const content = now.summary ? JSON.stringify(now.summary) : "";
-    if (now.summary && this.answer.dataset.content !== content) this.show_answer(now.summary); // else what is open stays open
+    if (now.summary && this.answer.dataset.content !== content) this.show_answer(now.summary, now.status === "finished" ? "" : this.stage_now()); // else what is open stays open
     this.answer.dataset.content = content;
     if (now.summary) return;
     this.answer.replaceChildren(...this.live_numbers());
@@ -166,23 +170,28 @@ export class RunView implements Place {
     }))];
   }
 
-  private show_answer({ quantities, checks, warnings, spoiled, uncertainty }: Summary): void {
-    const stages = Object.entries((quantities ?? {}) as Record<string, unknown>).slice(0, 40);
-    const row = (name: string, each: { value: number; unit: string; meaning: string }) => {
-      const term = make("td", "", name);
+  /** The stage that the run is in, or did not come to the end of. */
+  private stage_now(): string {
+    const last = this.rows[this.rows.length - 1], stage = last?.[this.index("stage")];
+    return typeof stage === "string" ? stage : "";
+  }
+
+  /** `cut`: the stage that did not end, of a run that did not. */
+  private show_answer({ quantities, checks, warnings, spoiled, uncertainty }: Summary, cut: string): void {
+    const row = (name: string, each: Quantity) => {
+      const term = make("td", "", name), is_cut = cut !== "" && (each.of === cut || name.startsWith(`${cut}.`));
       term.title = each.meaning;
       const band = uncertainty?.quantities[name];
-      return make("tr", "", term, make("td", "number", digits(each.value)), ...(uncertainty ? [make("td", "number band", band ? `${digits(band.converged)} ± ${digits(band.half_width)}` : "")] : []),
-        make("td", "quiet unit", each.unit === "1" ? "" : each.unit), make("td", "quiet", each.meaning));
+      return make("tr", is_cut ? "cut" : "", term, make("td", "number", digits(each.value)), ...(uncertainty ? [make("td", "number band", band ? `${digits(band.converged)} ± ${digits(band.half_width)}` : "")] : []),
+        make("td", "quiet unit", each.unit === "1" ? "" : each.unit), make("td", "quiet", `${is_cut ? `(${cut} did not end: as far as it came) ` : ""}${each.meaning}`));
     };
-    const is_number = (each: unknown): each is { value: number; unit: string; meaning: string } => typeof (each as { value?: unknown } | null)?.value === "number";
-    const rows = stages.flatMap(([stage, all]) =>
-      is_number(all) ? [row(stage, all)] : Object.entries((all ?? {}) as Record<string, unknown>).filter((pair): pair is [string, { value: number; unit: string; meaning: string }] => is_number(pair[1])).map(([name, each]) => row(`${stage} ${name}`, each)));
+    const rows = Object.entries(quantities ?? {}).filter(([, each]) => typeof each.value === "number").slice(0, 60).map(([name, each]) => row(name, each));
     const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);
     this.answer.replaceChildren(
       ...(spoiled && JSON.stringify(spoiled) !== "[]" && spoiled !== false ? [make("p", "bad", "Do not use the results of this run: its report says why.")] : []),
+      ...(cut ? [make("p", "fair", `The run did not come to its end. Numbers of ${cut} are of a stage that did not end, and later stages are missing.`)] : []),
       ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)),
-      make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...rows.slice(0, 60)))),
+      make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...rows))),
       make("details", "", make("summary", "", "Checks"), make("dl", "numbers", ...trust.flatMap(([name, value]) => [make("dt", "", name.replaceAll("_", " ")), make("dd", "", typeof value === "number" ? digits(value) : String(value))]))));
   }
 }

@@ -127,7 +127,7 @@ function act(words: string, does: () => Promise<unknown>): HTMLButtonElement {
 
 export function stop_or_resume(run: RunState): HTMLElement[] {
   if (run.status === "running" || run.status === "queued") return [act("Stop", () => api.stop(run.path))];
-  if (run.status === "stopped" || run.status === "failed") return [act("Resume", () => api.start({ resume: run.path }))];
+  if (run.can_resume) return [act("Resume", () => api.start({ resume: run.path }))];
   return [];
 }
 
