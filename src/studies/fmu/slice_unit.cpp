@@ -36,11 +36,17 @@ Unit unit_of(const std::string& token)
 
 void refuse_other_than_slice(const problem::Case& c)
 {
-  if (c.method != problem::Method::mpm) throw KeyError("method: a unit for co-simulation is of the material point method: mpm");
-  if (c.geometry != problem::Geometry::plane_strain) throw KeyError("geometry: a unit for co-simulation is a slice of soil: plane_strain");
-  if (c.rigid.size() != 1) throw KeyError(fmt::format("rigid: a unit for co-simulation has one rigid body, not {}", c.rigid.size()));
-  if (c.stage.back().kind != problem::StageKind::drive)
-    throw KeyError(fmt::format("stage[{}].kind: the last stage is the one that a co-simulation drives: drive", c.stage.size() - 1));
+  if (c.method != problem::Method::mpm) throw KeyError("method: FMU export needs method = \"mpm\", the material point method");
+  if (c.geometry != problem::Geometry::plane_strain)
+    throw KeyError("geometry: FMU export needs geometry = \"plane_strain\": the unit is a slice of soil across a pipe");
+  if (c.rigid.size() != 1)
+    throw KeyError(fmt::format("rigid: FMU export needs one rigid body, which the co-simulation moves; here there are {}", c.rigid.size()));
+  const problem::StageSettings& last = c.stage.back();
+  if (last.kind != problem::StageKind::drive)
+    throw KeyError(fmt::format(
+        "stage[{}].kind: FMU export needs kind = \"drive\" as the last stage, which the co-simulation moves: add a stage behind \"{}\" "
+        "with kind = \"drive\", drive.x.velocity = 0, drive.y.hold = true and until.time as long as the co-simulation",
+        c.stage.size() - 1, last.name));
 }
 
 constexpr std::string_view dependencies =

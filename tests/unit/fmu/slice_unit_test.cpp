@@ -91,7 +91,8 @@ TEST(SliceUnit, holds_the_mesh_that_its_case_names)
 TEST(SliceUnit, is_refused_where_the_case_is_no_slice_that_its_last_stage_drives)
 {
   const auto error_with = [](const std::vector<std::string>& set) { return test::error_of<KeyError>([&] { unit_with(set); }); };
-  EXPECT_EQ(error_with({"stage.follow.kind=\"free\"", "stage.follow.drive={}"}).substr(0, 13), "stage[2].kind");
+  EXPECT_EQ(error_with({"stage.follow.kind=\"free\"", "stage.follow.drive={}"}).substr(0, 70),
+            "stage[2].kind: FMU export needs kind = \"drive\" as the last stage, whic");
   problem::Case settings = slice_with({});
   settings.geometry = problem::Geometry::axisymmetric;
   const auto error_of = [&] { return test::error_of<KeyError>([&] { fmu_of_slice(settings, "", 2); }); };
