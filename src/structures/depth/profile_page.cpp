@@ -114,17 +114,17 @@ std::string words_of(const Profile& p)
   const auto [low, high] = std::minmax_element(p.axial.begin(), p.axial.end());
   const Real nothing = round_off * std::max(std::abs(*low), std::abs(*high)), base = p.axial.back();
   const auto force = [&](Real newtons) { return text::force_words(newtons, p.whole ? 3 : 2); };
-  const std::string at_base = std::abs(base) > nothing ? fmt::format(" and {} below them", force(base)) : "";
-  std::string words = fmt::format("At the end of stage \"{}\" the soil ", p.stage);
+  const std::string at_base = std::abs(base) > nothing ? fmt::format(", base resistance {}", force(base)) : "";
   if (p.sideways || !(p.drag_load() > nothing))
-    return text::html_paragraph(words +
-                                fmt::format("carries {} of {} on its upright sides{}.", force(p.axial.front() - base), p.body, at_base));
+    return text::html_paragraph(
+        fmt::format("{} at the end of stage \"{}\": shaft friction {}{}.", p.body, p.stage, force(p.axial.front() - base), at_base));
+  std::string words = fmt::format("At the end of stage \"{}\" the soil ", p.stage);
   words += fmt::format("drags {} down with {} above a neutral plane {} below the bed", p.body, force(p.drag_load()),
                        text::length_words(p.neutral_plane()));
   if (*high - base > nothing)
-    words += fmt::format("; below it, it carries {} on upright sides{}", force(*high - base), at_base);
+    words += fmt::format("; below it: shaft friction {}{}", force(*high - base), at_base);
   else if (!at_base.empty())
-    words += fmt::format("; {} carries its base", force(base));
+    words += at_base;
   return text::html_paragraph(words + ".");
 }
 

@@ -76,7 +76,7 @@ TEST(DepthProfile, stands_in_files_and_on_the_page)
   EXPECT_EQ(tz_csv(run).find("body,stage,z_m,w_m,t_N_m\n"), 0u);
   const std::string html = profile_section(run, "results-0");
   for (const char* part : {"drags probe down with 12 kN above a neutral plane 4 m below the bed",
-                           "it carries 20 kN on upright sides and 7 kN below them", "<svg", "<table"})
+                           "below it: shaft friction 20 kN, base resistance 7 kN", "<svg", "<table"})
     EXPECT_NE(html.find(part), std::string::npos) << part << " is not in\n" << html;
 }
 
@@ -87,7 +87,7 @@ TEST(DepthProfile, of_a_body_that_is_loaded_along_the_bed_has_no_neutral_plane)
   run.settings.stage[0].kind = problem::StageKind::drag;
   const std::string html = profile_section(run, "results-0");
   EXPECT_EQ(html.find("neutral plane"), std::string::npos) << html;
-  EXPECT_NE(html.find("the soil carries 8 kN of probe on its upright sides and 7 kN below them"), std::string::npos) << html;
+  EXPECT_NE(html.find("shaft friction 8 kN, base resistance 7 kN"), std::string::npos) << html;
 }
 
 TEST(DepthProfile, is_none_without_slices)
