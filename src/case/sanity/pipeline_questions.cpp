@@ -48,11 +48,11 @@ void is_heating_slow(const Scene& s, const Journey& as_it_is, Findings& found)
                                                   words_of(times.back() / 2 * *s.c.stage[k].until.time, "s"))
                                     : "where a line snaps, some per cent of this are scatter";
   found.warn(stage_key(k, "ramp"),
-             fmt::format(
-                 "on springs the line stands {:.3g} m from its axis at the end, with a moment of {:.4g} kN m; with stages of the line {:g} "
-                 "times as long {:.3g} m and {:.4g} kN m: its inertia counts, and real heating takes hours; {}",
-                 as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, fmt::join(times, ", "), fmt::join(ways, ", "), fmt::join(moments, ", "),
-                 advice));
+             fmt::format("on the springs of far_soil the line stands {:.3g} m from its axis at the end, with a moment of {:.4g} kN m; with "
+                         "stages of the line {:g} "
+                         "times as long {:.3g} m and {:.4g} kN m: its inertia counts, and real heating takes hours; {}",
+                         as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, fmt::join(times, ", "), fmt::join(ways, ", "),
+                         fmt::join(moments, ", "), advice));
 }
 
 void are_slices_near_enough(const Scene& s, const Journey& journey, Findings& found)
@@ -62,10 +62,12 @@ void are_slices_near_enough(const Scene& s, const Journey& journey, Findings& fo
   for (std::size_t k = 1; k < journey.places.size() && !(journey.places[k - 1] > journey.lobe); ++k)
     spacing = std::max(spacing, journey.places[k] - journey.places[k - 1]);
   if (!(spacing > (1 + 1e-9) * journey.lobe / wanted)) return;
-  found.warn(s.c.pipeline->slices.spacing ? "pipeline.slices.spacing" : "pipeline.slices.at",
-             fmt::format("is {}, and a lobe of the line is {} long on springs: {:.2g} slices to a lobe, and {:g} are needed; {} or less",
-                         words_of(spacing, "m"), words_of(journey.lobe, "m"), journey.lobe / spacing, wanted,
-                         words_of(rounded_down(journey.lobe / wanted), "m")));
+  found.warn(
+      s.c.pipeline->slices.spacing ? "pipeline.slices.spacing" : "pipeline.slices.at",
+      fmt::format(
+          "is {}, and a lobe of the line is {} long on the springs of far_soil: {:.2g} slices to a lobe, and {:g} are needed; {} or less",
+          words_of(spacing, "m"), words_of(journey.lobe, "m"), journey.lobe / spacing, wanted,
+          words_of(rounded_down(journey.lobe / wanted), "m")));
 }
 
 /// The first place on the way of the slices, to this side, whose cells are coarser than at the start.
@@ -84,13 +86,12 @@ void do_fine_cells_reach(const Scene& s, const Journey& journey, bool right, Fin
     const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
     const std::string key = !seabed ? "mesh" : right ? "mesh.near_right" : "mesh.near_left";
     const Real edge = end + (right ? s.rigids[0].space[s.along].to : s.rigids[0].space[s.along].from);
-    found.warn(
-        key,
-        fmt::format("ends the fine cells before the slices do: on springs that at x = {} of the line goes {} sideways, and after {} cells "
-                    "at its pipe are {}{}; let fine cells reach {}",
-                    place_words(journey.places[static_cast<std::size_t>(slice - journey.sideways.begin())]), place_words(end),
-                    place_words(at[s.along]), std::isfinite(size) ? words_of(size, "m") : "none, as the mesh ends",
-                    std::isfinite(size) ? fmt::format(", and {} at the start", words_of(first, "m")) : "", place_words(edge)));
+    found.warn(key, fmt::format("ends the fine cells before the slices do: on the springs of far_soil that at x = {} of the line goes {} "
+                                "sideways, and after {} cells "
+                                "at its pipe are {}{}; let fine cells reach {}",
+                                place_words(journey.places[static_cast<std::size_t>(slice - journey.sideways.begin())]), place_words(end),
+                                place_words(at[s.along]), std::isfinite(size) ? words_of(size, "m") : "none, as the mesh ends",
+                                std::isfinite(size) ? fmt::format(", and {} at the start", words_of(first, "m")) : "", place_words(edge)));
     return;
   }
 }

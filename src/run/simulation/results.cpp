@@ -10,6 +10,7 @@
 #include "run_folder/progress.hpp"
 #include "structures/base/soil_words.hpp"
 #include "structures/base/spoiled.hpp"
+#include "structures/base/still_moving.hpp"
 #include "structures/base/support_reactions.hpp"
 #include "structures/depth/profile_page.hpp"
 #include "structures/structures.hpp"
@@ -162,7 +163,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   depth::write_files(folder, run);
   draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
-  return key_results(structure.table_of(run), summary.spoiled);
+  return key_results(structure.table_of(run) + base::still_moving_lines(run), summary.spoiled);
 }
 
 template std::string write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<2>&,

@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
+#include "structures/base/still_moving.hpp"
 #include "structures/driven/curves.hpp"
 #include "structures/driven/report/report.hpp"
 #include "structures/driven/results/details.hpp"
@@ -17,16 +18,36 @@
 #include <algorithm>
 
 namespace berm::driven {
+namespace {
+
+/// What is said of the ends at which the body still moves, by what the quantities there are of: a stage, "push" for the way down, a state.
+std::map<std::string, std::string> moving_at_ends(const record::RunRecord& run, const States& states)
+{
+  std::map<std::string, std::string> words;
+  const Path path = path_of(run.history, stages_of(run.settings));
+  for (const base::StillMoving& moving : base::still_moving(run)) {
+    const std::string said = still_moving_words(moving);
+    words[moving.stage] = said;
+    if (!path.push.rows.empty() && run.history.stage[path.push.rows.back()] == moving.stage) words["push"] = said;
+    for (const State& state : states)
+      if (state.stage == moving.stage) words[state.name] = said;
+  }
+  return words;
+}
+
+}  // namespace
+
 std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   if (run.history.rows() == 0) return {};
   const base::BodyScale scale = base::body_scale(run);
   Results results = results_from(run.history, scale, stages_of(run.settings, held_forces));
   take_berms(results, DrivenRun(run));
-  if (const States states = states_of(run); has_states_between(states))
+  const States states = states_of(run);
+  if (has_states_between(states))
     for (const char* name : state_names)
       if (const State* state = find_state(states, name)) results.states.push_back({name, state->w, state->V, state->V_given});
-  std::vector<run_folder::Quantity> list = quantities_of(results, scale);
+  std::vector<run_folder::Quantity> list = quantities_of(results, scale, moving_at_ends(run, states));
   for (run_folder::Quantity& moment : moments_in_space(run)) list.push_back(std::move(moment));
   return list;
 }

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "slices/line_of_case.hpp"
+#include "structures/base/still_moving.hpp"
 #include "structures/formulas/strain_limit.hpp"
 #include "structures/line/buckle.hpp"
 
@@ -16,6 +17,35 @@ namespace berm::line {
 namespace {
 
 using run_folder::QuantityKind;
+
+/// The rows over which forces at the end of a stage are means: those of its last twentieth.
+Index first_row_of_end(const run_folder::History& history, const StageEnd& end)
+{
+  constexpr Real last_part = 0.05;
+  const std::vector<Real>& time = history["time_s"];
+  const auto begin = std::ranges::find(history.stage, end.name) - history.stage.begin();
+  const Real from = time[end.row] - last_part * (time[end.row] - time[begin]);
+  Index first = end.row;
+  while (first > begin && time[first - 1] >= from) --first;
+  return first;
+}
+
+/// The sum of |H| over that of V of the slices within the buckle, means over the end of the stage; NaN where no slice of the history is there, or soil does not carry them.
+Real mobilised_friction(const record::RunRecord& run, const StageEnd& end, const Buckle& buckle)
+{
+  const std::vector<Real> places = slices::LineOfCase(run.settings).places;
+  const Index first = first_row_of_end(run.history, end);
+  Real across = 0, down = 0;
+  for (std::size_t k = 0; k < places.size() && places[k] <= buckle.half_length; ++k) {
+    const std::string slice = k == 0 ? "" : fmt::format("slice_{}_", k);
+    if (!run.history.has(slice + "H_N_m") || !run.history.has(slice + "V_N_m")) return nan;
+    const std::vector<Real>&H = run.history[slice + "H_N_m"], &V = run.history[slice + "V_N_m"];
+    Real sum = 0;
+    for (Index row = first; row <= end.row; ++row) sum += H[row], down += V[row];
+    across += std::abs(sum);
+  }
+  return down > 0 ? across / down : nan;
+}
 
 /// What an answer may be made from.
 struct Told {
@@ -56,6 +86,8 @@ constexpr std::array line_answers = {
            [](const Told& t) { return t.shape == nullptr ? nan : static_cast<Real>(t.buckle.lobes); }},
     Answer{"slip_length", "m", "distance from x = 0 to where the line has slipped along its axis", nullptr,
            [](const Told& t) { return t.buckle.slip_length; }},
+    Answer{"friction", "1", "mean |H|/V of the slices in the buckle", nullptr,
+           [](const Told& t) { return t.shape == nullptr ? nan : mobilised_friction(t.run, t.end, t.buckle); }},
     Answer{"strain_bending", "1", "largest strain by bending, in both planes together", nullptr,
            [](const Told& t) { return t.shape == nullptr ? nan : t.buckle.bending; }},
     Answer{"strain_compressive", "1", "largest longitudinal strain in compression that makes stress, positive", nullptr,
@@ -136,18 +168,22 @@ std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run)
   std::vector<run_folder::Quantity> list;
   const std::vector<StageEnd> ends = stage_ends(run);
   if (ends.empty()) return list;
+  const std::vector<base::StillMoving> moving = base::still_moving(run);
   const std::vector<Shape> shapes = shapes_of(run);
   const formulas::Formula strain = strain_limit(run.settings);
   const Real limit = strain.valid ? strain.value : nan;
   for (const StageEnd& end : ends) {
+    const auto moves = std::ranges::find(moving, end.name, &base::StillMoving::stage);
+    const std::string still = moves == moving.end() ? "" : "; " + still_moving_words(*moves);
     const Shape* shape = shape_at(shapes, run.history, end.name);
     const Buckle buckle = shape == nullptr ? Buckle{} : buckle_of(*shape, *run.settings.pipeline);
     const Told told{run, end, shape, shape_at(shapes, run.history, end.like), buckle, limit};
     for (const Answer& answer : line_answers)
       if (const Real value = answer.column != nullptr ? told.at_end(answer.column) : answer.of(told); std::isfinite(value))
         list.push_back({fmt::format("{}.{}", end.name, answer.name), value, answer.unit,
-                        is_of_cycle(answer) ? fmt::format("{} since the end of {}, a cycle before", answer.meaning, end.like)
-                                            : fmt::format("{} at the end of the stage", answer.meaning),
+                        (is_of_cycle(answer) ? fmt::format("{} since the end of {}, a cycle before", answer.meaning, end.like)
+                                             : fmt::format("{} at the end of the stage", answer.meaning)) +
+                            still,
                         answer.kind, end.name});
   }
   return list;
@@ -168,12 +204,12 @@ formulas::Formula strain_limit(const problem::Case& c)
   return strain;
 }
 
-HobbsLine::HobbsLine(const problem::Case& c)
+HobbsLine::HobbsLine(const problem::Case& c, Real friction)
     : mode(c.pipeline->half == problem::LineHalf::symmetric ? formulas::HobbsMode::three : formulas::HobbsMode::four)
 {
   const problem::PipelineSettings& p = *c.pipeline;
   const beam::Section section = slices::LineOfCase(c).line.section.front();
-  line = {section.bending_stiffness, section.axial_stiffness, p.far_soil.friction * p.submerged_weight,
+  line = {section.bending_stiffness, section.axial_stiffness, friction * p.submerged_weight,
           p.far_soil.axial_friction * p.submerged_weight};
 }
 

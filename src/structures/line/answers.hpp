@@ -27,9 +27,10 @@ std::vector<std::string> line_quantity_names(const std::string& stage);
 /// The strain in compression that utilisation is of: f101_compressive_strain of the wall over its factors; NaN of a line without a wall.
 formulas::Formula strain_limit(const problem::Case& c);
 
-/// The line of a case on a plane with the friction of its far soil, as Hobbs has it: with three lobes, and four of a line whose halves are images by half a turn.
+/// The line of a case on a plane with a lateral friction (over its weight), as Hobbs has it: with three lobes, and four of a line whose halves are images by half a turn. Along the line it has that
+/// of its far soil.
 struct HobbsLine {
-  explicit HobbsLine(const problem::Case& c);
+  HobbsLine(const problem::Case& c, Real friction);
 
   formulas::HotLine line;
   formulas::HobbsMode mode;

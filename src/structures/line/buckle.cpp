@@ -48,7 +48,10 @@ Buckle buckle_of(const Shape& shape, const problem::PipelineSettings& line)
   Buckle buckle;
   if (!(largest.peak > 0)) return buckle;
   for (const Lobe& lobe : lobes)
-    if (lobe.peak > counts * largest.peak) buckle.lobes += mirrored && &lobe == &lobes.front() ? 1 : 2;
+    if (lobe.peak > counts * largest.peak) {
+      buckle.lobes += mirrored && &lobe == &lobes.front() ? 1 : 2;
+      buckle.half_length = std::isnan(lobe.to) ? shape.x.back() : lobe.to;
+    }
   buckle.lobe_length = mirrored && &largest == &lobes.front() ? 2 * largest.to : largest.to - largest.from;
   if (line.far_soil.axial_friction > 0) buckle.slip_length = last_beyond(shape.x, shape.u, line.far_soil.axial_mobilisation);
   for (std::size_t i = 0; i < shape.x.size(); ++i)

@@ -73,7 +73,7 @@ std::string name_by(By by, const problem::Case& c)
   case By::springs:
     return "line on springs";
   case By::hobbs:
-    return fmt::format("Hobbs, {:.3g} W", c.pipeline->far_soil.friction);
+    return fmt::format("Hobbs, far_soil {:.3g} W", c.pipeline->far_soil.friction);
   }
   return "";
 }
@@ -118,7 +118,7 @@ LoadCurves load_curves(const record::RunRecord& run)
   const LoadAxis& axis = axis_of(history, rows);
   curves.x_title = axis.title;
   const std::vector<std::size_t> rise = first_rise(history["line_P0_N"], rows);
-  const HobbsLine hobbs(run.settings);
+  const HobbsLine hobbs(run.settings, run.settings.pipeline->far_soil.friction);
   std::vector<formulas::HobbsBuckle> buckles;
   for (const std::size_t row : rise) buckles.push_back(hobbs.at(history["line_P0_N"][row]));
   for (const PanelOf& of : panels_of_line) {

@@ -31,6 +31,7 @@ const ShownAnswers of_loads{{"y", "y, m"},
 const ShownAnswers of_shapes{{"lobe_length", "lobe, m"},
                              {"lobes", "lobes", 1, true},
                              {"slip_length", "slip, m"},
+                             {"friction", "H/V of the slices"},
                              {"strain_bending", "bending strain, %", 100},
                              {"strain_compressive", "compressive, %", 100},
                              {"utilisation", "utilisation"},
@@ -132,7 +133,8 @@ std::string page_tables(const record::RunRecord& run, const std::string& id)
 
 std::string tables_beside(const record::RunRecord& run, const std::string& id)
 {
-  const HobbsLine hobbs(run.settings);
+  const Real far = run.settings.pipeline->far_soil.friction;
+  const HobbsLine hobbs(run.settings, far);
   text::HtmlTable table(id, fmt::format("{}: the line, springs and theory at the end of each heated stage", run.name));
   table.columns({{"stage"}, {"by"}, {"P, kN", true}, {"y, m", true}, {"M, kN m", true}, {"lobe, m", true}, {"slip, m", true}});
   const bool knows_hobbs = std::isfinite(hobbs.smallest_force());
@@ -141,17 +143,22 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
   for (const StageEnd& end : stage_ends(run)) {
     if (!end.heated) continue;
     const auto of = [&](const char* name) { return value_of(run, end, name); };
-    const formulas::HobbsBuckle b = hobbs.at(run.history["line_P0_N"][static_cast<std::size_t>(end.row)]);
+    const Real P0 = run.history["line_P0_N"][static_cast<std::size_t>(end.row)];
+    const formulas::HobbsBuckle b = hobbs.at(P0);
     const bool has_springs = !std::isnan(of("springs_y")), has_hobbs = !std::isnan(b.lobe);
     if (!has_springs && !knows_hobbs) continue;
     any = true;
     table.row(row_beside(end.name, "the line on slices", of("P"), of("y"), of("M"), of("lobe_length"), of("slip_length")));
     if (has_springs) table.row(row_beside(end.name, "the same on springs", of("springs_P"), of("springs_y"), of("springs_M"), nan, nan));
     if (!knows_hobbs) continue;
-    table.row(row_beside(end.name,
-                         fmt::format("Hobbs, {:.3g} W{}", run.settings.pipeline->far_soil.friction, has_hobbs ? "" : ": no buckle"),
-                         b.compression, b.amplitude, b.moment, b.lobe, b.slip_length));
-    none_at = has_hobbs ? none_at : std::max(none_at, run.history["line_P0_N"][static_cast<std::size_t>(end.row)]);
+    const auto add = [&](const std::string& friction, const formulas::HobbsBuckle& beside) {
+      table.row(row_beside(end.name, fmt::format("Hobbs, {}{}", friction, std::isnan(beside.lobe) ? ": no buckle" : ""), beside.compression,
+                           beside.amplitude, beside.moment, beside.lobe, beside.slip_length));
+    };
+    if (const Real mobilised = of("friction"); mobilised > 0)
+      add(fmt::format("H/V of the slices {:.2f}", mobilised), HobbsLine(run.settings, mobilised).at(P0));
+    add(fmt::format("far_soil {:.3g} W", far), b);
+    none_at = has_hobbs ? none_at : std::max(none_at, P0);
   }
   if (!any) return "";
   const std::string none =
@@ -161,12 +168,14 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
                                     text::force_words(none_at, 3), text::force_words(hobbs.smallest_force(), 3)))
                   : "";
   return table.html() + none +
-         fmt::format(
-             "<p>Hobbs (1984) has a straight line without imperfection on friction of {:.3g} W sideways and {:.3g} W along "
-             "(<code>far_soil</code>): rigid, with V = W everywhere, and against the displacement. Real friction is against the motion: "
-             "under that the same line has, with three lobes and at the same P, a sixth less amplitude and a quarter more moment "
-             "(docs/theory.md, section 16). His theory has no berms, no embedment, no time and no cycles.</p>\n",
-             run.settings.pipeline->far_soil.friction, run.settings.pipeline->far_soil.axial_friction);
+         fmt::format("<p>Hobbs (1984) has a straight line without imperfection on the friction that his row names sideways, {:.3g} W in "
+                     "<code>far_soil.friction</code>, where H/V of the slices is what those in the buckle resist with at the end of the "
+                     "stage, and {:.3g} W "
+                     "along (<code>far_soil.axial_friction</code>): rigid, with V = W everywhere, and against the displacement. Real "
+                     "friction is against the motion: "
+                     "under that the same line has, with three lobes and at the same P, a sixth less amplitude and a quarter more moment "
+                     "(docs/theory.md, section 16). His theory has no berms, no embedment, no time and no cycles.</p>\n",
+                     far, run.settings.pipeline->far_soil.axial_friction);
 }
 
 }  // namespace berm::line

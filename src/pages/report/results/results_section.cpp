@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
 
+#include "structures/base/still_moving.hpp"
 #include "structures/depth/profile_page.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
@@ -32,7 +33,9 @@ std::string words_of(const record::RunRecord& run, const Judgement& judgement, c
 {
   const std::string name = several ? fmt::format("<strong>{}</strong> ", text::html_text(run.name)) : "";
   const std::string results = structures::structure_of(run.settings).in_words(run, shown);
-  const std::string doubts = doubts_in_words(run, judgement);
+  std::string doubts = doubts_in_words(run, judgement);
+  for (const base::StillMoving& moving : base::still_moving(run))
+    doubts += fmt::format("{}\"{}\" was {}.", doubts.empty() ? "" : " ", text::html_text(moving.stage), still_moving_words(moving));
   return fmt::format("<p>{}{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ",
                      is_spoiled(run) ? "(!) <strong>The answer is spoiled; do not use these numbers.</strong> " : "", results,
                      doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");

@@ -22,7 +22,7 @@ Kind kind_of(bool given)
 /// Takes results to quantities: every member that is there, each force and length with its dimensionless twin.
 class Writer {
 public:
-  explicit Writer(const BodyScale& scale) : scale_(scale) {}
+  Writer(const BodyScale& scale, const std::map<std::string, std::string>& moving) : scale_(scale), moving_(moving) {}
 
   /// What follows is of this travel or state, and its names begin with that of a stage; "" = of the run.
   void of(const std::string& travel, const std::string& stage)
@@ -43,6 +43,12 @@ public:
     add(name, value, "m", meaning, kind);
     add(name + "_over_D", value / scale_.width, "1", meaning, Kind::ratio);
     return true;
+  }
+  /// A length at the end of what it is of.
+  bool end_length(const std::string& name, Real value, const char* meaning, Kind kind = Kind::answer)
+  {
+    const auto moving = moving_.find(of_);
+    return length(name, value, (meaning + (moving == moving_.end() ? "" : "; " + moving->second)).c_str(), kind);
   }
   bool time(const std::string& name, Real value, const char* meaning)
   {
@@ -75,6 +81,7 @@ private:
   }
 
   const BodyScale& scale_;
+  const std::map<std::string, std::string>& moving_;
   std::string prefix_, of_;
   std::vector<Quantity> list_;
 };
@@ -90,6 +97,7 @@ public:
   void of(const std::string&, const std::string& stage) { prefix_ = stage.empty() ? "" : stage + "."; }
   bool force(const std::string& name, Real& value, const char*, Kind = {}) { return take(name, value); }
   bool length(const std::string& name, Real& value, const char*, Kind = {}) { return take(name, value); }
+  bool end_length(const std::string& name, Real& value, const char*, Kind = {}) { return take(name, value); }
   bool time(const std::string& name, Real& value, const char*) { return take(name, value); }
   bool ratio(const std::string& name, Real& value, const char*, Kind = {}) { return take(name, value); }
   template <class T, class Members>
@@ -141,7 +149,7 @@ void describe_push(Visitor& v, Results& r, Real D)
          [&](PushPoint& p) { return v.force(name_at("V_at_w", p.w / D), p.V, "vertical reaction in the push at an embedment"); });
   v.optional(r.push_end, [&](PushPoint& p) {
     return v.force("V_end_of_push", p.V, "vertical reaction at the end of the push", kind_of(r.push_given.V)) &&
-           v.length("w_end_of_push", p.w, "embedment at the end of the push", kind_of(r.push_given.w));
+           v.end_length("w_end_of_push", p.w, "embedment at the end of the push", kind_of(r.push_given.w));
   });
   v.optional(r.V_noise,
              [&](Real& value) { return v.ratio("V_noise", value, "noise of V in the push over the mean of |V|", Kind::quality); });
@@ -183,14 +191,14 @@ void describe_drag(Visitor& v, DragResults& r, Real D)
   v.optional(r.end, [&](DragPoint& p) {
     return v.force("H_end_of_drag", p.H, "mean horizontal resistance over the end of the drag", kind_of(r.given.H)) &&
            v.force("V_end_of_drag", p.V, "mean vertical reaction over the end of the drag", kind_of(r.given.V_always)) &&
-           v.length("u_end_of_drag", p.u, "travel of the drag", kind_of(r.given.u)) &&
-           v.length("w_end_of_drag", p.w, "embedment at the end of the drag", kind_of(r.given.w_always));
+           v.end_length("u_end_of_drag", p.u, "travel of the drag", kind_of(r.given.u)) &&
+           v.end_length("w_end_of_drag", p.w, "embedment at the end of the drag", kind_of(r.given.w_always));
   });
   v.optional(r.moved, [&](Displacements& m) {
     const bool there = v.length("u_largest", m.u_largest, "largest displacement from where the stage began, along x") &&
-                       v.length("u_end", m.u_end, "displacement that stays at the end of the stage, along x") &&
+                       v.end_length("u_end", m.u_end, "displacement that stays at the end of the stage, along x") &&
                        v.length("w_largest", m.w_largest, "largest embedment in the stage") &&
-                       v.length("w_end", m.w_end, "embedment at the end of the stage") &&
+                       v.end_length("w_end", m.w_end, "embedment at the end of the stage") &&
                        v.length("u_largest_half_cycle", m.largest_half_cycle, "largest way between two turns of the body") &&
                        v.ratio("half_cycles", m.half_cycles, "ways between two turns of the body, of at least 0.01 D", Kind::quality);
     v.optional(m.time_half_D,
@@ -240,7 +248,7 @@ void describe_states(Visitor& v, std::vector<StateResults>& states)
   for (StateResults& state : states) {
     v.of(state.name, state.name);
     v.force("V", state.V, "vertical force in this state", kind_of(state.V_given));
-    v.length("w", state.w, "embedment in this state");
+    v.end_length("w", state.w, "embedment in this state");
   }
 }
 
@@ -256,7 +264,7 @@ void describe(Visitor& v, Results& r, Real D)
   for (OtherPushResults& push : r.other_pushes) {
     v.of(push.stage, push.stage);
     v.force("V_end", push.V, "vertical reaction in the last row of the stage", kind_of(push.given.V));
-    v.length("w_end", push.w, "embedment at the end of the stage", kind_of(push.given.w));
+    v.end_length("w_end", push.w, "embedment at the end of the stage", kind_of(push.given.w));
   }
   for (UpliftResults& uplift : r.uplifts) {
     v.of(uplift.stage, uplift.stage);
@@ -278,9 +286,9 @@ std::string name_at(const char* what, Real part)
   return fmt::format("{}_{:g}D", what, part);
 }
 
-std::vector<Quantity> quantities_of(const Results& results, const BodyScale& scale)
+std::vector<Quantity> quantities_of(const Results& results, const BodyScale& scale, const std::map<std::string, std::string>& moving)
 {
-  Writer writer(scale);
+  Writer writer(scale, moving);
   Results copy = results;
   describe(writer, copy, scale.width);
   return std::move(writer).list();

@@ -5,6 +5,7 @@
 #include "structures/base/driven_body.hpp"
 #include "structures/driven/results/path.hpp"
 
+#include <map>
 #include <optional>
 
 namespace berm::driven {
@@ -130,8 +131,10 @@ struct Results {
 std::string name_at(const char* what, Real part);
 
 /// The results as summary.json tells them, each force and length with its dimensionless twin: forces over gamma' D^2 (suffix _over_gammaD2, in plane strain),
-/// lengths over D (_over_D). The names of the first drag stand alone (H_max); those of later stages begin with the stage's name and a dot (back.H_max).
-std::vector<run_folder::Quantity> quantities_of(const Results& results, const BodyScale& scale);
+/// lengths over D (_over_D). The names of the first drag stand alone (H_max); those of later stages begin with the stage's name and a dot (back.H_max). `moving`: what is said behind
+/// the meaning of lengths at an end at which the body still moves, by the push, drag or state that they are of.
+std::vector<run_folder::Quantity> quantities_of(const Results& results, const BodyScale& scale,
+                                                const std::map<std::string, std::string>& moving = {});
 
 /// The results that such quantities tell of a case's stages; what is not among them is left out.
 Results results_of(const std::vector<run_folder::Quantity>& quantities, const BodyScale& scale, const Stages& stages);

@@ -4,6 +4,7 @@
 #include "samples/made_line_run.hpp"
 #include "structures/line/tables.hpp"
 #include "structures/structures.hpp"
+#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -117,10 +118,54 @@ TEST_F(LineAnswers, stand_in_tables_with_springs_and_hobbs_beside_in_heated_stag
   const std::string log = log_tables(run), page = page_tables(run, "a"), beside = tables_beside(run, "b");
   for (const char* words : {"lobe, m", "utilisation", "ratchet, m", "heat_2"}) EXPECT_NE(log.find(words), std::string::npos) << log;
   EXPECT_NE(page.find("DNV-OS-F101, equation 5.30"), std::string::npos) << page;
-  EXPECT_NE(beside.find("Hobbs, 0.6 W"), std::string::npos) << beside;
+  EXPECT_NE(beside.find("Hobbs, far_soil 0.6 W"), std::string::npos) << beside;
   EXPECT_NE(beside.find("the same on springs"), std::string::npos);
   EXPECT_NE(beside.find(">heat_2<"), std::string::npos);
   EXPECT_EQ(beside.find(">cool<"), std::string::npos) << "theory is of a line that is heated for the first time";
+}
+
+/// A run with the forces of its slices, every 8 m from x = 0 on: |H|/V is 0.3 within the buckle, which ends at x = 45 m, and 0.02 beyond.
+record::RunRecord with_slices(record::RunRecord run)
+{
+  run_folder::History& h = run.history;
+  const auto V = static_cast<std::size_t>(std::ranges::find(h.columns, "V_N_m", &run_folder::Column::name) - h.columns.begin());
+  for (std::size_t row = 0; row < h.stage.size(); ++row) h.values[V - 1][row] = 0.3 * h.values[V][row];
+  for (int k = 1; k <= 8; ++k)
+    for (const char* symbol : {"H", "V"}) {
+      h.columns.push_back(columns_named({fmt::format("slice_{}_{}_N_m", k, symbol)}).front());
+      const Real sign = k % 2 == 0 ? 1 : -1, friction = 8 * k <= 45 ? 0.3 * sign : 0.02;
+      h.values.emplace_back(h.stage.size(), *symbol == 'H' ? 1500 * friction : 1500);
+    }
+  run.quantities = line_quantities(run);
+  return run;
+}
+
+TEST_F(LineAnswers, have_hobbs_beside_at_the_friction_of_the_slices_in_the_buckle)
+{
+  const record::RunRecord run = with_slices(record_of({}));
+  EXPECT_NEAR(value(run, "heat.friction"), 0.3, 1e-12);
+  const std::string beside = tables_beside(run, "b");
+  EXPECT_NE(beside.find("Hobbs, H/V of the slices 0.30"), std::string::npos) << beside;
+  EXPECT_NE(beside.find("Hobbs, far_soil 0.6 W"), std::string::npos) << beside;
+  const Real P0 = run.history["line_P0_N"][9];
+  const auto P_of = [&](Real friction) { return text::table_number(HobbsLine(run.settings, friction).at(P0).compression / 1e3); };
+  EXPECT_NE(P_of(0.3), P_of(0.6));
+  for (const Real friction : {0.3, 0.6}) EXPECT_NE(beside.find(">" + P_of(friction) + "<"), std::string::npos) << friction << beside;
+}
+
+TEST_F(LineAnswers, say_that_the_line_still_moves_when_its_stage_ends)
+{
+  record::RunRecord run = record_of({});
+  const auto meaning = [&] {
+    const std::vector<run_folder::Quantity> list = line_quantities(run);
+    return std::ranges::find(list, "heat.y", &run_folder::Quantity::name)->meaning;
+  };
+  problem::StageSettings& heat = run.settings.stage[run.settings.stage.size() - 3];
+  heat.until = {}, heat.until.time = 0.9, heat.ramp = 0;
+  EXPECT_NE(meaning().find("still moving at the end: y at 1.5 m/s"), std::string::npos) << meaning();
+  auto y = std::ranges::find(run.history.columns, "line_y_m", &run_folder::Column::name);
+  for (int row = 7; row < 10; ++row) run.history.values[y - run.history.columns.begin()][row] = 1.9;
+  EXPECT_EQ(meaning().find("still moving"), std::string::npos) << meaning();
 }
 
 TEST_F(LineAnswers, say_below_which_force_hobbs_has_no_buckle)
@@ -129,7 +174,7 @@ TEST_F(LineAnswers, say_below_which_force_hobbs_has_no_buckle)
   record::RunRecord run = record_of(made);
   for (Real& P0 : run.history.values[7]) P0 *= 0.5;  // line_P0_N
   const std::string beside = tables_beside(run, "b");
-  EXPECT_NE(beside.find("Hobbs, 0.6 W: no buckle"), std::string::npos) << beside;
+  EXPECT_NE(beside.find("Hobbs, far_soil 0.6 W: no buckle"), std::string::npos) << beside;
   EXPECT_NE(beside.find("has no buckle of this line at constrained forces P0 up to"), std::string::npos) << beside;
 }
 

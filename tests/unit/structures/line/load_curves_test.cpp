@@ -47,7 +47,7 @@ TEST(LoadCurves, stand_on_the_page_as_one_drawing)
   const TemporaryFolder folder;
   record::RunRecord run = MadeLineRun{}.record(folder);
   const std::string svg = load_chart(run);
-  for (const char* words : {"compression P (kN)", "lateral displacement y (m)", "Hobbs, 0.6 W", "rise of temperature (K)"})
+  for (const char* words : {"compression P (kN)", "lateral displacement y (m)", "Hobbs, far_soil 0.6 W", "rise of temperature (K)"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   run.history.stage.assign(run.history.stage.size(), "lay");
   EXPECT_EQ(load_chart(run), "") << "not loaded";
