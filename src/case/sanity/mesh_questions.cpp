@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace berm::sanity {
 
@@ -28,6 +29,26 @@ void is_the_mesh_in_metres(const Scene& s, Findings& found)
   found.refuse("mesh.file",
                fmt::format("spans {}, {:.2g} times the rigid body, {}: is the mesh in millimetres? mesh.scale = {:g} reads it so",
                            words_of(extent, "m"), extent / width, words_of(width, "m"), file->scale / per_mm));
+}
+
+/// Numbers are 2^-52 |x| apart. A step moves soil by about 1e-3 of a cell, of which a hundredth must count.
+void are_coordinates_resolved(const Scene& s, Findings& found)
+{
+  constexpr Real resolved = 1e-5;
+  Real cell = infinity, farthest = 0;
+  for (Index r = 0; r < static_cast<Index>(s.rigids.size()); ++r)
+    if (const Real here = s.cell_size(r, {}); here < cell) cell = here;
+  for (const SupportScene& support : s.supports) cell = std::min(cell, support.cell);
+  for (const Span& span : s.mesh)
+    if (span.to >= span.from) farthest = std::max({farthest, std::abs(span.from), std::abs(span.to)});
+  const Real apart = std::numeric_limits<Real>::epsilon() * farthest;
+  if (!(apart > resolved * cell)) return;
+  found.refuse(
+      "mesh",
+      fmt::format(
+          "lies up to {:.3g} m from the origin, where numbers are {:.2g} m apart, {:.1g} of a cell of {}: soil that moves less in a "
+          "step would not move at all; move the origin of all coordinates nearer, to less than {:.1g} m",
+          farthest, apart, apart / cell, words_of(cell, "m"), resolved * cell / std::numeric_limits<Real>::epsilon()));
 }
 
 void are_depth_slices_thicker_than_cells(const Scene& s, Findings& found)

@@ -30,6 +30,7 @@ void is_there_soil_at_a_watch(const Scene& s, Findings& found);
 // A mesh from a file.
 void is_the_mesh_what_its_file_says(const Scene& s, Findings& found);
 void is_the_mesh_in_metres(const Scene& s, Findings& found);
+void are_coordinates_resolved(const Scene& s, Findings& found);
 
 // Forces along the depth of a body.
 void are_depth_slices_thicker_than_cells(const Scene& s, Findings& found);

@@ -15,6 +15,7 @@ namespace {
 /// All questions, in the order in which their answers are shown.
 constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_down,
                                                           is_the_mesh_in_metres,
+                                                          are_coordinates_resolved,
                                                           is_the_mesh_what_its_file_says,
                                                           does_the_driven_body_touch_soil,
                                                           does_a_pushed_pipe_begin_at_the_surface,

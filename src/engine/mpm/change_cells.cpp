@@ -24,7 +24,7 @@ template <int dim>
     const bodies::Particle<dim> p = state.particles[body].read_at(left->from, left->index);
     words = fmt::format("particle {} of body \"{}\" left the mesh at ({:.9g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
                         p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
-                        fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, p.x, left->from));
+                        fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, body, p.x, left->from));
   }
   throw RunError(Ranks::of_run().text_of_largest(left != nullptr ? 1 : 0, words));
 }

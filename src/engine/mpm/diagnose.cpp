@@ -78,7 +78,8 @@ void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim
 }
 
 template <int dim>
-std::string advice_for_leaving(const problem::Model<dim>& model, const problem::State<dim>& state, const Vec<dim>& x, Index cell)
+std::string advice_for_leaving(const problem::Model<dim>& model, const problem::State<dim>& state, Index body, const Vec<dim>& x,
+                               Index cell)
 {
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (surface_at<dim>(placed<dim>(model.rigid_bodies[r], state.rigid_bodies[r]), x).distance < 2 * model.mesh.height(cell))
@@ -86,7 +87,13 @@ std::string advice_for_leaving(const problem::Model<dim>& model, const problem::
           "rigid body \"{}\" is there and has displaced it: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
           "boundary with a [support.NAME]",
           model.rigid_bodies[r].name, model.stages[state.stage.index].name);
-  return fmt::format("make the mesh larger there, hold that boundary with a [support.NAME], or use a smaller mpm.courant");
+  const auto absorbs = [&](Index node) { return model.dashpots[body].any() && model.dashpots[body].of_node[node] != none; };
+  if (!model.dashpots.empty() && std::any_of(model.mesh.nodes[cell].begin(), model.mesh.nodes[cell].end(), absorbs))
+    return fmt::format("the boundary there absorbs waves, and holds nothing that keeps sliding: hold it by a support without `absorbs`, "
+                       "make the mesh larger "
+                       "there, or let the stage \"{}\" end earlier",
+                       model.stages[state.stage.index].name);
+  return "make the mesh larger there, hold that boundary with a [support.NAME], or use a smaller mpm.courant";
 }
 
 template <int dim>
@@ -122,7 +129,7 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void throw_not_finite(const problem::Model<dim>&, const problem::State<dim>&, Index);                                           \
-  template std::string advice_for_leaving(const problem::Model<dim>&, const problem::State<dim>&, const Vec<dim>&, Index);                 \
+  template std::string advice_for_leaving(const problem::Model<dim>&, const problem::State<dim>&, Index, const Vec<dim>&, Index);          \
   template void refuse_rigid_outside_mesh(const problem::Model<dim>&, const problem::State<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -238,6 +238,24 @@ TYPED_TEST(Move, a_particle_that_leaves_the_mesh_ends_the_run_with_its_number_bo
   }
 }
 
+TYPED_TEST(Move, a_particle_that_slides_out_of_a_boundary_that_absorbs_is_not_told_to_have_none)
+{
+  constexpr int dim = TypeParam::value;
+  Moved<dim> body(shaken_box<dim>(), sample_solid(), 0, true);
+  boundary::Dashpots<dim> everywhere;
+  everywhere.of_node.assign(body.mesh().node_count(), 0);
+  body.problem.model.dashpots.push_back(everywhere);
+  body.move(0.05, [](const Vec<dim>& x) { return Vec<dim>((x[1] > 1 ? 3 : 0) * Vec<dim>::UnitY()); });
+  try {
+    body.change_cells();
+    FAIL() << "nothing was thrown";
+  } catch (const RunError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("the boundary there absorbs waves"), std::string::npos) << message;
+    EXPECT_EQ(message.find("hold that boundary with a [support.NAME]"), std::string::npos) << message;
+  }
+}
+
 TYPED_TEST(Move, a_cell_that_gets_its_first_particle_gets_its_shape)
 {
   constexpr int dim = TypeParam::value;
