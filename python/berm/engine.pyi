@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 from collections.abc import Callable, Mapping
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -32,21 +33,21 @@ class RigidBody:
 class Run:
     def __init__(
         self,
-        case: str = "",
+        case: str | PathLike[str] = "",
         *,
         set: Mapping[str, Any] = ...,
-        folder: str = "",
+        folder: str | PathLike[str] = "",
         replace: bool = False,
         threads: int = 1,
         laws: Mapping[str, _Law] = ...,
         message: Callable[[str], None] | None = None,
-        resume: str = "",
+        resume: str | PathLike[str] = "",
     ) -> None: ...
     def step(self, count: int = 1) -> bool: ...
     def step_to_row(self) -> bool: ...
     def finish(self, on_row: Callable[[Run], object] | None = None) -> None: ...
     def stop(self) -> None: ...
-    def clone(self, folder: str = "") -> Run: ...
+    def clone(self, folder: str | PathLike[str] = "") -> Run: ...
     def drive(self, *, velocity: Mapping[str, float] = ..., force: Mapping[str, float] = ...) -> None: ...
     def limit_time_step(self, longest: float) -> None: ...
     @property

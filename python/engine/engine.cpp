@@ -5,9 +5,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -15,6 +17,8 @@ using namespace py::literals;
 void add_macro_element(py::module_& module);  // macro_element.cpp
 
 namespace {
+
+using Path = std::filesystem::path;
 
 /// An array on memory of the run, which lives as long as the array does; it cannot be written to.
 py::array view(const py::object& run, const berm::ParticleField& field)
@@ -64,15 +68,15 @@ public:
     }
   }
 
-  PythonRun(const std::string& case_file, const py::dict& set, const std::string& folder, bool replace, int threads, const py::dict& laws,
-            const py::object& message, const std::string& resume)
+  PythonRun(const Path& case_file, const py::dict& set, const Path& folder, bool replace, int threads, const py::dict& laws,
+            const py::object& message, const Path& resume)
   {
     berm::RunOptions options;
     for (const auto& [key, value] : set) {
       const py::str text = py::module_::import("berm.program").attr("toml_value")(value);
       options.set.push_back(key.cast<std::string>() + "=" + text.cast<std::string>());
     }
-    options.folder = folder;
+    options.folder = folder.string();
     options.replace = replace;
     options.threads = threads;
     for (const auto& [material, law] : laws) options.laws[material.cast<std::string>()] = law_of(callable(law, "laws"));
@@ -86,7 +90,7 @@ public:
         }
       };
     if (case_file.empty() == resume.empty()) throw berm::InputError("either a case to run or a folder to resume must be given");
-    const auto made = [&] { return resume.empty() ? berm::Run(case_file, options) : berm::Run::resume(resume, options); };
+    const auto made = [&] { return resume.empty() ? berm::Run(case_file.string(), options) : berm::Run::resume(resume.string(), options); };
     run_ = freely([&] { return std::make_unique<berm::Run>(made()); });
   }
   ~PythonRun()
@@ -97,11 +101,11 @@ public:
 
   berm::Run& run() { return *run_; }
 
-  std::unique_ptr<PythonRun> clone(const std::string& folder)
+  std::unique_ptr<PythonRun> clone(const Path& folder)
   {
     std::unique_ptr<PythonRun> other(new PythonRun);
     other->thrown_ = thrown_;
-    other->run_ = freely([&] { return std::make_unique<berm::Run>(run_->clone(folder)); });
+    other->run_ = freely([&] { return std::make_unique<berm::Run>(run_->clone(folder.string())); });
     return other;
   }
 
@@ -254,9 +258,8 @@ PYBIND11_MODULE(engine, module)
 
   py::class_<PythonRun>(module, "Run", "One run in the hands of its caller; a process may have several of one thread each.")
       .def(
-          py::init<const std::string&, const py::dict&, const std::string&, bool, int, const py::dict&, const py::object&,
-                   const std::string&>(),
-          "case"_a = "", py::kw_only(), "set"_a = py::dict(), "folder"_a = "", "replace"_a = false, "threads"_a = 1, "laws"_a = py::dict(),
+          py::init<const Path&, const py::dict&, const Path&, bool, int, const py::dict&, const py::object&, const Path&>(), "case"_a = "",
+          py::kw_only(), "set"_a = py::dict(), "folder"_a = "", "replace"_a = false, "threads"_a = 1, "laws"_a = py::dict(),
           "message"_a = py::none(), "resume"_a = "",
           "Reads and builds the case (or goes to the last checkpoint of the run in the folder `resume`), and finds its start.\n\n"
           "set: changes to the case. folder: where results go as of berm run; without it nothing is kept. laws: by the name of a material "
@@ -277,7 +280,7 @@ PYBIND11_MODULE(engine, module)
           "stop", [](PythonRun& self) { self.freely([&] { self.run().stop(); }); },
           "Ends the run with results and a checkpoint in its folder.")
       .def(
-          "clone", [](PythonRun& self, const std::string& folder) { return self.clone(folder); }, "folder"_a = "",
+          "clone", [](PythonRun& self, const Path& folder) { return self.clone(folder); }, "folder"_a = "",
           "A second run in the state that this one is in, which goes on by itself to the same bits, in a folder of its own; without one "
           "nothing is kept.")
       .def("drive", &drive, py::kw_only(), "velocity"_a = std::map<std::string, double>(), "force"_a = std::map<std::string, double>(),

@@ -39,7 +39,7 @@ def elastic(stress: np.ndarray, strain: np.ndarray, state: np.ndarray, dt: float
 
 
 def test_steps_give_the_bytes_of_the_program(case: Path, finished: berm.Run, tmp_path: Path) -> None:
-    run = engine.Run(str(case), folder=str(tmp_path / "stepped"))
+    run = engine.Run(case, folder=tmp_path / "stepped")
     while run.step(100):
         pass
     assert run.finished
@@ -124,7 +124,7 @@ def test_errors_are_those_of_the_package(case: Path, tmp_path: Path) -> None:
         run.step(-1)
     run.step(50)
     run.stop()
-    resumed = engine.Run(resume=str(tmp_path / "run"))
+    resumed = engine.Run(resume=tmp_path / "run")
     assert resumed.steps >= 50
     resumed.finish()
     assert resumed.finished
