@@ -20,8 +20,13 @@ std::vector<std::string> Pipe::quantity_names(const problem::Case& c) const
   std::vector<std::string> names = Driven::quantity_names(c);
   if (names.empty()) return names;
   for (const problem::StageSettings& stage : c.stage)
-    for (const char* begin : {"wedging_of_", "axial_friction_of_"}) names.push_back(begin + stage.name);
+    for (const char* begin : {"wedging_of_", "axial_friction_of_", "axial_gain_of_"}) names.push_back(begin + stage.name);
   return names;
+}
+
+std::string Pipe::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
+{
+  return consolidation_words(driven::DrivenRun(run), shown) + Driven::in_words(run, shown);
 }
 
 std::string Pipe::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const

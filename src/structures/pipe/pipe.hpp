@@ -11,6 +11,7 @@ public:
   const char* word() const override { return "pipe"; }
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::vector<std::string> quantity_names(const problem::Case& c) const override;
+  std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
   std::string key_results(const base::Runs& runs, const base::DisplayUnits& shown) const override;
   std::string published_values(const base::Runs& runs, const base::DisplayUnits& shown) const override;
   base::EmbeddedBody embedded(const problem::Case& c) const override;

@@ -53,4 +53,15 @@ std::string axial_table(const driven::DrivenRuns& runs, const base::DisplayUnits
   return table.html() + text::html_paragraph(how, "quiet");
 }
 
+std::string consolidation_words(const driven::DrivenRun& run, const base::DisplayUnits& shown)
+{
+  std::string words;
+  for (const AxialGain& gain : axial_gains(run.record))
+    words +=
+        fmt::format("In \"{}\" {} of the excess pore pressure goes (U), and the axial resistance by friction {} from {} to {}, {} times. ",
+                    text::html_text(gain.stage), text::percent_words(gain.degree), gain.ratio() < 1 ? "falls" : "grows",
+                    shown.force_text(run.scale, gain.before), shown.force_text(run.scale, gain.after), text::short_number(gain.ratio()));
+  return words;
+}
+
 }  // namespace berm::pipe

@@ -3,6 +3,8 @@
 
 #include "structures/base/soil_words.hpp"
 
+#include <fmt/format.h>
+
 namespace berm::pipe {
 
 std::vector<AxialState> axial_states(const record::RunRecord& run)
@@ -17,6 +19,18 @@ std::vector<AxialState> axial_states(const record::RunRecord& run)
   return states;
 }
 
+std::vector<AxialGain> axial_gains(const record::RunRecord& run)
+{
+  std::vector<AxialGain> gains;
+  const std::vector<AxialState> states = axial_states(run);
+  const std::vector<base::Dissipation> rests = base::dissipation_of(run);
+  for (std::size_t k = 1; k < states.size(); ++k)
+    for (const base::Dissipation& rest : rests)
+      if (rest.stage == states[k].stage && states[k - 1].resistance() > 0)
+        gains.push_back({rest.stage, rest.degree, states[k - 1].resistance(), states[k].resistance()});
+  return gains;
+}
+
 std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run)
 {
   std::vector<run_folder::Quantity> quantities;
@@ -27,6 +41,11 @@ std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run)
                           "friction coefficient times the effective normal force at the end of " + state.stage,
                           run_folder::QuantityKind::answer, state.stage});
   }
+  for (const AxialGain& gain : axial_gains(run))
+    quantities.push_back({"axial_gain_of_" + gain.stage, gain.ratio(), "1",
+                          fmt::format("axial friction at the end of {} over that at the end of the stage before, at U = {:.0f} %",
+                                      gain.stage, 100 * gain.degree),
+                          run_folder::QuantityKind::answer, gain.stage});
   return quantities;
 }
 

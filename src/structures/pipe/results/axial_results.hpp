@@ -21,7 +21,17 @@ struct AxialState {
 /// Of all stages but geostatic ones that leave the pipe pressed on the soil; none where the history has no effective normal force.
 std::vector<AxialState> axial_states(const record::RunRecord& run);
 
-/// The same for the summary: wedging_of_STAGE and axial_friction_of_STAGE.
+/// What a rest in which soil consolidates does to that resistance.
+struct AxialGain {
+  std::string stage;   ///< of the rest
+  Real degree;         ///< U at its end
+  Real before, after;  ///< N/m, resistance at the end of the stage before and at its own
+
+  Real ratio() const { return after / before; }
+};
+std::vector<AxialGain> axial_gains(const record::RunRecord& run);
+
+/// The same for the summary: wedging_of_STAGE, axial_friction_of_STAGE, and axial_gain_of_STAGE of rests.
 std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run);
 
 }  // namespace berm::pipe
