@@ -15,8 +15,8 @@
 namespace berm::site {
 namespace {
 
-/// Cones are made for 50 to 100 MPa (ISO 22476-1); beyond it is a unit that is wrong.
-constexpr Real most_cone_resistance = 100e6;
+/// Cones are made for 50 to 100 MPa (ISO 22476-1), and pushed to some 150 m; beyond it is a unit that is wrong.
+constexpr Real most_cone_resistance = 100e6, most_depth = 200;
 
 constexpr std::array<const char*, 6> words_of_reading = {
     "depth", "corrected depth", "cone resistance q_c", "corrected cone resistance q_t", "sleeve friction f_s", "pore pressure u_2"};
@@ -169,12 +169,17 @@ void say_origins(Sounding& sounding, const Origins& rows, const Table& table, bo
 
 void refuse_unit(const Sounding& sounding, const Readings& all)
 {
-  for (std::size_t row = 0; row < static_cast<std::size_t>(sounding.rows); ++row)
+  for (std::size_t row = 0; row < static_cast<std::size_t>(sounding.rows); ++row) {
     if (all.resistance(row) > most_cone_resistance)
       throw InputError(
           fmt::format("{}: the cone resistance is {:.4g} MPa at {:.2f} m, and no cone stands more than {:g} MPa: is its unit right? "
                       "Values in kPa have the unit kPa",
                       sounding.file, all.resistance(row) / 1e6, all.depth(row), most_cone_resistance / 1e6));
+    if (all.depth(row) > most_depth)
+      throw InputError(
+          fmt::format("{}: the depth is {:.4g} m, and no cone is pushed to {:g} m: is its unit right? Values in cm have the unit cm",
+                      sounding.file, all.depth(row), most_depth));
+  }
 }
 
 [[noreturn]] void refuse_few(const Sounding& sounding)

@@ -222,6 +222,7 @@ std::vector<File> files_of_csv()
       {"of elevations", "a.csv", csv_head + lines([](int n) { return "-" + of_csv(n); }), 0, 0, "depths are positive below the seabed"},
       {"with the deepest first", "a.csv", csv_head + lines([](int n) { return of_csv(rows + 1 - n); }), 0, 0, "depths ascend"},
       {"of one row", "a.csv", csv_head + of_csv(1) + "\n", 0, 0, "1 of 1 rows"},
+      {"in mm under the unit m", "a.csv", "depth_m,q_c_MPa\n0,0.1\n500,0.2\n", 0, 0, "no cone is pushed to 200 m: is its unit right"},
       {"in kPa under the unit MPa", "a.csv", changed(plain, q_c(20), "123.4"), 0, 0, "no cone stands more than 100 MPa"},
   };
 }
