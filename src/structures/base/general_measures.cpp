@@ -107,6 +107,16 @@ std::optional<material::Strength> weakest_in_shear_bands(Run run)
   return weakest;
 }
 
+/// Whether soil of a case can shear in bands: not where all slices of a pipeline are springs, nor around a cavity about the axis, whose wall alone moves along the radius.
+bool can_form_bands(const problem::Case& c)
+{
+  if (c.pipeline && c.pipeline->slices.asleep == problem::SliceSleep::always) return false;
+  return c.geometry != problem::Geometry::axisymmetric ||
+         std::none_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
+           return stage.kind == problem::StageKind::drive && (stage.drive.x.velocity || stage.drive.x.force);
+         });
+}
+
 Real lost_in_shear_bands(Run run)
 {
   const std::optional<material::Strength> soil = weakest_in_shear_bands(run);
@@ -255,7 +265,7 @@ TrustMeasure shear_bands()
 {
   return {"friction that shear bands can lose, psi < phi",
           &limits::shear_bands,
-          has_soil,
+          [](Run run) { return has_soil(run) && can_form_bands(run.settings); },
           lost_in_shear_bands,
           in_percent,
           [](Run run, Real value) {
@@ -297,7 +307,8 @@ TrustMeasure friction_of_cells()
   return {"cells across a shear band of the soil, psi < phi",
           &limits::cells_of_band,
           [](Run run) {
-            return std::any_of(run.settings.material.begin(), run.settings.material.end(),
+            return can_form_bands(run.settings) &&
+                   std::any_of(run.settings.material.begin(), run.settings.material.end(),
                                [](const auto& named) { return band_width(named.second) && non_associated(named.second); });
           },
           [](Run run) {

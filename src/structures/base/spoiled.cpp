@@ -43,6 +43,14 @@ bool goes_through_soil(const problem::StageSettings& stage)
          (stage.kind == problem::StageKind::push && !(stage.velocity && *stage.velocity < 0) && !(stage.force && *stage.force < 0));
 }
 
+/// Whether soil resisted the drag in one of these rows: it does not resist a gate that is drawn away from it.
+bool is_resisted(const run_folder::History& h, Index begin, Index end)
+{
+  const std::vector<Real>&u = h.by_label("u"), &H = h.by_label("H");
+  const Real forwards = u[end - 1] - u[begin];
+  return std::any_of(H.begin() + begin, H.begin() + end, [&](Real force) { return force * forwards > 0; });
+}
+
 void add_lost_soil(Run run, std::vector<std::string>& found)
 {
   constexpr Index least_rows = 10;  // of a stage; its last tenth is looked at
@@ -55,6 +63,7 @@ void add_lost_soil(Run run, std::vector<std::string>& found)
     const auto stage =
         std::find_if(run.settings.stage.begin(), run.settings.stage.end(), [&](const auto& s) { return s.name == h.stage[begin]; });
     if (stage == run.settings.stage.end() || !goes_through_soil(*stage) || !touched || end - begin < least_rows) continue;
+    if (stage->kind == problem::StageKind::drag && h.has_label("u") && !is_resisted(h, begin, end)) continue;
     bool at_end = false;
     for (Index row = end - (end - begin) / least_rows; row < end; ++row) at_end = at_end || touches(row);
     if (!at_end) found.push_back(fmt::format("at the end of stage \"{}\" the body touches no soil: it left it", stage->name));

@@ -12,7 +12,7 @@ namespace berm::base {
 /// - momentum that does not balance: the program is wrong;
 /// - soil at its largest volume, more than a hundredth of all: it no longer follows its law;
 /// - forces, displacements or energies that are no numbers;
-/// - a driven body that touched soil, and touches none in the last tenth of a push or a drag: what it drags through is water.
+/// - a driven body that touched soil, and touches none in the last tenth of a push or a drag that soil resisted: what it drags through is water.
 std::vector<std::string> spoiled_by(const record::RunRecord& run);
 
 /// Why, as one text; "" where nothing is.

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/structures_test.cpp
 #include "structures/generic/generic.hpp"
 
+#include "bodies/rigid/shape.hpp"
 #include "record/panels.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
@@ -76,6 +77,11 @@ inline constexpr base::Limit mechanism{
     "height, 6 % with 40 (examples/vertical_cut); a cavity with five cells across the clay that flows is 4 % low (examples/cavity)",
     true};
 
+inline constexpr base::Limit turned = base::too_large(
+    {120, 30, base::Effect::cells,
+     "the moment of a strip that sticks to clay is 5 % too large with elements of B/67 (an upper bound gives 0.69 B2 s_u)", true});
+inline constexpr base::Limit moved = base::too_large({40, 20, base::Effect::cells, "as at a body that a push or a drag drives", true});
+
 inline constexpr base::Limit radius{16, 5, base::Effect::cells,
                                     "the rim of an elastic disk is straight across a cell: with 16 cells over its radius it rolls 2 % too "
                                     "slowly, with 8 some 4 % (examples/cylinder); "
@@ -123,6 +129,44 @@ base::TrustMeasure cells_of_disk()
           true};
 }
 
+/// The width of a main rigid body that a stage of kind drive moves, m; 0 where there is none, or it reaches from wall to wall.
+Real moved_width(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  const bool driven = std::any_of(c.stage.begin(), c.stage.end(),
+                                  [](const problem::StageSettings& stage) { return stage.kind == problem::StageKind::drive; });
+  if (rigid == none || !driven || base::covers_the_mesh(c)) return 0;
+  const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  const Real width = c.dimension() == 2 ? width_of<2>(bodies::make_shape<2>(shape)) : width_of<3>(bodies::make_shape<3>(shape));
+  return std::isfinite(width) ? width : 0;
+}
+
+bool turns(const problem::Case& c)
+{
+  return std::any_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
+    const problem::TurnSettings* all[] = {&stage.drive.rotation, &stage.drive.rotation_x, &stage.drive.rotation_y, &stage.drive.rotation_z};
+    return std::any_of(std::begin(all), std::end(all), [](const problem::TurnSettings* turn) { return turn->velocity || turn->moment; });
+  });
+}
+
+/// Of a body that a drive moves or turns.
+base::TrustMeasure cells_at_moved_body(const problem::Case& c)
+{
+  const std::string what = fmt::format("{} at the {}", c.method == problem::Method::fem ? "elements" : "cells", base::body_word(c));
+  return {what,
+          turns(c) ? &limits::turned : &limits::moved,
+          [](const record::RunRecord& run) { return moved_width(run.settings) > 0; },
+          [](const record::RunRecord& run) { return moved_width(run.settings) / base::near_cells(run).first; },
+          [](const record::RunRecord& run, Real value) {
+            return fmt::format("D/{:.3g} ({})", value, text::length_words(base::near_cells(run).first));
+          },
+          [what](const record::RunRecord&, Real value) {
+            return fmt::format("{} are D/{:.3g}: resistance on a coarse mesh is too large", what, value);
+          },
+          [](Real value) { return fmt::format("D/{:g}", value); },
+          true};
+}
+
 }  // namespace
 
 bool Generic::applies_to(const problem::Case&) const
@@ -150,14 +194,14 @@ base::TrustMeasures Generic::measures(const problem::Case& c) const
 {
   using namespace base;
   if (c.method == problem::Method::fem)
-    return joined(
-        {convergence(),
-         {energy_balance(c.method), shear_bands(), friction_of_cells(), counted("nodes", "nodes"), counted("elements", "cells")}});
+    return joined({convergence(),
+                   {energy_balance(c.method), cells_at_moved_body(c), shear_bands(), friction_of_cells(), counted("nodes", "nodes"),
+                    counted("elements", "cells")}});
   return joined({{energy_balance(c.method)},
                  energy_that_the_method_takes(),
                  {balance_after_geostatic("after the geostatic stage")},
                  soil_volumes(),
-                 {momentum_balance(), cells_of_mechanism(), cells_of_disk(), shear_bands(), friction_of_cells(),
+                 {momentum_balance(), cells_of_mechanism(), cells_of_disk(), cells_at_moved_body(c), shear_bands(), friction_of_cells(),
                   counted("particles", "particles"), counted("cells", "cells")}});
 }
 

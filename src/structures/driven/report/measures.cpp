@@ -4,6 +4,7 @@
 
 #include "material/material.hpp"
 #include "problem/cells_at_body.hpp"
+#include "structures/base/cells_below.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/base/kind.hpp"
@@ -336,8 +337,9 @@ TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
         noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
        soil_volumes(),
        {contact_gap(body), overlap(body), second_impulse(), momentum_balance(),
-        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), depth_of_push(body), cells_of_dilating_soil(body),
-        shear_bands(), friction_of_cells(), particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
+        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), cells_below(body), depth_of_push(body),
+        cells_of_dilating_soil(body), shear_bands(), friction_of_cells(), particles_of_cells(body), counted("particles", "particles"),
+        counted("cells", "cells")}});
 }
 
 TrustMeasures fem_measures(const std::string& body)

@@ -63,5 +63,13 @@ TEST(Spoiled, by_a_body_that_left_the_soil_and_not_by_one_that_comes_down_on_it)
   EXPECT_TRUE(spoiled_by(falling.record()).empty()) << "it never touched any";
 }
 
+TEST(Spoiled, not_by_a_gate_that_is_drawn_away_from_the_soil_that_presses_on_it)
+{
+  MadeRun made;
+  made.held_V = 0;
+  made.H = [](Real u) { return u < 0.005 ? -100 : 0; };
+  EXPECT_TRUE(spoiled_by(made.record()).empty());
+}
+
 }  // namespace
 }  // namespace berm::base::this_file
