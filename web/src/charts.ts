@@ -2,7 +2,7 @@
 import { ChartView } from "./charts/chart_view";
 import { chart_controls, labelled_select } from "./charts/controls";
 import { follow_size } from "./charts/follow_size";
-import { drag_plans, lift_plans, push_plans } from "./charts/path_charts";
+import { drag_plans, lift_plans, own_plans, push_plans } from "./charts/path_charts";
 import type { Plan } from "./charts/plan";
 import type { Settings } from "./charts/scene";
 import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_with_energies, water_plans } from "./charts/time_charts";
@@ -18,7 +18,7 @@ export function show_charts(section: HTMLElement, trust: HTMLElement, data: Page
     views.push(made);
     return made;
   };
-  const [forces, noise] = parted([...push_plans(data), ...drag_plans(data), ...lift_plans(data)], (plan) => plan.id.includes("_noise"));
+  const [forces, noise] = parted([...own_plans(data), ...push_plans(data), ...drag_plans(data), ...lift_plans(data)], (plan) => plan.id.includes("_noise"));
   section.append(chart_controls(data, settings, () => views.forEach((each) => each.show(settings))));
   section.append(element("p", { class: "quiet chart_hint" }, hint(forces)));
   const thinned = data.runs.flatMap((run) => (run.row === null ? [] : `${run.name} (${run.row.length} of ${run.row.at(-1)! + 1})`));
@@ -42,7 +42,7 @@ export function show_charts(section: HTMLElement, trust: HTMLElement, data: Page
 function hint(forces: Plan[]): string {
   const means = forces.some((plan) => plan.traces.some((trace) => trace.mean !== null));
   return "Point at a chart, or move through it with the arrow keys, to read rows of history.csv. Drag over it to zoom, double-click to see all again." +
-    (means ? " Thick lines and \u201cmean\u201d are smoothed over 0.01 D of travel to either side." : "");
+    (means ? " Thick lines and \u201cmean\u201d are smoothed over 0.01 D of travel to either side, of short travels over a twentieth of them; travels that go back and forth have none." : "");
 }
 
 function parted<T>(all: T[], is_second: (each: T) => boolean): [T[], T[]] {

@@ -32,6 +32,8 @@ export interface RunData {
   push: PathData;
   drag: PathData;
   lift: PathData;
+  /** Charts that answer the question of the structure. */
+  charts?: OwnChart[];
   /** How sure the curves of charts are, where the run was asked. */
   bands: BandData[];
   film: FilmData | null;
@@ -53,9 +55,29 @@ export interface PathData {
   rows: number[];
   /** u where the first drag began. */
   u_begin: number;
-  /** Forces freed from noise over +-0.01 D of the travel of each push or drag, by row of the path. */
+  /** Of a drag of a body that turns: the displacement of a named point since the drag began, m, by row of the path, and what to call it. */
+  u?: { words: string; values: (number | null)[] };
+  /** Forces freed from noise over +-0.01 D of the travel of each push or drag, a twentieth of it at most, by row of the path; null where it goes back and forth. */
   V_mean: (number | null)[];
   H_mean: (number | null)[];
+}
+
+/** Curves of one run over one another, by row (of `columns`). */
+export interface OwnChart {
+  id: string;
+  title: string;
+  x: AxisData;
+  y: AxisData;
+  rows: number[];
+  /** `mean`: y freed from noise. */
+  curves: { name: string; x: (number | null)[]; y: (number | null)[]; mean: (number | null)[] }[];
+}
+
+/** What an axis shows, in SI units. */
+export interface AxisData {
+  words: string;
+  symbol: string;
+  unit: string;
 }
 
 /** The band of a curve, over w of the push or over u from where the first drag began, in the units of the columns; null where it is not known. */

@@ -22,8 +22,9 @@ export function readings(run: FilmedRun, at: number): [name: string, value: stri
   const length = (name: "u" | "w") => {
     const value = quantity(run, at, name);
     if (value === null) return;
-    if (run.diameter === null) shown.push([name, `${digits(value * 1000)} mm`]);
-    else shown.push([`${name}/D`, (value / run.diameter).toFixed(3).replace("-", "−")]);
+    const of = name === "u" && run.drag.u !== undefined ? ` (${run.drag.u.words})` : "";
+    if (run.diameter === null) shown.push([`${name}${of}`, `${digits(value * 1000)} mm`]);
+    else shown.push([`${name}/D${of}`, (value / run.diameter).toFixed(3).replace("-", "−")]);
   };
   const force = (name: "H" | "V") => {
     const value = quantity(run, at, name);

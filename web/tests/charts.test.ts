@@ -224,7 +224,7 @@ test("charts_of_energy_contact_and_noise_are_folded_below_trust", async () => {
   const of_trust = await ids("#trust .chart_fold"), of_curves = await ids("#curves");
   for (const id of ["energies", "kinetic_over_internal", "out_of_balance"]) assert.ok(of_trust.includes(id), of_trust.join());
   if (dragged.length > 0) for (const id of ["gap", "H_noise"]) assert.ok(of_trust.includes(id), of_trust.join());
-  assert.ok(of_curves.every((id) => /^(V_w|H_u|w_u|H_over_V|H_V|R_lift|water_|any)/.test(id)), of_curves.join());
+  assert.ok(of_curves.every((id) => /^(V_w|H_u|w_u|H_over_V|H_V|R_lift|p_y|water_|any)/.test(id)), of_curves.join());
   assert.equal(await page.locator("#trust .chart").first().isVisible(), false);
   await unfolded_charts(page);
   assert.equal(await page.locator("#trust .chart").first().isVisible(), true);

@@ -2,7 +2,7 @@
 // Where published numbers and axes are, by the data alone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drag_plans, push_plans } from "../src/charts/path_charts";
+import { drag_plans, own_plans, push_plans } from "../src/charts/path_charts";
 import { published_marks } from "../src/charts/plan";
 import { make_scene } from "../src/charts/scene";
 import type { PageData, RunData } from "../src/data";
@@ -71,4 +71,31 @@ test("forces_per_metre_and_whole_forces_have_charts_of_their_own", () => {
   assert.deepEqual(of("H_over_V").traces.map((trace) => trace.run), [space, plane]);
   assert.equal(of("V_w").value.unit, "N");
   assert.equal(of("V_w_2").value.unit, "N/m");
+});
+
+test("u_of_a_body_that_turns_is_that_of_the_point_that_its_axis_names", () => {
+  const run = run_to(0.022);
+  run.drag.u = { words: "displacement at the bed", values: [0, 0.05] };
+  const plan = drag_plans(page_of(run)).find((each) => each.id === "H_u")!;
+  assert.equal(plan.argument.words, "displacement at the bed");
+  assert.deepEqual(plan.traces[0].argument, [0, 0.05]);
+  assert.equal(drag_plans(page_of(run, run_to(0.022)))[0].argument.words, "horizontal travel", "runs that name different points");
+});
+
+test("charts_of_a_structure_have_a_trace_for_each_curve", () => {
+  const run = run_to(0.022), axis = (words: string, symbol: string, unit: string) => ({ words, symbol, unit });
+  const curve = (name: string, to: number, mean: (number | null)[]) => ({ name, x: [0, to], y: [0, 3 * to], mean });
+  run.charts = [{ id: "p_y", title: "p-y", x: axis("displacement", "y", "m"), y: axis("resistance", "p", "N/m"), rows: [0, 1], curves: [curve("1 m", 2, [0, 6]), curve("3 m", 1, [null, null])] }];
+  const [plan] = own_plans(page_of(run));
+  assert.deepEqual(plan.traces.map((trace) => [trace.label, trace.value, trace.mean]), [["1 m", [0, 6], [0, 6]], ["3 m", [0, 3], null]]);
+  assert.equal(plan.value.kind, "force");
+  assert.equal(plan.by_run, false);
+});
+
+test("without_means_the_path_of_forces_is_that_of_the_rows", () => {
+  const storm = run_to(0.022, [0, 100], [100, 20]);
+  storm.drag.V_mean = storm.drag.H_mean = [null, null];
+  const plans = drag_plans(page_of(storm));
+  assert.deepEqual(plans.find((each) => each.id === "H_V")!.traces[0].value, [0, 100]);
+  assert.equal(plans.find((each) => each.id === "H_u")!.traces[0].mean, null);
 });

@@ -34,6 +34,27 @@ struct StagePaths {
   std::vector<StagePath> lifts;  ///< travel upwards
 };
 
+/// The displacement of a named point of a body that turns, by row of the history.
+struct PointTravel {
+  std::string words;    ///< "displacement at the bed"
+  std::vector<Real> u;  ///< m, along the axis in which u counts
+};
+
+/// A chart of the page that a structure has by itself: curves of one run over one another, by the same rows of its history.
+struct OwnChart {
+  struct Axis {
+    std::string words, symbol, unit;  ///< unit: SI
+  };
+  struct Curve {
+    std::string name;
+    std::vector<Real> x, y, mean;  ///< y as it is, and as a smooth line is drawn (record::drawn_along)
+  };
+  std::string id, title;
+  Axis x, y;
+  std::vector<Index> rows;
+  std::vector<Curve> curves;
+};
+
 /// A curve of a chart: at travel s it stands at x = begin + direction s.
 struct ChartCurve {
   std::string chart;  ///< V_w, H_u, w_u
@@ -101,6 +122,11 @@ public:
   }
   /// What is published beside an envelope that was found.
   virtual PublishedEnvelope published_envelope(const problem::Case&, const EnvelopeEnds&) const { return {}; }
+
+  /// The charts that answer the question of the structure, the first of the page.
+  virtual std::vector<OwnChart> own_charts(const record::RunRecord&) const { return {}; }
+  /// What u is of on the page where that is not the centre of the body.
+  virtual std::optional<PointTravel> point_travel(const record::RunRecord&) const { return {}; }
 };
 
 }  // namespace berm::base

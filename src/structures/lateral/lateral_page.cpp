@@ -150,7 +150,7 @@ bool draw_lateral_curves(const run_folder::RunFolder& folder, const LateralRun& 
   for (std::size_t k = 0; k < run.path.u.size(); ++k)
     rows += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", run.path.u[k] * length.per_si, u_load[k] * length.per_si,
                         run.path.H[k] * force.per_si, run.path.tilt[k] / degree, run.path.M[k] * force.per_si);
-  const record::TravelCurve smooth = run.H_curve().smoothed(run.half());
+  const record::TravelCurve smooth = run.H_curve().drawn(run.half());
   for (std::size_t k = 0; k < smooth.travel().size(); ++k)
     mean += fmt::format("{:.6g} {:.6g}\n", smooth.travel()[k] * length.per_si, smooth.value()[k] * force.per_si);
   io::write_atomically(folder.file("plots/lateral.dat"), rows);

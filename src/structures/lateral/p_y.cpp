@@ -20,27 +20,49 @@ int slices_of(const LateralRun& run)
   return run.record.settings.rigid[main_rigid(run.record.settings)].second.depth_slices;
 }
 
+/// A slice of the shaft by row of the path: displacement of its axis at its middle along the load (m), resistance per metre (N/m).
+struct SliceRows {
+  Real z;  ///< m below the bed
+  std::vector<Real> y, p;
+};
+
+/// Those from the bed down; none without slices, or where the load goes across the direction in which H counts.
+std::vector<SliceRows> slice_rows(const LateralRun& run)
+{
+  std::vector<SliceRows> slices;
+  if (run.empty() || run.H_curve().empty() || run.path.direction == 0) return slices;
+  const run_folder::History& history = run.record.history;
+  const int count = slices_of(run);
+  const Real thickness = history["w_m"].front() / count;
+  for (int k = 0; k < count; ++k) {
+    const std::string column = fmt::format("H{}_N", k + 1);
+    if (!history.has(column)) return {};
+    SliceRows slice{(k + 0.5) * thickness, {}, {}};
+    for (std::size_t row = 0; row < run.path.rows.size(); ++row) {
+      slice.y.push_back(run.path.u[row] - slice.z * std::sin(run.path.tilt[row]));
+      slice.p.push_back(run.path.direction * history[column][run.path.rows[row]] / thickness);
+    }
+    slices.push_back(std::move(slice));
+  }
+  return slices;
+}
+
+/// Every so many of them are in a picture.
+std::size_t step_of(std::size_t count)
+{
+  return std::max<std::size_t>(1, (count + max_curves - 1) / max_curves);
+}
+
 }  // namespace
 
 std::vector<PyCurve> py_curves(const LateralRun& run)
 {
   std::vector<PyCurve> curves;
-  if (run.empty() || run.H_curve().empty() || run.path.direction == 0) return curves;
-  const run_folder::History& history = run.record.history;
-  const int count = slices_of(run);
-  const Real thickness = history["w_m"].front() / count, end = run.H_curve().end();
-  for (int k = 0; k < count; ++k) {
-    const std::string column = fmt::format("H{}_N", k + 1);
-    if (!history.has(column)) return {};
-    PyCurve curve{(k + 0.5) * thickness, {}, {}, {}};
-    std::vector<Real> y, p;
-    for (std::size_t row = 0; row < run.path.rows.size(); ++row) {
-      y.push_back(run.path.u[row] - curve.z * std::sin(run.path.tilt[row]));
-      p.push_back(run.path.direction * history[column][run.path.rows[row]] / thickness);
-    }
-    const record::TravelCurve y_curve(run.path.u, y), p_curve(run.path.u, p);
+  for (const SliceRows& slice : slice_rows(run)) {
+    PyCurve curve{slice.z, {}, {}, {}};
+    const record::TravelCurve y_curve(run.path.u, slice.y), p_curve(run.path.u, slice.p);
     for (int n = 0; n <= points; ++n) {
-      const Real u = std::lerp(p_curve.begin(), end, Real(n) / points);
+      const Real u = std::lerp(p_curve.begin(), run.H_curve().end(), Real(n) / points);
       const Real half = std::min(run.half(), u - p_curve.begin());  // the first point is that of the start
       curve.u.push_back(u), curve.y.push_back(y_curve.at(u, half)), curve.p.push_back(p_curve.at(u, half));
     }
@@ -49,13 +71,28 @@ std::vector<PyCurve> py_curves(const LateralRun& run)
   return curves;
 }
 
+base::OwnChart py_chart(const LateralRun& run)
+{
+  base::OwnChart chart{"p_y",
+                       "p-y curves by depth below the bed",
+                       {"displacement of the axis at that depth", "y", "m"},
+                       {"resistance per metre of depth", "p", "N/m"},
+                       run.path.rows,
+                       {}};
+  const std::vector<SliceRows> slices = slice_rows(run);
+  for (std::size_t k = 0; k < slices.size(); k += step_of(slices.size()))
+    chart.curves.push_back(
+        {text::length_words(slices[k].z), slices[k].y, slices[k].p, record::drawn_along(run.path.u, slices[k].p, run.half())});
+  return chart;
+}
+
 std::string py_csv(const LateralRun& run)
 {
   std::string text;
   for (const PyCurve& curve : py_curves(run))
     for (std::size_t k = 0; k < curve.u.size(); ++k)
       text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}\n", curve.z, curve.u[k], curve.y[k], curve.p[k]);
-  return text.empty() ? "" : "z_m,u_m,y_m,p_N_m\n" + text;
+  return text.empty() ? "" : "z_m,u_at_bed_m,y_m,p_N_m\n" + text;
 }
 
 std::string py_table(const LateralRun& run, const std::string& id)
@@ -76,8 +113,7 @@ std::vector<std::string> draw_py_figure(const LateralRun& run, const std::string
   const std::vector<PyCurve> curves = py_curves(run);
   if (curves.empty()) return {};
   plot::Figure figure{fmt::format("{}: p-y curves by depth", run.record.name), "y (mm)", "p (kN/m)", {}, plot::from_zero};
-  const std::size_t every = (curves.size() + max_curves - 1) / max_curves;
-  for (std::size_t k = 0; k < curves.size(); k += every) {
+  for (std::size_t k = 0; k < curves.size(); k += step_of(curves.size())) {
     const std::size_t number = figure.curves.size();
     figure.curves.push_back({text::length_words(curves[k].z), plot::curve_style(number, number), plot::scaled(curves[k].y, 1e3),
                              plot::scaled(curves[k].p, 1e-3)});

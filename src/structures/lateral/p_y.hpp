@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "structures/base/structure.hpp"
 #include "structures/lateral/lateral_run.hpp"
 
 namespace berm::lateral {
@@ -16,7 +17,10 @@ struct PyCurve {
 /// Those of a run from the bed down; none without slices, or where the load goes across the direction in which H counts.
 std::vector<PyCurve> py_curves(const LateralRun& run);
 
-/// py.csv: z_m, u_m, y_m and p_N_m, a row for each point; "" without curves.
+/// The same by row of the run's loaded stages as a chart of the page, eight depths at most; without curves where there are none.
+base::OwnChart py_chart(const LateralRun& run);
+
+/// py.csv: z_m, u_at_bed_m (the displacement at the bed), y_m and p_N_m, a row for each point; "" without curves.
 std::string py_csv(const LateralRun& run);
 
 /// The curves at the end by depth as an HTML table; "" without curves.

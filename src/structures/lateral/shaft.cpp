@@ -102,6 +102,22 @@ base::StagePaths Shaft::paths(const record::RunRecord& run) const
   return path.empty() ? base::StagePaths{} : base::StagePaths{{}, {{path.rows, path.u}}, {}};
 }
 
+std::vector<base::OwnChart> Shaft::own_charts(const record::RunRecord& run) const
+{
+  base::OwnChart chart = py_chart(LateralRun(run));
+  return chart.curves.empty() ? std::vector<base::OwnChart>{} : std::vector{std::move(chart)};
+}
+
+/// That at the bed, as in the answer; before the load 0, after it what it came to.
+std::optional<base::PointTravel> Shaft::point_travel(const record::RunRecord& run) const
+{
+  const LateralPath path = lateral_path(run);
+  if (path.empty() || path.direction == 0) return {};
+  base::PointTravel travel{"displacement at the bed", std::vector<Real>(run.history.stage.size(), 0)};
+  for (std::size_t k = 0; k < path.rows.size(); ++k) std::fill(travel.u.begin() + path.rows[k], travel.u.end(), path.direction * path.u[k]);
+  return travel;
+}
+
 std::vector<std::string> Shaft::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                                    const std::filesystem::path& folder) const
 {

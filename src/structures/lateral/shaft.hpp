@@ -21,6 +21,8 @@ public:
   std::string published_values(const base::Runs& runs, const base::DisplayUnits& shown) const override;
   base::TrustMeasures measures(const problem::Case& c) const override;
   base::StagePaths paths(const record::RunRecord& run) const override;
+  std::vector<base::OwnChart> own_charts(const record::RunRecord& run) const override;
+  std::optional<base::PointTravel> point_travel(const record::RunRecord& run) const override;
   std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
                                               const std::filesystem::path& folder) const override;
   std::unique_ptr<base::RunDetails> details(const record::RunRecord& run) const override;

@@ -3,11 +3,16 @@
 import type { BandData, PageData, PathData, RunData } from "../data";
 import { at_rows, combined, published_marks, plan, run_traces } from "./plan";
 import type { Curve, Numbers, Plan } from "./plan";
-import { column_of_label, quantity_of_column, ratio } from "./quantity";
+import { column_of_label, quantity_of_axis, quantity_of_column, ratio } from "./quantity";
 import type { Quantity } from "./quantity";
+import { run_style } from "./run_style";
 
-const travel: Quantity = { words: "horizontal travel", symbol: "u", kind: "length", unit: "m" };
-const travel_column = "u_m - u_begin";
+/** u of the drags of all runs: of the point that the runs name where they name the same. */
+function travel_of(data: PageData): Quantity {
+  const words = new Set(data.runs.filter((run) => run.drag.rows.length > 0).map((run) => run.drag.u?.words));
+  const [only] = words;
+  return { words: words.size === 1 && only !== undefined ? only : "horizontal travel", symbol: "u", kind: "length", unit: "m" };
+}
 
 type CurveOf = (run: RunData) => Curve | null;
 
@@ -48,10 +53,10 @@ export function drag_plans(data: PageData): Plan[] {
   const embedment = quantity_of_column(data.runs, "w_m");
   const traces = (curve: CurveOf) => run_traces(data.runs, curve);
   const over_travel = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
-    curve_of(run, run.drag, travelled(run), travel_column, value, value_column, mean);
+    curve_of(run, run.drag, travelled(run), run.drag.u?.words ?? "u_m - u_begin", value, value_column, mean);
   const column = (run: RunData, name: string) => at_rows(run, name, run.drag.rows);
   const of_label = (run: RunData, label: string) => column_of_label(run, label) ?? "";
-  const common = { argument: travel, zero: true };
+  const common = { argument: travel_of(data), zero: true };
   const forces = force_columns(data, "H");
   const horizontal = (H: string) => quantity_of_column(data.runs, H);
   return [
@@ -75,8 +80,12 @@ export function drag_plans(data: PageData): Plan[] {
     ...forces.map(({ name: H, suffix, title }) => plan({
       id: `H_V${suffix}`, title: `Drag: path of H against V${title}`, argument: quantity_of_column(data.runs, H.replace("H", "V")), value: horizontal(H),
       zero: true, in_plane: true,
-      traces: traces((run) =>
-        of_label(run, "H") === H && V_varies(run.drag) ? curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null) : null),
+      traces: traces((run) => {
+        if (of_label(run, "H") !== H) return null;
+        const by_row = !is_known(run.drag.V_mean), along = H.replace("H", "V");  // rows where a mean says nothing
+        const [across, up] = by_row ? [column(run, along), column(run, H)] : [run.drag.V_mean, run.drag.H_mean];
+        return varies(across) ? curve_of(run, run.drag, across, by_row ? along : "V_mean", up, by_row ? H : "H_mean", null) : null;
+      }),
     })),
     ...forces.map(({ name: H, suffix, title }) => plan({
       ...common, id: `H_noise${suffix}`, title: `Noise of H in the drag${title}`, zero: false,
@@ -84,6 +93,18 @@ export function drag_plans(data: PageData): Plan[] {
       traces: traces((run) => over_travel(run, noise(column(run, H), run.drag.H_mean), `${H} - H_mean`, null)),
     })),
   ];
+}
+
+/** The charts that structures have by themselves, of each run its own. */
+export function own_plans(data: PageData): Plan[] {
+  return data.runs.flatMap((run, index) => (run.charts ?? []).map((chart) => plan({
+    id: index === 0 ? chart.id : `${chart.id}_${index + 1}`, title: data.runs.length === 1 ? chart.title : `${run.name}: ${chart.title}`,
+    argument: quantity_of_axis(chart.x), value: quantity_of_axis(chart.y), by_run: false, in_plane: true, zero: true,
+    traces: chart.curves.map(({ name, x, y, mean }, k) => ({
+      rows: chart.rows, argument: x, value: y, mean: is_known(mean) ? mean : null, argument_column: chart.x.symbol, value_column: chart.y.symbol,
+      label: name, style: run_style(k), run,
+    })),
+  })));
 }
 
 /** The chart of a body that is lifted, as an uplift resistance is read: R = -V. */
@@ -104,7 +125,11 @@ function curve_of(
   run: RunData, path: PathData, argument: Numbers | null, argument_column: string, value: Numbers | null, value_column: string, mean: Numbers | null,
 ): Curve | null {
   if (run.diameter === null || argument === null || value === null) return null;
-  return { rows: path.rows, argument, value, mean, argument_column, value_column };
+  return { rows: path.rows, argument, value, mean: is_known(mean) ? mean : null, argument_column, value_column };
+}
+
+function is_known(values: Numbers | null): boolean {
+  return values?.some((each) => each !== null) ?? false;
 }
 
 /** The curve with the run's bands of a chart: each along its low side and back along the high one. */
@@ -122,12 +147,13 @@ function with_band(curve: Curve | null, run: RunData, chart: BandData["chart"]):
 }
 
 /** Where V is held the path of forces is an upright line, which says nothing. */
-function V_varies(path: PathData): boolean {
-  const V = path.V_mean.filter((each) => each !== null);
-  return V.length > 0 && Math.min(...V) < 0.75 * Math.max(...V);
+function varies(V: Numbers | null): boolean {
+  const known = (V ?? []).filter((each) => each !== null);
+  return known.length > 0 && Math.min(...known) < 0.75 * Math.max(...known);
 }
 
 function travelled(run: RunData): Numbers | null {
+  if (run.drag.u !== undefined) return run.drag.u.values;
   const u = at_rows(run, "u_m", run.drag.rows);
   return u === null ? null : u.map((each) => (each === null ? null : each - run.drag.u_begin));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { RunData } from "../data";
+import type { AxisData, RunData } from "../data";
 
 /** What a number measures: tells how it is scaled in another system of units. */
 export type Kind = "length" | "force" | "energy" | "stress" | "time" | "other";
@@ -22,6 +22,11 @@ export function quantity_of_column(runs: RunData[], column: string): Quantity {
   const told = runs.find((run) => column in run.quantities)?.quantities[column];
   if (told === undefined) return { words: column, symbol: "", kind: "other", unit: "" };
   return { words: told.words, symbol: told.label.length === 1 ? told.label : "", kind: kinds[told.unit] ?? "other", unit: told.unit };
+}
+
+/** What an axis of a chart that a structure has by itself shows. */
+export function quantity_of_axis(axis: AxisData): Quantity {
+  return { ...axis, kind: kinds[axis.unit] ?? "other" };
 }
 
 /** The column of that label, whatever the dimension: "kinetic" is kinetic_J_m in plane strain, kinetic_J in space; undefined where the run has none. */

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each_task.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,6 +18,17 @@ std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
   std::vector<std::string> stages;
   for (const FilmMoment& moment : moments) stages.push_back(moment.stage);
   return stages;
+}
+
+/// The history with u of the point that the page names.
+run_folder::History with_named_u(const record::RunRecord& run)
+{
+  run_folder::History history = run.history;
+  const auto u = std::ranges::find(history.columns, "u_m", &run_folder::Column::name);
+  if (u == history.columns.end()) return history;
+  if (std::optional<base::PointTravel> point = structures::structure_of(run.settings).point_travel(run))
+    history.values[u - history.columns.begin()] = std::move(point->u);
+  return history;
 }
 
 /// Fields that are zero in all frames, such as the speed of finite elements, are not worth their room.
@@ -38,7 +50,8 @@ void read_frames(FilmFrames& footage, const record::RunRecord& run, const std::v
                  const FilmReader& reader, std::size_t max_memory)
 {
   std::vector<FilmMoment> moments;
-  for (const run_folder::FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
+  const run_folder::History history = with_named_u(run);
+  for (const run_folder::FrameFiles& frame : files) moments.push_back(moment_at(history, frame.time));
   const std::size_t bytes_of_point =
       2 * sizeof(Real) + (reader.fields().size() + (reader.has_flow() ? 2 : 0)) * sizeof(float);  // the lists of a FilmFrame
   footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / max_memory) + 1;

@@ -31,27 +31,24 @@ std::vector<Index> kept_rows(const run_folder::History& history)
   return kept;
 }
 
-/// Adds the rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces freed from noise along its travel (m).
+/// Adds the rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces as smooth lines along its travel (m) are drawn.
 void add_path(Json& path, const record::RunRecord& run, const std::vector<Index>& kept, const base::StagePath& stage)
 {
   const auto& [rows, travel] = stage;
   const Real half = averaging_half(base::body_scale(run));
-  const auto curve_of = [&](const char* column) {
+  const auto mean_of = [&](const char* column) {
     std::vector<Real> force;
-    for (const Index k : stage.rows) force.push_back(run.history.by_label(column)[k]);
-    return record::TravelCurve(stage.travel, force).condensed(half);
+    for (const Index k : rows) force.push_back(run.history.by_label(column)[k]);
+    return record::drawn_along(travel, force, half);
   };
-  const record::TravelCurve V = curve_of("V"), H = curve_of("H");
-  const auto mean = [&](const record::TravelCurve& force, Real s) {
-    return std::isnan(s) ? Json(nullptr) : number_or_null(force.at(s, half));
-  };
+  const std::vector<Real> V = mean_of("V"), H = mean_of("H");
   auto on_page = kept.begin();
   for (std::size_t k = 0; k < rows.size(); ++k) {
     on_page = std::lower_bound(on_page, kept.end(), rows[k]);
     if (on_page == kept.end() || *on_page != rows[k]) continue;
     path["rows"].push_back(on_page - kept.begin());
-    path["V_mean"].push_back(mean(V, travel[k]));
-    path["H_mean"].push_back(mean(H, travel[k]));
+    path["V_mean"].push_back(number_or_null(V[k]));
+    path["H_mean"].push_back(number_or_null(H[k]));
   }
 }
 
@@ -63,6 +60,29 @@ Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, con
     if (!stage.rows.empty()) add_path(path, run, kept, stage);
   if (!stages.empty() && !stages.front().rows.empty()) path["u_begin"] = run.history["u_m"][stages.front().rows.front()];
   return path;
+}
+
+/// The charts that the structure has by itself, in those rows that the page holds.
+Json own_charts_json(const std::vector<base::OwnChart>& charts, const std::vector<Index>& kept)
+{
+  Json list = Json::array();
+  const auto axis = [](const base::OwnChart::Axis& a) { return Json{{"words", a.words}, {"symbol", a.symbol}, {"unit", a.unit}}; };
+  for (const base::OwnChart& chart : charts) {
+    Json one = {{"id", chart.id}, {"title", chart.title}, {"x", axis(chart.x)}, {"y", axis(chart.y)}, {"rows", Json::array()}};
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < chart.rows.size(); ++k)
+      if (const auto on_page = std::ranges::lower_bound(kept, chart.rows[k]); on_page != kept.end() && *on_page == chart.rows[k])
+        places.push_back(k), one["rows"].push_back(on_page - kept.begin());
+    const auto numbers = [&](const std::vector<Real>& values) {
+      Json shown = Json::array();
+      for (const std::size_t k : places) shown.push_back(number_or_null(values[k]));
+      return shown;
+    };
+    for (const base::OwnChart::Curve& curve : chart.curves)
+      one["curves"].push_back({{"name", curve.name}, {"x", numbers(curve.x)}, {"y", numbers(curve.y)}, {"mean", numbers(curve.mean)}});
+    list.push_back(std::move(one));
+  }
+  return list;
 }
 
 /// How sure the curves of charts are.
@@ -119,10 +139,17 @@ Json run_data(const record::RunRecord& run)
   data["stage"] = Json::array();
   for (const Index k : kept) data["stage"].push_back(history.stage[k]);
   data["row"] = static_cast<Index>(kept.size()) == history.rows() ? Json(nullptr) : Json(kept);
-  const base::StagePaths paths = structures::structure_of(run.settings).paths(run);
+  const base::Structure& structure = structures::structure_of(run.settings);
+  const base::StagePaths paths = structure.paths(run);
   data["push"] = path_json(run, kept, {paths.push});
   data["drag"] = path_json(run, kept, paths.drags);
+  if (const std::optional<base::PointTravel> point = structure.point_travel(run)) {
+    data["drag"]["u"] = {{"words", point->words}, {"values", Json::array()}};
+    for (const Json& row : data["drag"]["rows"])
+      data["drag"]["u"]["values"].push_back(number_or_null(point->u[kept[row.get<std::size_t>()]]));
+  }
   data["lift"] = path_json(run, kept, paths.lifts);
+  data["charts"] = own_charts_json(structure.own_charts(run), kept);
   data["bands"] = bands_json(run);
   data["film"] = nullptr;
   return data;

@@ -114,6 +114,20 @@ TEST(Lateral, results_are_said_in_words_and_stand_in_tables)
   EXPECT_NE(run.quantity("lateral_height_end")->kind, run_folder::QuantityKind::answer);
 }
 
+TEST(Lateral, u_of_the_page_is_that_at_the_bed_as_in_the_answer)
+{
+  for (const Real sign : {1., -1.}) {
+    const record::RunRecord run = pile(sign);
+    const std::optional<base::PointTravel> point = structures::structure_of(run.settings).point_travel(run);
+    ASSERT_TRUE(point);
+    EXPECT_EQ(point->words, "displacement at the bed");
+    ASSERT_EQ(point->u.size(), run.history.stage.size());
+    EXPECT_EQ(point->u.front(), 0) << "before the load";
+    EXPECT_NEAR(point->u.back(), sign * pivot * std::sin(0.04), 1e-9);
+    EXPECT_NEAR(std::abs(run.history["u_m"].back()), (pivot - depth_of_centre) * std::sin(0.04), 1e-9) << "that of the centre";
+  }
+}
+
 TEST(Lateral, run_without_rows_has_no_results)
 {
   record::RunRecord run = pile();

@@ -64,7 +64,7 @@ TEST(PyCurves, stand_in_a_file_and_a_table)
 {
   const record::RunRecord run = pile();
   const std::string csv = py_csv(LateralRun(run));
-  EXPECT_EQ(csv.substr(0, 18), "z_m,u_m,y_m,p_N_m\n");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "z_m,u_at_bed_m,y_m,p_N_m");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 21);
   EXPECT_NE(py_table(LateralRun(run), "pile-p-y").find("depth below the bed"), std::string::npos);
 }
@@ -75,6 +75,25 @@ TEST(PyCurves, are_none_without_slices)
   run.settings.rigid[0].second.depth_slices = 0;
   EXPECT_TRUE(py_curves(LateralRun(run)).empty());
   EXPECT_EQ(py_csv(LateralRun(run)), "");
+}
+
+TEST(PyCurves, are_a_chart_of_the_page_by_row)
+{
+  const record::RunRecord run = pile();
+  const std::vector<base::OwnChart> charts = structures::structure_of(run.settings).own_charts(run);
+  ASSERT_EQ(charts.size(), 1u);
+  const base::OwnChart& chart = charts.front();
+  EXPECT_EQ(chart.id, "p_y");
+  EXPECT_EQ(chart.x.symbol, "y");
+  EXPECT_EQ(chart.y.unit, "N/m");
+  ASSERT_EQ(chart.curves.size(), 4u);
+  EXPECT_EQ(chart.curves.front().name, "1 m");
+  ASSERT_EQ(chart.curves.front().x.size(), chart.rows.size());
+  for (const base::OwnChart::Curve& curve : chart.curves)
+    for (std::size_t row = 0; row < chart.rows.size(); ++row) EXPECT_NEAR(curve.y[row], k * curve.x[row], 1e-6 * k) << curve.name;
+  record::RunRecord without = run;
+  without.settings.rigid[0].second.depth_slices = 0;
+  EXPECT_TRUE(structures::structure_of(without.settings).own_charts(without).empty());
 }
 
 }  // namespace
