@@ -55,6 +55,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           do_tractions_press,
                                                           is_the_drive_slow,
                                                           is_the_load_history_slow,
+                                                          is_a_breakout_run_in_real_time,
                                                           does_the_drive_begin_gently,
                                                           is_there_time_for_equilibrium,
                                                           is_the_mass_that_of_a_pipe,

@@ -228,11 +228,66 @@ void is_the_load_history_slow(const Scene& s, Findings& found)
     const Real seconds =
         s.cost.time_step > 0 ? expected_time(stage) / s.cost.time_step * s.cost.particles / s.cost.particle_steps_per_s : 0;
     if (seconds > long_run && slow->scale < 0.7 * stage.time_scale)
-      found.warn(stage_key(k, "time_scale"),
-                 fmt::format("is {:.3g}, and the load history takes about {}: {:.2g} is slow enough, with half waves of {} ({} sets it); "
-                             "time_scale = \"automatic\" takes it",
-                             stage.time_scale, run_folder::words_of_duration(seconds), slow->scale, words_of(slow->shortest, "s"),
-                             words_of(slow->reason)));
+      found.warn(
+          stage_key(k, "time_scale"),
+          fmt::format("is {:.3g}, and the load history takes about {}: {:.2g} is slow enough for a body that the soil holds, with half "
+                      "waves of {} ({} sets it); time_scale = \"automatic\" takes it. One that breaks out needs 1",
+                      stage.time_scale, run_folder::words_of_duration(seconds), slow->scale, words_of(slow->shortest, "s"),
+                      words_of(slow->reason)));
+  }
+}
+
+namespace {
+
+/// V of a stage where its record does not drive it, N/m: its own, or what an earlier stage left; empty where the input does not say it.
+std::optional<Real> held_V(const problem::Case& c, std::size_t stage)
+{
+  if (c.stage[stage].vertical_force) return c.stage[stage].vertical_force;
+  while (stage-- > 0) {
+    const StageSettings& earlier = c.stage[stage];
+    if (earlier.vertical_force) return earlier.vertical_force;
+    if (earlier.kind == StageKind::push) return earlier.force ? earlier.force : earlier.until.force;
+  }
+  return {};
+}
+
+/// H of a drag by the row of its record, N/m along x; empty where no force drives it.
+std::vector<Real> driven_H(const StageSettings& stage)
+{
+  if (stage.kind != StageKind::drag) return {};
+  std::vector<Real> H = stage.loads.of("H");
+  if (H.empty() && stage.force)
+    for (const Real factor : stage.load_factors) H.push_back(factor * *stage.force);
+  return H;
+}
+
+}  // namespace
+
+void is_a_breakout_run_in_real_time(const Scene& s, Findings& found)
+{
+  if (!s.is_mpm() || s.c.geometry != problem::Geometry::plane_strain) return;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const StageSettings& stage = s.c.stage[k];
+    const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
+    const Real width = body == none ? 0 : s.rigids[rigid].width;
+    const std::vector<Real> H = driven_H(stage);
+    if (!(stage.time_scale < 1) || H.empty() || width == 0) continue;
+    const std::optional<material::Strength> strength = strength_at_rest(s.material_at(body, width));
+    const std::optional<Real> held = held_V(s.c, k);
+    const std::vector<Real>& V = stage.loads.of("V");
+    if (!strength || (V.empty() && !held && strength->friction_angle > 0)) continue;
+    for (std::size_t row = 0; row < H.size(); ++row) {
+      const Real pressing = std::max(Real(0), V.empty() ? held.value_or(0) : V[row]),
+                 holds = pressing * std::tan(strength->friction_angle) + 2 * strength->cohesion * width;
+      if (std::abs(H[row]) <= holds) continue;
+      found.warn(
+          stage_key(k, "time_scale"),
+          fmt::format("is {:.3g}: H of {} at {} of the record is more than about {}, V tan(phi) + 2 c D, by which the soil may hold the "
+                      "body: {}, so that its displacement is a lower estimate; run with time_scale = 1",
+                      stage.time_scale, words_of(std::abs(H[row]), "N/m"), words_of(stage.load_times[row], "s"), words_of(holds, "N/m"),
+                      problem::breakout_takes_time));
+      break;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "problem/drainage.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace berm::problem {
 namespace {
@@ -107,6 +108,13 @@ std::optional<TimeScale> time_scale_of(const Case& c, const StageSettings& stage
   ask(crossings * width / waves_of(there).fastest, TimeScale::Reason::waves);
   found.scale = std::min(Real(1), rounded_up_to_two_digits(found.shortest / found.half_wave));
   return found;
+}
+
+std::string time_scale_words(const StageSettings& stage)
+{
+  const Real record = stage.load_times.back();
+  return fmt::format("a record of {:.4g} s in {:.4g} s of the run, time_scale = {:.3g}", record, stage.time_scale * record,
+                     stage.time_scale);
 }
 
 const char* words_of(TimeScale::Reason reason)

@@ -26,6 +26,13 @@ struct TimeScale {
 /// Empty without a load history of forces, and for a body without a width or without soil.
 std::optional<TimeScale> time_scale_of(const Case& c, const StageSettings& stage);
 
+/// How a record is run, of a stage that has one: "a record of 100 s in 30 s of the run, time_scale = 0.3".
+std::string time_scale_words(const StageSettings& stage);
+
+/// What to know of a time scale below 1 where a force moves a body that breaks out.
+inline constexpr const char* breakout_takes_time =
+    "a body that breaks out is accelerated, and how far it comes goes with the square of the time of the wave";
+
 /// "the inertia of the soil", ...
 const char* words_of(TimeScale::Reason reason);
 

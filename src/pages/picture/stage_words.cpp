@@ -117,7 +117,7 @@ std::string until_words(const problem::StageSettings& stage, int dimension, Real
   if (ends_at_equilibrium(stage)) limits.emplace_back("equilibrium");
   constexpr Real day = 86400;  // s
   if (until.time)
-    limits.push_back(text::time_words(*until.time) +
+    limits.push_back(text::time_words(*until.time) + (stage.time_scale == 1 ? "" : " of the run") +
                      (until.real_time ? fmt::format(", which are {:.4g} days of the soil", *until.real_time / day) : ""));
   return fmt::format("{}", fmt::join(limits, " or "));
 }

@@ -504,17 +504,20 @@ Estimate MpmMethod<d>::estimate(const Context& context)
   return e;
 }
 
-/// How fast load histories of forces run, and how fast they may.
+/// How fast load histories of forces run, and what automatic takes.
 template <int d>
 std::vector<std::string> MpmMethod<d>::load_history_lines() const
 {
   std::vector<std::string> lines;
   for (const problem::StageSettings& stage : case_.stage)
-    if (const std::optional<problem::TimeScale> slow = time_scale_of(case_, stage))
-      lines.push_back(fmt::format(
-          "load history of stage \"{}\": half waves of {:.3g} s in {:.3g} s, time_scale = {:.3g}; {:.3g} s or more is slow enough ({} "
-          "sets it)",
-          stage.name, slow->half_wave, slow->half_wave * stage.time_scale, stage.time_scale, slow->shortest, words_of(slow->reason)));
+    if (const std::optional<problem::TimeScale> slow = time_scale_of(case_, stage)) {
+      lines.push_back(fmt::format("load history of stage \"{}\": {}; automatic is {:.3g}: half waves of {:.3g} s in {:.3g} s, by {}",
+                                  stage.name, time_scale_words(stage), slow->scale, slow->half_wave, slow->half_wave * slow->scale,
+                                  words_of(slow->reason)));
+      if (stage.time_scale < 1)
+        lines.push_back(fmt::format("             that is for a body that the soil holds; {}: then run with time_scale = 1",
+                                    problem::breakout_takes_time));
+    }
   return lines;
 }
 

@@ -13,6 +13,7 @@
 #include "structures/base/still_moving.hpp"
 #include "structures/base/support_reactions.hpp"
 #include "structures/depth/profile_page.hpp"
+#include "structures/driven/results/displacements.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -156,6 +157,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   take_checks(summary.checks, run);
   summary.spoiled = base::spoiled_by(run);
   for (const std::string& why : summary.spoiled) spdlog::warn("the answer is spoiled: {}", why);
+  for (const std::string& doubt : driven::lower_estimates(run)) spdlog::warn("{}", doubt);
   summary.write(folder.file("summary.json"));
   for (const std::filesystem::path& names : {folder.path(), folder.file("frames")}) io::sync_file(names);  // before the checkpoints go
 

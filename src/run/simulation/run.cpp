@@ -8,6 +8,7 @@
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "problem/stages.hpp"
+#include "problem/time_scale.hpp"
 #include "record/run_record.hpp"
 #include "simulation/fem_method.hpp"
 #include "simulation/memory.hpp"
@@ -50,6 +51,8 @@ void Run<Method>::begin()
   if (const mesh::GroundLine& line = model().ground.line; !line.level() && !from_checkpoint) record::write_ground(folder_.path(), line);
   progress_.count_from(clock_.earlier());
   method_.begin(!from_checkpoint);
+  for (const problem::StageSettings& stage : model().stages)
+    if (!stage.load_times.empty()) spdlog::info("load history of stage \"{}\": {}", stage.name, time_scale_words(stage));
   if (!from_checkpoint) record(), frame();
 }
 

@@ -59,7 +59,11 @@ std::vector<std::string> Driven::quantity_names(const problem::Case& c) const
 
 std::string Driven::table_of(const record::RunRecord& run) const
 {
-  return key_results_table(run.quantities, base::body_scale(run));
+  std::string table = key_results_table(run.quantities, base::body_scale(run));
+  for (const std::string& line : time_scale_lines(run))
+    table += line + "; times above are of the record, half_cycles.csv has each half cycle\n";
+  for (const std::string& doubt : lower_estimates(run)) table += doubt + "\n";
+  return table;
 }
 
 bool Driven::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/soil_words.hpp"
+#include "structures/driven/results/states.hpp"
 #include "structures/structures.hpp"
 #include "study/study_rows.hpp"
 
@@ -58,6 +59,8 @@ Path path_of(const record::RunRecord& run)
   if (run.end != record::RunEnd::finished)
     throw RunError(fmt::format("{} has not come to its end: run it to the end, or leave it out", folder));
   const run_folder::History& history = run.history;
+  if (const std::optional<driven::SoilWork> work = driven::last_soil_work(run, history.rows() - 1))
+    throw RunError(fmt::format("{}: {}, is at the pipe: a macro-element is of a bed that no stage digs or fills", folder, work->words));
   Path path;
   path.name = run.name;
   path.run = run.folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/springs/design_test.cpp
 #include "springs/design.hpp"
+#include "springs/written_springs.hpp"
 
 #include "core/error.hpp"
 #include "io/revision.hpp"
@@ -33,16 +34,19 @@ void for_each_number(S& springs, const Visit& visit)
   for (auto& l : springs.lateral) {
     const Place drag{"lateral " + l.stage, l.stage, "computed"};
     visit(drag, "V", Kind::force, "mean vertical reaction in the drag", l.V);
-    visit(drag, "peak", Kind::force, l.breaks ? "H at breakout, its first peak" : "largest H: it has no peak", l.peak);
+    visit(drag, "peak", Kind::force, std::string(peak_words(l)) + (l.breaks ? ", its first peak" : ": it has no peak"), l.peak);
     for (std::size_t k = 0; k < mobilised_parts.size(); ++k)
       visit(drag, fmt::format("u_{:.0f}", 100 * mobilised_parts[k]), Kind::displacement,
             "displacement at which H first reaches this percentage of the peak", l.mobilised[k]);
     visit(drag, "u_peak", Kind::displacement, "displacement at the peak", l.u_peak);
     visit(drag, "largest", Kind::force, "largest H, where it lies behind the first peak and above it", l.largest);
     visit(drag, "u_largest", Kind::displacement, "displacement at that largest H", l.u_largest);
-    visit(drag, "residual", Kind::force, "H that stays at the end of the drag", l.residual);
-    visit(drag, "berm_resistance", Kind::force, "H met against a berm at the end of a sweep, which is no residual", l.berm);
-    visit(drag, "end", Kind::force, "mean H over the end of the drag, whether it stays or not", l.end);
+    visit(drag, "residual", Kind::force, "residual H, its plateau: at the end of the drag, or before H grows against a berm", l.residual);
+    visit(drag, "berm_resistance", Kind::force, "H against a berm at the end of the drag, which is no residual", l.berm);
+    visit(drag, "end", Kind::force,
+          std::isnan(l.berm) ? "mean H over the end of the drag, whether it stays or not"
+                             : "mean H over the end of the drag, against a berm",
+          l.end);
     visit(drag, "u_residual", Kind::displacement, "displacement from which H is within 5 % of the residual", l.u_residual);
     visit(drag, "travel", Kind::displacement, "travel of the drag: beyond it nothing is known", l.travel);
   }

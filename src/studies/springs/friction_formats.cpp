@@ -54,8 +54,7 @@ Words lateral_estimates(const Design& design, const Lateral* travel)
 std::string description(const Design& design, const char* condition, const Lateral* travel)
 {
   if (travel == nullptr) return "";
-  return fmt::format("; {}: {} over V = {:.4g} N/m ({})", condition, travel->breaks ? "H at breakout" : "largest H, no breakout", travel->V,
-                     origin_of(design.best, *travel));
+  return fmt::format("; {}: {} over V = {:.4g} N/m ({})", condition, peak_words(*travel), travel->V, origin_of(design.best, *travel));
 }
 
 Words row_of(const Design& design, const Lateral* hydrotest, const Lateral* operation)
@@ -92,7 +91,8 @@ ExportFiles buckpy_files(const Design& design)
   text += study::csv_line(head);
   std::vector<const Lateral*> hydrotest, operation;
   for (const Lateral& l : design.best.lateral)
-    (is_hydrotest(design.best.state) || is_hydrotest(l.state) || is_hydrotest(l.stage) ? hydrotest : operation).push_back(&l);
+    if (!l.only_berm())
+      (is_hydrotest(design.best.state) || is_hydrotest(l.state) || is_hydrotest(l.stage) ? hydrotest : operation).push_back(&l);
   if (operation.empty() && hydrotest.empty()) text += study::csv_line(row_of(design, nullptr, nullptr));
   for (const Lateral* l : operation) text += study::csv_line(row_of(design, hydrotest.empty() ? nullptr : hydrotest[0], l));
   if (operation.empty())
@@ -125,9 +125,7 @@ ExportFiles moordyn_files(const Design& design)
       if (!(l.V > 0) || !(l.peak > 0)) continue;
       const bool stays = l.residual > 0;
       const Real friction = (stays ? l.residual : l.peak) / l.V, ratio = stays ? l.peak / l.residual : 1;
-      const std::string words = stays      ? "residual H over V"
-                                : l.breaks ? "H at breakout over V: it has no residual"
-                                           : "largest H over V: it has neither peak nor residual",
+      const std::string words = stays ? "residual H over V" : fmt::format("{} over V: it has no residual", peak_words(l)),
                         ratio_words = stays ? "peak over residual" : "as no residual is known";
       text += remark("# ", fmt::format("{} estimate, MoorDyn-C: {}", set, origin_of(s, l))) +
               option(friction, "FrictionCoefficient", words) + option(ratio, "StatDynFricScale", ratio_words) + bottom;

@@ -20,7 +20,9 @@ std::string abaqus_lines(const char* direction, const Points& points)
 std::string why_no_component(const Lateral& l)
 {
   if (!(l.V > 0)) return without_friction("travel " + l.stage);
-  if (!(l.peak > 0)) return fmt::format("travel {} has no component: no resistance of it is known", l.stage);
+  if (!(l.peak > 0))
+    return fmt::format("travel {} has no component: {}", l.stage,
+                       l.only_berm() ? "its H grows against a berm, which is no residual" : "no resistance of it is known");
   return is_stiffness(l.stiffness())
              ? ""
              : fmt::format("travel {} has no component: H begins with its peak, so that it has no stiffness", l.stage);
@@ -48,8 +50,11 @@ ExportFiles abaqus_files(const Design& design)
                                 {"N and m; each line a force per length of pipe and a relative displacement",
                                  "Not run in Abaqus: by its keyword reference.",
                                  "To be included in the model, with the element sets of its own PSI24, PSI26, PSI34 or PSI36 elements."});
-    for (std::size_t k = 0; k < std::max<std::size_t>(1, s.lateral.size()); ++k) {
-      const std::string stage = s.lateral.empty() ? "" : s.lateral[k].stage;
+    std::vector<const Lateral*> lateral;
+    for (const Lateral& l : s.lateral)
+      if (!l.only_berm()) lateral.push_back(&l);
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, lateral.size()); ++k) {
+      const std::string stage = lateral.empty() ? "" : lateral[k]->stage;
       text += fmt::format("*PIPE-SOIL INTERACTION, ELSET=SOIL_{}{}\n", identifier(set, 8),
                           k == 0 ? "" : fmt::format("_{}_{}", k + 1, identifier(stage, 50)));
       if (const Points axial = axial_spring(s); !axial.empty())
@@ -59,11 +64,11 @@ ExportFiles abaqus_files(const Design& design)
         push.insert(push.begin(), {-s.diameter, 0});
         text += remark("** ", "vertical: " + push_origin(s)) + abaqus_lines("VERTICAL", push);
       } else {
-        text += "** VERTICAL is missing: the pipe lay in the bed from the start, so that nothing is known of its penetration\n";
+        text += remark("** ", "VERTICAL is missing: " + s.vertical.without_curve);
       }
-      if (s.lateral.empty()) continue;
-      if (const Points spring = s.lateral[k].spring(); spring.size() > 1)
-        text += remark("** ", "lateral: " + origin_of(s, s.lateral[k])) + abaqus_lines("HORIZONTAL", both_ways(spring));
+      if (lateral.empty()) continue;
+      if (const Points spring = lateral[k]->spring(); spring.size() > 1)
+        text += remark("** ", "lateral: " + origin_of(s, *lateral[k])) + abaqus_lines("HORIZONTAL", both_ways(spring));
     }
     return text;
   });
@@ -157,12 +162,9 @@ ExportFiles sima_files(const Design& design)
       }
       for (const bool residual : {false, true}) {
         const Real H = residual ? l.residual : l.peak;
-        if (!(H > 0)) continue;
+        if (!(H > 0) || (residual && !l.breaks && !std::isnan(l.berm))) continue;  // its peak is the residual
         text += remark("' ", fmt::format("{} of stage {}, {} estimate, under {:.6g} kN/m: {}",
-                                         residual   ? "residual resistance"
-                                         : l.breaks ? "resistance at breakout"
-                                                    : "largest resistance",
-                                         l.stage, set, l.V / kilo, origin_of(s, l)));
+                                         residual ? "residual resistance" : peak_words(l), l.stage, set, l.V / kilo, origin_of(s, l)));
         text += fmt::format("NEW COMPONENT SEAFLOOR\n'CMPTYP-ID CHSFCT\n{} SPRI\n",
                             identifier(fmt::format("{}{}{}", residual ? "R" : "B", number, set), 8));
         text += std::isnan(normal.value) ? "'STFBOT DAMBOT: not known from these runs; put your own here\n"

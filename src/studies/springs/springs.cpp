@@ -30,10 +30,11 @@ Real first_at(const Points& curve, Real F)
   return nan;
 }
 
-Lateral lateral_of(const driven::DragPath& drag, const driven::DragResults& results, const driven::BodyScale& scale)
+Lateral lateral_of(const driven::Path& path, std::size_t number, const driven::DragResults& results, const driven::BodyScale& scale)
 {
+  const driven::DragPath& drag = path.drags[number];
   const TravelCurve H(drag.travel, drag.H);
-  const driven::Resistance resistance = driven::resistance_to(H, scale);
+  const driven::Resistance resistance = driven::resistance_in(path, number, scale);
   Lateral lateral;
   lateral.stage = drag.stage.name;
   lateral.travel = resistance.travel;
@@ -43,7 +44,10 @@ Lateral lateral_of(const driven::DragPath& drag, const driven::DragResults& resu
   const TravelCurve smooth = H.smoothed(base::averaging_half(scale));
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) lateral.curve.push_back({smooth.travel()[k], smooth.value()[k]});
   lateral.breaks = resistance.breakout.has_value();
-  if (const auto& peak = lateral.breaks ? resistance.breakout : resistance.largest) lateral.peak = peak->H, lateral.u_peak = peak->u;
+  if (resistance.berm && !lateral.breaks)  // the largest H is that against the berm
+    lateral.peak = resistance.residual.value_or(nan), lateral.u_peak = first_at(lateral.curve, lateral.peak);
+  else if (const auto& peak = lateral.breaks ? resistance.breakout : resistance.largest)
+    lateral.peak = peak->H, lateral.u_peak = peak->u;
   if (const auto& largest = resistance.largest;
       lateral.breaks && !resistance.berm && largest->u > lateral.u_peak && largest->H > lateral.peak)
     lateral.largest = largest->H, lateral.u_largest = largest->u;
@@ -158,11 +162,12 @@ Points Lateral::spring() const
     if (std::isfinite(x) && std::isfinite(F) && x > points.back().x) points.push_back({x, F});
   };
   for (std::size_t k = 0; k < mobilised_parts.size(); ++k) add(mobilised[k], mobilised_parts[k] * peak);
-  if (breaks || std::isnan(residual)) add(u_peak, peak);
+  if (!(peak > 0)) return {};
+  if (breaks || std::isnan(residual) || !std::isnan(berm)) add(u_peak, peak);
   if (u_largest < u_residual) add(u_largest, largest);
   add(u_residual, residual);
   add(u_largest, largest);
-  const Real last = std::isnan(residual) ? end : residual;
+  const Real last = !std::isnan(residual) ? residual : std::isnan(berm) ? end : peak;  // what a berm adds is none of the drag
   add(travel, breaks ? last : std::max(last, points.back().F));
   return points;
 }
@@ -261,21 +266,32 @@ Points carried(const driven::Results& results, const driven::States& states, con
   return curve;
 }
 
-/// The V of the bed downwards, and the slopes of pushes before the next state.
+/// The row from which on the bed is that of the state: what was found before is of soil that was dug, placed or moved away since.
+Index bed_since(const std::optional<driven::SoilWork>& work)
+{
+  return work ? work->row : 0;
+}
+
+/// The V of the bed downwards, and the slopes of pushes before the next state, but for lifts.
 Vertical vertical_of(const driven::DrivenRun& run, const driven::Results& results, const driven::Path& path, const driven::States& states,
-                     const driven::State& state)
+                     const driven::State& state, const std::optional<driven::SoilWork>& work)
 {
   Vertical vertical;
   const Real D = run.scale.width;
-  if (!starts_embedded(run)) {
+  const std::vector<Index>& pushed = path.push.rows;
+  if (!pushed.empty() && pushed.front() < bed_since(work)) {
+    vertical.without_curve = fmt::format("the push found a bed that is no longer there in state {}: {}", state.name, work->words);
+  } else if (!starts_embedded(run)) {
     vertical.curve = carried(results, states, state, D);
     if (results.push_end) vertical.pushed_to = results.push_end->w + driven::same_point * D;
-  } else if (!path.push.rows.empty()) {
-    vertical.unloading.push_back(unloading_of("push", path.push.rows, run.history));
+  } else if (!pushed.empty()) {
+    vertical.unloading.push_back(unloading_of("push", pushed, run.history));
   }
+  if (vertical.curve.empty() && vertical.without_curve.empty()) vertical.without_curve = "no push begins at the surface of the bed";
   const Index next = next_state(states, state);
   for (const driven::OtherPush& push : path.other_pushes)
-    if (push.rows.front() <= next) vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
+    if (!push.lifts && push.rows.front() <= next && push.rows.front() >= bed_since(work))
+      vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
   return vertical;
 }
 
@@ -293,10 +309,35 @@ std::vector<std::string> missing_lateral(const Springs& s, const driven::Path& p
                       others ? " before the next state; --travels names others" : "")};
 }
 
+/// Why travels have no spring.
+std::vector<std::string> without_spring(const Springs& s)
+{
+  std::vector<std::string> lines;
+  for (const Lateral& l : s.lateral)
+    if (l.only_berm())
+      lines.push_back(fmt::format(
+          "travel {} has no lateral spring: its H grows to {:.6g} N/m against a berm, with neither a peak nor a residual before; "
+          "curves.csv (--to table) has its H over u",
+          l.stage, l.berm));
+  return lines;
+}
+
+/// Drags that were asked for, in a bed that is no longer there.
+std::vector<std::string> moved_away(const std::vector<std::string>& drags, const Springs& s, const std::optional<driven::SoilWork>& work)
+{
+  std::vector<std::string> lines;
+  for (const std::string& drag : drags)
+    lines.push_back(fmt::format("travel {} has no lateral spring in state {}: the bed that it found is no longer there: {}", drag, s.state,
+                                work->words));
+  return lines;
+}
+
 /// Why there is no axial spring.
-std::vector<std::string> missing_axial(const Springs& s, const driven::Results& results)
+std::vector<std::string> missing_axial(const Springs& s, const driven::Results& results, const std::optional<driven::SoilWork>& work)
 {
   if (s.axial.drained > 0 || s.axial.undrained > 0) return {};
+  if (work && s.V > 0)
+    return {fmt::format("there is no axial spring: the strength of the soil at the pipe is not known after {}", work->words)};
   if (!(s.V <= 0)) return {"there is no axial spring: the interface has neither friction nor adhesion that are known"};
   std::vector<std::string> lines = {
       fmt::format("there is no axial spring: V in state {} is {:.4g} N/m, which does not press the pipe onto the bed", s.state, s.V)};
@@ -331,18 +372,30 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
   springs.diameter = run.scale.width;
   if (run.scale.unit_weight > 0) springs.weight = run.scale.unit_weight * run.scale.width * run.scale.width;
   if (const Real strength = strength_at(record, state.w); strength > 0) springs.strength = strength * run.scale.width;
-  springs.vertical = vertical_of(run, results, path, states, state);
+  const std::optional<driven::SoilWork> work = driven::last_soil_work(record, state.row);
+  springs.vertical = vertical_of(run, results, path, states, state, work);
+  std::vector<std::string> of_another_bed;
   for (std::size_t k = 0; k < path.drags.size(); ++k)
     if (is_asked(path.drags[k], states, state, selection)) {
+      if (path.drags[k].rows.back() < bed_since(work)) {
+        of_another_bed.push_back(path.drags[k].stage.name);
+        continue;
+      }
       const auto found = std::ranges::find(results.drags, path.drags[k].stage.name, &driven::DragResults::stage);
-      springs.lateral.push_back(lateral_of(path.drags[k], found == results.drags.end() ? driven::DragResults{} : *found, run.scale));
+      springs.lateral.push_back(lateral_of(path, k, found == results.drags.end() ? driven::DragResults{} : *found, run.scale));
       springs.lateral.back().state = life_at(states, path.drags[k]);
     }
   springs.axial = axial_of(run, state);
+  if (work) {  // the strength that it takes is that of undisturbed soil
+    springs.axial.undrained = nan;
+    if (std::isnan(springs.axial.drained)) springs.axial = {};
+  }
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);
   springs.missing = missing_lateral(springs, path, states, state, selection);
-  if (springs.vertical.curve.empty()) springs.missing.emplace_back("there is no vertical spring: no push begins at the surface of the bed");
-  for (const std::string& line : missing_axial(springs, results)) springs.missing.push_back(line);
+  for (const std::string& line : without_spring(springs)) springs.missing.push_back(line);
+  for (const std::string& line : moved_away(of_another_bed, springs, work)) springs.missing.push_back(line);
+  if (springs.vertical.curve.empty()) springs.missing.push_back("there is no vertical spring: " + springs.vertical.without_curve);
+  for (const std::string& line : missing_axial(springs, results, work)) springs.missing.push_back(line);
   return springs;
 }
 

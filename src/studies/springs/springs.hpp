@@ -19,29 +19,33 @@ constexpr std::array<Real, 4> mobilised_parts = {0.25, 0.5, 0.75, 0.95};
 
 /// How the bed resists the pipe sideways: one drag. Numbers that are not known are NaN.
 struct Lateral {
-  std::string stage;                                     ///< of the case
-  std::string state;                                     ///< of the pipe's life in which the drag begins; "" where that is not known
-  Real V = nan;                                          ///< N/m, mean vertical reaction meanwhile
-  bool breaks = false;                                   ///< there is a first peak; else the peak is the largest H
-  Real peak = nan;                                       ///< N/m
+  std::string stage;    ///< of the case
+  std::string state;    ///< of the pipe's life in which the drag begins; "" where that is not known
+  Real V = nan;         ///< N/m, mean vertical reaction meanwhile
+  bool breaks = false;  ///< there is a first peak
+  /// N/m, that peak; without one the largest H, but of a drag that ends against a berm its residual: NaN where it has none.
+  Real peak = nan;
   std::array<Real, 4> mobilised = {nan, nan, nan, nan};  ///< m, where H first reaches these parts of the peak
   Real u_peak = nan;                                     ///< m
   Real largest = nan;                                    ///< N/m, largest H behind the first peak and above it; none against a berm
   Real u_largest = nan;                                  ///< m
-  Real residual = nan;                                   ///< N/m, that stays at the end of the drag
+  Real residual = nan;                                   ///< N/m, the plateau of H (driven::Resistance)
   Real berm = nan;                                       ///< N/m, resistance against the berm at the end of the drag
   Real end = nan;                                        ///< N/m, mean over the end of the drag, whether it stays or not
   Real u_residual = nan;  ///< m, of a drag that breaks out: from where H is as near to it as it must stay (driven::max_residual_change)
   Real travel = nan;      ///< m
   Points curve;           ///< H over u, freed from noise
 
-  /// On the way to the peak, the peak if it breaks out, the largest H behind it, the residual and the end of the drag, from the origin on: what a program gets.
+  /// Whether H grows against a berm with neither a peak nor a residual: it has no spring.
+  bool only_berm() const { return std::isnan(peak) && !std::isnan(berm); }
+  /// On the way to the peak, the peak if it breaks out, the largest H behind it, the residual and the end of the drag, from the origin on: what a program gets. Empty
+  /// without a peak.
   Points spring() const;
   /// N/m per m: secant to half of the peak, else to the first part of more that is known, else to the peak; no stiffness (is_stiffness) where H begins with it.
   Real stiffness() const;
 };
 
-/// A push that unloads, reloads or lifts the pipe, or that begins with the pipe in the bed.
+/// A push that unloads or reloads the pipe, or that begins with the pipe in the bed.
 struct Unloading {
   std::string stage;
   Real V_begin = nan, V_end = nan;  ///< N/m
@@ -54,6 +58,7 @@ struct Vertical {
   /// V over the embedment: at multiples of 0.05 D and at the end of the push. Beyond that, in each state as far as that of these springs, the largest V that the
   /// bed has carried at this depth or above it, which it carries again before the pipe is pushed deeper. None where the pipe lay in the bed from the start.
   Points curve;
+  std::string without_curve;  ///< why there is none: it follows "no vertical spring: "
   Real pushed_to = infinity;  ///< m: points beyond it are of later states
   std::vector<Unloading> unloading;
 };
@@ -75,7 +80,7 @@ struct Axial {
 /// The work and clause that they are from.
 std::string axial_breakout_source();
 
-/// What the bed does to the pipe of a run, in the size of the prototype where the run is a centrifuge's.
+/// What the bed does to the pipe of a run, as it is in a state: what pushes and drags found before a fill or an excavation at the pipe is no spring of it. In the size of the prototype where the run is a centrifuge's.
 struct Springs {
   std::string run;           ///< name of its folder
   std::string state;         ///< of the pipe (structures/driven/results/states.hpp)

@@ -44,6 +44,12 @@ std::vector<std::pair<std::string, const Springs*>> sets_of(const Design& design
   return sets;
 }
 
+const char* peak_words(const Lateral& l)
+{
+  if (l.breaks) return "H at breakout";
+  return std::isnan(l.berm) ? "largest H" : "residual H before the berm";
+}
+
 std::string origin_of(const Springs& s, const Lateral& l)
 {
   const std::string other = l.state.empty() || l.state == s.state ? "" : fmt::format(" of the pipe in state {}", l.state);
@@ -66,10 +72,15 @@ std::string axial_origin(const Springs& s)
 std::string push_origin(const Springs& s)
 {
   const Real deepest = s.vertical.curve.empty() ? nan : s.vertical.curve.back().x;
-  return sentence({run_words(s), "from the surface of the bed down", "travel push", "computed",
-                   s.embedment > deepest * (1 + 1e-6)
-                       ? fmt::format("it ends at w = {:.4g} m, above the pipe in {}", deepest, state_words(s))
-                       : "for " + state_words(s)});
+  const auto unloading = std::ranges::find_if(s.vertical.unloading, [](const Unloading& u) { return is_stiffness(u.stiffness); });
+  return sentence(
+      {run_words(s), "from the surface of the bed down", "travel push", "computed",
+       "virgin curve: it is followed where V is larger than ever before",
+       unloading == s.vertical.unloading.end()
+           ? "stiffness of unloading and reloading not known"
+           : fmt::format("unloading and reloading have {:.4g} N/m2 (stage {}; springs.csv has it)", unloading->stiffness, unloading->stage),
+       s.embedment > deepest * (1 + 1e-6) ? fmt::format("it ends at w = {:.4g} m, above the pipe in {}", deepest, state_words(s))
+                                          : "for " + state_words(s)});
 }
 
 Points axial_spring(const Springs& s)

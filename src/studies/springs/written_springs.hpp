@@ -21,6 +21,8 @@ struct WrittenSpring {
 /// Of each travel, along the axis and downwards: those that are known.
 std::vector<WrittenSpring> springs_to_write(const Springs& springs);
 
+/// What the peak of a lateral spring is: "H at breakout", ...
+const char* peak_words(const Lateral& lateral);
 /// Where a lateral, the axial and the vertical spring are from: run, state, travel, formula.
 std::string origin_of(const Springs& springs, const Lateral& lateral);
 std::string axial_origin(const Springs& springs);

@@ -37,6 +37,20 @@ TEST(Path, has_w_given_in_a_push_by_velocity_and_V_in_a_drag_that_holds_its_forc
   for (const PathPoint& p : path.points) EXPECT_GT(p.w, 0) << "only in the soil";
 }
 
+TEST(Path, refuses_a_run_whose_stages_dig_the_soil_at_the_pipe)
+{
+  record::RunRecord record = pushed_and_dragged().record();
+  bodies::ExcavationSettings trench;
+  trench.name = "trench";
+  trench.stage = "drag";
+  trench.area.x = {0.03, 0.05, 0.05, 0.03};
+  trench.area.y = {-0.02, -0.02, 0, 0};
+  record.settings.body.front().second.excavation.push_back(trench);
+  EXPECT_THROW(path_of(record), RunError);
+  record.settings.body.front().second.excavation.front().area.x = {0.13, 0.15, 0.15, 0.13};
+  EXPECT_NO_THROW(path_of(record)) << "far away";
+}
+
 TEST(Path, refuses_a_run_that_has_not_come_to_its_end_and_folders_without_runs)
 {
   record::RunRecord record = pushed_and_dragged().record();

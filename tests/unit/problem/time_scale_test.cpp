@@ -80,5 +80,12 @@ TEST(TimeScale, is_none_of_velocities_nor_without_soil_or_history)
   EXPECT_FALSE(time_scale_of(c, c.stage[0]));
 }
 
+TEST(TimeScale, is_said_with_both_times)
+{
+  StageSettings storm = pipe_in_waves(400).stage[0];
+  storm.time_scale = 0.3;
+  EXPECT_EQ(time_scale_words(storm), "a record of 40 s in 12 s of the run, time_scale = 0.3");
+}
+
 }  // namespace
 }  // namespace berm::problem::this_file

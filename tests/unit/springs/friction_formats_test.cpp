@@ -84,6 +84,16 @@ TEST(BuckPyFormat, is_a_row_of_the_sheet_for_each_travel_with_friction_at_breako
     EXPECT_NE(description.find(words), std::string::npos) << words << " in " << description;
 }
 
+TEST(BuckPyFormat, has_no_row_of_a_travel_that_meets_a_berm_alone)
+{
+  Springs s = made_springs();
+  s.lateral[1].breaks = false;
+  s.lateral[1].peak = nan;
+  const std::vector<Row> rows = buckpy_rows(made_design(s));
+  ASSERT_EQ(rows.size(), 1u) << "1129 N/m against a berm is no friction of operation";
+  EXPECT_EQ(rows[0].at("Friction Set"), "line sweep_1");
+}
+
 TEST(BuckPyFormat, puts_a_travel_of_the_flooded_pipe_into_the_columns_of_the_hydrotest)
 {
   Springs s = made_springs();
@@ -168,11 +178,12 @@ TEST(MoorDynFormat, says_which_H_stands_for_a_residual_that_is_not_known)
 {
   Springs s = made_springs();
   s.lateral[1].breaks = false;
+  s.lateral[1].berm = nan;
   s.lateral[0].residual = nan;
   s.lateral[0].largest = 900, s.lateral[0].u_largest = 0.5;
   const std::string text = moordyn_files(made_design(s))[1].text;
   EXPECT_NE(text.find("H at breakout over V: it has no residual"), std::string::npos) << text;
-  EXPECT_NE(text.find("largest H over V: it has neither peak nor residual"), std::string::npos) << text;
+  EXPECT_NE(text.find("largest H over V: it has no residual"), std::string::npos) << text;
   const std::string origin = origin_of(s, s.lateral[0]);
   EXPECT_NE(origin.find("largest H 900 N/m at u = 0.5 m, behind its first peak"), std::string::npos) << origin;
 }

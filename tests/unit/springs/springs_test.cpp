@@ -185,6 +185,7 @@ TEST(Springs, along_the_axis_are_none_of_a_pipe_that_is_lifted)
   record::RunRecord run = lifted.record();
   run.settings.stage.push_back(MadeRun::stage_of("uplift", problem::StageKind::push));
   run.settings.stage.back().velocity = -0.1;
+  run.settings.stage.back().role = problem::StageRole::operation;  // without a role it would be no operation
   for (int k = 1; k <= 50; ++k) {
     const Real row[] = {static_cast<Real>(run.history.rows()), 0, 0.01 - k * 1e-5, 0, -100. + k};
     for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);
@@ -238,6 +239,60 @@ TEST(Springs, are_those_of_the_pipe_in_operation)
   EXPECT_NEAR(s.vertical.curve.back().F, 800, 1e-9);
   ASSERT_EQ(s.vertical.unloading.size(), 1u);
   EXPECT_NEAR(s.vertical.unloading[0].stiffness, 500 / (0.01 * D), 1);
+}
+
+TEST(Springs, are_none_of_a_bed_that_stages_dug_after_it_was_found)
+{
+  constexpr Real D = 0.02;
+  record::RunRecord run = lived_pipe();
+  bodies::ExcavationSettings trench;
+  trench.name = "trench";
+  trench.stage = "unload";
+  trench.area.x = {D, 3 * D, 3 * D, D};
+  trench.area.y = {-D, -D, 0, 0};
+  run.settings.body.front().second.excavation.push_back(trench);
+  const Springs s = springs_of(run, {.travels = {"lay_1", "sweep_1"}});
+  EXPECT_EQ(s.state, "operation");
+  EXPECT_TRUE(s.vertical.curve.empty()) << "the bed of touchdown";
+  ASSERT_EQ(s.lateral.size(), 1u);
+  EXPECT_EQ(s.lateral[0].stage, "sweep_1") << "after the excavation";
+  EXPECT_TRUE(std::isnan(s.axial.undrained)) << "its strength is that of undisturbed soil";
+  EXPECT_EQ(s.vertical.unloading.size(), 1u);
+  ASSERT_EQ(s.missing.size(), 3u);
+  for (const auto& [line, words] : {std::pair(0, "travel lay_1 has no lateral spring in state operation"),
+                                    {1, "there is no vertical spring: the push found a bed that is no longer there in state operation"},
+                                    {2, "there is no axial spring: the strength of the soil at the pipe is not known"}}) {
+    EXPECT_EQ(s.missing[line].find(words), 0u) << s.missing[line];
+    EXPECT_NE(s.missing[line].find("excavation trench, in stage \"unload\""), std::string::npos) << s.missing[line];
+  }
+  EXPECT_FALSE(springs_of(run, {.state = "touchdown"}).vertical.curve.empty()) << "which is before it";
+}
+
+TEST(Springs, of_a_sweep_that_only_meets_a_berm_are_none)
+{
+  record::RunRecord run = lived_pipe();
+  constexpr Real D = 0.02;
+  for (Index row = 0; row < run.history.rows(); ++row)
+    if (run.history.stage[row] == "sweep_2") run.history.values[3][row] = -40 * (2 * D - run.history["u_m"][row]) / D;
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  const Springs s = springs_of(run);
+  const Lateral& l = s.lateral.at(1);
+  EXPECT_TRUE(l.only_berm());
+  EXPECT_TRUE(std::isnan(l.residual));
+  EXPECT_NEAR(l.berm, 76, 0.5) << "the mean over the last 0.2 D of 40 N/m per D";
+  EXPECT_TRUE(l.spring().empty());
+  EXPECT_FALSE(l.curve.empty());
+  ASSERT_FALSE(s.missing.empty());
+  EXPECT_NE(s.missing[0].find("travel sweep_2 has no lateral spring: its H grows to 7"), std::string::npos) << s.missing[0];
+}
+
+TEST(Springs, before_a_berm_are_those_of_the_residual)
+{
+  const Lateral l = springs_of(lived_pipe()).lateral.at(1);
+  EXPECT_FALSE(l.breaks);
+  EXPECT_NEAR(l.peak, 80, 1e-6) << "not the 160 N/m against the berm";
+  EXPECT_NEAR(l.u_peak, 0.2 * 0.02, 0.02 * 0.02);
+  EXPECT_NEAR(l.spring().back().F, 80, 1e-6);
 }
 
 TEST(Springs, are_those_of_the_state_and_the_travels_that_are_asked_for)

@@ -5,6 +5,7 @@
 #include "material/laws.hpp"
 #include "picture/stage_words.hpp"
 #include "problem/drainage.hpp"
+#include "problem/time_scale.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/soil_words.hpp"
 #include "text/html.hpp"
@@ -254,6 +255,7 @@ void add_stages(Rows& rows)
     const bool driven = problem::drives(stage.kind);
     rows.add(fmt::format("stage {}", ++number),
              fmt::format("{}: {}{}", stage.name, driven ? picture::drive_words(stage, dimension) + ", until " : "", until));
+    if (!stage.load_times.empty()) rows.add(fmt::format("stage {}: load history", number), problem::time_scale_words(stage));
   }
 }
 

@@ -2,7 +2,9 @@
 // Tests: tests/unit/structures/driven/report/in_words_test.cpp, tests/unit/report/results/results_section_test.cpp
 #include "structures/driven/report/report.hpp"
 
+#include "problem/time_scale.hpp"
 #include "structures/base/soil_words.hpp"
+#include "structures/driven/results/displacements.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
 #include "structures/driven/results/states.hpp"
@@ -17,7 +19,6 @@ namespace berm::driven {
 namespace {
 
 constexpr Real same_depth = 0.005;  // of D
-constexpr Real slides = 0.1;        // of D: a body that a force moves farther slides, and its inertia counts
 
 std::string subject_of(const problem::Case& c)
 {
@@ -76,7 +77,9 @@ std::string states_words(const DrivenRun& run, const Results& results, const bas
     words += state.name == "operation" ? std::string("In operation it")
              : drags == 0              ? std::string("Laid, it")
                                        : fmt::format("Laid, by {} {}, it", drags, drags == 1 ? "drag" : "drags");
-    words += fmt::format(" lies at w = {} under V = {}. ", shown.length_text(run.scale, state.w), shown.force_text(run.scale, state.V));
+    words +=
+        fmt::format(" lies at w = {}{}{}. ", shown.length_text(run.scale, state.w),
+                    state.V < 0 ? ", and the soil presses it down by " : " under V = ", shown.force_text(run.scale, std::abs(state.V)));
   }
   return words;
 }
@@ -87,8 +90,9 @@ std::string inertia_words(const DrivenRun& run, const DragResults& drag)
   const auto stage = std::ranges::find(run.stages, drag.stage, &Stage::name);
   const Index rigid = main_rigid(run.settings);
   if (stage == run.stages.end() || !stage->varies || rigid == none) return "";
-  return fmt::format("That is for its mass of {} {} and the times of this load history: a force beyond the resistance accelerates it. ",
-                     text::short_number(run.settings.rigid[rigid].second.mass), run.scale.dimension == 2 ? "kg/m" : "kg");
+  return fmt::format("That is for its mass of {} {} and for {}: a force beyond the resistance accelerates it. ",
+                     text::short_number(run.settings.rigid[rigid].second.mass), run.scale.dimension == 2 ? "kg/m" : "kg",
+                     problem::time_scale_words(stage->asked));
 }
 
 /// How far a force moves it: what is asked of a pipe on the bed in a storm.
@@ -103,12 +107,12 @@ std::string moved_words(const DrivenRun& run, const DragResults& drag, const bas
   if (moved.half_cycles > 1)
     words += fmt::format("Its largest way between two turns is {}, of {}. ", length(moved.largest_half_cycle),
                          text::count_words(moved.half_cycles));
-  if (std::abs(moved.u_largest) > slides * run.scale.width) words += inertia_words(run, drag);
-  const auto after = [](Real time) { return "after " + text::time_words(time); };
+  if (moved.time_scale) words += inertia_words(run, drag);
+  const auto after = [&](Real time) { return "after " + text::time_words(time) + (moved.time_scale ? " of the record" : ""); };
   if (moved.time_D)
     return words + fmt::format("It breaks out: it is 0.5 D away {} and 1 D {}. ", after(*moved.time_half_D), after(*moved.time_D));
   if (moved.time_half_D) return words + fmt::format("It breaks out: it is 0.5 D away {}, and nowhere 1 D. ", after(*moved.time_half_D));
-  return words + "It does not break out: it stays within 0.5 D. ";
+  return words + "It stays within 0.5 D. ";
 }
 
 /// How far the water had drained when a lift began: in the last stage before it that has a degree of consolidation.
@@ -292,7 +296,8 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
   const std::string onset = resistance.onset ? fmt::format("It begins to slide at about H = {}. ", force(*resistance.onset)) : "",
                     berm = resistance.berm ? fmt::format("; at its end it meets a berm with {}", force(*resistance.berm)) : "";
   if (!resistance.breakout && resistance.berm)
-    return fmt::format("{}There is no peak: H levels off at {}{}.", onset, force(*resistance.residual), berm);
+    return resistance.residual ? fmt::format("{}There is no peak: H levels off at {}{}.", onset, force(*resistance.residual), berm)
+                               : fmt::format("{}There is neither a peak nor a residual{}.", onset, berm);
   if (!resistance.breakout) return fmt::format("{}There is {}.", onset, no_peak_words(resistance, end.to));
   std::string words = fmt::format("H peaks first at u = {} with {}{}", shown.length_text(run.scale, resistance.breakout->u),
                                   force(resistance.breakout->H), converged_words(run, prefix + "H_breakout", shown));
@@ -301,8 +306,8 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
           ? fmt::format("{} at u = {}", force(resistance.largest->H), shown.length_text(run.scale, resistance.largest->u))
           : "";
   if (resistance.berm)  // the plateau is before the largest H
-    return fmt::format("{}, then comes to {}{}{}.", words, force(*resistance.residual), berm,
-                       largest.empty() ? "" : "; the largest H is " + largest);
+    return fmt::format("{}{}{}{}.", words, resistance.residual ? ", then comes to " + force(*resistance.residual) : ", without a residual",
+                       berm, largest.empty() ? "" : "; the largest H is " + largest);
   if (!largest.empty()) words += ", grows to " + largest;
   return resistance.residual ? fmt::format("{}, then comes to {}.", words, force(*resistance.residual))
                              : fmt::format("{}, and still changes {}.", words, end.reached ? "at the " + end.at : end.at);
@@ -330,6 +335,10 @@ std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& sho
   }
   for (const DragResults& drag : results.drags)
     if (drag.moved) words += moved_words(run, drag, shown);
+  for (std::string doubt : lower_estimates(run.record)) {
+    doubt[0] = 'T';
+    words += fmt::format("<strong>{}.</strong> ", text::html_text(doubt));
+  }
   for (const UpliftResults& uplift : results.uplifts) words += uplift_words(run, uplift, shown);
   words += other_push_words(run, results, false, shown);
   words.erase(words.find_last_not_of(' ') + 1);

@@ -142,6 +142,8 @@ constexpr StageColumn stage_columns[] = {
     {StageUnit::force, "H<sub>breakout</sub>", [](const DragResults& d) { return member_of(d.breakout, &DragPeak::H); }},
     {StageUnit::width, "at u/D", [](const DragResults& d) { return member_of(d.breakout, &DragPeak::u); }},
     {StageUnit::force, "H<sub>max</sub>", [](const DragResults& d) { return member_of(d.largest, &DragPeak::H); }},
+    {StageUnit::force, "H<sub>residual</sub>", [](const DragResults& d) { return d.residual; }},
+    {StageUnit::force, "H<sub>berm</sub>", [](const DragResults& d) { return d.berm; }},
     {StageUnit::force, "H<sub>end</sub>", [](const DragResults& d) { return member_of(d.end, &DragPoint::H); }},
     {StageUnit::none, "H<sub>end</sub>/V", [](const DragResults& d) { return d.end ? std::optional(d.end->H / d.end->V) : std::nullopt; }},
     {StageUnit::width, "w<sub>end</sub>/D", [](const DragResults& d) { return member_of(d.end, &DragPoint::w); },
@@ -197,7 +199,8 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
          text::html_paragraph(
              fmt::format(
                  "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D "
-                 "but over a third of it at most. The berm is the highest soil ahead of the pipe at the end of the drag, above the "
+                 "but over a third of it at most; where that is resistance against a berm it is H<sub>berm</sub> and no residual. The berm "
+                 "is the highest soil ahead of the pipe at the end of the drag, above the "
                  "surface as it was, and its distance from the axis of the pipe.{}",
                  softens ? " Clay below the invert counts as remoulded where it has lost half of what remoulding takes." : ""),
              "quiet");
@@ -205,7 +208,9 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
 
 std::string residual_words(const Resistance& resistance, const StageEnd& end)
 {
-  if (resistance.berm) return "lowest plateau, before H rises against a berm";
+  if (resistance.berm)
+    return resistance.residual ? "lowest plateau, before H rises against a berm"
+                               : "not reached: H grows against a berm without a plateau before";
   const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
   const std::string last = end.reached ? "the end of the drag" : "the last part of the drag, " + end.at;
   return resistance.residual ? fmt::format("mean over {}; H changes by {} % there", last, change)
@@ -254,9 +259,12 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
                  "if the straight line "
                  "fitted to H there changes by less than {:g} % of that mean. Where H has risen by more than {:g} % from an earlier "
                  "plateau, that "
-                 "plateau is the residual and the end is the resistance of the berm that the body has pushed up.",
+                 "plateau is the residual and the end is the resistance of the berm that the body has pushed up. A drag that ends within "
+                 "{:g} D of "
+                 "where an earlier one in its direction ended, or that grows over swept ground without a plateau, has a berm resistance "
+                 "and no residual.",
                  100 * min_fall, longest_breakout, breakout_stays, min_fall_over_swing, swing_half, min_residual_travel,
-                 100 * max_residual_change, 100 * min_berm),
+                 100 * max_residual_change, 100 * min_berm, near_a_berm),
              "quiet");
 }
 
@@ -308,7 +316,7 @@ std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits
                               shown.length_columns("largest w"),
                               {{"half cycles", true}},
                               shown.length_columns("largest way between turns"),
-                              {{"0.5 D away after, s", true}, {"1 D, s", true}}}));
+                              {{"0.5 D away after, s of the record", true}, {"1 D, s of the record", true}}}));
   for (const DrivenRun& run : runs)
     for (const DragResults& drag : run.results().drags) {
       if (!drag.moved) continue;
@@ -326,7 +334,8 @@ std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits
   return table.html() +
          text::html_paragraph(
              "u counts along x from where the stage began; a turn counts where the body goes back by 0.01 D. Times are those of the load "
-             "history. half_cycles.csv of the run folder has each half cycle of a force that varies.",
+             "history, its record, however fast the run went through it. half_cycles.csv of the run folder has each half cycle of a force "
+             "that varies.",
              "quiet");
 }
 

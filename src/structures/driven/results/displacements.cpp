@@ -2,6 +2,9 @@
 // Tests: tests/unit/structures/driven/results/displacements_test.cpp
 #include "structures/driven/results/displacements.hpp"
 
+#include "problem/time_scale.hpp"
+#include "structures/base/driven_body.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -59,7 +62,45 @@ Displacements displacements_of(const DragPath& drag, const run_folder::History& 
   for (const HalfCycle& cycle : cycles)
     moved.largest_half_cycle = std::max(moved.largest_half_cycle, std::abs(cycle.u_end - cycle.u_begin));
   moved.half_cycles = static_cast<Real>(cycles.size());
+  if (drag.stage.varies) moved.time_scale = drag.stage.asked.time_scale;
   return moved;
+}
+
+bool is_accelerated(const DragPath& drag, const run_folder::History& history, Real D, Real mass)
+{
+  Real largest = 0;
+  for (const Real H : drag.H)
+    if (std::isfinite(H)) largest = std::max(largest, std::abs(H));
+  return std::ranges::any_of(half_cycles_of(drag, history, D), [&](const HalfCycle& cycle) {
+    const Real way = std::abs(cycle.u_end - cycle.u_begin), time = drag.stage.asked.time_scale * (cycle.end_s - cycle.begin_s),
+               rate = time > 0 ? pi / time : 0;
+    return way > breaks_out * D || mass * (way / 2) * rate * rate > inertia_matters * largest;
+  });
+}
+
+std::vector<std::string> time_scale_lines(const record::RunRecord& run)
+{
+  std::vector<std::string> lines;
+  for (const Stage& stage : stages_of(run.settings))
+    if (stage.varies) lines.push_back(fmt::format("\"{}\" is {}", stage.name, problem::time_scale_words(stage.asked)));
+  return lines;
+}
+
+std::vector<std::string> lower_estimates(const record::RunRecord& run)
+{
+  std::vector<std::string> lines;
+  if (run.history.rows() == 0 || !base::drives_a_body(run.settings)) return lines;
+  const Real D = base::body_scale(run).width, mass = run.settings.rigid[main_rigid(run.settings)].second.mass;
+  for (const DragPath& drag : path_of(run.history, stages_of(run.settings)).drags) {
+    if (!drag.stage.varies || !(drag.stage.asked.time_scale < 1) || !is_accelerated(drag, run.history, D, mass)) continue;
+    const Displacements moved = displacements_of(drag, run.history, D);
+    lines.push_back(
+        fmt::format("the displacement in \"{}\" is a lower estimate: its record ran with time_scale = {:.3g}, and the {} moved by {:.2g} D "
+                    "in a half cycle; {}. Run with time_scale = 1",
+                    drag.stage.name, drag.stage.asked.time_scale, base::body_word(run.settings), moved.largest_half_cycle / D,
+                    problem::breakout_takes_time));
+  }
+  return lines;
 }
 
 std::string half_cycles_csv(const run_folder::History& history, const Stages& stages, Real D)

@@ -26,7 +26,10 @@ DragResults whole_drag(const Stage& stage, Real D)
     *number = 1;
   if (stage.holds_V) drag.V_rms_error = 1;
   if (stage.by_force) drag.moved = Displacements{.time_half_D = 1, .time_D = 1};
-  if (stage.varies) return drag;
+  if (stage.varies) {
+    drag.moved->time_scale = 1;
+    return drag;
+  }
   for (const Real point : drag_points) drag.points.push_back({point * D, D, 1, 1});
   drag.largest = DragPeak{D, 1};
   drag.over_penetration = drag.H_noise = 1;

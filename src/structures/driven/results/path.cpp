@@ -258,6 +258,8 @@ Real force_that_ended(const PushPath& push, const run_folder::History& history, 
 
 Path path_of(const run_folder::History& history, const Stages& stages)
 {
+  constexpr Real carried = 0.05;  // of V where a lift begins: with less left of it the soil no longer carries the body
+  const auto pulls_up = [](const Stage& stage) { return stage.upwards || stage.force.value_or(0) < 0; };
   Path path;
   path.main = main_drag(stages).value_or(0);
   if (history.rows() == 0) return path;
@@ -273,7 +275,8 @@ Path path_of(const run_folder::History& history, const Stages& stages)
     // After an unloading only what goes beyond the push loads the body further.
     const bool reloads = !path.other_pushes.empty() && stage.force && !path.push.V.empty() && *stage.force <= path.push.V.back();
     if (unloads || reloads || !path.drags.empty()) {
-      path.other_pushes.push_back({stage.name, stage.upwards, std::move(rows)});
+      const bool lifts = pulls_up(stage) && !(V[rows.back()] > carried * std::abs(V[std::max(rows.front() - 1, 0)]));
+      path.other_pushes.push_back({stage.name, stage.upwards, lifts, std::move(rows)});
       continue;
     }
     for (const Index k : rows) {

@@ -58,7 +58,8 @@ std::vector<Real> settled_V(const DragPath& drag, const std::vector<Real>& time)
 /// A push that is no way down: it unloads or lifts the body, or follows a drag.
 struct OtherPush {
   std::string stage;
-  bool upwards = false;  ///< by a velocity: it lifts
+  bool upwards = false;  ///< by a velocity
+  bool lifts = false;    ///< upwards, to where the soil no longer carries the body: no state of operation
   std::vector<Index> rows;
 };
 

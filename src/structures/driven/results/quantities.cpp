@@ -145,8 +145,10 @@ DragPoint end_in_time(const DragPath& path, const std::vector<Real>& time)
   return point;
 }
 
-DragResults drag_results(const DragPath& path, const run_folder::History& history, std::optional<Real> V_max, const BodyScale& scale)
+DragResults drag_results(const Path& all, std::size_t number, const run_folder::History& history, std::optional<Real> V_max,
+                         const BodyScale& scale)
 {
+  const DragPath& path = all.drags[number];
   DragResults drag{.stage = path.stage.name, .given = given_by_drag(path.stage, path.travel.back())};
   const Real D = scale.width;
   if (path.stage.by_force) drag.moved = displacements_of(path, history, D);
@@ -169,7 +171,7 @@ DragResults drag_results(const DragPath& path, const run_folder::History& histor
   drag.largest = DragPeak{smooth.travel()[largest - smooth.value().begin()], *largest};
   take_vertical(drag, path, history);
   if (V_max && drag.V.value_or(0) > 0) drag.over_penetration = *V_max / *drag.V;
-  const Resistance resistance = resistance_to(H, scale);
+  const Resistance resistance = resistance_in(all, number, scale);
   if (std::isnan(resistance.last_change)) return drag;
   drag.end = end_of(H, V, w, scale);
   if (path.stage.by_force) return drag;
@@ -188,7 +190,7 @@ void take_drags(Results& results, const Path& path, const run_folder::History& h
     V_max = *std::max_element(smooth.value().begin(), smooth.value().end());
   }
   // One without a number keeps its place: the names of the first stand alone.
-  for (const DragPath& drag : path.drags) results.drags.push_back(drag_results(drag, history, V_max, scale));
+  for (std::size_t k = 0; k < path.drags.size(); ++k) results.drags.push_back(drag_results(path, k, history, V_max, scale));
 }
 
 const problem::StageSettings& asked_of(const Stages& stages, const std::string& name)

@@ -78,16 +78,18 @@ std::optional<Real> residual_from(const TravelCurve& smooth, Real breakout, Real
   return from;
 }
 
-/// The lowest mean of H over a stretch of 2 half, beyond `from`, in which it changes as little as at the end of a drag; empty where there is none.
-std::optional<Real> plateau_of(const TravelCurve& H, Real from, Real half)
+/// The lowest mean of H over a stretch of 2 half, beyond `from`, in which it changes as little as at the end of a drag, and the middle of that stretch; empty where
+/// there is none.
+std::optional<Resistance::Point> plateau_of(const TravelCurve& H, Real from, Real half)
 {
-  std::optional<Real> lowest;
+  std::optional<Resistance::Point> lowest;
   for (Real u = from + half; u + half <= H.end(); u += half / 2) {
     const Real mean = H.at(u, half), first = H.at(u - half / 2, half / 2), second = H.at(u + half / 2, half / 2),
                middle = H.at(u, half / 2);
     // The means of two halves differ by half of what a straight line changes; a trough has a low middle.
     const Real most = max_residual_change / 2 * mean;
-    if (mean > 0 && std::abs(second - first) < most && std::abs(middle - mean) < most && (!lowest || mean < *lowest)) lowest = mean;
+    if (mean > 0 && std::abs(second - first) < most && std::abs(middle - mean) < most && (!lowest || mean < lowest->H))
+      lowest = Resistance::Point{u, mean};
   }
   return lowest;
 }
@@ -112,7 +114,24 @@ Real residual_travel(Real travel, const BodyScale& scale)
   return std::min(max_residual_part * travel, std::max(residual_part * travel, min_residual_travel * scale.width));
 }
 
-Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
+Ahead ahead_of(const Path& path, std::size_t number, const BodyScale& scale)
+{
+  const DragPath& drag = path.drags[number];
+  if (drag.travel.empty()) return Ahead::fresh;
+  Ahead ahead = Ahead::fresh;
+  for (std::size_t k = 0; k < number; ++k) {
+    const DragPath& earlier = path.drags[k];
+    if (earlier.stage.lays || earlier.stage.by_force || earlier.travel.empty()) continue;
+    if (ahead == Ahead::fresh) ahead = Ahead::swept;
+    if (earlier.stage.direction != drag.stage.direction) continue;
+    // Where the earlier one ended, along the travel of this one.
+    const Real end = drag.stage.direction * (earlier.u_begin - drag.u_begin) + earlier.travel.back();
+    if (end > least_way_to_a_berm * scale.width && std::abs(drag.travel.back() - end) <= near_a_berm * scale.width) return Ahead::berm;
+  }
+  return ahead;
+}
+
+Resistance resistance_to(const TravelCurve& H, const BodyScale& scale, Ahead ahead)
 {
   Resistance resistance;
   resistance.travel = resistance.V_at_largest = resistance.last_change = nan;
@@ -129,24 +148,36 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
   const Real half = residual_travel(travel, scale) / 2;
   const Real mean = H.at(H.end() - half, half);
   resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
-  if (std::abs(resistance.last_change) < max_residual_change) resistance.residual = mean;
+  if (ahead != Ahead::berm && std::abs(resistance.last_change) < max_residual_change)
+    resistance.residual = mean, resistance.residual_at = H.end() - half;
   if (travel >= min_travel_to_a_berm * scale.width && mean > 0) {
     // Without a breakout H grows from nothing: a plateau is a longer stretch then.
-    const std::optional<Real> plateau = resistance.breakout ? plateau_of(H, resistance.breakout->u, half)
-                                                            : plateau_of(H, first_at(smooth, mean / 2), std::max(half, travel / 8));
-    if (plateau && mean > (1 + min_berm) * *plateau) resistance.residual = plateau, resistance.berm = mean;
+    const std::optional<Resistance::Point> plateau = resistance.breakout
+                                                         ? plateau_of(H, resistance.breakout->u, half)
+                                                         : plateau_of(H, first_at(smooth, mean / 2), std::max(half, travel / 8));
+    const bool risen = plateau && mean > (1 + min_berm) * plateau->H,
+               away = plateau && ahead == Ahead::berm && plateau->u < H.end() - near_a_berm * scale.width;
+    if (risen || away) resistance.residual = plateau->H, resistance.residual_at = plateau->u;
+    if (risen) resistance.berm = mean;
   }
+  const bool grows = ahead == Ahead::berm || (ahead == Ahead::swept && resistance.last_change > 0);
+  if (!resistance.residual && grows && mean > 0) resistance.berm = mean;
   if (resistance.residual && resistance.breakout)
     resistance.residual_from = residual_from(smooth, resistance.breakout->u, *resistance.residual, half);
   return resistance;
+}
+
+Resistance resistance_in(const Path& path, std::size_t drag, const BodyScale& scale)
+{
+  return resistance_to({path.drags[drag].travel, path.drags[drag].H}, scale, ahead_of(path, drag, scale));
 }
 
 Resistance resistance_of(const DrivenRun& run)
 {
   const Path path = run.history.rows() > 0 ? path_of(run.history, run.stages) : Path{};
   const DragPath& drag = path.main_drag();
-  if (drag.stage.varies) return resistance_to({{}, {}}, run.scale);
-  Resistance resistance = resistance_to({drag.travel, drag.H}, run.scale);
+  if (drag.stage.varies || path.main >= path.drags.size()) return resistance_to({{}, {}}, run.scale);
+  Resistance resistance = resistance_in(path, path.main, run.scale);
   const std::optional<DragPeak> peak = run.results().main_drag().largest;
   if (!resistance.largest && peak) take_if_larger(resistance.largest, peak->u, peak->H);
   // The points need not be among the travels at which a long curve is looked at.
@@ -161,6 +192,7 @@ std::string no_peak_words(const Resistance& resistance, const std::string& end)
                      : resistance.peak_beyond ? "no peak within 1 D"
                                               : "no peak";
   if (resistance.residual) return fmt::format("{}: H levels off", none);
+  if (resistance.berm) return fmt::format("{}: H grows against a berm", none);
   return resistance.last_change > 0 ? fmt::format("{}: H grows {}", none, end) : none;
 }
 

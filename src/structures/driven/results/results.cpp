@@ -205,6 +205,9 @@ void describe_drag(Visitor& v, DragResults& r, Real D)
                [&](Real& t) { return v.time("time_to_0.5D", t, "time of the load history until the body is 0.5 D from where it began"); });
     v.optional(m.time_D,
                [&](Real& t) { return v.time("time_to_1D", t, "time of the load history until the body is 1 D from where it began"); });
+    v.optional(m.time_scale, [&](Real& scale) {
+      return v.ratio("time_scale", scale, "time of the run over that of the load history", Kind::prescribed);
+    });
     return there;
   });
   v.optional(r.berm_height, [&](Real& value) { return v.length("berm_height", value, "height of the berm ahead at the end of the drag"); });

@@ -50,7 +50,8 @@ struct Displacements {
   Real largest_half_cycle = nan;      ///< m, largest way between two turns
   Real half_cycles = 0;               ///< ways between turns, of at least a hundredth of D
   std::optional<Real> time_half_D{},
-      time_D{};  ///< s of the load history since the stage began: when the body first is 0.5 D and D from there
+      time_D{};                      ///< s of the load history since the stage began: when the body first is 0.5 D and D from there
+  std::optional<Real> time_scale{};  ///< of a force that varies: time of the run over that of its load history
 };
 
 /// A way between two turns.
@@ -68,8 +69,8 @@ struct DragResults {
   std::optional<DragPeak> breakout{};      ///< the first peak (results/resistance.hpp)
   std::optional<Real> onset{};             ///< N/m, at which it begins to slide, without such a peak
   std::optional<DragPoint> end{};          ///< means over the last tenth of the travel, at least the last 0.1 D; u and w of the end itself
-  std::optional<Real> residual{};          ///< N/m, the plateau of H
-  std::optional<Real> berm{};              ///< N/m, H at the end where that has risen against a berm
+  std::optional<Real> residual{};          ///< N/m, the plateau of H (results/resistance.hpp)
+  std::optional<Real> berm{};              ///< N/m, H at the end against a berm
   std::optional<Real> V{};                 ///< N/m, mean once it is what it shall be
   std::optional<Real> over_penetration{};  ///< the largest V of the push over V
   std::optional<Real> H_noise{}, V_rms_error{};        ///< bare numbers; V's where it is held

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/driven/results/states_test.cpp
 #include "structures/driven/results/states.hpp"
 
+#include "structures/base/soil_words.hpp"
 #include "structures/driven/results/quantities.hpp"
 
 #include <algorithm>
@@ -76,7 +77,47 @@ void take_force(State& state, Real asked)
     state.V = asked, state.V_given = true;
 }
 
+/// The last row of a run, or that before the lifts that end it, after which nothing presses the body down again; none where the run begins with them.
+Index before_lifts(const Path& path, const run_folder::History& h)
+{
+  Index row = h.rows() - 1;
+  for (auto push = path.other_pushes.rbegin(); push != path.other_pushes.rend() && push->lifts; ++push) {
+    const Index begin = push->rows.front();
+    if (!path.push.rows.empty() && path.push.rows.back() > begin) break;
+    row = begin > 0 ? begin - 1 : none;
+  }
+  return row;
+}
+
+/// How far the area of an earthwork is from the body as a row has it, m; 0 inside.
+Real distance_from(const bodies::EarthworkSettings& work, const record::RunRecord& run, const base::BodyScale& scale, Index row)
+{
+  const run_folder::History& h = run.history;
+  const Real x = center_of<2>(bodies::make_shape<2>(run.settings.rigid[main_rigid(run.settings)].second.shape))[0], half = scale.width / 2;
+  const Vec<2> center(x + h["u_m"][row], run.surface_at(x) - h["w_m"][row] + half);
+  return std::max(Real(0), surface_at<2>(bodies::make_shape<2>(work.area), center).distance - half);
+}
+
 }  // namespace
+
+std::optional<SoilWork> last_soil_work(const record::RunRecord& run, Index row)
+{
+  const run_folder::History& h = run.history;
+  const base::BodyScale scale = base::body_scale(run);
+  std::optional<SoilWork> last;
+  if (run.settings.dimension() != 2 || !(scale.width > 0) || h.rows() == 0 || !h.has("w_m") || !h.has("u_m")) return last;
+  for (const base::EarthworkWords& work : base::earthworks_in_words(run.settings)) {
+    Index begin = none;
+    bool near = false;
+    for (Index k = 0; k < h.rows(); ++k) {
+      if (h.stage[k] != work.settings.stage) continue;
+      if (begin == none) begin = k;
+      near = near || distance_from(work.settings, run, scale, k) <= near_the_body * scale.width;
+    }
+    if (near && begin <= row && (!last || begin > last->row)) last = SoilWork{work.words, begin};
+  }
+  return last;
+}
 
 States states_of(const record::RunRecord& run)
 {
@@ -120,8 +161,10 @@ States states_of(const record::RunRecord& run)
       operation.origin = end_words(h, operation.row) + before;
       take_force(operation, *given);
     }
-  } else if (!path.other_pushes.empty() || (!path.push.rows.empty() && h.rows() - 1 > path.push.rows.back()))
-    add("operation", h.rows() - 1, "");
+  } else if (!path.other_pushes.empty() || (!path.push.rows.empty() && h.rows() - 1 > path.push.rows.back())) {
+    const Index row = before_lifts(path, h);
+    add("operation", row, row == h.rows() - 1 || row == none ? "" : ", before " + h.stage[row + 1]);
+  }
   for (const DragPath& drag : path.drags)
     if (!drag.stage.lays) states.push_back(state_at(h, drag.rows.back(), "after_" + drag.stage.name, "end of " + drag.stage.name));
   std::stable_sort(states.begin(), states.end(), [](const State& a, const State& b) { return a.row < b.row; });

@@ -26,13 +26,22 @@ using States = std::vector<State>;
 ///   laid          after the last drag that lays the pipe (Stage::lays);
 ///   flooded, emptied   where the last stage of that role ends;
 ///   operation     where the last stage of that role ends; without that role, where the main drag begins, under the vertical force that this holds, and
-///                 of a run without a drag where it ends;
+///                 of a run without a drag where it ends, or before the lifts that end it (OtherPush::lifts);
 ///   after_TRAVEL  where each other drag ends.
 /// Empty where the history has no w.
 States states_of(const record::RunRecord& run);
 
 /// The state of this name; null where there is none.
 const State* find_state(const States& states, const std::string& name);
+
+/// A fill or an excavation at the body: what pushes and drags before it found is of soil that is no longer there, or no longer as it was.
+struct SoilWork {
+  std::string words;  ///< "excavation trench, in stage \"trench\""
+  Index row;          ///< of the history, the first of its stage
+};
+/// The last that had begun at a row: its area comes within near_the_body of the body's width to the body, some time in its stage. Empty where there is none.
+constexpr Real near_the_body = 2;
+std::optional<SoilWork> last_soil_work(const record::RunRecord& run, Index row);
 
 /// Whether the run tells more than a push, and drags right after it: its states have numbers of their own.
 bool has_states_between(const States& states);

@@ -132,31 +132,38 @@ Real depth_of(const ComparedState& state, Real diameter)
   return state.kind == ComparedState::Kind::uplift ? state.w - diameter / 2 : state.w;
 }
 
-/// Each drag of a diameter or more, at its end: the first beside what the residual is said to be, those that follow in clay beside sweeps between berms.
+/// Each drag of a diameter or more: the first with its residual beside what that is said to be, those that follow in clay beside sweeps between berms.
 void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const PipeSoil& soil, Real part)
 {
   const auto* clay = std::get_if<ClayAround>(&soil);
   if (run.history.rows() == 0 || run.settings.method == problem::Method::fem) return;
   const driven::Path path = driven::path_of(run.history, run.stages);
+  const driven::Results results = run.results();
   const Real D = run.scale.width, half = base::averaging_half(run.scale);
   bool swept = false;
-  for (const driven::DragResults& drag : run.results().drags) {
-    const auto found =
-        std::find_if(path.drags.begin(), path.drags.end(), [&](const driven::DragPath& p) { return p.stage.name == drag.stage; });
+  for (std::size_t k = 0; k < path.drags.size(); ++k) {
+    const driven::DragPath& travelled = path.drags[k];
+    const auto drag = std::ranges::find(results.drags, travelled.stage.name, &driven::DragResults::stage);
     // A force that is given is no resistance.
-    if (drag.moved || !drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end()) continue;
+    if (drag == results.drags.end() || drag->moved || !drag->end || drag->end->u < (1 - 1e-6) * D) continue;
     if (swept && clay == nullptr) break;
-    const Real middle = record::TravelCurve(found->travel, found->H).at(drag.end->u / 2, half);
-    const SweepResults sweep{found->w.front(), drag.end->w, drag.end->V / part, drag.end->H / part, middle / part};
-    std::vector<Comparison> comparisons = clay == nullptr ? sand_after_sweep(std::get<SandAround>(soil), sweep.w, sweep.V, sweep.H)
+    const driven::Resistance resistance = driven::resistance_in(path, k, run.scale);
+    SweepResults sweep{travelled.w.front(), drag->end->w, drag->end->V / part,
+                       record::TravelCurve(travelled.travel, travelled.H).at(drag->end->u / 2, half) / part};
+    if (resistance.residual) {
+      sweep.residual = *resistance.residual / part;
+      sweep.w_residual = record::TravelCurve(travelled.travel, travelled.w).at(*resistance.residual_at, half);
+    }
+    if (resistance.berm) sweep.berm = *resistance.berm / part;
+    std::vector<Comparison> comparisons = clay == nullptr ? sand_after_sweep(std::get<SandAround>(soil), sweep)
                                           : swept         ? clay_between_berms(*clay, sweep)
                                                           : clay_after_sweep(*clay, sweep);
-    if (!swept && drag.stage == path.main_drag().stage.name) {
-      const std::vector<Comparison> displacement = displacement_to_the_residual(D, driven::resistance_of(run).residual_from.value_or(nan));
+    if (!swept && k == path.main) {
+      const std::vector<Comparison> displacement = displacement_to_the_residual(D, resistance.residual_from.value_or(nan));
       comparisons.insert(comparisons.end(), displacement.begin(), displacement.end());
     }
     values.states.push_back(
-        {ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V, std::move(comparisons), {}, drag.stage, nan, sweep.w_begin});
+        {ComparedState::Kind::end_of_drag, drag->end->u, sweep.w, sweep.V, std::move(comparisons), {}, drag->stage, nan, sweep.w_begin});
     swept = true;
   }
 }

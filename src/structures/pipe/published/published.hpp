@@ -53,7 +53,7 @@ struct PublishedValues {
 };
 
 /// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push; of the first drag at breakout, which is what
-/// the formulas of design codes are for, at the onset of sliding, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D; of each drag of a diameter or more at its end; of each lift that the soil resists. The
+/// the formulas of design codes are for, at the onset of sliding, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D; of each drag of a diameter or more its residual, or its H against a berm; of each lift that the soil resists. The
 /// embedment is that of the run there; in the finite element method, whose strains are small, that at the start. Forces of half a pipe beside an axis of
 /// symmetry are doubled.
 PublishedValues published_beside(const driven::DrivenRun& run);

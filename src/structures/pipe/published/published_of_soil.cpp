@@ -87,10 +87,13 @@ void append(std::vector<Comparison>& list, const std::vector<Comparison>& more)
   list.insert(list.end(), more.begin(), more.end());
 }
 
+constexpr const char *residual = "residual H", *against_a_berm = "H against a berm";
+
 /// Of a guideline whose best estimate is only the mean of both.
-void append_ends(std::vector<Comparison>& list, Real berm, const formulas::Estimates& estimates, const std::string& about)
+void append_ends(std::vector<Comparison>& list, const char* quantity, Real berm, const formulas::Estimates& estimates,
+                 const std::string& about)
 {
-  std::vector<Comparison> three = with_estimates("H", Comparison::Unit::force, berm, estimates, about);
+  std::vector<Comparison> three = with_estimates(quantity, Comparison::Unit::force, berm, estimates, about);
   three.erase(three.begin() + 1);
   append(list, three);
 }
@@ -100,8 +103,8 @@ void append_ends(std::vector<Comparison>& list, Real berm, const formulas::Estim
 std::vector<Comparison> clay_after_sweep(const ClayAround& clay, const SweepResults& sweep)
 {
   const formulas::PipeInClay pipe = clay.at(sweep.w_begin);
-  std::vector<Comparison> list = {{"H", Comparison::Unit::force, sweep.H, clay_residual(pipe, sweep.V), "residual"}};
-  append(list, with_estimates("H", Comparison::Unit::force, sweep.H, f114_clay_residual(pipe, sweep.V), "residual"));
+  std::vector<Comparison> list = {{residual, Comparison::Unit::force, sweep.residual, clay_residual(pipe, sweep.V), "residual"}};
+  append(list, with_estimates(residual, Comparison::Unit::force, sweep.residual, f114_clay_residual(pipe, sweep.V), "residual"));
   return list;
 }
 
@@ -109,8 +112,8 @@ std::vector<Comparison> clay_between_berms(const ClayAround& clay, const SweepRe
 {
   const formulas::PipeInClay pipe = clay.at(sweep.w);
   std::vector<Comparison> list;
-  append_ends(list, sweep.middle, safebuck_mid_sweep(pipe, sweep.V), "middle of a sweep");
-  append_ends(list, sweep.H, safebuck_berm(pipe), "against the berm");
+  append_ends(list, "H in the middle", sweep.middle, safebuck_mid_sweep(pipe, sweep.V), "middle of a sweep");
+  append_ends(list, against_a_berm, sweep.berm, safebuck_berm(pipe), "against the berm");
   return list;
 }
 
@@ -170,9 +173,11 @@ std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Rea
           {"H", Comparison::Unit::force, H, f109_sand_lateral(pipe, V), ""}};
 }
 
-std::vector<Comparison> sand_after_sweep(const SandAround& sand, Real w, Real V, Real H)
+std::vector<Comparison> sand_after_sweep(const SandAround& sand, const SweepResults& sweep)
 {
-  return {{"H", Comparison::Unit::force, H, f114_drained_lateral(sand.at(w), V), "residual, as breakout at this embedment"}};
+  const Real w = std::isnan(sweep.residual) ? sweep.w : sweep.w_residual;
+  return {{residual, Comparison::Unit::force, sweep.residual, f114_drained_lateral(sand.at(w), sweep.V),
+           fmt::format("residual, as breakout at w = {:.3g} D", w / sand.diameter)}};
 }
 
 std::vector<std::string> remarks_on(const SandAround& sand)

@@ -17,9 +17,11 @@ std::vector<Comparison> clay_at_breakout(const ClayAround& clay, Real w, Real V,
 
 /// A long drag at its end.
 struct SweepResults {
-  Real w_begin;  ///< m, where it began
-  Real w, V, H;  ///< m, N/m, N/m: means over its end
-  Real middle;   ///< N/m, H in the middle of its travel
+  Real w_begin;                           ///< m, where it began
+  Real w, V;                              ///< m, N/m: means over its end
+  Real middle;                            ///< N/m, H in the middle of its travel
+  Real residual = nan, w_residual = nan;  ///< N/m, its plateau, and m, the embedment there; NaN where none was reached
+  Real berm = nan;                        ///< N/m, H against a berm at its end; NaN where it met none
 };
 
 /// What it has, beside the residual resistance; and beside that of a sweep between the berms that others left.
@@ -34,8 +36,8 @@ std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V);
 /// The resistance H (N/m) at breakout, at embedment w (m) under a vertical load V (N/m).
 std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Real H);
 
-/// The same at the end of a long drag.
-std::vector<Comparison> sand_after_sweep(const SandAround& sand, Real w, Real V, Real H);
+/// The residual of a long drag.
+std::vector<Comparison> sand_after_sweep(const SandAround& sand, const SweepResults& sweep);
 
 std::vector<std::string> remarks_on(const SandAround& sand);
 

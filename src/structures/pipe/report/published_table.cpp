@@ -21,6 +21,14 @@ std::string with_capital(std::string words)
   return words;
 }
 
+/// What of the end of a drag has no number in the run.
+std::string not_reached_words(const ComparedState& state)
+{
+  const auto missing =
+      std::ranges::find_if(state.comparisons, [](const Comparison& c) { return c.unit == Comparison::Unit::force && std::isnan(c.berm); });
+  return missing == state.comparisons.end() ? "" : fmt::format("; no {} was reached", missing->quantity);
+}
+
 std::string state_words(const ComparedState& state, const driven::DrivenRun& run, const base::DisplayUnits& shown)
 {
   const Real D = run.scale.width;
@@ -41,8 +49,8 @@ std::string state_words(const ComparedState& state, const driven::DrivenRun& run
                        state.point == ComparedState::Point::peak ? "Breakout of the drag" : "No peak in this drag: largest H,",
                        text::short_number(state.u / D), w, V);
   case ComparedState::Kind::end_of_drag:
-    return fmt::format("{}, {} D far from w = {} D: {}, {}", text::html_text(state.stage), text::short_number(state.u / D),
-                       text::short_number(state.w_begin / D), w, V);
+    return fmt::format("End of {}, u = {} D from w = {} D: {}, {}{}", text::html_text(state.stage), text::short_number(state.u / D),
+                       text::short_number(state.w_begin / D), w, V, not_reached_words(state));
   case ComparedState::Kind::uplift:
     return fmt::format("{}, lifted from {}: {} after {} D", text::html_text(state.stage), w,
                        state.point == ComparedState::Point::peak ? "peak" : "largest resistance", text::short_number(state.u / D));
@@ -60,7 +68,7 @@ std::vector<text::HtmlCell> cells_of(const Comparison& c, const driven::DrivenRu
   const std::string range = (c.published.valid ? "" : "out of range: ") + base::printed_range(source.range);
   return {{c.quantity},
           {force ? shown.force_unit(run.scale) : "D"},
-          {number(c.berm), true},
+          {force && std::isnan(c.berm) ? "not reached" : number(c.berm), true},
           {number(c.published.value), true},
           {text::table_number(c.ratio()), true},
           {text::html_text(c.about.empty() ? citation(source) : fmt::format("{}; {}", citation(source), c.about))},

@@ -70,12 +70,61 @@ TEST(Displacements, are_no_resistance)
   EXPECT_EQ(run.quantity("H_end_of_drag")->kind, run_folder::QuantityKind::prescribed);
 }
 
+std::string words_of(const record::RunRecord& run)
+{
+  return results_in_words(DrivenRun(run), base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
+}
+
+/// The same with another time scale: the run took as long, so that the record is longer.
+record::RunRecord moved_at(Real time_scale)
+{
+  record::RunRecord run = moved();
+  problem::StageSettings& storm = run.settings.stage.back();
+  storm.time_scale = time_scale;
+  for (Real& time : storm.load_times) time /= time_scale;
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  return run;
+}
+
 TEST(Displacements, are_said_to_be_of_a_mass_and_of_the_times_of_the_load)
 {
   record::RunRecord run = moved();
   run.settings.rigid.front().second.mass = 2.5;
-  const std::string words = results_in_words(DrivenRun(run), base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
-  EXPECT_NE(words.find("That is for its mass of 2.5 kg/m and the times of this load history"), std::string::npos) << words;
+  EXPECT_NE(words_of(run).find("That is for its mass of 2.5 kg/m and for a record of 160 s in 160 s of the run, time_scale = 1"),
+            std::string::npos)
+      << words_of(run);
+}
+
+TEST(Displacements, of_a_body_that_breaks_out_are_a_lower_estimate_where_the_run_is_faster_than_its_record)
+{
+  EXPECT_TRUE(lower_estimates(moved()).empty()) << "it runs in real time";
+  const record::RunRecord fast = moved_at(0.5);
+  ASSERT_EQ(lower_estimates(fast).size(), 1u);
+  EXPECT_NE(
+      lower_estimates(fast)[0].find("\"storm\" is a lower estimate: its record ran with time_scale = 0.5, and the pipe moved by 0.8 D in "
+                                    "a half cycle"),
+      std::string::npos)
+      << lower_estimates(fast)[0];
+  const base::Structure& structure = structures::structure_of(fast.settings);
+  for (const char* words :
+       {"\"storm\" is a record of 320 s in 160 s of the run, time_scale = 0.5", "half_cycles.csv", "Run with time_scale = 1"})
+    EXPECT_NE(structure.table_of(fast).find(words), std::string::npos) << words << " in " << structure.table_of(fast);
+  for (const char* words : {"is a lower estimate", "0.5 D away after 1.7 min of the record", "time_scale = 0.5"})
+    EXPECT_NE(words_of(fast).find(words), std::string::npos) << words << " in " << words_of(fast);
+  ASSERT_NE(fast.quantity("time_scale"), nullptr);
+  EXPECT_EQ(fast.quantity("time_scale")->value, 0.5);
+  EXPECT_EQ(fast.quantity("time_scale")->kind, run_folder::QuantityKind::prescribed);
+}
+
+TEST(Displacements, of_a_body_that_the_soil_holds_do_not_depend_on_the_time_scale)
+{
+  record::RunRecord run = moved_at(0.5);
+  for (Real& u : run.history.values[1]) u /= 10;  // 0.08 D at most
+  EXPECT_TRUE(lower_estimates(run).empty());
+  const auto drag = [&] { return path_of(run.history, stages_of(run.settings)).drags.back(); };
+  // The last half cycle is 0.02 D within 20 s of the run: m a is m 0.2 mm (pi/20 s)^2, a tenth of 100 N/m for 2.03e6 kg/m.
+  EXPECT_FALSE(is_accelerated(drag(), run.history, D, 2e6));
+  EXPECT_TRUE(is_accelerated(drag(), run.history, D, 2.06e6)) << "its inertia matters";
 }
 
 TEST(Displacements, have_a_table_of_their_half_cycles)

@@ -173,5 +173,86 @@ TEST(resistance, a_run_without_a_drag_has_none)
   EXPECT_TRUE(std::isnan(found.last_change));
 }
 
+/// A pipe that is swept out by 1.5 D and back, twice, with H of 100 N/m but for its third way, over u/D along the travel.
+record::RunRecord swept(const std::function<Real(Real u_over_D)>& third, Real third_travel = 1.5)
+{
+  MadeRun made;
+  made.dragged = 0;
+  record::RunRecord run = made.record();
+  Real u = 0;
+  for (int sweep = 0; sweep < 4; ++sweep) {
+    const Real direction = sweep % 2 == 0 ? 1 : -1, travel = sweep == 2 ? third_travel : 1.5, step = 0.002;
+    run.settings.stage.push_back(MadeRun::stage_of("sweep_" + std::to_string(sweep + 1), problem::StageKind::drag));
+    run.settings.stage.back().velocity = 0.1 * direction;
+    for (int k = 1; k * step <= travel + step / 2; ++k) {
+      const Real x = k * step, H = sweep == 2 ? third(x) : std::min(100., 500 * x);
+      const Real row[] = {static_cast<Real>(run.history.rows()), u + direction * x * D, made.pushed_to, direction * H, made.held_V};
+      for (int column = 0; column < 5; ++column) run.history.values[column].push_back(row[column]);
+      run.history.stage.push_back(run.settings.stage.back().name);
+    }
+    u += direction * travel * D;
+  }
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  return run;
+}
+
+/// 50 N/m until it grows to 90 N/m over the last D but for the last 0.2 D.
+Real into_a_berm(Real x)
+{
+  return x < 0.1 ? 500 * x : x < 0.5 ? 50 : x < 1.3 ? std::lerp(50., 90., (x - 0.5) / 0.8) : 90;
+}
+
+TEST(resistance, that_grows_into_the_berm_of_an_earlier_sweep_is_no_residual_though_it_levels_off)
+{
+  const auto grows = [](Real x) { return x < 1.3 ? 200 * x / 1.3 : 200; };
+  const record::RunRecord run = swept(grows);
+  EXPECT_EQ(run.quantity("sweep_3.H_residual"), nullptr);
+  ASSERT_NE(run.quantity("sweep_3.H_berm"), nullptr);
+  EXPECT_NEAR(run.quantity("sweep_3.H_berm")->value, 200, 1e-6);
+  EXPECT_NEAR(run.quantity("H_residual")->value, 100, 1e-6) << "the first sweep meets no berm";
+  EXPECT_NEAR(run.quantity("sweep_2.H_residual")->value, 100, 1e-6) << "nor does the way back to where it began";
+  EXPECT_NEAR(run.quantity("sweep_4.H_residual")->value, 100, 0.1) << "its plateau begins farther than D before the berm of sweep_2";
+  EXPECT_EQ(run.quantity("sweep_4.H_berm"), nullptr);
+}
+
+TEST(resistance, before_the_berm_of_an_earlier_sweep_is_the_residual_where_it_is_a_plateau)
+{
+  const record::RunRecord run = swept(into_a_berm);
+  EXPECT_NEAR(run.quantity("sweep_3.H_residual")->value, 50, 0.5);
+  EXPECT_NEAR(run.quantity("sweep_3.H_berm")->value, 90, 1e-6);
+}
+
+TEST(resistance, beyond_the_berm_of_an_earlier_sweep_may_be_residual)
+{
+  const auto late = [](Real x) { return std::min(100., 100 * x / 1.6); };
+  const record::RunRecord near = swept(late, 2.4), far = swept(late, 2.6);
+  EXPECT_EQ(near.quantity("sweep_3.H_residual"), nullptr) << "0.9 D beyond";
+  EXPECT_NEAR(near.quantity("sweep_3.H_berm")->value, 100, 1e-6);
+  ASSERT_NE(far.quantity("sweep_3.H_residual"), nullptr) << "1.1 D beyond";
+  EXPECT_EQ(far.quantity("sweep_3.H_berm"), nullptr);
+}
+
+TEST(resistance, that_grows_over_swept_ground_to_its_end_is_that_of_a_berm)
+{
+  const record::RunRecord run = swept([](Real x) { return 100 * x; }, 2.6);
+  EXPECT_EQ(run.quantity("sweep_3.H_residual"), nullptr);
+  ASSERT_NE(run.quantity("sweep_3.H_berm"), nullptr);
+  EXPECT_NEAR(run.quantity("sweep_3.H_berm")->value, 247, 1) << "the mean over the last 0.26 D";
+  const Resistance fresh = of([](Real x) { return 100 * x; }, 2.6 * D);
+  EXPECT_FALSE(fresh.berm) << "on fresh ground H grows";
+}
+
+TEST(resistance, of_a_drag_that_goes_on_with_an_earlier_one_meets_no_berm_of_it)
+{
+  record::RunRecord run = swept([](Real x) { return std::min(100., 500 * x); });
+  for (std::string& stage : run.history.stage)
+    if (stage == "sweep_1" && run.history["u_m"][&stage - run.history.stage.data()] > 0.75 * D) stage = "on";
+  problem::StageSettings on = MadeRun::stage_of("on", problem::StageKind::drag);
+  run.settings.stage.insert(run.settings.stage.begin() + 2, on);
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  EXPECT_EQ(run.quantity("on.H_berm"), nullptr);
+  EXPECT_NEAR(run.quantity("on.H_residual")->value, 100, 1e-6);
+}
+
 }  // namespace
 }  // namespace berm::driven::this_file

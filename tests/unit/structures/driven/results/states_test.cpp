@@ -85,6 +85,86 @@ TEST(Results, of_states_and_of_the_main_drag_are_told)
   ASSERT_EQ(results.states.size(), 3u) << "read back from the quantities";
 }
 
+/// A pipe that is pushed to 0.2 D, unloaded to 40 N/m, rests, and is lifted by 0.1 D, where the soil pulls it down.
+record::RunRecord lifted(Real V_at_the_end = -60)
+{
+  MadeRun made;
+  made.dragged = 0;
+  made.pushed_to = 0.2 * D;
+  record::RunRecord run = made.record();
+  const auto add = [&](const char* name, problem::StageKind kind, Real w, Real V) {
+    if (run.settings.stage.back().name != name) {
+      run.settings.stage.push_back(MadeRun::stage_of(name, kind));
+      run.settings.stage.back().velocity.reset();
+    }
+    const Real row[] = {static_cast<Real>(run.history.rows()), 0, w, 0, V};
+    for (int k = 0; k < 5; ++k) run.history.values[k].push_back(row[k]);
+    run.history.stage.emplace_back(name);
+  };
+  for (int k = 0; k < 50; ++k) add("unload", problem::StageKind::push, 0.2 * D, 40);
+  run.settings.stage.back().force = 40;
+  for (int k = 0; k < 50; ++k) add("rest", problem::StageKind::free, 0.2 * D, 40);
+  for (int k = 1; k <= 50; ++k) add("lift", problem::StageKind::push, (0.2 - 0.002 * k) * D, std::lerp(40, V_at_the_end, k / 50.));
+  run.settings.stage.back().velocity = -0.1;
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  return run;
+}
+
+TEST(States, of_operation_is_that_before_a_lift)
+{
+  const State operation = *find_state(states_of(lifted()), "operation");
+  EXPECT_EQ(operation.origin, "end of stage rest, before lift");
+  EXPECT_NEAR(operation.w, 0.2 * D, 1e-9);
+  EXPECT_NEAR(operation.V, 40, 1e-9);
+  EXPECT_GT(lifted().quantity("operation.V")->value, 0);
+  EXPECT_EQ(find_state(states_of(lifted(0)), "operation")->stage, "rest") << "it leaves the soil without being pulled";
+}
+
+TEST(States, of_operation_may_be_after_an_unloading_by_velocity)
+{
+  EXPECT_EQ(find_state(states_of(lifted(20)), "operation")->stage, "lift") << "the soil still carries it";
+}
+
+TEST(States, of_operation_is_where_a_pipe_that_was_lifted_is_laid_again)
+{
+  record::RunRecord run = lifted();
+  run.settings.stage.push_back(MadeRun::stage_of("again", problem::StageKind::push));
+  run.settings.stage.back().velocity.reset();
+  run.settings.stage.back().force = 30;
+  for (int k = 1; k <= 50; ++k) {
+    const Real row[] = {static_cast<Real>(run.history.rows()), 0, 0.15 * D, 0, 30};
+    for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);
+    run.history.stage.emplace_back("again");
+  }
+  EXPECT_EQ(find_state(states_of(run), "operation")->stage, "again");
+}
+
+/// The area of an excavation in stage "rest", this far below the bottom of the pipe, over D.
+record::RunRecord dug(Real below)
+{
+  record::RunRecord run = lifted();
+  bodies::ExcavationSettings trench;
+  trench.name = "trench";
+  trench.stage = "rest";
+  const Real top = -(0.2 + below) * D;
+  trench.area.x = {-D, D, D, -D};
+  trench.area.y = {top - D, top - D, top, top};
+  run.settings.body.front().second.excavation.push_back(trench);
+  return run;
+}
+
+TEST(SoilWork, at_the_body_ends_what_was_found_before_it)
+{
+  const record::RunRecord run = dug(1.9);
+  const std::optional<SoilWork> work = last_soil_work(run, run.history.rows() - 1);
+  ASSERT_TRUE(work);
+  EXPECT_EQ(run.history.stage[work->row], "rest");
+  EXPECT_NE(run.history.stage[work->row - 1], "rest");
+  EXPECT_EQ(work->words, "excavation trench, in stage \"rest\"");
+  EXPECT_FALSE(last_soil_work(run, work->row - 1)) << "not yet";
+  EXPECT_FALSE(last_soil_work(dug(2.1), run.history.rows() - 1)) << "more than 2 D away";
+}
+
 TEST(Resistance, of_a_sweep_that_ends_at_a_berm_is_its_plateau_and_that_of_the_berm)
 {
   const record::RunRecord run = lived_pipe();
