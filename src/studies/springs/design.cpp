@@ -70,7 +70,8 @@ void for_each_number(S& springs, const Visit& visit)
   auto& axial = springs.axial;
   visit(formula(axial.wedging_source), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
   visit(formula(axial.drained_source), "drained", Kind::force, "drained resistance under the V of the state", axial.drained);
-  visit(formula(axial.undrained_source), "undrained", Kind::force, "undrained resistance", axial.undrained);
+  visit(formula(axial.undrained_source), axial.strength == "undisturbed clay" ? "undrained_undisturbed" : "undrained", Kind::force,
+        axial.strength.empty() ? "undrained resistance" : "undrained resistance, " + axial.strength, axial.undrained);
   const std::string from = " estimate of the displacement at axial breakout";
   const Place breakout = formula(axial_breakout_source());
   visit(breakout, "breakout_LE", Kind::displacement, "low" + from, axial.breakout_low);

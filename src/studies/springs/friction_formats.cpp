@@ -63,7 +63,7 @@ Words row_of(const Design& design, const Lateral* hydrotest, const Lateral* oper
   Words row = {"", named == nullptr ? design.name : design.name + " " + named->stage};
   for (const Words& numbers : {axial_estimates(design), lateral_estimates(design, hydrotest), lateral_estimates(design, operation)})
     row.insert(row.end(), numbers.begin(), numbers.end());
-  row.push_back("axial: " + (axial_spring(design.best).empty() ? "not known" : axial_origin(design.best)) +
+  row.push_back((axial_spring(design.best).empty() ? "axial: not known" : axial_title(design.best) + ": " + axial_origin(design.best)) +
                 description(design, "hydrotest", hydrotest) + description(design, "operation", operation));
   return row;
 }
@@ -130,9 +130,9 @@ ExportFiles moordyn_files(const Design& design)
       text += remark("# ", fmt::format("{} estimate, MoorDyn-C: {}", set, origin_of(s, l))) +
               option(friction, "FrictionCoefficient", words) + option(ratio, "StatDynFricScale", ratio_words) + bottom;
       text += remark("# ", fmt::format("{} estimate, MoorDyn-F: {}", set, origin_of(s, l))) + option(friction, "MU_KT", words);
-      text += axial.empty() || !(axial_V(s) > 0)
-                  ? "# MU_KA is not known from these runs\n"
-                  : remark("# ", "MU_KA: " + axial_origin(s)) + option(axial.back().F / axial_V(s), "MU_KA", "axial resistance over V");
+      text += axial.empty() || !(axial_V(s) > 0) ? "# MU_KA is not known from these runs\n"
+                                                 : remark("# ", "MU_KA, " + axial_title(s) + ": " + axial_origin(s)) +
+                                                       option(axial.back().F / axial_V(s), "MU_KA", "axial resistance over V");
       text += option(ratio, "MC", ratio_words) + bottom;
     }
     if (s.lateral.empty()) text += "# there is no travel, and so no friction across\n" + bottom;

@@ -58,7 +58,7 @@ ExportFiles abaqus_files(const Design& design)
       text += fmt::format("*PIPE-SOIL INTERACTION, ELSET=SOIL_{}{}\n", identifier(set, 8),
                           k == 0 ? "" : fmt::format("_{}_{}", k + 1, identifier(stage, 50)));
       if (const Points axial = axial_spring(s); !axial.empty())
-        text += remark("** ", "axial: " + axial_origin(s)) + abaqus_lines("AXIAL", both_ways(axial));
+        text += remark("** ", axial_title(s) + ": " + axial_origin(s)) + abaqus_lines("AXIAL", both_ways(axial));
       // Downwards only: a pipe that is lifted meets nothing.
       if (Points push = push_of(s); push.size() > 1) {
         push.insert(push.begin(), {-s.diameter, 0});
@@ -92,7 +92,7 @@ ExportFiles orcaflex_files(const Design& design)
       else
         text += fmt::format("# {}, {} estimate{}: a profile of the seabed's tangential resistance, {}, over the normal reaction "
                             "({:.6g} kN/m)\n",
-                            spring.direction == Direction::axial ? "axial resistance" : "lateral resistance", set,
+                            spring.direction == Direction::axial ? axial_title(s) + ", resistance" : "lateral resistance", set,
                             spring.direction == Direction::axial ? ", by formula" : ", stage " + one_line(spring.travel),
                             spring.direction == Direction::axial ? "axial" : "lateral", spring.V / kilo) +
                 "deflection (m),effective friction coefficient\n";
@@ -125,7 +125,7 @@ ExportFiles ansys_files(const Design& design)
         what = "lateral, stage " + spring.travel;
       } else if (spring.direction == Direction::axial) {
         points = both_ways(spring.points);
-        what = "axial, by formula";
+        what = axial_title(s) + ", by formula";
       } else {
         // With the point of the other quadrant no more than the twenty that the element takes, the first and the last among them.
         const Points& push = spring.points;
@@ -151,7 +151,7 @@ ExportFiles sima_files(const Design& design)
     if (!std::isnan(normal.value)) text += remark("' ", "STFBOT: " + normal.origin);
     const bool undrained = !std::isnan(s.axial.undrained);
     if (!axial.empty())
-      text += remark("' ", "STFAXI and FRIAXI: " + axial_origin(s)) +
+      text += remark("' ", "STFAXI and FRIAXI, " + axial_title(s) + ": " + axial_origin(s)) +
               remark("' ", fmt::format("FRIAXI: over V of the {}", undrained ? "travel" : "state"));
     int number = 0;
     for (const Lateral& l : s.lateral) {

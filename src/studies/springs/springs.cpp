@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "material/clay.hpp"
 #include "structures/base/soil_words.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
@@ -90,6 +91,14 @@ Real strength_at(const record::RunRecord& run, Real w)
   return strength && strength->friction_angle == 0 ? strength->cohesion : 0;
 }
 
+/// Undisturbed strength of the clay below the pipe over that remoulded; 1 of other soil.
+Real sensitivity_of(const record::RunRecord& run)
+{
+  const std::optional<problem::BodySoil> soil = base::touched_soil(run);
+  const auto* clay = soil ? soil->materials.front().get_if<material::Clay>() : nullptr;
+  return clay == nullptr ? 1 : clay->sensitivity;
+}
+
 Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
 {
   Axial axial;
@@ -114,7 +123,10 @@ Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
   if (adhesion > 0) {
     const formulas::Formula undrained = formulas::axial_undrained(D, state.w, adhesion);
     axial.undrained = undrained.value;
-    axial.undrained_source = citation(undrained.source) + ", with the strength of undisturbed soil at the invert";
+    axial.strength = contact->adhesion > 0 ? "given adhesion" : "undisturbed clay";
+    axial.sensitivity = std::max(contact->adhesion_sensitivity, contact->adhesion > 0 ? 1 : sensitivity_of(run.record));
+    axial.undrained_source = citation(undrained.source) + ", with the " +
+                             (contact->adhesion > 0 ? "adhesion of the case" : "strength of undisturbed clay at the invert");
   }
   axial.mobilise(D);
   return axial;

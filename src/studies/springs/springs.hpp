@@ -70,6 +70,8 @@ struct Axial {
   Real drained = nan;                                            ///< N/m, at V of the state, with the friction of the interface
   Real undrained = nan;                                          ///< N/m, with its adhesion over the length of the contact
   std::string wedging_source, drained_source, undrained_source;  ///< the formula, or the quantity of the run
+  std::string strength;  ///< what the undrained resistance is of: "undisturbed clay", "given adhesion"; "" without one
+  Real sensitivity = 1;  ///< of that clay or its interface, the larger: undisturbed strength over that remoulded
   Real breakout_low = nan, breakout = nan,
        breakout_high = nan;  ///< m, displacement at which it is mobilised: estimates of a formula; NaN without resistance
 

@@ -144,6 +144,8 @@ Json json_of(const Springs& s)
            {{"wedging", number(s.axial.wedging)},
             {"drained_N_m", number(s.axial.drained)},
             {"undrained_N_m", number(s.axial.undrained)},
+            {"undrained_strength", s.axial.strength},
+            {"undrained_sensitivity", number(s.axial.sensitivity)},
             {"drained_source", s.axial.drained_source},
             {"undrained_source", s.axial.undrained_source},
             {"breakout_m", number(s.axial.breakout)}}}};

@@ -28,6 +28,17 @@ std::string state_words(const Springs& s)
   return (s.state.empty() ? "state at the end of the push" : "state " + s.state) + within;
 }
 
+/// Of undrained clay: that its axial resistance is neither remoulded nor set up.
+std::string axial_strength_words(const Springs& s)
+{
+  if (!(s.axial.undrained > 0) || s.axial.strength.empty()) return "";
+  std::string words = "The axial spring has the strength of " + s.axial.strength + ": not remoulded, and without set-up by consolidation";
+  if (s.axial.sensitivity > 1)
+    words += fmt::format("; remoulded it is 1/{:.3g} of it (sensitivity), {:.4g} N/m", s.axial.sensitivity,
+                         s.axial.undrained / s.axial.sensitivity);
+  return words;
+}
+
 std::string run_words(const Springs& s)
 {
   return s.run.empty() ? "" : "run " + s.run;
@@ -67,6 +78,11 @@ std::string axial_origin(const Springs& s)
   return sentence({run_words(s), state_words(s), "no travel: a plane across the pipe has none along it",
                    undrained ? "undrained" : "drained", source.empty() ? "by a formula with the interface of the case" : "by " + source,
                    "displacement by " + axial_breakout_source()});
+}
+
+std::string axial_title(const Springs& s)
+{
+  return std::isnan(s.axial.undrained) ? "axial, drained" : s.axial.strength.empty() ? "axial" : "axial, " + s.axial.strength;
 }
 
 std::string push_origin(const Springs& s)
@@ -171,6 +187,7 @@ std::string comments(const Design& design, const std::string& mark, const std::v
   std::string text;
   for (const std::string& line : design.provenance) text += remark(mark, line);
   for (const std::string& line : design.best.missing) text += remark(mark, line);
+  if (const std::string line = axial_strength_words(design.best); !line.empty()) text += remark(mark, line);
   for (const std::string& line : remarks) text += remark(mark, line);
   if (design.best.scale != 1) text += fmt::format("{}prototype: {:.6g} times the size of the model\n", mark, design.best.scale);
   return text;

@@ -27,6 +27,8 @@ const char* peak_words(const Lateral& lateral);
 std::string origin_of(const Springs& springs, const Lateral& lateral);
 std::string axial_origin(const Springs& springs);
 std::string push_origin(const Springs& springs);
+/// "axial, undisturbed clay": what the axial spring is called, with whose strength it has.
+std::string axial_title(const Springs& springs);
 
 /// From the displacement of breakout on the axial resistance stays; none where nothing is mobilised.
 Points axial_spring(const Springs& springs);

@@ -2,6 +2,7 @@
 #include "springs/springs.hpp"
 
 #include "core/error.hpp"
+#include "material/clay.hpp"
 #include "samples/lived_pipe.hpp"
 #include "samples/made_run_in_water.hpp"
 #include "springs/design.hpp"
@@ -172,6 +173,17 @@ TEST(Springs, along_the_axis_are_those_of_the_interface)
   const Real b = std::acos(1 - 2 * 0.1);
   EXPECT_NEAR(s.axial.undrained, 0.3 * 1000 * 0.02 * b, 1e-9);
   EXPECT_EQ(axial_breakout_source(), "DNVGL-RP-F114, table 4-2");
+  EXPECT_EQ(s.axial.strength, "undisturbed clay");
+  EXPECT_EQ(s.axial.sensitivity, 1);
+  record::RunRecord sensitive = clay.record();
+  material::Clay law;
+  law.density = clay.law.density, law.undrained_strength = 1000, law.sensitivity = 3;
+  sensitive.settings.material[0].second = law;
+  EXPECT_NEAR(springs_of(sensitive).axial.undrained, s.axial.undrained, 1e-9) << "not remoulded";
+  EXPECT_EQ(springs_of(sensitive).axial.sensitivity, 3);
+  clay.contact.adhesion_factor = 0, clay.contact.adhesion = 300;
+  EXPECT_EQ(springs_of(clay.record()).axial.strength, "given adhesion");
+  clay.contact.adhesion = 0;
   clay.contact.adhesion_factor = 0;
   EXPECT_TRUE(std::isnan(springs_of(clay.record()).axial.breakout)) << "smooth: nothing is mobilised";
 }

@@ -30,6 +30,21 @@ TEST(WrittenSprings, tell_run_state_travel_and_what_they_are_found_by)
   EXPECT_EQ(axial_V(before), 700) << "where the state has none, of the first travel";
 }
 
+TEST(WrittenSprings, along_the_axis_are_named_by_the_strength_that_they_have_in_every_file)
+{
+  Springs s = made_springs();
+  s.axial.strength = "undisturbed clay", s.axial.sensitivity = 3;
+  const Design design = made_design(s);
+  for (const Format& format : formats)
+    for (const ExportFile& file : format.files(design)) {
+      const bool has_axial = file.text.find("240") != std::string::npos || file.text.find("0.24") != std::string::npos;
+      EXPECT_TRUE(!has_axial || file.text.find("undisturbed") != std::string::npos) << format.name << '\n' << file.text;
+    }
+  const std::string head = abaqus_files(design).front().text;
+  EXPECT_NE(head.find("1/3 of it (sensitivity), 80 N/m"), std::string::npos) << head;
+  EXPECT_EQ(abaqus_files(made_design()).front().text.find("undisturbed"), std::string::npos);
+}
+
 TEST(WrittenSprings, of_a_travel_with_a_berm_and_no_residual_never_reach_it_as_a_residual)
 {
   const Springs s = made_springs();
