@@ -120,6 +120,14 @@ bool needs_pressure(const material::Material& material)
   return yields(material) && (!strength || strength->friction_angle > 0);
 }
 
+/// c cot(phi), Pa: how far the strength of a soil with friction is that of a higher pressure; 0 of one whose strength is not known so. Of cohesion that grows with depth that
+/// at the surface.
+Real attraction(const material::Material& material)
+{
+  const std::optional<material::Strength> strength = strength_at_rest(material);
+  return strength && strength->friction_angle > 0 ? strength->cohesion / std::tan(strength->friction_angle) : 0;
+}
+
 }  // namespace
 
 template <int dim>
@@ -145,7 +153,7 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
         momentum += p.mass * p.v;
         moment += p.mass * p.x;
         sums.volume += p.volume;
-        sums.pressure -= p.volume * trace(p.stress) / 3;
+        sums.pressure += p.volume * (attraction(material_of(model.bodies[b].soil, p.extra)) - trace(p.stress) / 3);
       });
       const LinearField<dim> field(grid.gradients[cell], at_corners(model.mesh.nodes[cell], grid.mapped_velocity));
       for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {

@@ -14,10 +14,10 @@ struct SoilCondition {
 template <int dim>
 SoilCondition soil_condition(const problem::Model<dim>& model, const problem::State<dim>& state);
 
-/// Pressure of the velocity fluctuations that the mesh does not resolve, over the mean pressure, in the soil within half a
+/// Pressure of the velocity fluctuations that the mesh does not resolve, over the mean of the pressure that gives the soil its strength, within half a
 /// width of the main rigid body:
 ///
-///   rho c_P v' / p,   v'^2 = mean over particles and directions of the square of v_p - (mean velocity of the cell) - grad v_i (x_p - mean position).
+///   rho c_P v' / (p + c cot(phi)),   v'^2 = mean over particles and directions of the square of v_p - (mean velocity of the cell) - grad v_i (x_p - mean position).
 ///
 /// At 1, sand has lost its strength. NaN where there is no such body or no pressure, or where the strength of the soil does not depend on the pressure.
 template <int dim>

@@ -52,6 +52,19 @@ TEST(Shaking, is_none_where_particles_move_as_the_nodes_do)
   EXPECT_LT(shaking_of(shear, shear), 1e-12);
 }
 
+TEST(Shaking, of_cohesive_soil_is_over_the_pressure_that_its_cohesion_stands_for_too)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<Real> number(0, 0.1);
+  const auto noise = [&](const Vec<2>&) { return Vec<2>(number(random), number(random)); };
+  const auto still = [](const Vec<2>&) { return Vec<2>(0, 0); };
+  const Real without = shaking_of(noise, still);
+  random.seed(3), number.reset();
+  material::MohrCoulomb silt = sample_sand();
+  silt.cohesion = 3e4 * std::tan(silt.friction_angle);  // c cot(phi) = 3 p: as strong as sand under four times the pressure
+  EXPECT_NEAR(shaking_of(noise, still, silt), without / 4, 1e-9 * without);
+}
+
 TEST(Shaking, is_not_asked_of_soil_whose_strength_does_not_depend_on_pressure)
 {
   material::MohrCoulomb clay = sample_sand();

@@ -172,13 +172,14 @@ TrustMeasure held(const std::string& body)
 
 TrustMeasure shaking(const std::string& body)
 {
-  return {fmt::format("pressure of unresolved motion at the {}, over the mean pressure there", body),
+  return {fmt::format("pressure of unresolved motion at the {}, over p + c cot φ there", body),
           &limits::shaking,
           has_soil,
           [](Run run) { return run.check("shaking_at_body"); },
           as_number,
           [body](Run, Real value) {
-            return fmt::format("the soil at the {} shakes by {:.2g} of its pressure: it has lost strength, and resistance is too small",
+            return fmt::format("the soil at the {} shakes by {:.2g} of the pressure p + c cot φ that gives it its strength: it has lost "
+                               "strength, and resistance is too small",
                                body, value);
           },
           bare_limit};
