@@ -25,7 +25,7 @@ bool moves(const FreedomSettings& along)
 }
 bool turns(const TurnSettings& about)
 {
-  return about.velocity || about.moment || about.spring;
+  return about.velocity || about.moment || about.free || about.spring;
 }
 
 /// The largest difference of a shape's distances from points around it and their mirror images across an axis through its centre, over its reach.
@@ -58,7 +58,11 @@ void check_bodies_mirrored(Describe& d, const Case& c, int axis)
     d.check(body.initial_angular_velocity == 0 || axis == 2, "body." + name + ".initial_angular_velocity",
             "a rotation about z is not its own mirror image across x: leave it out, or \"x\" out of symmetry");
   }
-  for (const auto& [name, rigid] : c.rigid) d.check(at(rigid.velocity) == 0, "rigid." + name + ".velocity", across);
+  for (const auto& [name, rigid] : c.rigid) {
+    d.check(at(rigid.velocity) == 0, "rigid." + name + ".velocity", across);
+    d.check(rigid.rotation == bodies::Rotation::fixed || c.symmetry.size() == 1, "rigid." + name + ".rotation",
+            "a quarter that rotates is not its own mirror image across both planes: leave rotation out, or one axis out of symmetry");
+  }
   for (const auto& [name, traction] : c.traction) d.check(at(traction.stress) == 0, "traction." + name + ".stress", across);
 }
 
