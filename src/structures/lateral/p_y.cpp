@@ -73,16 +73,14 @@ std::vector<PyCurve> py_curves(const LateralRun& run)
 
 base::OwnChart py_chart(const LateralRun& run)
 {
-  base::OwnChart chart{"p_y",
-                       "p-y curves by depth below the bed",
-                       {"displacement of the axis at that depth", "y", "m"},
-                       {"resistance per metre of depth", "p", "N/m"},
-                       run.path.rows,
-                       {}};
+  base::OwnChart chart{"p_y", "", {"displacement of the axis at that depth", "y", "m"}, {"resistance", "p", "N/m"}, run.path.rows, {}};
   const std::vector<SliceRows> slices = slice_rows(run);
   for (std::size_t k = 0; k < slices.size(); k += step_of(slices.size()))
     chart.curves.push_back(
         {text::length_words(slices[k].z), slices[k].y, slices[k].p, record::drawn_along(run.path.u, slices[k].p, run.half())});
+  std::string depths;
+  for (const base::OwnChart::Curve& curve : chart.curves) depths += (depths.empty() ? "" : ", ") + curve.name;
+  chart.title = "p-y curves " + depths + " below the bed";
   return chart;
 }
 

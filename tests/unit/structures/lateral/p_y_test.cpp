@@ -84,6 +84,7 @@ TEST(PyCurves, are_a_chart_of_the_page_by_row)
   ASSERT_EQ(charts.size(), 1u);
   const base::OwnChart& chart = charts.front();
   EXPECT_EQ(chart.id, "p_y");
+  EXPECT_EQ(chart.title, "p-y curves 1 m, 3 m, 5 m, 7 m below the bed");
   EXPECT_EQ(chart.x.symbol, "y");
   EXPECT_EQ(chart.y.unit, "N/m");
   ASSERT_EQ(chart.curves.size(), 4u);
