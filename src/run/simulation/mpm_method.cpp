@@ -188,17 +188,27 @@ bool MpmMethod<d>::change_soil()
     const problem::Earthwork<d>& work = model().earthworks[k];
     const problem::EarthworkState<d>& now = state().earthworks[k];
     if (now.lifts == before[k].lifts) continue;
-    const std::string of_lifts = work.lifts > 1 ? fmt::format(", lift {} of {}", now.lifts, work.lifts) : "";
+    const std::string named = fmt::format("{} \"{}\"{}", work.fills ? "fill" : "excavation", work.name,
+                                          work.lifts > 1 ? fmt::format(", lift {} of {}", now.lifts, work.lifts) : "");
     const BigIndex particles = now.particles - before[k].particles;
     const bool whole = d == 3 || model().mesh.metric == mesh::Metric::axisymmetric;
+    const char* kilograms = whole ? "kg" : "kg/m";
     const Real mass = model().parts * (now.mass - before[k].mass), volume = model().parts * (now.volume - before[k].volume);
-    spdlog::info("{} \"{}\"{}: {} particles, {:.4g} {} in {:.4g} {} {} at t = {:.4g} s", work.fills ? "fill" : "excavation", work.name,
-                 of_lifts, particles, mass, whole ? "kg" : "kg/m", volume, whole ? "m3" : "m2", work.fills ? "placed" : "taken out",
-                 state().time);
+    spdlog::info("{}: {} particles, {:.4g} {} in {:.4g} {} {} at t = {:.4g} s", named, particles, mass, kilograms, volume,
+                 whole ? "m3" : "m2", work.fills ? "placed" : "taken out", state().time);
     if (particles == 0)
-      spdlog::warn("{} \"{}\"{}: {}", work.fills ? "fill" : "excavation", work.name, of_lifts,
-                   work.fills ? "there is no room in its area: soil or rigid bodies take all of it"
+      spdlog::warn("{}: {}", named,
+                   work.fills ? "no particle has room in its area: soil or rigid bodies take it, or it is thinner than a row of particles"
                               : "there is no soil of its body in its area");
+    if (!work.fills || now.lifts < work.lifts) continue;
+    constexpr Real too_far = 0.02;
+    const Real placed = model().parts * now.mass, room = model().parts * mass_of_room(model(), work, now);
+    spdlog::info("fill \"{}\": {:.4g} {} placed in all, and its area has room for {:.4g} {}", work.name, placed, kilograms, room,
+                 kilograms);
+    if (std::abs(placed - room) > too_far * room)
+      spdlog::warn("fill \"{}\" has {:.2g} % {} mass than its area has room for: take lifts that are thicker than a row of particles, or "
+                   "smaller cells",
+                   work.name, 100 * std::abs(placed / room - 1), placed < room ? "less" : "more");
   }
   return true;
 }

@@ -219,8 +219,11 @@ void MpmRecorder<dim>::observe_earthworks(const problem::Model<dim>& model, cons
 {
   for (std::size_t k = 0; k < model.earthworks.size(); ++k) {
     row_.of(model.earthworks[k].name);
-    row_("mass", state.earthworks[k].mass, run_folder::kilograms<dim>,
-         model.earthworks[k].fills ? "mass placed so far" : "mass taken out so far");
+    const problem::Earthwork<dim>& work = model.earthworks[k];
+    row_("mass", state.earthworks[k].mass, run_folder::kilograms<dim>, work.fills ? "mass placed so far" : "mass taken out so far");
+    if (work.fills)
+      row_("expected_mass", mass_of_room(model, work, state.earthworks[k]), run_folder::kilograms<dim>,
+           "mass that its area had room for so far");
   }
 }
 

@@ -141,6 +141,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   run.quantities = structure.quantities(run, outcome.held_forces);
   for (run_folder::Quantity& quantity : base::dissipation_quantities(run)) run.quantities.push_back(std::move(quantity));
   for (run_folder::Quantity& quantity : base::support_quantities(run)) run.quantities.push_back(std::move(quantity));
+  for (run_folder::Quantity& quantity : base::fill_quantities(run)) run.quantities.push_back(std::move(quantity));
   summary.quantities = run.quantities;
   summary.force_measure = base::measure_quantity(base::body_scale(run));
   summary.timing = timing;

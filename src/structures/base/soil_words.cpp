@@ -253,4 +253,19 @@ std::vector<run_folder::Quantity> dissipation_quantities(const record::RunRecord
   return quantities;
 }
 
+std::vector<run_folder::Quantity> fill_quantities(const record::RunRecord& run)
+{
+  std::vector<run_folder::Quantity> quantities;
+  const bool whole = run.settings.force_dimension() == 3;
+  for (const auto& [name, body] : run.settings.body)
+    for (const bodies::FillSettings& fill : body.fill)
+      for (const auto& [what, meaning] : {std::pair{"mass", "placed"}, {"expected_mass", "that its area had room for"}}) {
+        const std::string column = fmt::format("{}_{}_{}", fill.name, what, whole ? "kg" : "kg_m");
+        if (run.history.rows() == 0 || !run.history.has(column)) continue;
+        quantities.push_back({fmt::format("{}_{}", fill.name, what), run.history[column].back(), whole ? "kg" : "kg/m",
+                              fmt::format("mass of the fill {} {}", fill.name, meaning)});
+      }
+  return quantities;
+}
+
 }  // namespace berm::base

@@ -63,4 +63,7 @@ std::vector<SurfaceForce> surface_forces_of(const record::RunRecord& run);
 /// The same for the summary: U_of_STAGE and, where they are known, t50_of_STAGE and T50_of_STAGE.
 std::vector<run_folder::Quantity> dissipation_quantities(const record::RunRecord& run);
 
+/// The mass that each fill of a run has placed, and that which its area had room for, by the end of its history: FILL_mass and FILL_expected_mass.
+std::vector<run_folder::Quantity> fill_quantities(const record::RunRecord& run);
+
 }  // namespace berm::base
