@@ -3,6 +3,7 @@
 #include "problem/safety.hpp"
 
 #include "problem/body_soil.hpp"
+#include "problem/drainage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -122,6 +123,15 @@ void check_safety(Describe& d, const Case& c)
   d.check(has_load(c), "gravity", "nothing loads the soil of this case, so that it never fails: add gravity, a traction or a force");
   d.check(c.stage.empty() || !moves_body(c.stage.back()), fmt::format("stage[{}].kind", c.stage.empty() ? 0 : c.stage.size() - 1),
           "the last stage moves a body, so that the soil cannot come to rest: let a stage follow that is geostatic, free, or by a force");
+}
+
+Real time_factor_of_last_stage(const Case& c, Real depth)
+{
+  const std::optional<Real> time = c.stage.empty() ? std::nullopt : c.stage.back().until.time;
+  if (!time) return nan;
+  Real factor = nan;
+  for (const Consolidation& soil : consolidation_of(c, depth / 2)) factor = std::fmin(factor, soil.c_v * *time / (depth * depth));
+  return factor;
 }
 
 template <int dim>

@@ -18,6 +18,10 @@ bool moves_body(const StageSettings& stage);
 /// Refuses a trial without soil that has a strength which can be divided, without a load, or with a last stage that moves a body.
 void check_safety(Describe& d, const Case& c);
 
+/// c_v T / H^2 of the last stage, T being its time limit, H the depth of the soil (m), the longest way that its water can have, and c_v that of the slowest soil halfway down; NaN where no water flows or the stage has no
+/// limit of time. Below 1 the water still flows when the stage ends.
+Real time_factor_of_last_stage(const Case& c, Real depth);
+
 /// The depth of soil whose cells have these corners, m: the greatest below ground that is not level, else from the highest to the lowest.
 template <int dim>
 Real depth_of_soil(const Model<dim>& model, const std::vector<Vec<dim>>& corners);

@@ -51,7 +51,8 @@ FemMethod::FemMethod(const RunRequest& request, const io::ScratchFolder& scratch
   if (!request.settings.safety) return;
   factor_ = request.settings.safety->factor;
   const NodeField<Vec<2>>& nodes = problem_.model.mesh.position;
-  trial_.emplace(movement_at_failure(request.settings, model(), depth_of_soil(model(), std::vector<Vec<2>>(nodes.begin(), nodes.end()))));
+  const Real depth = depth_of_soil(model(), std::vector<Vec<2>>(nodes.begin(), nodes.end()));
+  trial_.emplace(movement_at_failure(request.settings, model(), depth), time_factor_of_last_stage(request.settings, depth));
   trial_->begin_stage(!moves_body(model().stages.front()));
   moved_from_ = problem_.state.displacement;
 }
@@ -101,8 +102,7 @@ bool FemMethod::is_last_stage() const
 /// What a body has moved counts no more.
 void FemMethod::end_stage_of_trial()
 {
-  if (is_last_stage() && !trial_->failed() && trial_->flows_on()) trial_->note_flow();
-  if (is_last_stage()) trial_->end(!trial_->failed());
+  if (is_last_stage()) trial_->end_flow(problem_.state.overstress);
   if (is_last_stage() || trial_->failed()) return spdlog::info("{}", trial_->words(factor_));
   if (moves_body(model().stages[state().stage.index])) moved_from_ = problem_.state.displacement;
   trial_->begin_stage(!moves_body(model().stages[state().stage.index + 1]));

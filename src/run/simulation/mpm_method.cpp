@@ -103,7 +103,8 @@ void MpmMethod<d>::begin_trial()
   for (const bodies::Particles<d>& particles : state().particles)
     for (const Index cell : particles.occupied())
       for (const Index node : model().mesh.nodes[cell]) corners.push_back(model().mesh.position[node]);
-  trial_.emplace(movement_at_failure(case_, model(), depth_of_soil(model(), corners)));
+  const Real depth = depth_of_soil(model(), corners);
+  trial_.emplace(movement_at_failure(case_, model(), depth), time_factor_of_last_stage(case_, depth));
   trial_->begin_stage(!moves_body(model().stages.front()));
   places_.note(state());
   drift_ = WindowMeans(model().longest_period);

@@ -41,10 +41,21 @@ bool Trial::flows_on() const
   return half > flow * movements_.back() && half > least * limit_;
 }
 
+void Trial::end_flow(Real overstress)
+{
+  constexpr Real of_yielding_soil =
+      1e-4;  // soil whose strength is x too small has some x / 10 while it flows; soil that consolidates has next to none
+  const bool flows = flows_on();
+  flowed_ = flows && overstress > of_yielding_soil;
+  end(!flows && !failed());
+}
+
 run_folder::Summary::Checks Trial::checks() const
 {
-  return {
+  run_folder::Summary::Checks checks = {
       {"soil_failed", failed()}, {"soil_at_rest", rests_ && !failed()}, {"soil_movement_m", movement_}, {"soil_movement_limit_m", limit_}};
+  if (std::isfinite(time_factor_)) checks.emplace_back("time_factor_of_last_stage", time_factor_);
+  return checks;
 }
 
 std::string Trial::words(Real factor) const

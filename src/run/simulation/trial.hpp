@@ -12,11 +12,14 @@ namespace berm::simulation {
 /// A trial of the factor of safety (problem/safety.hpp): whether the soil stands with less strength. Its movement is the largest displacement of a point of the soil since the start, or since the last
 /// stage that moved a body ended. The soil
 ///
-///   fails    where it moves by more than the limit in a stage that moves no body, finds no equilibrium, or (finite elements) goes on flowing in the last half of the last stage;
+///   fails    where it moves by more than the limit in a stage that moves no body, finds no equilibrium, or (finite elements) goes on flowing in the last half of the last stage, and yields;
 ///   stands   where it has not failed, and rests at the end of the last stage.
+///
+/// Soil that flows and does not yield consolidates: it has not failed, nor is it at rest.
 class Trial {
 public:
-  explicit Trial(Real limit) : limit_(limit) {}
+  /// `limit`: m; `time_factor`: c_v T / H^2 of the last stage (problem::time_factor_of_last_stage).
+  explicit Trial(Real limit, Real time_factor = nan) : limit_(limit), time_factor_(time_factor) {}
 
   /// A stage begins; `counts`: it moves no body, so that movement is a sign of failure.
   void begin_stage(bool counts);
@@ -25,7 +28,8 @@ public:
   /// The same at a time, s, of a method whose soil flows at a steady speed where it fails.
   void note(Real time, Real movement);
   void note_no_equilibrium() { no_equilibrium_ = true; }
-  void note_flow() { flowed_ = true; }
+  /// The last stage of a method whose soil flows where it fails ends with this part of the stress of yielding soil beyond its strength.
+  void end_flow(Real overstress);
   /// The last stage has ended.
   void end(bool rests) { rests_ = rests; }
 
@@ -42,6 +46,7 @@ public:
 
 private:
   Real limit_;  ///< m
+  Real time_factor_;
   Real movement_ = 0;
   bool counts_ = true, failed_ = false, no_equilibrium_ = false, flowed_ = false, rests_ = false;
   std::vector<Real> times_, movements_;  ///< of the present stage

@@ -42,6 +42,7 @@ Trial result_of(Real factor, const fs::path& folder)
   trial.end = check("soil_failed") == 1 ? TrialEnd::fails : check("soil_at_rest") == 1 ? TrialEnd::stands : TrialEnd::undecided;
   trial.movement = check("soil_movement_m");
   trial.limit = check("soil_movement_limit_m");
+  trial.time_factor = check("time_factor_of_last_stage");
   trial.wall_s = jobs::wall_time_of(folder);
   if (trial.end == TrialEnd::undecided) trial.why = "the soil is not at rest at the end, nor has it failed: give the last stage more time";
   return trial;
@@ -137,6 +138,7 @@ jobs::Outcome find_safety(const SafetyRequest& request)
   sort(trials);
   write_safety_report(settings, trials, request.folder, !last.interrupted && !last.queued);
   fmt::print("{}", safety_words(trials));
+  for (const std::string& doubt : doubts_of(trials, settings.method)) io::tell("warning: {}\n", doubt);
   if (last.interrupted) io::tell("interrupted: the same command goes on from there\n");
   if (last.queued) io::tell("queued: the same command collects the trials and goes on\n");
   io::tell("the factor of safety is in {}\n", (request.folder / "safety.html").string());

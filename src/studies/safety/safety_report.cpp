@@ -39,6 +39,19 @@ std::string title_of(const problem::Case& settings)
   return settings.title.empty() ? "Factor of safety" : settings.title;
 }
 
+/// Whether at least two trials that went on to the end without failing by their displacement, with factors that differ by a fifth or more, moved by the same to a fiftieth.
+bool moves_alike(const std::vector<Trial>& trials)
+{
+  constexpr Real differs = 1.2, same = 0.02;
+  Real least_factor = infinity, most_factor = 0, least = infinity, most = 0;
+  for (const Trial& trial : trials) {
+    if (trial.end == TrialEnd::stands || !(trial.movement < trial.limit)) continue;
+    least_factor = std::min(least_factor, trial.factor), most_factor = std::max(most_factor, trial.factor);
+    least = std::min(least, trial.movement), most = std::max(most, trial.movement);
+  }
+  return most_factor >= differs * least_factor && most - least <= same * most;
+}
+
 std::string summary_json(const problem::Case& settings, const std::vector<Trial>& trials, bool finished)
 {
   const Bracket bracket = bracket_of(trials);
@@ -62,6 +75,7 @@ std::string summary_json(const problem::Case& settings, const std::vector<Trial>
     if (!trial.why.empty()) list.back()["why"] = trial.why;
   }
   all["trials"] = list;
+  all["warnings"] = doubts_of(trials, settings.method);
   all["text"] = {{"title", settings.title}, {"answer", answer_in_words(trials)}, {"version", BERM_VERSION}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -98,7 +112,8 @@ std::string definition_html(const problem::Case& settings)
       "safety.movement says otherwise. ";
   html += settings.method == problem::Method::fem
               ? "It also fails where the finite elements find no equilibrium, or where more than a tenth of the displacement comes in the "
-                "last half of the last stage: soil of small strain that flows once flows on."
+                "last half of the last stage while the soil yields: soil of small strain that flows once flows on. Soil that flows and "
+                "does not yield consolidates; the trial is then undecided."
               : "Larger displacements make the slope flatter, and a slide comes to rest: that it rests at last does not say that it stood.";
   return html + " It <b>stands</b> where it has not failed and is at rest at the end of the last stage.</p>\n";
 }
@@ -109,6 +124,8 @@ std::string page_html(const problem::Case& settings, const std::vector<Trial>& t
   const Bracket bracket = bracket_of(trials);
   std::string html =
       fmt::format("<h1>{}</h1>\n<p><b>{}</b></p>\n", text::html_text(title_of(settings)), text::html_text(answer_in_words(trials)));
+  for (const std::string& doubt : doubts_of(trials, settings.method))
+    html += fmt::format("<p class=\"warning\">{}</p>\n", text::html_text(doubt));
   html += "<h2>Trials</h2>\n" + trials_html(trials);
   html += "<h2>What is failure</h2>\n" + definition_html(settings);
   std::string pictures;
@@ -167,6 +184,31 @@ std::string answer_in_words(const std::vector<Trial>& trials)
   if (!bracket.stands_above.empty())
     words += fmt::format("; yet it stands at {}, which is doubtful: compare the histories", fmt::join(bracket.stands_above, ", "));
   return words;
+}
+
+std::vector<std::string> doubts_of(const std::vector<Trial>& trials, problem::Method method)
+{
+  std::vector<std::string> doubts;
+  Real time_factor = nan;
+  for (const Trial& trial : trials) time_factor = std::fmin(time_factor, trial.time_factor);
+  if (time_factor < 1)
+    doubts.push_back(fmt::format("the water of the soil still flows when the last stage ends: c_v T / H2 is {:.2g}, H being the depth of "
+                                 "the soil, and its pressures are steady from 1 on. Give the last stage {:.2g} times "
+                                 "its time, or take it as the factor at that moment",
+                                 time_factor, 1 / time_factor));
+  const Bracket bracket = bracket_of(trials);
+  if (!bracket.stands && bracket.fails && *bracket.fails <= min_factor)
+    doubts.push_back(fmt::format("the soil fails even with {:g} times its strength, as no slope or footing does: look at supports, loads "
+                                 "and units before its strength",
+                                 1 / min_factor));
+  if (moves_alike(trials))
+    doubts.push_back("the soil moves by the same whatever its strength is, so that this is no failure: water that flows, soil that creeps, "
+                     "or loads that are not over. Give the last stage more time");
+  if (!trials.empty() && method == problem::Method::mpm)
+    doubts.push_back("cells make the factor of the material point method too large: a vertical cut with 20 cells over its height gives 6 % "
+                     "more than the exact factor, and half of that with cells half as large. Take "
+                     "method = \"fem\" (1.7 % there), or two sizes of cells, and extrapolate to none");
+  return doubts;
 }
 
 std::string safety_words(const std::vector<Trial>& trials)

@@ -20,6 +20,9 @@ std::string safety_words(const std::vector<Trial>& trials);
 /// The answer alone: "F = 1.378 to 1.385: ...".
 std::string answer_in_words(const std::vector<Trial>& trials);
 
+/// Why the answer is to be doubted, a sentence each: water that still flows at the end, soil that fails at every factor, movements that do not depend on the factor, and what cells do to it.
+std::vector<std::string> doubts_of(const std::vector<Trial>& trials, problem::Method method);
+
 /// Writes FOLDER/safety.csv, summary.json, movement.png (over the factor), movement_in_time.png (of the two trials beside the answer and those next to them) and safety.html with both, what failure means and
 /// the soil of these two trials. The trials are in the order of their factors; `finished`: the search is over.
 void write_safety_report(const problem::Case& settings, const std::vector<Trial>& trials, const std::filesystem::path& folder,

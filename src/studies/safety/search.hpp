@@ -19,7 +19,8 @@ struct Trial {
   TrialEnd end = TrialEnd::undecided;
   Real movement = nan, limit = nan;  ///< m, of the soil, and that from which on it has failed
   Real wall_s = nan;
-  std::string why{};  ///< of a trial that is undecided
+  std::string why{};       ///< of a trial that is undecided
+  Real time_factor = nan;  ///< c_v T / H^2 of its last stage, of soil whose water flows
 };
 
 /// Where a factor of safety is looked for.
@@ -40,7 +41,7 @@ struct Bracket {
 Bracket bracket_of(const std::vector<Trial>& trials);
 
 /// The factors of the trials that are to be made next, ascending, at most at_once; none where the search is over: the bracket is no wider than the tolerance, but for trials that are undecided, or the
-/// soil fails at min_factor or stands at max_factor. The first lie between low and high; while all fail or all stand the next are smaller or larger by 1.5. Then they divide the bracket equally; on
+/// soil fails at min_factor or stands at max_factor; or three trials are undecided and no other says anything. The first lie between low and high; while all fail or all stand the next are smaller or larger by 1.5. Then they divide the bracket equally; on
 /// both sides of trials that are undecided. Factors have four decimals.
 std::vector<Real> next_factors(const std::vector<Trial>& trials, const SearchSettings& settings);
 

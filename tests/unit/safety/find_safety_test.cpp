@@ -94,6 +94,57 @@ TEST_F(SafetyCommand, says_that_soil_fails_as_it_is)
   EXPECT_NE(ended.out.find("F is below 1: it fails as it is"), std::string::npos) << ended.out;
 }
 
+/// A column of consolidating soil between smooth walls, which cannot fail: c is 1 MPa and the load 20 kPa.
+constexpr const char* strong = R"(
+method = "fem"
+[mesh]
+kind = "box"
+size = [0.5, 2]
+cells = [1, 4]
+[material.clay]
+law = "mohr_coulomb"
+density = 2000
+young_modulus = 10e6
+poisson_ratio = 0.3
+cohesion = 1e6
+friction_angle = 0.35
+water.drainage = "consolidation"
+water.bulk_modulus = 200e6
+water.porosity = 0.4
+water.permeability = 1e-4
+[body.clay]
+material = "clay"
+regions = ["box"]
+[support.left]
+boundary = "left"
+fixed = ["x"]
+[support.right]
+boundary = "right"
+fixed = ["x"]
+[support.base]
+boundary = "bottom"
+fixed = ["y"]
+[traction.load]
+boundary = "top"
+stress = [0, -20e3]
+ramp = 0.1
+[[stage]]
+name = "load"
+kind = "free"
+until.time = 2
+)";
+
+TEST_F(SafetyCommand, takes_water_that_flows_for_no_failure)
+{
+  folder_.write("column.toml", strong);
+  const Ended ended = safety({"--tolerance", "0.5"});
+  EXPECT_EQ(ended.out.find(" fails "), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("no trial tells whether the soil stands or fails"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.err.find("the water of the soil still flows when the last stage ends: c_v T / H2 is"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("the soil moves by the same whatever its strength is"), std::string::npos) << ended.err;
+  EXPECT_NE(text_of_file(folder_ / "found/safety.html").find("still flows"), std::string::npos);
+}
+
 TEST_F(SafetyCommand, keeps_trials_of_another_case_apart)
 {
   ASSERT_EQ(safety({"--tolerance", "0.5", "--low", "1.3"}).status, 0);
@@ -134,6 +185,28 @@ TEST(SafetyReport, tells_the_ends_of_the_bracket_and_what_is_doubtful)
   EXPECT_NE(safety_csv(trials).find("\n1.28,undecided,,,\n"), std::string::npos);
   EXPECT_EQ(answer_in_words({{10, TrialEnd::stands}}), "F is above 10, where the soil still stands");
   EXPECT_EQ(answer_in_words({{0.1, TrialEnd::fails}}), "F is below 0.1, where the soil still fails; F is below 1: it fails as it is");
+}
+
+bool says(const std::vector<std::string>& doubts, const std::string& words)
+{
+  return std::any_of(doubts.begin(), doubts.end(), [&](const std::string& doubt) { return doubt.find(words) != std::string::npos; });
+}
+
+TEST(SafetyReport, doubts_soil_that_fails_at_every_factor_or_moves_alike_at_all_of_them)
+{
+  const std::vector<Trial> plain = {{1, TrialEnd::stands, 0.001, 0.1, 2}, {1.3, TrialEnd::fails, 0.11, 0.1, 5}};
+  EXPECT_TRUE(doubts_of(plain, problem::Method::fem).empty());
+  EXPECT_TRUE(says(doubts_of(plain, problem::Method::mpm), "cells make the factor of the material point method too large"));
+  const std::vector<Trial> all = {{0.1, TrialEnd::fails, 0.11, 0.1}, {1, TrialEnd::fails, 0.12, 0.1}};
+  EXPECT_TRUE(says(doubts_of(all, problem::Method::fem), "fails even with 10 times its strength"));
+  EXPECT_FALSE(says(doubts_of(all, problem::Method::fem), "moves by the same"));
+  const std::vector<Trial> alike = {{0.5, TrialEnd::fails, 0.0045, 0.1}, {1, TrialEnd::undecided, 0.0045, 0.1}};
+  EXPECT_TRUE(says(doubts_of(alike, problem::Method::fem), "moves by the same"));
+  std::vector<Trial> wet = plain;
+  wet[1].time_factor = 0.2;
+  EXPECT_TRUE(says(doubts_of(wet, problem::Method::fem), "c_v T / H2 is 0.2"));
+  wet[1].time_factor = 1;
+  EXPECT_TRUE(doubts_of(wet, problem::Method::fem).empty());
 }
 
 }  // namespace

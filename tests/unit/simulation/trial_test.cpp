@@ -84,6 +84,25 @@ TEST(Trial, takes_no_flow_from_what_is_round_off_beside_the_limit)
   EXPECT_FALSE(Trial(0.1).flows_on());
 }
 
+TEST(Trial, fails_by_flow_only_where_soil_yields)
+{
+  Trial yields = flowing(1e-3), drains = flowing(1e-3), rests = flowing(0);
+  yields.end_flow(1e-3);
+  EXPECT_TRUE(yields.failed());
+  drains.end_flow(1e-7);
+  EXPECT_FALSE(drains.failed());
+  EXPECT_EQ(check_of(drains, "soil_at_rest"), 0) << "undecided";
+  rests.end_flow(0.1);
+  EXPECT_FALSE(rests.failed());
+  EXPECT_EQ(check_of(rests, "soil_at_rest"), 1);
+}
+
+TEST(Trial, tells_the_time_factor_of_soil_whose_water_flows)
+{
+  EXPECT_EQ(check_of(Trial(0.1, 0.18), "time_factor_of_last_stage"), 0.18);
+  EXPECT_TRUE(std::isnan(check_of(Trial(0.1), "time_factor_of_last_stage")));
+}
+
 TEST(WindowMeans, tell_the_drift_of_a_number_that_swings)
 {
   WindowMeans means(1);
