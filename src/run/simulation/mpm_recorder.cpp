@@ -10,7 +10,9 @@
 #include "problem/heads.hpp"
 #include "problem/stages.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace berm::simulation {
 
@@ -26,6 +28,25 @@ struct Inflow {
     return *this;
   }
 };
+
+/// What the stress of all particles has stored if they are elastic, J/m or J: V ((1 + nu) s : s - nu (tr s)^2) / 2 E. Of a law whose elasticity depends on the stress, by its elasticity at none.
+template <int dim>
+Real elastic_energy(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  std::vector<Real> own(1, 0.), of_all;
+  for (std::size_t body = 0; body < state.particles.size(); ++body) {
+    const bodies::Particles<dim>& particles = state.particles[body];
+    particles.visit([&](Index, Index b, int l) {
+      const bodies::Particle<dim> p = particles.read(b, l);
+      const material::YoungPoisson elastic = young_poisson(material_of(model.bodies[body].soil, p.extra));
+      const Real all = trace(p.stress),
+                 energy = ((1 + elastic.poisson_ratio) * double_dot(p.stress, p.stress) - elastic.poisson_ratio * all * all) / 2;
+      if (elastic.young_modulus > 0) own.front() += p.volume * energy / elastic.young_modulus;
+    });
+  }
+  Ranks::of_run().gather(own, of_all);
+  return std::accumulate(of_all.begin(), of_all.end(), Real(0));
+}
 
 }  // namespace
 
@@ -46,6 +67,9 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
     first_centers_.push_back(sums.center());
     first_kinetic_ += sums.kinetic;
   }
+  // Of soil that nothing drives the work is what is left over of its own stress, next to nothing in a bed at rest.
+  if (std::none_of(model.stages.begin(), model.stages.end(), [](const problem::StageSettings& stage) { return drives(stage.kind); }))
+    first_elastic_ = elastic_energy(model, start);
   first_loaded_ = start.load_points;
   for (std::size_t h = 0; h < model.heads.size(); ++h) head_areas_.push_back(areas_of_head(c, model, h));
   for (std::size_t k = 0; k < model.watches.size(); ++k)
@@ -135,7 +159,8 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
   if (!std::isfinite(error))
     throw RunError(
         fmt::format("energies are not finite at t = {} s (step {}); try {}", state.time, state.step, mpm::smaller_step(model.mpm)));
-  Recorder<dim>::observe_energies({kinetic, t.damping, t.filter, t.internal, t.friction, t.external, error}, first_kinetic_);
+  Recorder<dim>::observe_energies({kinetic, t.damping, t.filter, t.internal, t.friction, t.external, error},
+                                  std::max(first_kinetic_, first_elastic_));
 }
 
 template <int dim>

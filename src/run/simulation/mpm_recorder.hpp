@@ -61,6 +61,7 @@ private:
   std::vector<std::vector<Vec<dim>>> head_areas_;  ///< m (per metre run) or m2, by head and its nodes, along the normal into the soil
   std::vector<Vec<dim>> watch_zeros_;              ///< displacements of the watched points that count as none
   std::vector<problem::LoadPointState<dim>> first_loaded_;
+  Real first_elastic_ = 0;  ///< J/m or J, of the stress at the start, in elastic soil; 0 where a stage drives a body
   Real first_kinetic_ = 0;
   Real out_of_balance_ = 0;
   Real shaking_ = 0, shaken_rows_ = 0;  ///< sum over rows, and their number

@@ -8,7 +8,7 @@ namespace berm::base {
 /// Why the numbers of a run are not to be used, a sentence without its full stop each; empty where nothing is known against them. Of what the page judges, only what spoils the
 /// answer itself, from where the page calls it bad:
 ///
-/// - energy that does not balance, more than a twentieth of the work: forces do that work, and may be off by as much;
+/// - energy that does not balance, more than a twentieth of the work (of soil that nothing drives: or of the elastic energy that it had at the start): forces do that work, and may be off by as much;
 /// - momentum that does not balance: the program is wrong;
 /// - soil at its largest volume, more than a hundredth of all: it no longer follows its law;
 /// - forces, displacements or energies that are no numbers;

@@ -106,6 +106,34 @@ TEST(trust, cells_are_not_called_fine_where_nothing_judges_them)
   EXPECT_FALSE(contains(html, "nothing is wrong"));
 }
 
+TEST(trust, elements_at_a_body_that_is_turned_are_judged)
+{
+  record::RunRecord run = sample_record(sample_case());
+  run.settings.method = problem::Method::fem;
+  for (problem::StageSettings& stage : run.settings.stage) stage.kind = problem::StageKind::drive, stage.drive.rotation.velocity = 0.01;
+  const Real width = width_of<2>(bodies::make_shape<2>(run.settings.rigid[0].second.shape));
+  for (const auto& [elements, words] : {std::pair(150, "badge good"), std::pair(67, "badge fair"), std::pair(20, "badge bad")}) {
+    run.settings.fem.contact_size = width / elements;
+    const std::string html = trust_of({run});
+    EXPECT_TRUE(contains(row_of(html, "elements at the"), words)) << elements << row_of(html, "elements at the");
+    EXPECT_FALSE(contains(html, "Cells are not judged"));
+  }
+}
+
+TEST(trust, shear_bands_are_not_warned_of_around_a_cavity_or_below_slices_that_are_springs)
+{
+  const char* words = "friction that shear bands can lose";
+  record::RunRecord run = sample_record(sample_case({"material.sand.dilation_angle=0"}));
+  EXPECT_TRUE(contains(trust_of({run}), words));
+  record::RunRecord slices = run;
+  slices.settings.pipeline.emplace().slices.asleep = problem::SliceSleep::always;
+  EXPECT_FALSE(contains(trust_of({slices}), words));
+  run.settings.geometry = problem::Geometry::axisymmetric;
+  EXPECT_TRUE(contains(trust_of({run}), words));
+  for (problem::StageSettings& stage : run.settings.stage) stage.kind = problem::StageKind::drive, stage.drive.x.velocity = 0.25;
+  EXPECT_FALSE(contains(trust_of({run}), words));
+}
+
 TEST(trust, cells_over_the_radius_of_a_disk_are_judged)
 {
   for (const auto& [cells, words] : {std::pair(64.0, "badge good"), std::pair(32.0, "badge fair"), std::pair(16.0, "badge bad")}) {
