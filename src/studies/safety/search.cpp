@@ -75,8 +75,8 @@ std::vector<Real> next_factors(const std::vector<Trial>& trials, const SearchSet
 {
   if (trials.empty()) return first_factors(trials, s);
   const Bracket bracket = bracket_of(trials);
-  constexpr std::size_t enough = 3;  // of trials that are all undecided
-  if (!bracket.stands && !bracket.fails && trials.size() >= enough) return {};
+  constexpr std::size_t none_tells = 3;  // of trials that are all undecided
+  if (!bracket.stands && !bracket.fails && trials.size() >= none_tells) return {};
   const auto [least, most] =
       std::minmax_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.factor < b.factor; });
   if (!bracket.stands) return stepping(least->factor, 1 / growth, min_factor, s.at_once);
