@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/footing/footing.hpp"
 
+#include "structures/base/little_cohesion.hpp"
 #include "structures/formulas/footing.hpp"
 #include "structures/formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
@@ -22,7 +23,6 @@ constexpr base::Limit cells =
                      true});
 constexpr Real shallow = 0.02;  // of D: embedment and heave beside it add some percent to what a footing on the surface carries
 constexpr Real deep = 3;        // of D: the base is deeper than what footings on the surface tell
-constexpr Real little = 0.01;   // of gamma D: cohesion of a sand that formulas leave out
 
 /// The bases whose factors lie around that of a run: of what part of the soil's strength the interface carries.
 std::vector<Base> bases_of(Real ratio)
@@ -65,7 +65,7 @@ std::vector<Comparison> on_sand(const PenetrationRun& run, bool round)
   const problem::Case& c = run.record.settings;
   const std::optional<material::Material> material = base::touched_material(c);
   const std::optional<material::Strength> law = material ? strength_at_rest(*material) : std::nullopt;
-  if (!law || law->cohesion > little * run.soil.at(0).unit_weight * run.whole_width()) return {};
+  if (!law || !base::has_little_cohesion(law->cohesion, law->friction_angle, run.soil.at(0).unit_weight, run.whole_width())) return {};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
   const Real ratio = rules_of(contact.scheme).tied ? 1 : std::tan(contact.friction_angle) / std::tan(law->friction_angle);
   std::vector<Comparison> list;

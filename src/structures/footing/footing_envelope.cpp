@@ -8,6 +8,7 @@
 #include "problem/ground.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/kind.hpp"
+#include "structures/base/little_cohesion.hpp"
 #include "structures/formulas/footing.hpp"
 
 #include <algorithm>
@@ -215,7 +216,7 @@ base::EmbeddedBody embedded_footing(const problem::Case& c)
 PublishedEnvelope footing_envelope(const problem::Case& c)
 {
   PublishedEnvelope unknown;
-  unknown.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c = 0)";
+  unknown.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c cot phi up to 5 % of gamma' D)";
   const std::optional<problem::BodySoil> soil = base::touched_soil(c);
   const std::optional<material::Material> material = base::touched_material(c);
   const std::optional<material::Strength> strength = material ? strength_at_rest(*material) : std::nullopt;
@@ -228,7 +229,9 @@ PublishedEnvelope footing_envelope(const problem::Case& c)
   if (std::isnan(on.area)) return unknown;
   const Real unit_weight = base::body_scale(c).unit_weight;
   if (strength->friction_angle == 0 && strength->cohesion > 0) return for_clay(on);
-  if (strength->friction_angle > 0 && strength->cohesion == 0 && unit_weight > 0) return for_sand(on, unit_weight);
+  if (strength->friction_angle > 0 && unit_weight > 0 &&
+      base::has_little_cohesion(strength->cohesion, strength->friction_angle, unit_weight, on.footing.width))
+    return for_sand(on, unit_weight);
   return unknown;
 }
 

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "mesh/seabed.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/base/little_cohesion.hpp"
 #include "structures/formulas/f114.hpp"
 #include "structures/formulas/pipe_in_clay.hpp"
 #include "structures/formulas/pipe_in_sand.hpp"
@@ -168,10 +169,11 @@ PublishedEnvelope pipe_envelope(const problem::Case& c, const base::EnvelopeEnds
 {
   const PipeInSoil soil = pipe_in_soil(c);
   if (soil.strength && soil.strength->friction_angle == 0 && soil.strength->cohesion > 0) return with_ground(soil, for_clay(soil));
-  if (soil.strength && soil.strength->friction_angle > 0 && soil.strength->cohesion == 0 && soil.unit_weight > 0)
+  if (soil.strength && soil.strength->friction_angle > 0 && soil.unit_weight > 0 &&
+      base::has_little_cohesion(soil.strength->cohesion, soil.strength->friction_angle, soil.unit_weight, soil.pipe.width))
     return with_ground(soil, for_sand(soil, ends));
   PublishedEnvelope published;
-  published.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c = 0)";
+  published.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c cot phi up to 5 % of gamma' D)";
   return published;
 }
 

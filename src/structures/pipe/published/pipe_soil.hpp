@@ -4,6 +4,7 @@
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 #include "record/run_record.hpp"
+#include "structures/base/little_cohesion.hpp"
 #include "structures/formulas/pipe_in_clay.hpp"
 #include "structures/formulas/pipe_in_sand.hpp"
 
@@ -14,16 +15,13 @@ namespace berm::pipe {
 /// Sand around a pipe, without cohesion or with a little of it, which formulas leave out.
 struct SandAround {
   static constexpr Real max_cohesion = 0.1;  ///< of gamma' D
-  /// Soil with cohesion is as strong as soil without it under a further pressure c cot(phi) from all sides (Caquot 1934). One of so much of gamma' z raises
-  /// bearing and passive resistance by 2 to 3 %, that to uplift from 1.5 to 3 D by 3 to 6 %: formulas differ by more.
-  static constexpr Real little_pressure = 0.02;
 
   Real diameter, unit_weight;                            ///< m, N/m3
   Real friction_angle, dilation_angle, interface_angle;  ///< rad
   Real cohesion = 0;                                     ///< Pa
 
-  /// m, from which on formulas without cohesion hold.
-  Real depth_of_little_cohesion() const { return cohesion / (std::tan(friction_angle) * little_pressure * unit_weight); }
+  /// Whether formulas without cohesion hold.
+  bool has_little_cohesion() const { return base::has_little_cohesion(cohesion, friction_angle, unit_weight, diameter); }
 
   formulas::PipeInSand at(Real embedment) const { return {diameter, embedment, unit_weight, friction_angle, interface_angle}; }
 };

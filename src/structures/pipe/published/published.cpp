@@ -126,12 +126,6 @@ void put_out_of_range(ComparedState& state, const char* range)
   }
 }
 
-/// The depth of the stress that formulas of a state take: that of a buried pipe's centre, else of the invert.
-Real depth_of(const ComparedState& state, Real diameter)
-{
-  return state.kind == ComparedState::Kind::uplift ? state.w - diameter / 2 : state.w;
-}
-
 /// Each drag of a diameter or more: the first with its residual beside what that is said to be, those that follow in clay beside sweeps between berms.
 void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const PipeSoil& soil, Real part)
 {
@@ -241,9 +235,8 @@ PublishedValues published_beside(const driven::DrivenRun& run)
                                lift.falls() ? ComparedState::Point::peak : ComparedState::Point::largest, lift.stage});
   if (clay != nullptr)
     for (ComparedState& state : values.states) state.strength = clay->at(state.w).strength;
-  for (ComparedState& state : values.states)
-    if (sand != nullptr && depth_of(state, sand->diameter) < sand->depth_of_little_cohesion())
-      put_out_of_range(state, "sand without cohesion");
+  if (sand != nullptr && !sand->has_little_cohesion())
+    for (ComparedState& state : values.states) put_out_of_range(state, "c cot φ up to 5 % of γ' D");
   if (!level) {
     values.remarks.insert(values.remarks.begin(), remark_on_ground(run));
     for (ComparedState& state : values.states) put_out_of_range(state, "a level bed");

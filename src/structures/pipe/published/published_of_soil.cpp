@@ -189,12 +189,14 @@ std::vector<std::string> remarks_on(const SandAround& sand)
                                   sand.friction_angle / degree, sand.dilation_angle / degree));
   if (sand.cohesion > 0)
     remarks.push_back(fmt::format(
-        "The formulas are for sand without cohesion. The sand of this run has c = {:.3g} Pa, {:.2g} γ' D, which acts as a pressure c cot φ "
-        "= "
-        "{:.3g} Pa from all sides would: that is more than {:g} % of γ' z down to z = {:.2g} D, and formulas of states so shallow are out "
-        "of range, too low by more the smaller w is.",
-        sand.cohesion, sand.cohesion / (sand.unit_weight * sand.diameter), sand.cohesion / std::tan(sand.friction_angle),
-        100 * SandAround::little_pressure, sand.depth_of_little_cohesion() / sand.diameter));
+        "The formulas are for sand without cohesion. The sand of this run has c = {:.3g} Pa, which acts as a pressure c cot φ = {:.3g} Pa "
+        "from all "
+        "sides would, {:.2g} of γ' D: {}.",
+        sand.cohesion, sand.cohesion / std::tan(sand.friction_angle),
+        sand.cohesion / (std::tan(sand.friction_angle) * sand.unit_weight * sand.diameter),
+        sand.has_little_cohesion()
+            ? fmt::format("up to {:g} it counts for less than the formulas differ by", base::little_cohesion)
+            : fmt::format("beyond {:g} the formulas are out of range, too low, the more so the smaller w is", base::little_cohesion)));
   return remarks;
 }
 
