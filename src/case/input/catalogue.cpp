@@ -4,6 +4,8 @@
 
 #include "input/message_text.hpp"
 
+#include <algorithm>
+
 namespace berm::input {
 namespace {
 
@@ -130,6 +132,20 @@ void Lister::leaf(const char* key, Leaf variable, const Parameter& parameter)
   if (!parameter.required) return;
   entry.default_text.clear();
   entry.default_value = std::monostate();
+}
+
+void Lister::usual(const UsualNumber& number)
+{
+  Listed* table = levels_.back().table;
+  std::string_view key = number.key;
+  for (std::size_t dot = key.find('.'); table != nullptr; dot = key.find('.')) {
+    const std::string_view part = key.substr(0, dot);
+    const auto entry = std::find_if(table->children.rbegin(), table->children.rend(), [&](const Listed& one) { return one.key == part; });
+    if (entry == table->children.rend()) return;
+    if (dot == std::string_view::npos) entry->usual = number.size;
+    table = dot == std::string_view::npos ? nullptr : &*entry;
+    key.remove_prefix(dot == std::string_view::npos ? key.size() : dot + 1);
+  }
 }
 
 int Lister::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)

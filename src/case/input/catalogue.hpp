@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/describe.hpp"
+#include "core/usual.hpp"
 #include "input/document.hpp"
 
 namespace berm::input {
@@ -30,7 +30,7 @@ struct Listed {
   Default default_value;
   std::string default_text;               ///< the same, for readers; "" where there is none
   std::vector<std::string> number_words;  ///< that may stand for the number
-  Range range;
+  Range range, usual;
   bool required = false;
   std::vector<std::string> words;
   std::vector<Condition> conditions;
@@ -38,11 +38,12 @@ struct Listed {
 };
 
 /// Lists all parameters of a struct, those of every alternative included.
-class Lister : public Describe {
+class Lister : public Describe, public AsksUsual {
 public:
   Lister() { levels_.push_back({&root_, {}}); }
   const Listed& root() const { return root_; }
   void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
+  void usual(const UsualNumber& number) override;
 
 protected:
   void leaf(const char* key, Leaf variable, const Parameter& parameter) override;

@@ -33,6 +33,8 @@ std::string condition_of(const Listed& entry)
 Row row_of(const Listed& entry)
 {
   std::string values = range_text(entry.range, entry.unit);
+  if (const std::string usual = range_text(entry.usual, entry.unit); !usual.empty())
+    values += fmt::format("{}usual: {}", values.empty() ? "" : "; ", usual);
   for (const std::string& word : entry.words) values += (values.empty() ? "" : ", ") + in_quotes(word);
   return {entry.key, type_words(entry), entry.unit, values, entry.required ? "required" : entry.default_text, entry.meaning};
 }

@@ -98,13 +98,13 @@ bool ask_slope(const Scene& s, Findings& found, Index body, const Face& face, Re
 }
 
 /// Whether it has something to say.
-bool ask_face(const Scene& s, Findings& found, Index body, const Face& face, Real unit_weight)
+bool ask_face(const Scene& s, Findings& found, Index body, const Face& face, Real unit_weight, const std::string& key)
 {
   const std::optional<material::Strength> soil = strength_at_rest(s.material_at(body, face.rise / 2));
   if (!soil) return false;
   const Real stands = standing_height(*soil, unit_weight, face.angle);
   if (face.rise <= stands * 1.001) return false;
-  const std::string key = key_of(s, face), angle = fmt::format("{:.3g} deg", face.angle / degree);
+  const std::string angle = fmt::format("{:.3g} deg", face.angle / degree);
   if (soil->cohesion == 0)
     found.warn(
         key, fmt::format(
@@ -134,9 +134,41 @@ void does_the_ground_stand(const Scene& s, Findings& found)
       if (face.rise < 1e-3 * s.depth_of(b)) continue;
       const bool slope = face.run > endless * s.depth_of(b);
       if (slope && !slope_slides) slope_slides = ask_slope(s, found, b, face, unit_weight);
-      if (!slope && !face_falls) face_falls = ask_face(s, found, b, face, unit_weight);
+      if (!slope && !face_falls) face_falls = ask_face(s, found, b, face, unit_weight, key_of(s, face));
     }
     if (slope_slides || face_falls) return;
+  }
+}
+
+void do_excavations_stand(const Scene& s, Findings& found)
+{
+  constexpr Real flat = 2 * degree;
+  if (s.gravity == 0 || s.up != 1 || s.up_sign < 0) return;
+  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+    if (!yields(s.material_of(b))) continue;
+    const Real beside = 1e-4 * s.mesh[s.along].length();
+    const std::vector<bodies::ExcavationSettings>& works = s.c.body[b].second.excavation;
+    for (std::size_t k = 0; k < works.size(); ++k) {
+      const std::vector<Real>&x = works[k].area.x, &y = works[k].area.y;
+      const Real middle = works[k].z_range.empty() ? 0 : (works[k].z_range[0] + works[k].z_range[1]) / 2;
+      const bodies::Polygon<2> area = bodies::make_shape<2>(works[k].area);
+      for (std::size_t corner = 0; corner < x.size(); ++corner) {
+        Vec<2> low(x[corner], y[corner]), high(x[(corner + 1) % x.size()], y[(corner + 1) % x.size()]);
+        if (low[1] > high[1]) std::swap(low, high);
+        const Real top = s.ground.line.level() ? s.c.surface : s.ground.line.height(low[0]);
+        if (high[1] > top && high[1] > low[1]) high = low + (high - low) * std::max(Real(0), top - low[1]) / (high[1] - low[1]);
+        const Real angle = std::atan2(high[1] - low[1], std::abs(high[0] - low[0]));
+        if (!(high[1] > low[1]) || angle < flat) continue;
+        const Vec<2> at = (low + high) / 2, out = Vec<2>(high[1] - low[1], low[0] - high[0]).normalized() * beside;
+        const Vec<2> one = at + out, other = at - out, side = surface_at(area, one).distance > 0 ? one : other;
+        if (surface_at(area, side).distance <= 0 || side[0] < s.mesh[0].from || side[0] > s.mesh[0].to) continue;
+        // Soil stays above an overhanging side only where the other side of it is dug.
+        if (!s.soil_at(b, {side[0], side[1], middle})) continue;
+        if (ask_face(s, found, b, {angle, high[1] - low[1], std::abs(high[0] - low[0]), low[1]}, unit_weight_of(s, b),
+                     fmt::format("body.{}.excavation[{}]", s.c.body[b].first, k)))
+          break;
+      }
+    }
   }
 }
 

@@ -86,12 +86,14 @@ void do_fine_cells_reach(const Scene& s, const Journey& journey, bool right, Fin
     const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
     const std::string key = !seabed ? "mesh" : right ? "mesh.near_right" : "mesh.near_left";
     const Real edge = end + (right ? s.rigids[0].space[s.along].to : s.rigids[0].space[s.along].from);
-    found.warn(key, fmt::format("ends the fine cells before the slices do: on the springs of far_soil that at x = {} of the line goes {} "
-                                "sideways, and after {} cells "
-                                "at its pipe are {}{}; let fine cells reach {}",
-                                place_words(journey.places[static_cast<std::size_t>(slice - journey.sideways.begin())]), place_words(end),
-                                place_words(at[s.along]), std::isfinite(size) ? words_of(size, "m") : "none, as the mesh ends",
-                                std::isfinite(size) ? fmt::format(", and {} at the start", words_of(first, "m")) : "", place_words(edge)));
+    found.warn(
+        key,
+        fmt::format(
+            "the fine zone is too narrow: expected lateral displacement {} at x = {} of the line (on the springs of the far soil), and "
+            "from {} on cells at the pipe are {}{}; set it to {} or beyond",
+            place_words(end), place_words(journey.places[static_cast<std::size_t>(slice - journey.sideways.begin())]),
+            place_words(at[s.along]), std::isfinite(size) ? words_of(size, "m") : "none, as the mesh ends",
+            std::isfinite(size) ? fmt::format(", {} at the start", words_of(first, "m")) : "", place_words(edge)));
     return;
   }
 }
@@ -111,9 +113,92 @@ void is_the_laid_pipe_as_heavy_as_the_line(const Scene& s, Findings& found)
   if (!force || has_load_history(last) || std::abs(std::abs(*force) / weight - 1) <= allowed) return;
   found.warn(
       stage_key(static_cast<std::size_t>(line - s.c.stage.begin()) - 1, push ? "force" : "drive.y.force"),
-      fmt::format("lays the pipe with {:.4g} N/m to the end, and the line weighs {:.4g} N/m: the slices jump when they hang on it; let "
-                  "the last stage before the line push with its weight",
+      fmt::format("is {:.4g} N/m at the end of laying, and differs from the submerged weight of the line, {:.4g} N/m: the slices jump when "
+                  "they take over the load of the line; let the last stage before the line push with that weight",
                   std::abs(*force), weight));
+}
+
+void is_the_line_laid_by_its_weight(const Scene& s, Findings& found)
+{
+  constexpr Real most = 8;  // V at touchdown over the weight: 1 to 4 of most
+  if (!s.c.pipeline) return;
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
+    const problem::StageSettings& stage = s.c.stage[k];
+    if (stage.kind == problem::StageKind::pipeline) return;
+    const bool push = stage.kind == problem::StageKind::push;
+    const std::optional<Real> V = stage.vertical_force  ? stage.vertical_force
+                                  : push && stage.force ? stage.force
+                                  : push                ? stage.until.force
+                                                        : std::nullopt;
+    const char* key = stage.vertical_force ? "vertical_force" : push && stage.force ? "force" : "until.force";
+    const Real weight = s.c.pipeline->submerged_weight;
+    if (!V || has_load_history(stage) || *V <= most * weight) continue;
+    found.warn(stage_key(k, key),
+               fmt::format("is {:.4g} N/m, {:.3g} times the submerged weight of the line, {:.4g} N/m: laying presses a pipe into "
+                           "the bed with 1 to 4 times its weight; is the unit of either right?",
+                           *V, *V / weight, weight));
+  }
+}
+
+namespace {
+
+/// kg/m, of the steel of the line's wall; empty of other lines.
+std::optional<Real> mass_of_steel(const Scene& s)
+{
+  constexpr Real density = 7850, least_modulus = 1.5e11;  // kg/m3, Pa
+  const problem::PipelineSettings& line = *s.c.pipeline;
+  if (!line.wall || !line.young_modulus || *line.young_modulus < least_modulus) return {};
+  return density * pi * *line.wall * (s.rigids[0].width - *line.wall);
+}
+
+}  // namespace
+
+void is_the_line_a_pipe(const Scene& s, Findings& found)
+{
+  constexpr Real thinnest = 150, thickest = 5;       // diameter over wall; 15 to 60 of most steel pipes
+  constexpr Real rounding = 0.95, sea_water = 1025;  // kg/m3
+  if (!s.c.pipeline || s.rigids.empty() || !s.rigids[0].bounded || !(s.gravity > 0)) return;
+  const problem::PipelineSettings& line = *s.c.pipeline;
+  const Real D = s.rigids[0].width, mass = line.mass.value_or(s.c.rigid[0].second.mass), weight = line.submerged_weight;
+  const std::string mass_key = line.mass ? "pipeline.mass" : fmt::format("rigid.{}.mass", s.c.rigid[0].first);
+  if (line.wall && (D / *line.wall > thinnest || D / *line.wall < thickest))
+    found.warn("pipeline.wall", fmt::format("is {}, 1/{:.3g} of the diameter of {}; pipes have 1/60 to 1/15: is the unit right (\"mm\")?",
+                                            words_of(*line.wall, "m"), D / *line.wall, words_of(D, "m")));
+  const std::optional<Real> steel = mass_of_steel(s);
+  const Real buoyancy = sea_water * pi / 4 * D * D, in_air = weight / s.gravity + buoyancy;
+  if (steel && mass < rounding * *steel)
+    found.warn(mass_key,
+               fmt::format("is {}, less than that of the steel of the wall alone, {}: its displacement as it snaps depends on it; "
+                           "take pipe, content and added mass of the water, {} or more",
+                           words_of(mass, "kg/m"), words_of(*steel, "kg/m"), words_of(rounded_up(std::max(*steel, in_air)), "kg/m")));
+  else if (mass < rounding * in_air)
+    found.warn(mass_key,
+               fmt::format("is {}, less than its submerged weight over g and the water that it displaces, {} + {}: its displacement as it "
+                           "snaps depends on it; take {} or more",
+                           words_of(mass, "kg/m"), words_of(weight / s.gravity, "kg/m"), words_of(buoyancy, "kg/m"),
+                           words_of(rounded_up(in_air), "kg/m")));
+  if (steel && *steel * s.gravity - buoyancy * s.gravity > weight / rounding)
+    found.warn(
+        "pipeline.submerged_weight",
+        fmt::format(
+            "is {:.4g} N/m, and the steel of the wall alone weighs {:.4g} N/m less the water that the pipe displaces, {:.4g} N/m: is "
+            "the wall or the weight another?",
+            weight, *steel * s.gravity, buoyancy * s.gravity));
+}
+
+void does_the_line_go_beyond_its_slices(const Scene& s, Findings& found)
+{
+  if (!s.c.pipeline || s.c.pipeline->end == problem::LineEnd::free) return;
+  const problem::PipelineSettings& line = *s.c.pipeline;
+  const std::vector<Real> places = problem::places_of(line.slices);
+  if (places.empty()) return;
+  const Real beyond = line.length - places.back(), wanted = std::max(line.imperfection.length, places.back());
+  if (!(beyond < wanted) || line.half == problem::LineHalf::none) return;
+  found.warn(
+      "pipeline.length",
+      fmt::format("is {}: the end that is held lies {} beyond the last slice, and the buckle gets little line to feed on; let it be where "
+                  "the line does not slip any more, or half way to the next buckle, {} or more",
+                  words_of(line.length, "m"), words_of(beyond, "m"), words_of(rounded_up(places.back() + wanted), "m")));
 }
 
 void does_the_case_fit_the_line_on_springs(const Scene& s, Findings& found)

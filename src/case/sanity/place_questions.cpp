@@ -70,11 +70,31 @@ bool may_fall_onto(const Scene& s, Index rigid, const BodyScene& soil)
          });
 }
 
+/// Whether a rigid body comes to another that it has a contact with, which bears it or is borne by it; where a free one goes is not known.
+bool may_meet_rigid(const Scene& s, Index rigid)
+{
+  const std::string& name = s.c.rigid[rigid].first;
+  const auto overlap = [](const Span& a, const Span& b) { return a.from <= b.to && b.from <= a.to; };
+  for (Index other = 0; other < static_cast<Index>(s.rigids.size()); ++other) {
+    const auto joins_them = [&](const auto& contact) { return joins(contact.second, name, s.c.rigid[other].first); };
+    if (other == rigid || std::none_of(s.c.rigid_contact.begin(), s.c.rigid_contact.end(), joins_them)) continue;
+    if (falls(s, rigid) || falls(s, other) || !s.rigids[other].bounded) return true;
+    for (const Way& way : s.ways) {
+      if (way.rigid != rigid && way.rigid != other) continue;
+      const Spans& still = s.rigids[way.rigid == rigid ? other : rigid].space;
+      bool meets = true;
+      for (int d = 0; d < s.c.dimension(); ++d) meets = meets && (!way.axis[d].known || overlap(swept(s, way, d), still[d]));
+      if (meets) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
 {
-  constexpr Real far_above = 0.1;  // of its width
+  constexpr Real far_above = 0.02;  // of its width
   std::vector<char> asked(s.rigids.size(), 0);
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Index rigid = s.ways[k].rigid;
@@ -82,20 +102,29 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
     const std::string& name = s.c.rigid[rigid].first;
     const std::string key = stage_key(k, s.c.stage[k].rigid.empty() ? "kind" : "rigid");
     const auto touches_rigid = [&](const auto& contact) { return contact.second.rigid == name; };
+    const bool meets_rigid = may_meet_rigid(s, rigid);
     if (std::none_of(s.c.contact.begin(), s.c.contact.end(), touches_rigid)) {
+      for (Index body = 0; body < static_cast<Index>(s.bodies.size()) && meets_rigid; ++body)
+        if (std::any_of(s.ways.begin(), s.ways.end(), [&](const Way& way) { return way.rigid == rigid && may_meet(s, way, body); }))
+          found.warn(key,
+                     fmt::format("drives \"{0}\", which has no contact with [body.{1}] and would pass through it: add [contact.NAME] with "
+                                 "body = \"{1}\" and rigid = \"{0}\"",
+                                 name, s.c.body[body].first));
+      if (meets_rigid) continue;
       found.refuse(key, fmt::format("drives \"{0}\", which nothing touches: there is no contact of a body with it; add [contact.NAME] with "
                                     "body = \"{1}\" and rigid = \"{0}\"",
                                     name, s.c.body.front().first));
       continue;
     }
     if (!s.rigids[rigid].bounded) continue;
-    bool meets = false, above = true;
+    bool meets = meets_rigid, above = true;
     std::string where;
     for (const auto& [contact_name, contact] : s.c.contact) {
       if (contact.rigid != name) continue;
-      const BodyScene& soil = s.bodies[problem::index_of(s.c.body, contact.body)];
+      const Index body = problem::index_of(s.c.body, contact.body);
+      const BodyScene& soil = s.bodies[body];
       meets = meets || may_fall_onto(s, rigid, soil);
-      for (const Way& way : s.ways) meets = meets || (way.rigid == rigid && may_meet(s, way, soil));
+      for (const Way& way : s.ways) meets = meets || (way.rigid == rigid && may_meet(s, way, body));
       const Span &x = soil.space[s.along], &own = s.rigids[rigid].space[s.along];
       above = above && (!s.ground.line.level() || s.rigids[rigid].space[s.up].from >= soil.space[s.up].to);
       where = fmt::format("it begins at {} < {} < {} with its lowest point {:.4g} m above the surface, and [body.{}] lies at {} < {} < {}",
@@ -158,6 +187,25 @@ void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found)
                       "shall be pushed aside a mass and motion = \"free\"",
                       name, other_name));
     }
+}
+
+void do_motions_fit_a_half(const Scene& s, Findings& found)
+{
+  constexpr Real round_off = 1e-6;  // of the width
+  if (s.c.geometry != problem::Geometry::plane_strain) return;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Way& way = s.ways[k];
+    if (way.rigid == none || !s.rigids[way.rigid].bounded) continue;
+    const Span &body = s.rigids[way.rigid].space[s.along], &mesh = s.mesh[s.along];
+    const Real middle = (body.from + body.to) / 2, slack = round_off * body.length();
+    const bool half = std::abs(middle - mesh.from) < slack || std::abs(middle - mesh.to) < slack;
+    if (!half || !(way.axis[s.along].moves || way.turns)) continue;
+    found.refuse(stage_key(k, "kind"), fmt::format("{} \"{}\", whose middle lies on a wall of the mesh, {} = {}: a half of it is modelled, "
+                                                   "whose mirror image would go the other way; model the whole, or move it along {} alone",
+                                                   way.axis[s.along].moves ? fmt::format("moves along {}", axis_names[s.along]) : "rotates",
+                                                   s.c.rigid[way.rigid].first, axis_names[s.along], place_words(middle), axis_names[s.up]));
+    return;
+  }
 }
 
 void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)

@@ -8,12 +8,16 @@ namespace berm::sanity {
 
 // One question each. A question looks at a scene and adds what it finds; it says nothing where it does not apply.
 
+// Single numbers.
+void are_numbers_usual(const Scene& s, Findings& found);
+
 // Where things are.
 void does_the_driven_body_touch_soil(const Scene& s, Findings& found);
 void does_a_pushed_pipe_begin_at_the_surface(const Scene& s, Findings& found);
 void is_the_body_smaller_than_the_mesh(const Scene& s, Findings& found);
 void do_bodies_at_each_other_touch(const Scene& s, Findings& found);
 void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found);
+void do_motions_fit_a_half(const Scene& s, Findings& found);
 void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found);
 void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found);
 void are_cells_small_enough(const Scene& s, Findings& found);
@@ -38,12 +42,21 @@ void do_slices_slide_without_jolts(const Scene& s, Findings& found);
 
 // Ground that is not level.
 void does_the_ground_stand(const Scene& s, Findings& found);
+void do_excavations_stand(const Scene& s, Findings& found);
 void does_the_body_fit_the_ground(const Scene& s, Findings& found);
+
+// Earthworks.
+void do_excavations_find_soil(const Scene& s, Findings& found);
+void do_fills_lie_in_the_mesh(const Scene& s, Findings& found);
+void do_bodies_fit_into_trenches(const Scene& s, Findings& found);
+void are_earthworks_done_while_the_body_rests(const Scene& s, Findings& found);
+void do_loads_keep_their_soil(const Scene& s, Findings& found);
 
 // The soil.
 void does_gravity_point_down(const Scene& s, Findings& found);
 void is_the_soil_a_soil(const Scene& s, Findings& found);
 void is_the_strength_by_stress_that_of_clay(const Scene& s, Findings& found);
+void does_the_strength_grow_as_that_of_clay(const Scene& s, Findings& found);
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found);
 void is_the_strain_rate_smooth(const Scene& s, Findings& found);
 void is_softening_free_of_the_cells(const Scene& s, Findings& found);
@@ -64,6 +77,7 @@ void is_a_breakout_run_in_real_time(const Scene& s, Findings& found);
 void does_the_drive_begin_gently(const Scene& s, Findings& found);
 void is_there_time_for_equilibrium(const Scene& s, Findings& found);
 void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found);
+void is_the_mass_that_of_the_weight(const Scene& s, Findings& found);
 void is_damping_small(const Scene& s, Findings& found);
 void are_forces_those_of_soil(const Scene& s, Findings& found);
 void do_forces_press_down(const Scene& s, Findings& found);
@@ -77,6 +91,8 @@ void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found);
 
 // The roles of stages.
 void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found);
+void are_roles_those_of_what_stages_do(const Scene& s, Findings& found);
+void are_weights_those_of_one_pipe(const Scene& s, Findings& found);
 void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found);
 
 // The water.
@@ -87,6 +103,9 @@ void is_the_head_there_when_soil_rests(const Scene& s, Findings& found);
 
 // The line of a pipeline.
 void is_the_laid_pipe_as_heavy_as_the_line(const Scene& s, Findings& found);
+void is_the_line_laid_by_its_weight(const Scene& s, Findings& found);
+void is_the_line_a_pipe(const Scene& s, Findings& found);
+void does_the_line_go_beyond_its_slices(const Scene& s, Findings& found);
 void does_the_case_fit_the_line_on_springs(const Scene& s, Findings& found);
 
 // The run.

@@ -78,6 +78,47 @@ void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found)
   }
 }
 
+void are_roles_those_of_what_stages_do(const Scene& s, Findings& found)
+{
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
+    const StageRole role = s.c.stage[k].role;
+    const Index place = place_in_life(role);
+    const bool only_a_weight = role == StageRole::flooded || role == StageRole::emptied;
+    if (place == none || !only_a_weight || !is_drag(s, k)) continue;
+    found.warn(
+        stage_key(k, "role"),
+        fmt::format("is \"{}\", and the stage moves the body along the bed: {} a pipe changes its weight alone; motions of laying have "
+                    "the role \"lay\", later ones \"sweep\" or \"breakout\"",
+                    life[place].second, role == StageRole::flooded ? "flooding" : "emptying"));
+  }
+}
+
+void are_weights_those_of_one_pipe(const Scene& s, Findings& found)
+{
+  constexpr Real much = 3;  // largest V of laying over weight in water is 1 to 3, and a flooded pipe weighs up to 3 times an empty one
+  Real largest = 0;
+  std::string of_stage;
+  const char* unit = s.c.force_dimension() == 2 ? "N/m" : "N";
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
+    const StageSettings& stage = s.c.stage[k];
+    const bool push = stage.kind == StageKind::push;
+    const char* key = stage.vertical_force ? "vertical_force" : stage.force ? "force" : "until.force";
+    const std::optional<Real> V = stage.vertical_force ? stage.vertical_force
+                                  : !push              ? std::nullopt
+                                  : stage.force        ? stage.force
+                                                       : stage.until.force;
+    if (!V || has_load_history(stage)) continue;
+    const bool before_drag = push && stage.force && stage.role == StageRole::automatic && k + 1 < s.c.stage.size() && is_drag(s, k + 1);
+    const bool weight = stage.role == StageRole::operation || stage.role == StageRole::emptied || before_drag;
+    if (weight && largest > 0 && *V > much * largest)
+      found.warn(stage_key(k, key),
+                 fmt::format("is {:.3g} {}, and the largest V before is {:.3g} {} in stage \"{}\": when it touches down a pipe "
+                             "presses on the bed with 1 to 3 times its weight in water; is the unit of either right?",
+                             *V, unit, largest, unit, of_stage));
+    if (*V > largest) largest = *V, of_stage = stage.name;
+  }
+}
+
 void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found)
 {
   const std::vector<StageSettings>& stages = s.c.stage;

@@ -14,6 +14,7 @@ namespace {
 
 /// All questions, in the order in which their answers are shown.
 constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_down,
+                                                          are_numbers_usual,
                                                           is_the_mesh_in_metres,
                                                           are_coordinates_resolved,
                                                           is_the_mesh_what_its_file_says,
@@ -23,6 +24,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           do_bodies_at_each_other_touch,
                                                           do_rigid_bodies_pass_through_each_other,
                                                           can_the_limits_be_reached,
+                                                          do_motions_fit_a_half,
                                                           does_the_path_stay_in_the_mesh,
                                                           is_the_surface_where_the_bed_ends,
                                                           is_the_bed_held,
@@ -38,10 +40,17 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_soil_fill_the_bed,
                                                           is_there_soil_at_a_watch,
                                                           does_the_ground_stand,
+                                                          do_excavations_stand,
                                                           does_the_body_fit_the_ground,
+                                                          do_excavations_find_soil,
+                                                          do_fills_lie_in_the_mesh,
+                                                          do_bodies_fit_into_trenches,
+                                                          are_earthworks_done_while_the_body_rests,
+                                                          do_loads_keep_their_soil,
                                                           is_the_soil_a_soil,
                                                           is_the_soil_as_heavy_as_in_water,
                                                           is_the_strength_by_stress_that_of_clay,
+                                                          does_the_strength_grow_as_that_of_clay,
                                                           is_the_stiffness_that_of_soil,
                                                           is_the_strain_rate_smooth,
                                                           is_softening_free_of_the_cells,
@@ -59,6 +68,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_the_drive_begin_gently,
                                                           is_there_time_for_equilibrium,
                                                           is_the_mass_that_of_a_pipe,
+                                                          is_the_mass_that_of_the_weight,
                                                           is_damping_small,
                                                           are_forces_those_of_soil,
                                                           do_forces_press_down,
@@ -67,11 +77,16 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           do_boundaries_that_absorb_bear_what_comes,
                                                           do_names_stay_names,
                                                           are_roles_in_the_order_of_a_life,
+                                                          are_roles_those_of_what_stages_do,
+                                                          are_weights_those_of_one_pipe,
                                                           is_it_said_what_the_answers_are_of,
                                                           does_water_have_time_to_flow,
                                                           does_the_soil_keep_its_weight,
                                                           is_the_head_there_when_soil_rests,
                                                           is_the_laid_pipe_as_heavy_as_the_line,
+                                                          is_the_line_laid_by_its_weight,
+                                                          is_the_line_a_pipe,
+                                                          does_the_line_go_beyond_its_slices,
                                                           does_the_case_fit_the_line_on_springs,
                                                           does_it_take_days,
                                                           does_it_fit_on_the_disk,
@@ -84,7 +99,10 @@ std::vector<Finding> ask(const Scene& scene)
 {
   Findings found;
   for (const auto question : questions) question(scene, found);
-  std::vector<Finding> all = found.all();
+  std::vector<Finding> all;
+  const auto place_of = [&](const Finding& one) { return scene.places.located(one.key, one.message).text(); };
+  for (const Finding& one : found.all())  // drags of one sweep have their keys from one place
+    if (std::none_of(all.begin(), all.end(), [&](const Finding& other) { return place_of(other) == place_of(one); })) all.push_back(one);
   std::stable_partition(all.begin(), all.end(), [](const Finding& f) { return f.severity == Severity::refuse; });
   return all;
 }

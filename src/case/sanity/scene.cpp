@@ -103,6 +103,32 @@ std::vector<SupportScene> supports_of(const problem::Case& c, const mesh::Mesh<d
   return supports;
 }
 
+/// The loads on the soil.
+template <int dim>
+std::vector<LoadScene> loads_of(const problem::Case& c, const problem::Model<dim>& model,
+                                const std::vector<problem::LoadPointState<dim>>& load_points)
+{
+  constexpr Real within = 1e-6;  // of the mesh
+  const auto place_of = [](const Vec<dim>& x) {
+    Place place = {};
+    for (int d = 0; d < dim; ++d) place[d] = x[d];
+    return place;
+  };
+  std::vector<LoadScene> loads(c.traction.size());
+  for (std::size_t k = 0; k < loads.size(); ++k) loads[k].key = "traction." + c.traction[k].first;
+  for (std::size_t l = 0; l < load_points.size(); ++l) {
+    const std::string& name = model.tractions[model.load_points[l].traction].name;
+    loads[problem::index_of(c.traction, name)].points.push_back(place_of(load_points[l].x));
+  }
+  for (const problem::Head<dim>& head : model.heads) {
+    LoadScene& load = loads.emplace_back(LoadScene{"support." + head.name + ".head", {}});
+    for (std::size_t k = 0; k < head.nodes.size(); ++k)
+      load.points.push_back(
+          place_of(model.mesh.position[head.nodes[k]] + within * (model.mesh.upper - model.mesh.lower).norm() * head.normals[k]));
+  }
+  return loads;
+}
+
 template <int dim>
 ResolvedWaves resolved_waves(const problem::Case& c, const problem::Model<dim>& model, const std::vector<std::vector<Index>>& cells)
 {
@@ -158,7 +184,8 @@ Real Scene::ground_rise(Index rigid, Real from, Real to) const
 
 template <int dim>
 Scene scene_of(const problem::Case& c, const input::Places& places, const problem::Model<dim>& model,
-               const std::vector<bodies::Particles<dim>>& particles, const Cost& cost)
+               const std::vector<bodies::Particles<dim>>& particles, const std::vector<problem::LoadPointState<dim>>& load_points,
+               const Cost& cost)
 {
   Scene scene{c, places};
   scene.up = model.axes.up;
@@ -179,6 +206,7 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
   }
   for (std::size_t b = 0; b < c.body.size(); ++b) scene.bodies[b].depth = depth_below_surface(c, model, scene.bodies[b].space, cells[b]);
   scene.supports = supports_of(c, model.mesh, cells);
+  scene.loads = loads_of(c, model, load_points);
   scene.resolved = resolved_waves(c, model, cells);
   scene.ground = model.ground;
   scene.neighbors = neighbors_in(model.mesh, cells);
@@ -200,8 +228,8 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
 }
 
 template Scene scene_of(const problem::Case&, const input::Places&, const problem::Model<2>&, const std::vector<bodies::Particles<2>>&,
-                        const Cost&);
+                        const std::vector<problem::LoadPointState<2>>&, const Cost&);
 template Scene scene_of(const problem::Case&, const input::Places&, const problem::Model<3>&, const std::vector<bodies::Particles<3>>&,
-                        const Cost&);
+                        const std::vector<problem::LoadPointState<3>>&, const Cost&);
 
 }  // namespace berm::sanity

@@ -21,6 +21,7 @@ using Place = std::array<Real, 3>;
 /// The displacement of a driven body along an axis in a stage, as far as the input says it, m since the start.
 struct Move {
   Real begin = 0, end = 0;
+  bool begin_known = true;
   bool known = true;     ///< false: nothing in the input says where it ends; `end` is then `begin`
   bool at_most = false;  ///< the stage may end earlier
   bool moves = false;    ///< in this stage, by a velocity or a force
@@ -28,6 +29,7 @@ struct Move {
 
 /// What a stage does with the body that it drives.
 struct Way {
+  std::size_t stage = 0;
   Index rigid = none;
   std::array<Move, 3> axis;
   Real begin_embedment = 0;  ///< m, w where the stage begins
@@ -66,6 +68,12 @@ struct BodyScene {
   std::vector<RegionScene> regions = {};
 };
 
+/// A load on the surface of the soil: a traction, or the head of a support.
+struct LoadScene {
+  std::string key;            ///< "traction.fill", "support.base.head"
+  std::vector<Place> points;  ///< m, at the start, a little within the soil of a head
+};
+
 /// The boundary that a support holds.
 struct SupportScene {
   Spans space;
@@ -100,6 +108,7 @@ struct Scene {
   std::vector<RigidScene> rigids = {};
   std::vector<BodyScene> bodies = {};
   std::vector<SupportScene> supports = {};              ///< by Case::support
+  std::vector<LoadScene> loads = {};                    ///< tractions, in the order of Case::traction, then heads
   ResolvedWaves resolved = {};                          ///< where a support moves
   std::vector<std::pair<Index, Index>> neighbors = {};  ///< pairs of bodies that lie at each other at the start
   std::vector<Way> ways = {};                           ///< by stage
@@ -136,10 +145,11 @@ struct Scene {
   Real ground_rise(Index rigid, Real from, Real to) const;
 };
 
-/// The scene of a problem by either method; particles: of the material point method, else empty.
+/// The scene of a problem by either method; particles and points of loads: of the material point method, else empty.
 template <int dim>
 Scene scene_of(const problem::Case& c, const input::Places& places, const problem::Model<dim>& model,
-               const std::vector<bodies::Particles<dim>>& particles, const Cost& cost);
+               const std::vector<bodies::Particles<dim>>& particles, const std::vector<problem::LoadPointState<dim>>& load_points,
+               const Cost& cost);
 
 /// How the stages move the bodies that they drive, as far as the input says it. Where a free body goes in a stage that does not drive it is not known.
 template <int dim>
@@ -148,9 +158,13 @@ std::vector<Way> ways_of(const problem::Model<dim>& model);
 /// What a body takes along an axis during a stage.
 Span swept(const Scene& s, const Way& way, int d);
 
-/// Whether the way meets the soil of a body along an axis, or both upwards and along the bed, as far as it is known.
+/// Whether the way meets the soil that a body has at the start along an axis; or both upwards and along the bed, then with what fills have placed by then. As far as
+/// it is known.
 bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d);
-bool may_meet(const Scene& s, const Way& way, const BodyScene& soil);
+bool may_meet(const Scene& s, const Way& way, Index body);
+
+/// Whether a work of earth has begun when a stage does.
+bool has_begun(const Scene& s, const bodies::EarthworkSettings& work, std::size_t stage);
 
 /// Whether it meets any soil that touches the rigid body: a stage may be all in the air.
 bool may_meet_soil(const Scene& s, const Way& way);

@@ -77,6 +77,13 @@ Real largest_cell(const problem::Case& c)
   return std::min({grown, far, bed->layer > 0 ? bed->layer : far});
 }
 
+/// "is 1: " of a clay whose stiffness follows from a rigidity index; else "".
+std::string rigidity_words(const material::Material& material)
+{
+  const auto* clay = material.get_if<material::Clay>();
+  return clay != nullptr && clay->rigidity_index ? fmt::format("is {:.4g}, and ", *clay->rigidity_index) : "";
+}
+
 }  // namespace
 
 void does_gravity_point_down(const Scene& s, Findings& found)
@@ -141,9 +148,33 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
                                                                "such soil flows; soft clay has 1 to 10 kPa: is the unit "
                                                                "right? A plain number is in Pa: write \"{0:.3g} kPa\" where that is meant",
                                                                strength->cohesion, base, weight));
+    constexpr Real cemented = 3;  // of the weight on it at the base
+    if (strength->friction_angle > 20 * degree && weight > 0 && strength->cohesion > cemented * weight)
+      found.warn(
+          soil.key(strength_key(material)),
+          fmt::format(
+              "is {:.3g} kPa beside a friction angle of {:.3g} deg, {:.2g} times the weight above the base of the bed: soil with so much "
+              "of both is rock; sand has 0, silt and clay drained 2 to 20 kPa: is the unit right (\"Pa\")?",
+              strength->cohesion / 1e3, degrees(strength->friction_angle), strength->cohesion / weight));
     if (strength->cohesion > 1e7)
       found.warn(soil.key(strength_key(material)),
                  fmt::format("is {:.3g} kPa, that of rock; soil has up to some hundred kPa: is the unit right?", strength->cohesion / 1e3));
+  }
+}
+
+void does_the_strength_grow_as_that_of_clay(const Scene& s, Findings& found)
+{
+  constexpr Real most = 10;  // of the weight above: 0.2 to 0.35 where it was never overloaded, 0.25 OCR^0.8 else
+  for (const Soil& soil : yielding(s)) {
+    const std::optional<material::Strength> strength = strength_at_rest(soil.material);
+    const Real weight = density(soil.material) * s.gravity;
+    if (!strength || strength->friction_angle > 0 || !(weight > 0) || !(strength->cohesion_gradient > most * weight)) continue;
+    found.warn(
+        soil.key(strength_key(soil.material) + "_gradient"),
+        fmt::format(
+            "is {:.3g} kPa/m, {:.3g} times the submerged unit weight, {:.3g} kN/m3; normally consolidated clay has 0.2 to 0.35 times, "
+            "an overconsolidated one some times that: is the unit right (\"kPa/m\")?",
+            strength->cohesion_gradient / 1e3, strength->cohesion_gradient / weight, weight / 1e3));
   }
 }
 
@@ -192,10 +223,10 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
           key(soil.name),
           fmt::format("is {:.3g} Pa, stiffer than rock: time steps become as small; sand has 5 to 50 MPa: is the unit right?", young));
     else if (is_clay && (index < least_index || index > most_index))
-      found.warn(key(soil.name), fmt::format("is {:.3g} Pa, and with {:.3g} Pa at the base {:.3g} times the strength of the clay there, "
-                                             "{:.3g} Pa; clay has 100 to 2000 times its "
-                                             "strength: is the unit of either right?",
-                                             young, E, index, strength->cohesion));
+      found.warn(key(soil.name),
+                 fmt::format("{}gives Young's modulus E = {:.3g} Pa at the base, {:.3g} times the strength of the clay there, "
+                             "{:.3g} Pa; clay has 100 to 2000 times its strength: is the unit of either right?",
+                             rigidity_words(soil.material), E, index, strength->cohesion));
     else if (!is_clay && !is_rock && (E > rock || (E < peat && E > 0)))
       found.warn(key(soil.name), fmt::format("is {:.3g} Pa, {}; sand has 5 to 50 MPa: is the unit right (\"MPa\")?", young,
                                              E > rock ? "as stiff as rock" : "softer than peat"));

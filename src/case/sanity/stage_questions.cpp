@@ -16,54 +16,107 @@ namespace {
 using problem::StageKind;
 using problem::StageSettings;
 
+/// The freedom of a drive along an axis.
+const problem::FreedomSettings& along_axis(const StageSettings& s, int axis)
+{
+  return axis == 0 ? s.drive.x : axis == 1 ? s.drive.y : s.drive.z;
+}
+
+std::optional<Real> downward_velocity_of_drive(const Scene& scene, const StageSettings& s)
+{
+  const problem::FreedomSettings& up = along_axis(s, scene.up);
+  if (up.force || up.hold || up.free || up.spring || !s.drive.point.empty()) return {};
+  return up.velocity ? -scene.up_sign * *up.velocity : 0;
+}
+
 /// Downward speed where a velocity gives it, m/s.
-std::optional<Real> downward_velocity(const StageSettings& s)
+std::optional<Real> downward_velocity(const Scene& scene, const StageSettings& s)
 {
   if (has_load_history(s)) return {};
   if (s.kind == StageKind::push) return s.velocity;
+  if (s.kind == StageKind::drive) return downward_velocity_of_drive(scene, s);
   if (s.kind == StageKind::drag && s.vertical == problem::Vertical::fixed) return 0;
   return s.kind == StageKind::drag ? s.vertical_velocity : std::nullopt;
 }
 
-bool is_lifted(const StageSettings& s)
+bool is_lifted(const Scene& scene, const StageSettings& s)
 {
-  return downward_velocity(s).value_or(0) < 0;
+  return downward_velocity(scene, s).value_or(0) < 0;
+}
+
+constexpr const char* problem_axes[] = {"x", "y", "z"};
+
+/// m, from the body where a stage begins to the end of the mesh along an axis.
+Real room_to(const Scene& scene, const Way& way, int axis, Real sign)
+{
+  const Span &body = scene.rigids[way.rigid].space[axis], &mesh = scene.mesh[axis];
+  const Real moved = way.axis[axis].begin;
+  return sign > 0 ? mesh.to - (body.to + moved) : body.from + moved - mesh.from;
+}
+
+/// The direction in which a force drives a body that nothing else moves; empty where there are several or none.
+struct Direction {
+  int axis;
+  Real sign;
+};
+std::optional<Direction> only_force(const Scene& scene, const StageSettings& s)
+{
+  std::optional<Direction> found;
+  if (s.kind != StageKind::drive || has_load_history(s) || !s.drive.point.empty()) return {};
+  for (int d = 0; d < scene.c.dimension(); ++d) {
+    const problem::FreedomSettings& along = along_axis(s, d);
+    if (along.velocity.value_or(0) != 0 || along.hold || along.free || along.spring || (along.force && found)) return {};
+    if (along.force && *along.force != 0) found = {d, *along.force > 0 ? Real(1) : Real(-1)};
+  }
+  return found;
 }
 
 /// Whether the body is at the limit or beyond when the stage begins.
-bool is_there_already(const StageSettings& s, const Way& way)
+bool is_there_already(const Scene& scene, const StageSettings& s, const Way& way)
 {
   if (!s.until.embedment || !way.begin_known) return false;
-  return is_lifted(s) ? *s.until.embedment >= way.begin_embedment : *s.until.embedment <= way.begin_embedment;
+  return is_lifted(scene, s) ? *s.until.embedment >= way.begin_embedment : *s.until.embedment <= way.begin_embedment;
 }
 
 /// What stops a stage is listed here, for one limit after the other: why it is never reached, or reached at once; "" where it can be.
-std::string fault_of_embedment(const StageSettings& s, const Way& way)
+std::string fault_of_embedment(const Scene& scene, const StageSettings& s, const Way& way)
 {
   if (!s.until.embedment) return "";
   const Real wanted = *s.until.embedment, w = way.begin_embedment;
-  const std::optional<Real> down = downward_velocity(s);
-  if (is_there_already(s, way) && is_lifted(s))
+  const std::optional<Real> down = downward_velocity(scene, s);
+  if (is_there_already(scene, s, way) && is_lifted(scene, s))
     return fmt::format(
         "{} is never reached: the body moves up (velocity {}) from w = {}; name a smaller one, make the velocity positive, or "
         "end the stage by a time",
         words_of(wanted, "m"), words_of(*down, "m/s"), words_of(w, "m"));
-  if (is_there_already(s, way))
+  if (is_there_already(scene, s, way))
     return fmt::format("{} is reached before the stage begins, with w = {}: name a larger one", words_of(wanted, "m"), words_of(w, "m"));
   if (down && *down == 0)
     return fmt::format(
         "{} is never reached: the body moves not vertically (velocity {}); make the velocity positive, or end the stage by a "
         "time",
         words_of(wanted, "m"), words_of(*down, "m/s"));
+  const Real deepest = s.until.embedment && scene.rigids[way.rigid].bounded ? room_to(scene, way, scene.up, -scene.up_sign) + w : infinity;
+  if (way.begin_known && !way.axis[scene.up].known && wanted > deepest)
+    return fmt::format("{} is never reached: the mesh ends at w = {}; name a smaller one, or make the mesh deeper", words_of(wanted, "m"),
+                       words_of(deepest, "m"));
   return "";
 }
 
-std::string fault_of_displacement(const StageSettings& s)
+std::string fault_of_displacement(const Scene& scene, const StageSettings& s, const Way& way)
 {
   if (!s.until.displacement) return "";
   if (s.kind == StageKind::push) return "is horizontal, and a push moves down only: end it by embedment, force or time";
   if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "is never reached: velocity is 0";
   if (s.kind == StageKind::drive && !is_by_force(s) && speed_of(s) == 0) return "is never reached: nothing in [stage.drive] moves the body";
+  if (const auto way_out = only_force(scene, s); way_out && scene.rigids[way.rigid].bounded && way.axis[way_out->axis].begin_known) {
+    const Real room = room_to(scene, way, way_out->axis, way_out->sign);
+    if (*s.until.displacement > room)
+      return fmt::format(
+          "{} is never reached: the force moves the body towards {}{}, where the mesh ends {} from it; name a smaller one, or "
+          "make the mesh larger there",
+          words_of(*s.until.displacement, "m"), way_out->sign > 0 ? "+" : "-", problem_axes[way_out->axis], words_of(room, "m"));
+  }
   return "";
 }
 
@@ -88,11 +141,11 @@ std::optional<Real> force_before(const Scene& s, std::size_t k)
   return 0;
 }
 
-std::string fault_of_force(const StageSettings& s, const std::optional<Real>& before, const char* unit)
+std::string fault_of_force(const Scene& scene, const StageSettings& s, const std::optional<Real>& before, const char* unit)
 {
   if (!s.until.force || has_load_history(s)) return "";
   if (s.kind == StageKind::push && s.velocity && *s.velocity == 0) return "is never reached: the body moves not at all (velocity 0 m/s)";
-  if (is_lifted(s) && before && *s.until.force >= *before)
+  if (s.kind == StageKind::push && is_lifted(scene, s) && before && *s.until.force >= *before)
     return fmt::format(
         "{0:.3g} {2} is reached before the stage begins: V is {1:.3g} {2} there, and falls while the body moves up (velocity "
         "{3}); name a smaller one, less than 0 where the soil is to hold the body down; or make the velocity positive",
@@ -101,6 +154,8 @@ std::string fault_of_force(const StageSettings& s, const std::optional<Real>& be
   if (s.kind == StageKind::push && s.force && largest < *s.until.force && !(before.value_or(0) > *s.until.force))
     return fmt::format("{0:.3g} {2} is never reached: the drive gives {1:.3g} {2}", *s.until.force, largest, unit);
   if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "is never reached: velocity is 0";
+  if (s.kind == StageKind::drag && s.force && std::abs(*s.force) < *s.until.force)
+    return fmt::format("{0:.3g} {2} is never reached: the drive gives {1:.3g} {2}", *s.until.force, std::abs(*s.force), unit);
   return "";
 }
 
@@ -154,9 +209,9 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const StageSettings& stage = s.c.stage[k];
     if (s.ways[k].rigid == none) continue;
-    const std::string w = fault_of_embedment(stage, s.ways[k]), u = fault_of_displacement(stage),
-                      force = fault_of_force(stage, force_before(s, k), force_unit(s.c));
-    const bool at_once = is_there_already(stage, s.ways[k]);
+    const std::string w = fault_of_embedment(s, stage, s.ways[k]), u = fault_of_displacement(s, stage, s.ways[k]),
+                      force = fault_of_force(s, stage, force_before(s, k), force_unit(s.c));
+    const bool at_once = is_there_already(s, stage, s.ways[k]);
     const bool ends = stage.until.time || (stage.until.embedment && w.empty()) || (stage.until.displacement && u.empty()) ||
                       (stage.until.force && force.empty());
     for (const auto& [key, fault] : {std::pair("embedment", w), {"displacement", u}, {"force", force}}) {
@@ -166,11 +221,20 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
       else
         found.refuse(stage_key(k, std::string("until.") + key), fault);
     }
-    const bool by_force_alone = s.is_mpm() && stage.force && !has_load_history(stage) && !stage.until.time && !(stage.until.force);
-    if (by_force_alone)
+    const Real width = s.rigids[s.ways[k].rigid].width;
+    constexpr Real nothing = 5e-3;  // of the width
+    if (const std::optional<Real> travel = stage.until.displacement; travel && *travel < nothing * width && s.is_mpm())
+      found.warn(
+          stage_key(k, "until.displacement"),
+          fmt::format("is {}, {:.2g} of the width of the body, and a resistance takes hundredths of it to build up: is the unit right?",
+                      words_of(*travel, "m"), *travel / width));
+    const std::optional<Direction> drive = only_force(s, stage);
+    const Real force_alone = stage.force.value_or(drive ? along_axis(stage, drive->axis).force.value_or(0) : 0);
+    const bool ends_by_itself = has_load_history(stage) || stage.until.time || stage.until.force || stage.until.consolidation;
+    if (s.is_mpm() && force_alone != 0 && !ends_by_itself)
       found.warn(stage_key(k, "until"),
                  fmt::format("may never be reached: a force of {:.3g} {} drives, and the soil may bear it before; add until.time as well",
-                             *stage.force, force_unit(s.c)));
+                             force_alone, force_unit(s.c)));
   }
 }
 
@@ -350,7 +414,7 @@ void is_there_time_for_equilibrium(const Scene& s, Findings& found)
 
 void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found)
 {
-  constexpr Real light = 0.02, no_mass = 1e-4, heavy = 1000;
+  constexpr Real light = 0.02, no_mass = 1e-4, heavy = 200;
   std::vector<char> asked(s.rigids.size(), 0);
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
@@ -370,6 +434,33 @@ void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found)
     else if (mass > heavy * soil)
       found.warn(key,
                  fmt::format("is {}, so large that the force is not held: it moves on by its own inertia; {}", words_of(mass, unit), rest));
+  }
+}
+
+void is_the_mass_that_of_the_weight(const Scene& s, Findings& found)
+{
+  constexpr Real rounding = 0.95;
+  if (!s.is_mpm() || !(s.gravity > 0)) return;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Index rigid = s.ways[k].rigid;
+    const StageSettings& stage = s.c.stage[k];
+    if (rigid == none || !bodies::pipe_section(s.c.rigid[rigid].second.shape)) continue;
+    const auto& column = stage.loads.of("V");
+    Real weight = stage.vertical_force.value_or(column.empty() ? 0 : *std::max_element(column.begin(), column.end()));
+    if (stage.kind == StageKind::drag && weight == 0 && stage.vertical == problem::Vertical::hold) weight = force_before(s, k).value_or(0);
+    const std::optional<Direction> drive = only_force(s, stage);
+    const bool sinks = drive && drive->axis == s.up && drive->sign == -s.up_sign,
+               moves = sinks || (has_load_history(stage) && stage.kind == StageKind::drag && !stage.velocity);
+    if (sinks) weight = std::abs(*along_axis(stage, s.up).force);
+    const Real mass = s.c.rigid[rigid].second.mass;
+    if (!moves || !(mass < rounding * weight / s.gravity)) continue;
+    const char* unit = s.c.force_dimension() == 2 ? "kg/m" : "kg";
+    found.warn(fmt::format("rigid.{}.mass", s.c.rigid[rigid].first),
+               fmt::format("is {}, less than its weight in water over g, {}: how it moves in stage \"{}\" depends on its mass; take "
+                           "that, the water that it displaces and the water that goes along, {} or more",
+                           words_of(mass, unit), words_of(weight / s.gravity, unit), stage.name,
+                           words_of(rounded_up(weight / s.gravity), unit)));
+    return;
   }
 }
 
@@ -404,6 +495,13 @@ void do_forces_press_down(const Scene& s, Findings& found)
     if (stage.kind == StageKind::push && stage.force && *stage.force < 0)
       found.warn(stage_key(k, "force"),
                  fmt::format("is {:.3g} {}: it lifts the body; a push down is positive", *stage.force, force_unit(s.c)));
+    const Real pull = stage.kind == StageKind::drive ? s.up_sign * along_axis(stage, s.up).force.value_or(0) : 0;
+    const bool bare = s.ways[k].begin_known && s.rigids[s.ways[k].rigid].bounded &&
+                      s.ways[k].begin_embedment < s.rigids[s.ways[k].rigid].space[s.up].length();
+    if (pull > 0 && bare)
+      found.warn(stage_key(k, fmt::format("drive.{}.force", problem_axes[s.up])),
+                 fmt::format("is {:.3g} {} upwards, and no soil lies above the body: it flies off; a weight is less than 0 along {}", pull,
+                             force_unit(s.c), problem_axes[s.up]));
     const bool varies = stage.loads.drives(problem::LoadAlong::downwards);
     const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity && !varies;
     if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)

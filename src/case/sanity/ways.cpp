@@ -62,13 +62,14 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     Way& way = ways[k];
     let_free_bodies_go(model, k, now);
+    way.stage = k;
     way.rigid = model.driven[k];
     if (way.rigid == none) continue;
     const problem::StageSettings& s = model.stages[k];
     const bodies::RigidBody<dim>& rigid = model.rigid_bodies[way.rigid];
     const auto drives = problem::drives_of<dim>(s, model.axes, rigid.rotation == bodies::Rotation::free);
     way.axis = now[way.rigid];
-    for (Move& move : way.axis) move.begin = move.end;
+    for (Move& move : way.axis) move.begin = move.end, move.begin_known = move.known && !move.at_most;
     way.begin_known = way.axis[model.axes.up].known && !way.axis[model.axes.up].at_most;
     Vec<dim> center = center_of<dim>(rigid.shape);
     for (int d = 0; d < dim; ++d) center[d] += way.axis[d].begin;
@@ -114,9 +115,28 @@ bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d)
   return path.from <= top + slack && path.to >= soil.space[d].from - slack;
 }
 
-bool may_meet(const Scene& s, const Way& way, const BodyScene& soil)
+bool has_begun(const Scene& s, const bodies::EarthworkSettings& work, std::size_t stage)
 {
-  return may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along);
+  for (std::size_t k = 0; k <= stage; ++k)
+    if (s.c.stage[k].name == work.stage) return true;
+  return false;
+}
+
+bool may_meet(const Scene& s, const Way& way, Index body)
+{
+  const auto meets = [&](const BodyScene& soil) { return may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along); };
+  if (meets(s.bodies[body])) return true;
+  const std::vector<bodies::FillSettings>& fills = s.c.body[body].second.fill;
+  return std::any_of(fills.begin(), fills.end(), [&](const bodies::FillSettings& fill) {
+    if (!has_begun(s, fill, way.stage)) return false;
+    const auto overlaps = [&](int d, const std::vector<Real>& corners) {
+      if (!way.axis[d].known) return true;
+      const auto [least, most] = std::minmax_element(corners.begin(), corners.end());
+      const Span path = swept(s, way, d);
+      return path.from <= *most && path.to >= *least;
+    };
+    return overlaps(0, fill.area.x) && overlaps(1, fill.area.y);
+  });
 }
 
 bool may_meet_soil(const Scene& s, const Way& way)
@@ -124,7 +144,7 @@ bool may_meet_soil(const Scene& s, const Way& way)
   if (!s.rigids[way.rigid].bounded) return true;
   const std::string& name = s.c.rigid[way.rigid].first;
   return std::any_of(s.c.contact.begin(), s.c.contact.end(), [&](const auto& contact) {
-    return contact.second.rigid == name && may_meet(s, way, s.bodies[problem::index_of(s.c.body, contact.second.body)]);
+    return contact.second.rigid == name && may_meet(s, way, problem::index_of(s.c.body, contact.second.body));
   });
 }
 

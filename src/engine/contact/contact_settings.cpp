@@ -2,6 +2,8 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "contact/contact_settings.hpp"
 
+#include "core/usual.hpp"
+
 namespace berm::contact {
 
 void describe(Describe& d, SoilInterfaceSettings& soil)
@@ -74,6 +76,7 @@ void describe(Describe& d, ContactSettings& contact)
       {.meaning =
            "what the interface is beside some materials of the body, where this differs from layer to layer; beside the others it is as "
            "above"});
+  declare_usual(d, {{"adhesion_sensitivity", {1, 50}}, {"tension", {0, 5e6}}});
 }
 
 }  // namespace berm::contact

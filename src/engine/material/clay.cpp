@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/clay.hpp"
 
+#include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
 #include "material/mohr_coulomb.hpp"
 
@@ -9,6 +10,8 @@
 
 namespace berm::material {
 namespace {
+
+constexpr Real hard_clay = 5e5;  // Pa: what is stronger is rock
 
 Real young_modulus_of(const Clay& law)
 {
@@ -58,6 +61,14 @@ void describe(Describe& d, Clay& law)
                       "depends less on the mesh; left out, by itself",
            .unit = "m",
            .range = positive});
+  declare_usual(d, {{"undrained_strength", {0, hard_clay}},
+                    {"profile.undrained_strength", {0, hard_clay}},
+                    {"shansep.pop", {0, 1e7}},
+                    {"shansep.ocr", {0, 100}},
+                    {"poisson_ratio", {0.3, 0.495}},
+                    {"sensitivity", {1, 50}},
+                    {"ductility", {0.5, 500}},
+                    {"rate_parameter", {0.01, 0.5}}});
   take_surface_strength(law);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/modified_cam_clay.hpp"
 
+#include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
 
 #include <algorithm>
@@ -26,6 +27,11 @@ void describe(Describe& d, ModifiedCamClay& law)
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
           {.meaning = "largest vertical effective stress of the past over that at the start", .range = {1, infinity}});
   describe_pressure_elasticity(d, law);
+  declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},
+                    {"compression_index", {5e-3, 1.5}},
+                    {"swelling_index", {5e-4, 0.5}},
+                    {"void_ratio", {0.15, 6}},
+                    {"overconsolidation_ratio", {1, 100}}});
 }
 
 void check(Describe& d, const std::string& path, const ModifiedCamClay& law)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/mohr_coulomb.hpp"
 
+#include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
 #include "material/principal_axes.hpp"
 #include "material/shear_band.hpp"
@@ -39,6 +40,7 @@ void describe(Describe& d, MohrCoulomb& law)
                       "0.2 where dilation_angle is above 0, else 0",
            .range = {0, 1},
            .formerly = "most_opening"});
+  declare_usual(d, {{"d50", {1e-6, 0.2}}});
   take_surface_strength(law);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/norsand.hpp"
 
+#include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
 #include "material/modified_cam_clay.hpp"
 
@@ -46,6 +47,14 @@ void describe(Describe& d, NorSand& law)
           {.meaning = "p' of the past over that at the start, at the same q / p'", .range = {1, infinity}});
   d.value("rigidity", law.rigidity, {.meaning = "G / p'; 200 to 1000", .range = positive, .required = true});
   describe_pressure_elasticity(d, law);
+  declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},
+                    {"critical_void_ratio", {0.4, 2.5}},
+                    {"critical_line_slope", {3e-3, 0.3}},
+                    {"dilatancy", {1, 10}},
+                    {"hardening_modulus", {10, 2000}},
+                    {"void_ratio", {0.15, 3}},
+                    {"overconsolidation_ratio", {1, 100}},
+                    {"rigidity", {50, 5000}}});
 }
 
 void check(Describe& d, const std::string& path, const NorSand& law)

@@ -2,6 +2,8 @@
 // Tests: tests/unit/material/undrained_test.cpp
 #include "material/pore_water.hpp"
 
+#include "core/usual.hpp"
+
 namespace berm::material {
 
 void describe(Describe& d, PoreWater& water)
@@ -41,6 +43,7 @@ void describe(Describe& d, PoreWater& water)
           {.meaning = "smallest excess pore pressure, compression positive, instead of that of water_depth",
            .unit = "Pa",
            .range = {-infinity, 0}});
+  declare_usual(d, {{"bulk_modulus", {1e5, 1e10}}, {"real_permeability", {1e-13, 0.1}}, {"water_depth", {0, 11000}}});
 }
 
 Real min_pore_pressure(const PoreWater& water)

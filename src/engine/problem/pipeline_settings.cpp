@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_pipeline_test.cpp
 #include "problem/pipeline_settings.hpp"
 
+#include "core/usual.hpp"
 #include "problem/case.hpp"
 
 #include <algorithm>
@@ -106,6 +107,11 @@ void describe(Describe& d, FarSoil& soil)
   d.optional_table("lateral", soil.lateral, {.meaning = "resistance sideways over displacement, instead of friction and mobilisation"});
   d.value("macro_element", soil.macro_element,
           {.meaning = "file of berm macro-element, beside the case file, instead of the other keys: resistance in all directions"});
+  declare_usual(d, {{"friction", {0.05, 3}},
+                    {"axial_friction", {0.05, 2}},
+                    {"axial_strength", {0, 5e5}},
+                    {"mobilisation", {1e-4, 1}},
+                    {"axial_mobilisation", {1e-4, 0.5}}});
 }
 
 void describe(Describe& d, PipelineSettings& pipeline)
@@ -151,6 +157,12 @@ void describe(Describe& d, PipelineSettings& pipeline)
           {.meaning = "vertical force over momentum of the line: takes what the soil's reaction, one step late, would add",
            .unit = "1/s",
            .range = not_negative});
+  declare_usual(d, {{"young_modulus", {5e8, 4.5e11}},  // of polyethylene to that of what is stiffer than carbon fibre
+                    {"bending_stiffness", {10, 1e11}},
+                    {"axial_stiffness", {1e5, 1e12}},
+                    {"expansion", {1e-6, 3e-4}},
+                    {"submerged_weight", {10, 5e4}},
+                    {"lay_tension", {100, 2e7}}});
 }
 
 namespace {

@@ -2,6 +2,8 @@
 // Tests: tests/unit/problem/stages_test.cpp
 #include "problem/stage.hpp"
 
+#include "core/usual.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -78,6 +80,7 @@ void describe(Describe& d, Until& until)
           {.meaning =
                "geostatic: the soil is in equilibrium and at rest, as `equilibrium` of the stage says; of a geostatic stage that names no "
                "end it is true. `time` is then the most that it may take; left out: what waves and damping need"});
+  declare_usual(d, {{"real_time", {1, 1e10}}});
 }
 
 void describe(Describe& d, PipelineLoads& loads)
@@ -89,6 +92,12 @@ void describe(Describe& d, PipelineLoads& loads)
   d.value("weight", loads.weight, {.meaning = "submerged weight", .unit = "N/m", .range = positive});
   d.value("lateral", loads.lateral, {.meaning = "load sideways, along x of the slices, such as that of a current", .unit = "N/m"});
   d.value("pull", loads.pull, {.meaning = "effective tension at the far end, where nothing anchors it", .unit = "N"});
+  declare_usual(d, {{"temperature", {0, 250}},
+                    {"far_temperature", {0, 250}},
+                    {"pressure", {1e4, 2e8}},
+                    {"weight", {10, 5e4}},
+                    {"lateral", {0.1, 5e4}},
+                    {"pull", {100, 2e7}}});
 }
 
 void describe(Describe& d, StageSettings& stage)

@@ -172,6 +172,12 @@ void give_shape(beam::Line& line, const problem::PipelineSettings& p)
   if (p.imperfection.amplitude == 0) return;
   const Real a = p.imperfection.amplitude, k = 2 * pi / p.imperfection.length, half = p.imperfection.length / 2;
   const Real b = a * 4 / (3 * std::sqrt(3.0));  // (1 + cos) sin has its largest, 3 sqrt(3)/4, at 60 degrees
+  const Real steepest = p.half == problem::LineHalf::symmetric ? std::abs(a) * k / 2 : 2 * std::abs(b) * k;
+  if (!(steepest <= beam::largest_valid_slope))
+    throw KeyError(fmt::format(
+        "pipeline.imperfection.amplitude: is {:.4g} m in a length of {:.4g} m, a slope of {:.3g}, and the strain of the line is "
+        "meant for {:g} at most: make it {:.2g} m or less, or longer",
+        a, p.imperfection.length, steepest, beam::largest_valid_slope, std::abs(a) * beam::largest_valid_slope / steepest));
   if (p.half == problem::LineHalf::symmetric)
     beam::set_shape(
         line, beam::Plane::lateral, [&](Real x) { return x < half ? a * (1 + std::cos(k * x)) / 2 : 0; },

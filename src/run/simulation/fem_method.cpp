@@ -128,7 +128,7 @@ sanity::Scene FemMethod::scene(const RunRequest& request, int) const
   constexpr Real bytes_of_node = 200;  // with its part of the elements
   cost.frame_bytes = bytes_of_node * static_cast<Real>(problem_.model.mesh.node_count());
   cost.free_bytes = free_disk(request.folder);
-  return sanity::scene_of<2>(request.settings, request.places, model(), {}, cost);
+  return sanity::scene_of<2>(request.settings, request.places, model(), {}, {}, cost);
 }
 
 void FemMethod::begin(bool at_start)

@@ -269,7 +269,7 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
         static_cast<Real>(particles.size()) * static_cast<Real>(run_folder::bytes_of_point_in_file<d>(particles.extra_size()));
   cost.free_bytes = free_disk(request.folder);
   cost.particle_steps_per_s = of_a_thread * threads;
-  return sanity::scene_of(request.settings, request.places, model(), state().particles, cost);
+  return sanity::scene_of(request.settings, request.places, model(), state().particles, state().load_points, cost);
 }
 
 template <int d>
