@@ -534,8 +534,9 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   state.overstress = carried > 0 ? over / carried : 0;
   if (model_.rigid == none) return;
   bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.rigid];
-  rigid.reaction = rigid.smooth_reaction = reaction();
+  rigid.reaction = reaction();
   rigid.torque = torque();
+  rigid.recent = bodies::RecentReaction<2>::steady(rigid.reaction, rigid.torque);
   const Index first = model_.rigid_unknown();
   rigid.displacement = Vec<2>(state.displacement[first], state.displacement[first + 1]);
   rigid.orientation.angle = state.displacement[first + 2];

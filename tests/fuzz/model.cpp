@@ -50,7 +50,7 @@ void make_steps(const problem::Case& c)
 {
   problem::Problem<dim> problem = build<dim>(c, "", scratch);
   mpm::Workspace<dim> workspace(problem.model, problem.state);
-  stable_time_step(problem.model, problem.state, workspace);
+  stable_time_steps(problem.model, problem.state, workspace);
   for (int n = 0; n < 3; ++n) {
     step(problem.model, problem.state, workspace);
     stage_ended(problem.model, problem.state);

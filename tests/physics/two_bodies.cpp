@@ -105,7 +105,7 @@ Real worst_approach(Simulation<2>& run)
     for (const contact::ContactPoint<2>& point : run.workspace.contact_points[k].list) {
       const Index node = point.nodes[0];
       const Real approach = -(velocity(contact.body, node) - velocity(contact.other_body, node)).dot(point.normal);
-      worst = std::max(worst, approach - std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt));
+      worst = std::max(worst, approach - std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.default_dt));
     }
   }
   return worst;

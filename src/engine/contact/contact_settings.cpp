@@ -59,7 +59,8 @@ void describe(Describe& d, ContactSettings& contact)
                 "closed their gap, at a speed limited by the gap; nodes with particles of both bodies in their cells (as published); "
                 "nodes whose particles touch; or particles at the surface of a rigid body"});
   d.value("gap_closing_steps", contact.gap_closing_steps,
-          {.meaning = "time steps over which a gap may close, with detection by gap or particle",
+          {.meaning =
+               "time over which a gap may close, with detection by gap or particle: so many steps, as long as they are without mpm.courant",
            .range = {1, 1000},
            .formerly = "approach_steps"});
   d.choice(

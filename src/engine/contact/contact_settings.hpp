@@ -77,7 +77,7 @@ struct ContactSettings {
   Real tension = 0;               ///< Pa, tensile normal stress that a bonded interface carries; infinite: it never parts
   Scheme scheme = Scheme::musl_coupled;
   Detection detection = Detection::automatic;
-  Real gap_closing_steps = 20;              ///< T/dt: a gap closes over this many steps
+  Real gap_closing_steps = 20;              ///< T: a gap closes over this many steps of default length
   bool drained = false;                     ///< the water of consolidating soil crosses the surface of the rigid body
   std::vector<SoilInterfaceSettings> soil;  ///< beside materials of the body that differ from the rest
   ParticleRim particle_rim = ParticleRim::whole;

@@ -122,7 +122,7 @@ void correct_point(const problem::State<dim>& state, Workspace<dim>& workspace, 
   const bool tied = rules_of(contact.scheme).tied;
   if (!(point.mass.normal > 0) || (tied && point.gap > 0)) return;
   const Vec<dim> relative = relative_velocity(workspace, contact, point, field);
-  const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt);
+  const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.default_dt);
   const Real adhesion = contact.adhesion_law.differs() ? point.adhesion : contact.adhesion;
   const contact::Interface interface = {contact.adhesion_law.by_soil.empty() ? contact.friction : point.friction,
                                         adhesion * point.area * state.dt,
@@ -279,7 +279,7 @@ void push_out(const problem::Model<dim>& model, const problem::State<dim>& state
     const Real max = of_wave * model.bodies[contact.body].waves.slowest;
     contact::for_each_point(workspace.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
       if (!(point.distance < 0) || !(point.mass.normal > 0)) return;
-      const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.dt), max);
+      const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.default_dt), max);
       const Real lacking = wanted - relative_velocity(workspace, contact, point, Moved<dim>{}).dot(point.normal);
       if (lacking > 0) push(workspace, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
     });

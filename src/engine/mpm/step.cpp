@@ -120,7 +120,9 @@ void find_stable_time_step(const problem::Model<dim>& model, problem::State<dim>
 {
   if (state.stable_dt_holds) return;
   update_inactive_cells(model, state, workspace);
-  state.stable_dt = stable_time_step(model, state, workspace);
+  const TimeSteps found = stable_time_steps(model, state, workspace);
+  state.stable_dt = found.stable;
+  state.default_dt = found.by_default;
   refuse_overlap(model, state);
   state.stable_dt_holds = true;
 }
@@ -137,7 +139,7 @@ void take_step(const problem::Model<dim>& model, problem::State<dim>& state, Wor
     update_stress_first(model, state, workspace);
   else
     update_stress_last(model, state, workspace);
-  move_rigids(state);
+  move_rigids(model, state);
   state.time += state.dt;
   ++state.step;
   state.stable_dt_holds = state.step % steps_between_time_steps != 0;

@@ -106,7 +106,7 @@ constexpr Real min_part = 1e-3;
 }  // namespace
 
 template <int dim>
-Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace)
+TimeSteps stable_time_steps(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace)
 {
   Real fastest = 0;
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r) {
@@ -152,20 +152,22 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   if (!std::isfinite(fastest))
     throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try {}", state.time, state.step, smaller_step(model.mpm)));
 
-  const Real courant = model.mpm.courant.value_or(default_courant), most = stable_courant(model);
-  Real min = infinity, min_at_rest = infinity;
+  const Real most = stable_courant(model), courant = std::min(model.mpm.courant.value_or(default_courant), most);
+  Real min = infinity, min_at_rest = infinity, by_default = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Real wave_speed = model.bodies[b].waves.fastest;
     const auto& occupied = state.particles[b].occupied();  // the time step does not depend on which soil rests
     const Real steepest = ranks.largest(largest_of("smallest height", static_cast<Index>(occupied.size()), 0, [&](Index c) {
       return stiffest_square(model.mesh, occupied[c], workspace.grids[b].shape(model.mesh, occupied[c]));
     }));
-    const Real length =
-        std::max(std::min(courant, most) / std::sqrt(steepest), default_stable_part * most * model.bodies[b].critical_length);
+    const Real of_mesh =
+        std::max(std::min(default_courant, most) / std::sqrt(steepest), default_stable_part * most * model.bodies[b].critical_length);
+    const Real length = model.mpm.courant ? courant / std::sqrt(steepest) : of_mesh;
     min = std::min(min, length / (wave_speed + fastest));
+    by_default = std::min(by_default, of_mesh / (wave_speed + fastest));
     min_at_rest = std::min(min_at_rest, length / wave_speed);
   }
-  const Real dt = std::min(min, std::min(courant, most) * limit_of_springs(model, state));
+  const Real dt = std::min(min, courant * limit_of_springs(model, state));
   if (min < min_part * min_at_rest || state.time + dt == state.time) {
     const auto [of_rank, words] = fastest_of(model, state, workspace);
     const Real speed = ranks.largest(of_rank);
@@ -174,7 +176,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
                                "which moves at {:.3g} m/s; try {}, and check velocities and loads",
                                dt, min_at_rest, state.time, state.step, what, speed, smaller_step(model.mpm)));
   }
-  return dt;
+  return {dt, by_default};
 }
 
 std::string smaller_step(const problem::MpmSettings& settings)
@@ -183,7 +185,7 @@ std::string smaller_step(const problem::MpmSettings& settings)
                           : "mpm.courant = 0.4 or less (now it is not set)";
 }
 
-template Real stable_time_step(const problem::Model<2>&, const problem::State<2>&, const Workspace<2>&);
-template Real stable_time_step(const problem::Model<3>&, const problem::State<3>&, const Workspace<3>&);
+template TimeSteps stable_time_steps(const problem::Model<2>&, const problem::State<2>&, const Workspace<2>&);
+template TimeSteps stable_time_steps(const problem::Model<3>&, const problem::State<3>&, const Workspace<3>&);
 
 }  // namespace berm::mpm

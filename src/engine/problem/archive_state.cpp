@@ -57,13 +57,21 @@ namespace {
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
-  static_assert(sizeof(rigid) == (dim == 2 ? 4 * 2 + 3 : 6 * 3 + 4) * sizeof(Real));
+  static_assert(sizeof(rigid) == (dim == 2 ? 6 * 2 + 6 : 10 * 3 + 4) * sizeof(Real));
   problem::archive(k, static_cast<bodies::Pose<dim>&>(rigid));
   k("velocity", rigid.velocity);
   k("angular_velocity", rigid.angular_velocity);
   k("reaction", rigid.reaction);
-  k("smooth_reaction", rigid.smooth_reaction);
   k("torque", rigid.torque);
+  k.table("recent", [&] {
+    k("way", rigid.recent.way);
+    k("lag", rigid.recent.lag);
+    k("variance", rigid.recent.variance);
+    k("mean_force", rigid.recent.mean_force);
+    k("force_covariance", rigid.recent.force_covariance);
+    k("mean_torque", rigid.recent.mean_torque);
+    k("torque_covariance", rigid.recent.torque_covariance);
+  });
 }
 
 }  // namespace
@@ -210,6 +218,7 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   if (k.reads() && (state.step < 0 || state.step > max_steps)) k.refuse(fmt::format("there is no step {}", state.step));
   k("dt", state.dt);
   k("stable_dt", state.stable_dt);
+  k("default_dt", state.default_dt);
   k("stable_dt_holds", state.stable_dt_holds);
   k("max_dt", state.max_dt);
   k.table("stage", [&] { archive(k, model, state.stage); });

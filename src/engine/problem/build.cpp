@@ -280,12 +280,12 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   return model;
 }
 
-/// Where the time step is by the whole mesh: of soil that can yield, with the filter that takes out what the nodes cannot carry. Elastic bodies have no filter and
+/// Where the time step without mpm.courant is by the whole mesh: of soil that can yield, with the filter that takes out what the nodes cannot carry. Elastic bodies have no filter and
 /// shake before the mesh does, and so does soil whose stress is updated first; water that flows has waves of its own. A line feels its soil one step late.
 template <int dim>
 void set_critical_lengths(const Case& c, Model<dim>& model)
 {
-  if (c.pipeline || model.mpm.courant || model.update_stress_first || model.mpm.velocity_filter == 0) return;
+  if (c.pipeline || model.update_stress_first || model.mpm.velocity_filter == 0) return;
   for (Body<dim>& body : model.bodies) {
     const std::vector<material::Material>& materials = body.soil.materials;
     if (body.flows() || !std::all_of(materials.begin(), materials.end(), [](const material::Material& m) { return yields(m); })) continue;
@@ -311,6 +311,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, model.mpm.volumetric_projection ? mesh::patch_cells<dim> : 1);
   set_critical_lengths(c, model);
+  set_fading(model);
   state.rigid_bodies.resize(model.rigid_bodies.size());
   state.contact_sums.resize(model.rigid_bodies.size());
   for (const DepthSlices& slices : model.depth_slices) {

@@ -11,12 +11,12 @@ namespace {
 constexpr Real margin = 4;
 constexpr Real patience = 10;  // of a trial of the factor of safety: soil near its limit moves slowly
 
-/// The slowest shear wave of a body's soil, down to a depth, m/s.
-Real slowest_shear_wave(const BodySoil& soil, Real depth)
+/// The slowest wave of a body's soil, down to a depth, m/s: that of a modulus (Pa).
+Real slowest_wave(const BodySoil& soil, Real depth, Real (*modulus)(const material::Material&))
 {
   constexpr int parts = 10;
   Real slowest = infinity;
-  const auto add = [&](const material::Material& m) { slowest = std::min(slowest, std::sqrt(elasticity(m).shear / inertia_density(m))); };
+  const auto add = [&](const material::Material& m) { slowest = std::min(slowest, std::sqrt(modulus(m) / inertia_density(m))); };
   for (int k = 1; k <= parts; ++k) {  // at the surface itself soil may have no stiffness
     add(soil.at("", depth * k / parts));
     for (const auto& entry : soil.of_region) add(soil.at(entry.first, depth * k / parts));
@@ -69,8 +69,25 @@ Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles
 {
   const Real depth = depth_of(model, particles);
   Real slowest = infinity;
-  for (const Body<dim>& body : model.bodies) slowest = std::min(slowest, slowest_shear_wave(body.soil, depth));
+  for (const Body<dim>& body : model.bodies)
+    slowest = std::min(slowest, slowest_wave(body.soil, depth, [](const material::Material& m) { return elasticity(m).shear; }));
   return 4 * depth / slowest;
+}
+
+template <int dim>
+void set_fading(Model<dim>& model)
+{
+  constexpr Real of_width = 0.01, crossings = 10;
+  for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {
+    bodies::RigidBody<dim>& rigid = model.rigid_bodies[r];
+    const Real own = width_of<dim>(rigid.shape), width = own > 0 ? own : (model.mesh.upper - model.mesh.lower).minCoeff();
+    Real slowest = infinity;
+    for (const Contact& contact : model.contacts)
+      if (contact.rigid == r)
+        slowest = std::min(
+            slowest, slowest_wave(model.bodies[contact.body].soil, width, [](const material::Material& m) { return p_wave_modulus(m); }));
+    rigid.fading = {of_width * width, slowest > 0 && slowest < infinity ? crossings * width / slowest : 0};
+  }
 }
 
 template <int dim>
@@ -119,6 +136,7 @@ bool in_balance(const Model<dim>& model, const State<dim>& state, Real out_of_ba
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template Real depth_below_ground(const Model<dim>&, const std::vector<Index>&);                                                          \
   template Real longest_period(const Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                             \
+  template void set_fading(Model<dim>&);                                                                                                   \
   template Real longest_pressure_period(const Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                    \
   template void limit_equilibrium(const Case&, Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                   \
   template Real velocity_at_rest(const Model<dim>&, const StageSettings&);                                                                 \

@@ -13,6 +13,11 @@ Real depth_below_ground(const Model<dim>& model, const std::vector<Index>& cells
 template <int dim>
 Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
 
+/// Gives each rigid body the time in which its reaction fades: that in which the slowest pressure wave of the soils that touch it, down to its own width, goes ten times across it. What is
+/// shorter is its chatter and that of the mesh. The travel is a hundredth of its width, over which key results are averaged, too; of a half-plane these are of the least side of the mesh.
+template <int dim>
+void set_fading(Model<dim>& model);
+
 /// The longest period with which waves of pressure swing in soil whose water flows, s: T = 4 H / c of a layer as high as all bodies, closed at its base and open at its top, with the
 /// slowest wave in which water and soil move together. 0 where no water flows.
 template <int dim>

@@ -43,8 +43,8 @@ struct Contact {
   Real adhesion;                  ///< Pa; where it differs from place to place, that of adhesion_law
   contact::Scheme scheme;
   contact::Detection detection;
-  Real gap_closing_steps;
-  Real tension = 0;  ///< Pa, that bonded points carry
+  Real gap_closing_steps;  ///< over State::default_dt
+  Real tension = 0;        ///< Pa, that bonded points carry
   AdhesionLaw adhesion_law = {};
   InterfaceMemory memory = {};  ///< of the particles
   int pore_pressure = none;  ///< place of the excess pore pressure, which friction does not feel, among the numbers of a particle; or none
@@ -198,15 +198,12 @@ struct LoadPointState {
 struct ForceApproach {
   Real begin = 0;        ///< N/m or N, the resistance when the stage began
   Real travel = 0;       ///< m, of the drive since the resistance began to go to the limit
-  Real mean_travel = 0;  ///< m, its mean over as many steps as RigidState::smooth_reaction is one
+  Real mean_travel = 0;  ///< m, its mean, which fades as that of the resistance does
 
-  /// N/m2 or N/m: how fast the averaged resistance changes with the travel; 0 while it does not. Both lag equally.
-  Real stiffness(Real resistance) const { return mean_travel > 0 ? std::abs(resistance - begin) / mean_travel : 0; }
-  /// The present resistance without its lag, N/m or N, where it was averaged to `resistance`.
-  Real without_lag(Real resistance) const
-  {
-    return resistance + (resistance < begin ? -1 : 1) * stiffness(resistance) * (travel - mean_travel);
-  }
+  /// N/m2 or N/m: how fast the mean resistance changes with the mean travel; 0 while it does not.
+  Real stiffness(Real mean) const { return mean_travel > 0 ? std::abs(mean - begin) / mean_travel : 0; }
+  /// The present resistance, N/m or N, of which this is the mean: without the lag that both means have.
+  Real now(Real mean) const { return mean + (mean < begin ? -1 : 1) * stiffness(mean) * (travel - mean_travel); }
 };
 
 /// Where the run stands in its list of stages.
@@ -244,6 +241,7 @@ struct State {
   BigIndex step = 0;
   Real dt = 0;                                    ///< s, the time step in force
   Real stable_dt = 0;                             ///< s, the longest that is stable, as it was found last
+  Real default_dt = 0;                            ///< s, the same where no mpm.courant is set, however long steps are
   bool stable_dt_holds = false;                   ///< for the step to come; else it is found anew
   Real max_dt = infinity;                         ///< s, which the caller allows
   std::vector<bodies::Particles<dim>> particles;  ///< by body

@@ -18,10 +18,8 @@ RigidTravel travel_of(const Model<dim>& model, const State<dim>& state, Index ri
   return {body.displacement[axes.along], axes.sign * surface - lowest_level<dim>(placed<dim>(shape, body), axes.up_vector())};
 }
 
-template <int dim>
-Real drag_direction(const Model<dim>& model, const State<dim>& state)
+Real drag_direction(const StageSettings& stage)
 {
-  const StageSettings& stage = model.stages[state.stage.index];
   return stage.kind == StageKind::drag && stage.velocity.value_or(stage.force.value_or(0)) < 0 ? -1 : 1;
 }
 
@@ -103,6 +101,19 @@ void begin_pressure_means(const Model<dim>& model, State<dim>& state)
   if (!(model.pressure_window > 0)) note_without_waves(means, state.stage.excess_pressure);
 }
 
+/// What the soil does to a body after a stage that drove it: where its mean came to the stage's limit of force, that mean.
+template <int dim>
+Vec<dim> reaction_after(const Model<dim>& model, const StageSettings& stage, const ForceApproach& approach,
+                        const bodies::RecentReaction<dim>& recent)
+{
+  Vec<dim> reaction = recent.force();
+  if (!stage.until.force || !stage.velocity || !stage.load_times.empty()) return reaction;
+  const Vec<dim> along = resisting(model, stage);
+  const Real mean = along.dot(recent.mean_force), way = *stage.until.force - approach.begin;
+  if ((mean - approach.begin) * way >= way * way) reaction += (mean - along.dot(reaction)) * along;
+  return reaction;
+}
+
 }  // namespace
 
 template <int dim>
@@ -129,7 +140,6 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   now.begin_displacement = rigid.displacement;
   now.begin_orientation = rigid.orientation;
-  now.approach = {resistance(model, state, rigid.smooth_reaction)};
   const StageDrives<dim> drives = drives_of(stage, model.axes, model.rigid_bodies[driven].rotation == bodies::Rotation::free);
   const Vec<dim> there =
       rigid.velocity + bodies::cross(rigid.angular_velocity, arm_of<dim>(stage, model.rigid_bodies[driven], rigid.orientation));
@@ -140,14 +150,18 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
     else
       return rigid.angular_velocity[f - dim];
   };
-  const auto balance = [&](int f) -> Real {
-    if (f < dim) return -rigid.smooth_reaction[f];
-    if constexpr (dim == 2)
-      return -rigid.torque;
-    else
-      return -rigid.torque[f - dim];
-  };
   const bool same_body = now.index > 0 && model.driven[now.index - 1] == driven;
+  const Vec<dim> reaction =
+      same_body ? reaction_after(model, model.stages[now.index - 1], now.approach, rigid.recent) : rigid.recent.force();
+  now.approach = {resistance(model, state, rigid.recent.mean_force)};
+  const bodies::Angular<dim> torque = rigid.recent.torque();
+  const auto balance = [&](int f) -> Real {
+    if (f < dim) return -reaction[f];
+    if constexpr (dim == 2)
+      return -torque;
+    else
+      return -torque[f - dim];
+  };
   const auto present_force = [&](int f) {
     return same_body && f < dim && before[f].by_force ? drive_now(model, model.stages[now.index - 1], before[f], f, since) : balance(f);
   };
@@ -228,9 +242,9 @@ Real beyond_force_limit(const Model<dim>& model, const State<dim>& state)
   const StageSettings& stage = model.stages[state.stage.index];
   const Index driven = model.driven[state.stage.index];
   if (driven == none || !stage.velocity || !stage.load_times.empty()) return nan;
-  const Real mean = resistance(model, state, state.rigid_bodies[driven].smooth_reaction);
+  const Real mean = mean_resistance(model, state);
   if (!force_reached(model, state, mean)) return nan;
-  return std::abs(state.stage.approach.without_lag(mean) / *stage.until.force - 1);
+  return std::abs(state.stage.approach.now(mean) / *stage.until.force - 1);
 }
 
 template <int dim>
@@ -252,7 +266,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
     const Real w = travel_of(model, state, driven).w;
     if (lifts(model, state) ? w <= *until.embedment : w >= *until.embedment) return true;
   }
-  return force_reached(model, state, resistance(model, state, rigid.smooth_reaction));
+  return force_reached(model, state, mean_resistance(model, state));
 }
 
 namespace {
@@ -283,33 +297,37 @@ Real velocity_to(const StageSettings& stage, const StageState<dim>& now, const b
 }  // namespace
 
 template <int dim>
-Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity, Real dt)
+Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity)
 {
-  constexpr Real lags = 16, beyond = 0.04, felt = 0.005;
+  constexpr Real times = 2, beyond = 0.01, felt = 0.005;
   const StageSettings& stage = model.stages[state.stage.index];
   if (!stage.until.force || !stage.velocity || !stage.load_times.empty()) return 1;
-  const Real now = resistance(model, state, state.rigid_bodies[model.driven[state.stage.index]].smooth_reaction);
+  const bodies::RigidBody<dim>& body = model.rigid_bodies[model.driven[state.stage.index]];
+  const Real mean = mean_resistance(model, state), now = state.stage.approach.now(mean);
   const Real limit = *stage.until.force, direction = limit < state.stage.approach.begin ? -1 : 1;
   if (direction * (now - state.stage.approach.begin) < felt * std::abs(limit - state.stage.approach.begin)) return 1;
-  const Real growth = state.stage.approach.stiffness(now) * std::abs(velocity) * bodies::averaged_steps * dt;
+  const Real growth = state.stage.approach.stiffness(mean) * std::abs(velocity) * body.fading.time;
   const Real left = std::max(direction * (limit - now), Real(0)) + beyond * std::abs(limit);
-  return left < lags * growth ? left / (lags * growth) : 1;
+  return left < times * growth ? left / (times * growth) : 1;
 }
 
 namespace {
 
-/// Counts the travel of a coming step from where the resistance has begun to go to its limit.
+/// Counts the travel of a coming step of dt (s) from where the resistance has begun to go to its limit.
 template <int dim>
-void count_approach(const Model<dim>& model, State<dim>& state, Real step)
+void count_approach(const Model<dim>& model, State<dim>& state, Real step, Real dt)
 {
   constexpr Real begun = 1e-4;  // of its way
   ForceApproach& approach = state.stage.approach;
   const Real limit = *model.stages[state.stage.index].until.force;
-  const Real now = resistance(model, state, state.rigid_bodies[model.driven[state.stage.index]].smooth_reaction);
-  if ((now - approach.begin) * (limit - approach.begin) < begun * (limit - approach.begin) * (limit - approach.begin))
+  const Index driven = model.driven[state.stage.index];
+  const bodies::RecentReaction<dim>& recent = state.rigid_bodies[driven].recent;
+  const Real mean = mean_resistance(model, state);
+  if ((mean - approach.begin) * (limit - approach.begin) < begun * (limit - approach.begin) * (limit - approach.begin))
     approach.travel = approach.mean_travel = 0;
   approach.travel += std::abs(step);
-  approach.mean_travel += (approach.travel - approach.mean_travel) / bodies::averaged_steps;
+  approach.mean_travel += model.rigid_bodies[driven].fading.part_of_step(std::abs(step), recent.way + std::abs(step), dt) *
+                          (approach.travel - approach.mean_travel);
 }
 
 }  // namespace
@@ -333,8 +351,8 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
         now.value[f] = displacement == none ? drive_now(model, stage, state.stage.drive[f], f, since)
                                             : velocity_to(stage, state.stage, body, rigid, f, displacement, since, dt);
         if (stage.until.force && !now.by_force[f] && f == main_freedom(model, stage)) {
-          now.value[f] *= part_of_velocity(model, state, now.value[f], dt);
-          count_approach(model, state, dt * now.value[f]);
+          now.value[f] *= part_of_velocity(model, state, now.value[f]);
+          count_approach(model, state, dt * now.value[f], dt);
         }
         if (const Real stiffness = state.stage.drive[f].spring; stiffness > 0)
           now.value[f] -= stiffness * moved_in_stage(state.stage, rigid, f);
@@ -351,9 +369,9 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
 }
 
 template <int dim>
-void move_rigids(State<dim>& state)
+void move_rigids(const Model<dim>& model, State<dim>& state)
 {
-  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) move_body(rigid, state.dt);
+  for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r) move_body(model.rigid_bodies[r], state.rigid_bodies[r], state.dt);
 }
 
 Real expected_time(const StageSettings& stage)
@@ -387,15 +405,14 @@ Real expected_time(const std::vector<StageSettings>& stages)
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template RigidTravel travel_of(const Model<dim>&, const State<dim>&, Index);                                                             \
-  template Real drag_direction(const Model<dim>&, const State<dim>&);                                                                      \
   template void drive_otherwise(const Model<dim>&, State<dim>&, int, bool, Real);                                                          \
   template bool lifts(const Model<dim>&, const State<dim>&);                                                                               \
   template bool force_reached(const Model<dim>&, const State<dim>&, Real);                                                                 \
   template Real beyond_force_limit(const Model<dim>&, const State<dim>&);                                                                  \
-  template Real part_of_velocity(const Model<dim>&, const State<dim>&, Real, Real);                                                        \
+  template Real part_of_velocity(const Model<dim>&, const State<dim>&, Real);                                                              \
   template void begin_stage(const Model<dim>&, State<dim>&);                                                                               \
   template bool stage_ended(const Model<dim>&, const State<dim>&);                                                                         \
-  template void move_rigids(State<dim>&);                                                                                                  \
+  template void move_rigids(const Model<dim>&, State<dim>&);                                                                               \
   template void drive_rigids(const Model<dim>&, State<dim>&, Real);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -16,15 +16,37 @@ template <int dim>
 RigidTravel travel_of(const Model<dim>& model, const State<dim>& state, Index rigid);
 
 /// +1, or -1 in a drag along -x: H = -direction times the horizontal force of the soil on the body.
+Real drag_direction(const StageSettings& stage);
 template <int dim>
-Real drag_direction(const Model<dim>& model, const State<dim>& state);
+Real drag_direction(const Model<dim>& model, const State<dim>& state)
+{
+  return drag_direction(model.stages[state.stage.index]);
+}
 
-/// What the present stage's limit of force is compared with: V in a push, H in a drag, of this force of the soil on the driven body (N/m).
+/// The unit vector along which the soil's force on the driven body is what a stage's limit of force is compared with: V in a push, H in a drag.
+template <int dim>
+Vec<dim> resisting(const Model<dim>& model, const StageSettings& stage)
+{
+  Vec<dim> along = Vec<dim>::Zero();
+  if (stage.kind == StageKind::push)
+    along[model.axes.up] = model.axes.sign;
+  else
+    along[model.axes.along] = -drag_direction(stage);
+  return along;
+}
+
+/// That component of a force of the soil on the body, N/m or N, in the present stage.
 template <int dim>
 Real resistance(const Model<dim>& model, const State<dim>& state, const Vec<dim>& reaction)
 {
-  return model.stages[state.stage.index].kind == StageKind::push ? model.axes.sign * reaction[model.axes.up]
-                                                                 : -drag_direction(model, state) * reaction[model.axes.along];
+  return resisting(model, model.stages[state.stage.index]).dot(reaction);
+}
+
+/// The same of the driven body, as the mean that fades.
+template <int dim>
+Real mean_resistance(const Model<dim>& model, const State<dim>& state)
+{
+  return resistance(model, state, state.rigid_bodies[model.driven[state.stage.index]].recent.mean_force);
 }
 
 /// The value of a drive at a time since the stage's begin, s: it goes from what it was to its own, times a factor, over the stage's ramp.
@@ -52,7 +74,7 @@ Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies
 }
 
 /// Sets the drives of the stage that state.stage.index names, and where its tractions go. A velocity starts from the present velocity and a force from the one that drove the body before, or else
-/// the one that balances the present (averaged) reaction, so that nothing jumps when the drive changes. What a push or a drive does not name is still at once: it
+/// the one that balances the present reaction (RecentReaction; after a limit of force that which ended the stage), so that nothing jumps when the drive changes. What a push or a drive does not name is still at once: it
 /// would coast through the ramp.
 template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state);
@@ -80,23 +102,23 @@ Real beyond_force_limit(const Model<dim>& model, const State<dim>& state);
 template <int dim>
 bool stage_ended(const Model<dim>& model, const State<dim>& state);
 
-/// The part of its velocity that a drive has near its limit of force F, so that the mean R of the resistance over tau = 100 steps comes to it and not past it:
+/// The part of its velocity that a drive has near its limit of force F, so that the resistance R comes to it and not past it:
 ///
-///   (1.04 F - R) / (16 k v tau), at most 1, with the secant stiffness k = dR/ds along the travel s:   dR/dt = (1.04 F - R) / (16 tau),
+///   (1.01 F - R) / (2 k v tau), at most 1, with the secant stiffness k = dR/ds along the travel s:   dR/dt = (1.01 F - R) / (2 tau),
 ///
-/// of which a mean with the lag tau does not swing over, also where the soil becomes several times as stiff (4 instead of 16 is critical damping). 1 before R has
-/// begun to grow, without a limit, with a load history, and by a force.
+/// tau the time over which the reaction of a body that hardly moves fades. R is the mean and what it lags by that stiffness (ForceApproach::now), so that the drive keeps half of the critical damping in soil
+/// four times as stiff as the secant. The mean decides that the limit is reached: R is 0.5 % beyond it then. 1 before R has begun to grow, without a limit, with a load history, and by a force.
 template <int dim>
-Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity, Real dt);
+Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity);
 
 /// The velocity and angular velocity of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
 /// inertia times angular acceleration = torque of the last step. Adds the work of gravity and drives on free bodies to the totals.
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
 
-/// Moves the rigid bodies by the velocities of this step and averages their reactions over about a hundred steps.
+/// Moves the rigid bodies by the velocities of this step and takes note of their reactions.
 template <int dim>
-void move_rigids(State<dim>& state);
+void move_rigids(const Model<dim>& model, State<dim>& state);
 
 /// The time that a stage is expected to take, s; 0 where its input does not determine it.
 Real expected_time(const StageSettings& stage);

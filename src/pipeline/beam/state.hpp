@@ -23,8 +23,9 @@ struct State {
   std::vector<SpringState> springs;
   std::vector<Real> spring_factor;  ///< by spring: its force and stiffness over those of its law; 1 but where the caller changes it
   std::vector<berm_macro_element_state> macro_elements;
-  std::vector<Real> mean_axial, mean_lateral;  ///< m, by node: displacements in a step, averaged over some fifty
-  std::vector<std::uint8_t> sideways;          ///< by node: it slides sideways, and has no plastic springs along the line
+  std::vector<Real> mean_axial,
+      mean_lateral;  ///< by node: the direction in which it goes, a mean that fades over the way that mobilises its friction
+  std::vector<std::uint8_t> sideways;  ///< by node: it slides sideways, and has no plastic springs along the line
   Totals totals;
 };
 

@@ -13,8 +13,7 @@ namespace {
 
 constexpr Real gamma_of_newmark = 0.55, beta_of_newmark = (gamma_of_newmark + 0.5) * (gamma_of_newmark + 0.5) / 4;
 constexpr int max_iterations = 30;
-constexpr Real tolerance = 1e-8;  // of the largest force in the line
-constexpr Real averaged_steps = 50;
+constexpr Real tolerance = 1e-8;    // of the largest force in the line
 constexpr Real sideways_ratio = 5;  // of the displacement across the line to that along it
 
 void predict(const Line& line, const State& state, Real dt, Work& work)
@@ -78,13 +77,18 @@ StepEnd iterate(const Line& line, const State& state, const Loads& loads, const 
   }
 }
 
-/// Where the line slides sideways: a lateral spring slides, or, where there is none, the node has gone sideways much more than along the line.
+/// Where the line slides sideways: a lateral spring slides, or, where there is none, the node goes sideways much more than along the
+/// line, in the mean over the way that mobilises the friction along it.
 void find_sideways(const Line& line, const Work& work, State& state)
 {
-  for (Index i = 0; i < line.nodes(); ++i) {
-    const Index u = line.axial(i), v = line.across(Plane::lateral, i);
-    state.mean_axial[i] += (work.displacement[u] - state.displacement[u] - state.mean_axial[i]) / averaged_steps;
-    state.mean_lateral[i] += (work.displacement[v] - state.displacement[v] - state.mean_lateral[i]) / averaged_steps;
+  for (const Spring& spring : line.springs) {
+    const Index i = spring.node, u = line.axial(i), v = line.across(Plane::lateral, i);
+    const auto* friction = std::get_if<PlasticSpring>(&line.laws[spring.law]);
+    if (spring.freedom != u || friction == nullptr) continue;
+    const Real along = work.displacement[u] - state.displacement[u], across = work.displacement[v] - state.displacement[v];
+    const Real way = std::hypot(along, across), part = 1 / (way + friction->backbone.points.front().displacement);
+    state.mean_axial[i] += part * (along - way * state.mean_axial[i]);
+    state.mean_lateral[i] += part * (across - way * state.mean_lateral[i]);
     state.sideways[i] = std::abs(state.mean_lateral[i]) > sideways_ratio * std::abs(state.mean_axial[i]);
   }
   for (std::size_t s = 0; s < line.springs.size(); ++s) {

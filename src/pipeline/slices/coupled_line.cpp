@@ -95,7 +95,7 @@ void CoupledLine::hang(const problem::State<2>& laid)
   laid_embedment_ = travel_of(model_of(0), laid, 0).w;
   make_others(laid);
   begin_soils();
-  for (std::size_t k = 0; k < count(); ++k) forces_[k].force = (k == 0 ? laid : *others_[k - 1]).rigid_bodies[0].smooth_reaction;
+  for (std::size_t k = 0; k < count(); ++k) forces_[k].force = (k == 0 ? laid : *others_[k - 1]).rigid_bodies[0].recent.force();
 }
 
 void CoupledLine::begin_stage(const problem::State<2>& first)

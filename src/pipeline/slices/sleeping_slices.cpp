@@ -43,7 +43,7 @@ void CoupledLine::scale_springs(const problem::State<2>& first)
   for (std::size_t k = 0; k < count(); ++k) {
     const problem::State<2>& slice = k == 0 ? first : *others_[k - 1];
     resistances_[k] =
-        of_case_.axial_resistance(travel_of(model_of(k), slice, 0).w, asleep(k) ? weight : slice.rigid_bodies[0].smooth_reaction[1]);
+        of_case_.axial_resistance(travel_of(model_of(k), slice, 0).w, asleep(k) ? weight : slice.rigid_bodies[0].recent.force()[1]);
   }
   for (Index i = 0; i < line.nodes(); ++i) along_[i] = as_laid * of_case_.length_beyond[i];
   of_case_.stations.add_to_nodes(resistances_, along_);

@@ -13,7 +13,8 @@ namespace {
 
 /// What the line, the rows and the stages need of a slice after a step.
 struct Told {
-  Vec<2> displacement, velocity, reaction, smooth_reaction, impulse;
+  Vec<2> displacement, velocity, reaction, impulse;
+  bodies::RecentReaction<2> recent;
   Real contact_mass, failed;  ///< on its rank: 0 or 1
 };
 constexpr std::size_t numbers = sizeof(Told) / sizeof(Real);
@@ -21,7 +22,7 @@ constexpr std::size_t numbers = sizeof(Told) / sizeof(Real);
 Told told_by(const problem::State<2>& slice, Real contact_mass, bool failed)
 {
   const bodies::RigidState<2>& pipe = slice.rigid_bodies[0];
-  return {pipe.displacement,         pipe.velocity, pipe.reaction, pipe.smooth_reaction, slice.contact_sums[0].impulse, contact_mass,
+  return {pipe.displacement,         pipe.velocity, pipe.reaction, slice.contact_sums[0].impulse, pipe.recent, contact_mass,
           failed ? Real(1) : Real(0)};
 }
 
@@ -31,7 +32,7 @@ void hear(const Told& told, problem::State<2>& slice, SliceForce& force)
   pipe.displacement = told.displacement;
   pipe.velocity = told.velocity;
   pipe.reaction = told.reaction;
-  pipe.smooth_reaction = told.smooth_reaction;
+  pipe.recent = told.recent;
   slice.contact_sums[0].impulse = told.impulse;
   force = {told.reaction, told.contact_mass};
 }

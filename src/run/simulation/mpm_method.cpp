@@ -259,7 +259,7 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
   constexpr Real of_a_thread = d == 2 ? 15e6 : 4e6;  // particle-steps/s, of a usual machine
   sanity::Cost cost;
   try {
-    cost.time_step = stable_time_step(model(), state(), mpm::Workspace<d>(model(), state()));
+    cost.time_step = stable_time_steps(model(), state(), mpm::Workspace<d>(model(), state())).stable;
   } catch (const RunError&) {
     cost.time_step = 0;  // the run says why there is none
   }
@@ -556,7 +556,7 @@ typename MpmMethod<d>::Pace MpmMethod<d>::measure_pace()
 {
   if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
   mpm::Workspace<d>& workspace = workspace_.emplace(model(), state());
-  const Real dt = stable_time_step(model(), problem_.state, workspace), total = expected_time(model().stages);
+  const Real dt = stable_time_steps(model(), problem_.state, workspace).stable, total = expected_time(model().stages);
   const auto goes_on = [&] { return total <= 0 || state().time < total; };
   const ProcessorClock clock;
   Real least = infinity;

@@ -205,6 +205,7 @@ TEST(Step, a_lateral_spring_of_factor_0_does_not_decide_whether_the_line_slides_
     Line line = straight_line({0, 1}, {0, 0, 100, 100, 0, 0.2}, {Plane::lateral});
     line.section[0].axial_stiffness = 1e-6;
     add_springs(line, Direction::lateral, friction(1e3, 1e3), lengths_of_nodes(line));
+    add_springs(line, Direction::axial, friction(1, 1e-6), lengths_of_nodes(line));
     line.axial_where_sideways = false;
     for (Index i = 0; i < 2; ++i) line.held[line.across(Plane::lateral, i) + 1] = 1;
     State state = state_of(line);

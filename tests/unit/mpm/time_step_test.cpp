@@ -37,22 +37,22 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
   // M = E (1 - nu) / ((1 + nu)(1 - 2 nu)).
   const Real wave = std::sqrt(2e6 * 0.8 / (1.2 * 0.6) / 1500);
   Workspace<dim> workspace(problem.model, problem.state);
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / wave), 1, 1e-14);
+  EXPECT_NEAR(stable_time_steps(problem.model, problem.state, workspace).stable / (0.4 * height / wave), 1, 1e-14);
 
   workspace.grids[0].mapped_velocity[workspace.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / (wave + 5)), 1, 1e-14);
+  EXPECT_NEAR(stable_time_steps(problem.model, problem.state, workspace).stable / (0.4 * height / (wave + 5)), 1, 1e-14);
 
   problem.model.rigid_bodies.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
   problem.state.rigid_bodies.emplace_back();
   problem.state.rigid_bodies[0].velocity = 7 * Vec<dim>::UnitX();
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / (wave + 7)), 1, 1e-14);
+  EXPECT_NEAR(stable_time_steps(problem.model, problem.state, workspace).stable / (0.4 * height / (wave + 7)), 1, 1e-14);
 
   if constexpr (dim == 2)
     problem.state.rigid_bodies[0].angular_velocity = -8;
   else
     problem.state.rigid_bodies[0].angular_velocity = {0, 0, -8};
   // Its rim is 0.25 m away.
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / (wave + 9)), 1, 1e-14);
+  EXPECT_NEAR(stable_time_steps(problem.model, problem.state, workspace).stable / (0.4 * height / (wave + 9)), 1, 1e-14);
 }
 
 TYPED_TEST(TimeStep, is_a_part_of_the_longest_stable_one_where_courant_is_not_set)
@@ -63,13 +63,30 @@ TYPED_TEST(TimeStep, is_a_part_of_the_longest_stable_one_where_courant_is_not_se
   problem.model.bodies[0].critical_length = 3;
   const Real wave = std::sqrt(2e6 * 0.8 / (1.2 * 0.6) / 1500);
   Workspace<dim> workspace(problem.model, problem.state);
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.75 * 3 / wave), 1, 1e-14);
+  EXPECT_NEAR(stable_time_steps(problem.model, problem.state, workspace).stable / (0.75 * 3 / wave), 1, 1e-14);
 
   // Never less than half the time that a wave needs across the smallest cell with soil: smaller ones may lie elsewhere.
   problem.model.bodies[0].critical_length = 0;
   Real height = infinity;
   for (const Index cell : problem.state.particles[0].occupied()) height = std::min(height, problem.model.mesh.height(cell));
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.5 * height / wave), 1, 1e-14);
+  EXPECT_NEAR(stable_time_steps(problem.model, problem.state, workspace).stable / (0.5 * height / wave), 1, 1e-14);
+}
+
+TYPED_TEST(TimeStep, by_default_is_the_same_whatever_courant_the_case_sets)
+{
+  constexpr int dim = TypeParam::value;
+  auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(0.2), 0);
+  problem.model.bodies[0].critical_length = 3;
+  Workspace<dim> workspace(problem.model, problem.state);
+  problem.model.mpm.courant.reset();
+  const TimeSteps without = stable_time_steps(problem.model, problem.state, workspace);
+  EXPECT_EQ(without.by_default, without.stable);
+  for (const Real courant : {0.4, 0.1}) {
+    problem.model.mpm.courant = courant;
+    const TimeSteps with = stable_time_steps(problem.model, problem.state, workspace);
+    EXPECT_EQ(with.by_default, without.stable) << courant;
+    EXPECT_LT(with.stable, without.stable) << courant;
+  }
 }
 
 TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_and_advice)
@@ -81,7 +98,7 @@ TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_a
   Workspace<dim> workspace(problem.model, problem.state);
   workspace.grids[0].mapped_velocity[workspace.grids[0].nodes[3]][0] = std::numeric_limits<Real>::quiet_NaN();
   try {
-    stable_time_step(problem.model, problem.state, workspace);
+    stable_time_steps(problem.model, problem.state, workspace);
     FAIL() << "nothing was thrown";
   } catch (const RunError& error) {
     const std::string message = error.what();
@@ -100,10 +117,10 @@ TYPED_TEST(TimeStep, of_less_than_a_thousandth_of_that_at_rest_ends_the_run_with
   const Real wave = std::sqrt(p_wave_modulus(sample_solid()) / 1500);
   const Index node = workspace.grids[0].nodes[3];
   workspace.grids[0].mapped_velocity[node] = 990 * wave * Vec<dim>::UnitX();
-  EXPECT_NO_THROW(stable_time_step(problem.model, problem.state, workspace));
+  EXPECT_NO_THROW(stable_time_steps(problem.model, problem.state, workspace));
   const auto expect_refused = [&](const std::string& what) {
     try {
-      stable_time_step(problem.model, problem.state, workspace);
+      stable_time_steps(problem.model, problem.state, workspace);
       FAIL() << "nothing was thrown";
     } catch (const RunError& error) {
       const std::string message = error.what();

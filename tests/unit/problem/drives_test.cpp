@@ -26,7 +26,7 @@ Problem<3> box_in_space(const StageSettings& stage)
 void step_body(Problem<3>& problem)
 {
   drive_rigids(problem.model, problem.state, step);
-  move_body(problem.state.rigid_bodies[0], step);
+  move_body(problem.model.rigid_bodies[0], problem.state.rigid_bodies[0], step);
   problem.state.time += step;
 }
 

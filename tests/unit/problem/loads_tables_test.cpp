@@ -35,7 +35,7 @@ void step(Driver& run, int n, Real shorter = 1)
 {
   const Real duration = shorter * dt * (1 + 0.4 * std::sin(0.7 * n));
   drive_rigids(run.problem.model, run.problem.state, duration);
-  move_body(run.pipe, duration);
+  move_body(run.problem.model.rigid_bodies[0], run.pipe, duration);
   run.problem.state.time += duration;
 }
 
@@ -130,7 +130,7 @@ TEST(DisplacementColumns, of_an_angle_in_space_turn_the_body_about_its_axis_by_i
   bodies::RigidState<3>& box_now = problem.state.rigid_bodies[0];
   while (problem.state.time < 0.5) {
     drive_rigids(problem.model, problem.state, 0.0007);
-    move_body(box_now, 0.0007);
+    move_body(problem.model.rigid_bodies[0], box_now, 0.0007);
     problem.state.time += 0.0007;
     const Real expected = zigzag(problem.state.time);
     ASSERT_NEAR(box_now.displacement[2], expected, round_off);

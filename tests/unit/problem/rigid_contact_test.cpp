@@ -43,7 +43,7 @@ struct Flight {
   {
     for (int n = 0; n < steps; ++n) {
       drive_rigids(model, state, step_size);
-      move_rigids(state);
+      move_rigids(model, state);
       state.time += step_size;
     }
   }

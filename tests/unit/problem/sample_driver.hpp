@@ -17,7 +17,11 @@ struct Driver {
         pipe(problem.state.rigid_bodies[0])
   {
   }
-  void soil_pushes(const Vec<2>& force) { pipe.reaction = pipe.smooth_reaction = force; }
+  void soil_pushes(const Vec<2>& force)
+  {
+    pipe.reaction = force;
+    pipe.recent = bodies::RecentReaction<2>::steady(force, 0);
+  }
   void step()
   {
     drive_rigids(problem.model, problem.state, dt);

@@ -27,7 +27,7 @@ TEST(ThrownBody, goes_as_newton_has_it)
     bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
     const auto go = [&] {
       drive_rigids(problem.model, problem.state, dt);
-      move_body(pipe, dt);
+      move_body(problem.model.rigid_bodies[0], pipe, dt);
       problem.state.time += dt;
     };
     for (int k = 0; k < rests; ++k) {

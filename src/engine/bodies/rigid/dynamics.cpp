@@ -3,6 +3,7 @@
 #include "bodies/rigid/dynamics.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 namespace berm::bodies {
 namespace {
@@ -136,12 +137,34 @@ void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim
     state.angular_velocity = no_angular<dim>();
 }
 
+Real Fading::part_of_step(Real step_way, Real way, Real dt) const
+{
+  constexpr Real part_of_way = 0.25;
+  return 1 - 1 / (1 + dt / time + (step_way > 0 ? step_way / std::min(travel, part_of_way * way) : 0));
+}
+
 template <int dim>
-void move_body(RigidState<dim>& state, Real dt)
+void RecentReaction<dim>::add(const Vec<dim>& force, const Angular<dim>& torque, Real step_way, Real dt, const Fading& fading)
+{
+  const bool has_touched = way > 0 || !force.isZero(0);
+  way = has_touched ? way + step_way : 0;
+  const Real part = has_touched ? fading.part_of_step(step_way, way, dt) : 1;
+  lag += step_way;
+  variance = (1 - part) * (variance + part * lag * lag);
+  force_covariance = (1 - part) * (force_covariance + part * lag * (force - mean_force));
+  torque_covariance = (1 - part) * (torque_covariance + part * lag * (torque - mean_torque));
+  mean_force += part * (force - mean_force);
+  mean_torque += part * (torque - mean_torque);
+  lag *= 1 - part;
+}
+
+template <int dim>
+void move_body(const RigidBody<dim>& body, RigidState<dim>& state, Real dt)
 {
   state.displacement += dt * state.velocity;
   state.orientation.turn_by(dt * state.angular_velocity);
-  state.smooth_reaction += (state.reaction - state.smooth_reaction) / averaged_steps;
+  const Real speed = state.velocity.norm() + size_of_angular(state.angular_velocity) * reach_of<dim>(body.shape);
+  state.recent.add(state.reaction, state.torque, dt * speed, dt, body.fading);
 }
 
 template <int dim>
@@ -158,11 +181,13 @@ Real work_of_outside(const RigidBody<dim>& body, const RigidState<dim>& before, 
          dt * (after.reaction.dot(before.velocity) + dot(after.torque, before.angular_velocity));
 }
 
+template struct RecentReaction<2>;
+template struct RecentReaction<3>;
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void drive_body(const RigidBody<dim>&, RigidState<dim>&, const DriveNow<dim>&, Real, const Vec<dim>&);                          \
   template void add_impulse(const RigidBody<dim>&, RigidState<dim>&, const DriveNow<dim>&, const Vec<dim>&, const Vec<dim>&);              \
   template void free_body(const RigidBody<dim>&, RigidState<dim>&, const Vec<dim>&, Real);                                                 \
-  template void move_body(RigidState<dim>&, Real);                                                                                         \
+  template void move_body(const RigidBody<dim>&, RigidState<dim>&, Real);                                                                  \
   template Real work_of_outside(const RigidBody<dim>&, const RigidState<dim>&, const RigidState<dim>&, Real);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

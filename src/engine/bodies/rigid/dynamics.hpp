@@ -5,8 +5,6 @@
 
 namespace berm::bodies {
 
-constexpr Real averaged_steps = 100;  ///< steps that RigidState::smooth_reaction is averaged over
-
 /// Degrees of freedom of a rigid body: its displacements, then its rotation about z, in space those about x, y and z.
 template <int dim>
 constexpr int freedoms = dim == 2 ? 3 : 6;
@@ -56,9 +54,9 @@ void stop(RigidState<dim>& state)
   state.angular_velocity = no_angular<dim>();
 }
 
-/// Moves a body by its velocities over a step, and averages its reaction.
+/// Moves a body by its velocities over a step, and takes note of its reaction.
 template <int dim>
-void move_body(RigidState<dim>& state, Real dt);
+void move_body(const RigidBody<dim>& body, RigidState<dim>& state, Real dt);
 
 /// External work on a free rigid body: that of gravity and drives, less the work that its contacts have already counted. The
 /// kinetic energy of a free body is part of the balance, so its exchange with the soil is internal.

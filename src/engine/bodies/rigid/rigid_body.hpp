@@ -6,6 +6,16 @@
 
 namespace berm::bodies {
 
+/// How what the soil did to a rigid body fades: to 1/e over a travel, and over a time where it hardly moves.
+struct Fading {
+  Real travel = infinity;  ///< m
+  Real time = 0;           ///< s; 0: at once
+
+  /// The part that a step of dt (s), in which the body goes `step_way` of its `way` since it touched (m), has in a mean. That fades over a quarter of the way at most:
+  /// what was before says nothing.
+  Real part_of_step(Real step_way, Real way, Real dt) const;
+};
+
 /// A rigid body: shape at the start, mass, and how it may move.
 template <int dim>
 struct RigidBody {
@@ -17,6 +27,7 @@ struct RigidBody {
   Angular<dim> inertia = no_angular<dim>();    ///< about its centre, kg m; in space about its axes, kg m2; may be infinite
   Matrix<dim> axes = Matrix<dim>::Identity();  ///< columns: the directions of these axes at the start
   Vec<dim> first_velocity = Vec<dim>::Zero();  ///< m/s, of a free body where its first stage that is not geostatic begins
+  Fading fading = {};                          ///< of RigidState::recent
 };
 
 /// Where a rigid body is: what it has moved since the start.
@@ -30,14 +41,43 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
+/// What the soil lately did to a rigid body: fading means, and how they went with the way that the body has gone (a discounted linear regression; Brown 1963), so that what it does now is known
+/// without the noise of single steps and without lag.
+template <int dim>
+struct RecentReaction {
+  Real way = 0;                                  ///< m, since the body touched for the first time
+  Real lag = 0;                                  ///< m, by which the way is ahead of its mean
+  Real variance = 0;                             ///< m2, of the way
+  Vec<dim> mean_force = Vec<dim>::Zero();        ///< N/m or N
+  Vec<dim> force_covariance = Vec<dim>::Zero();  ///< with the way
+  Angular<dim> mean_torque = no_angular<dim>();  ///< N m/m or N m
+  Angular<dim> torque_covariance = no_angular<dim>();
+
+  /// Of a soil that has long done this.
+  static RecentReaction steady(const Vec<dim>& force, const Angular<dim>& torque)
+  {
+    RecentReaction recent;
+    recent.mean_force = force;
+    recent.mean_torque = torque;
+    return recent;
+  }
+  Vec<dim> force() const { return mean_force + ahead() * force_covariance; }
+  Angular<dim> torque() const { return mean_torque + ahead() * torque_covariance; }
+  /// Adds a step of dt (s) in which the body's surface went `step_way` (m) at most.
+  void add(const Vec<dim>& force, const Angular<dim>& torque, Real step_way, Real dt, const Fading& fading);
+
+private:
+  Real ahead() const { return variance > 0 ? lag / variance : 0; }
+};
+
 /// How a rigid body moves, and what moves it.
 template <int dim>
 struct RigidState : Pose<dim> {
   Vec<dim> velocity = Vec<dim>::Zero();               ///< of the centre during the step, m/s
   Angular<dim> angular_velocity = no_angular<dim>();  ///< rad/s, during the step
   Vec<dim> reaction = Vec<dim>::Zero();               ///< force of the soil on it in the last step, N/m or N
-  Vec<dim> smooth_reaction = Vec<dim>::Zero();        ///< the same, averaged over about a hundred steps
   Angular<dim> torque = no_angular<dim>();            ///< of the soil on it about its centre in the last step, N m/m or N m
+  RecentReaction<dim> recent;                         ///< reaction and torque as they lately were
 };
 
 /// The largest distance that a point of a rigid body goes from one pose to another, m: at most.

@@ -239,7 +239,7 @@ TEST(FreeBody, that_tumbles_keeps_its_angular_momentum_and_its_energy)
   Real energy = 0, least = infinity, most = -infinity, over = infinity;
   for (int n = 0; n < 20000; ++n) {  // 80 rad in all, 4e-3 a step
     free_body<3>(box, state, Vec<3>::Zero(), dt);
-    move_body(state, dt);
+    move_body(box, state, dt);
     const Vec<3> now = momentum_of(box, state, dt);
     RigidState<3> halfway = state;
     halfway.orientation.turn_by(-dt / 2 * state.angular_velocity);
