@@ -15,7 +15,7 @@ inline const std::vector<SenselessInput>& senseless_supports()
       {"motion_too_fast_for_the_cells",
        "box",
        warned,
-       {"support.base.motion", "goes along x from one turning point to the next in 0.001 ms", "8 cells to a shear wave",
+       {"support.base.motion", "goes along x from one turning point to the next in 0.002 ms", "8 cells to a shear wave",
         "filter the record"},
        {},
        base,

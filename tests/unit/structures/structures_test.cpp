@@ -141,7 +141,7 @@ TEST(Structures, without_a_driven_body_have_the_measures_of_any_run)
   const problem::Case c = free_bodies();
   std::vector<std::string> what;
   for (const base::TrustMeasure& measure : structure_of(c).measures(c)) what.push_back(measure.what);
-  EXPECT_EQ(what.size(), 15u);
+  EXPECT_EQ(what.size(), 16u);
   EXPECT_EQ(std::count(what.begin(), what.end(), "momentum that does not balance"), 1);
   EXPECT_EQ(structure_of(c).details(MadeRun{}.record()), nullptr);
 }
