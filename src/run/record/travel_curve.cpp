@@ -87,13 +87,22 @@ std::vector<Real> TravelCurve::marks() const
   return marks;
 }
 
+namespace {
+
+/// The curve through what `value` says at these travels.
+template <class Value>
+TravelCurve through(const std::vector<Real>& travels, const Value& value)
+{
+  std::vector<Real> values;
+  for (const Real s : travels) values.push_back(value(s));
+  return {travels, values};
+}
+
+}  // namespace
+
 TravelCurve TravelCurve::smoothed(Real half) const
 {
-  const TravelCurve short_enough = condensed(half);
-  const std::vector<Real> travels = marks();
-  std::vector<Real> values;
-  for (const Real s : travels) values.push_back(short_enough.at(s, half));
-  return {travels, values};
+  return through(marks(), [half, curve = condensed(half)](Real s) { return curve.at(s, half); });
 }
 
 Real TravelCurve::drawn_at(Real s, Real half) const
@@ -103,11 +112,7 @@ Real TravelCurve::drawn_at(Real s, Real half) const
 
 TravelCurve TravelCurve::drawn(Real half) const
 {
-  const TravelCurve short_enough = condensed(half);
-  const std::vector<Real> travels = marks();
-  std::vector<Real> values;
-  for (const Real s : travels) values.push_back(short_enough.drawn_at(s, half));
-  return {travels, values};
+  return through(marks(), [half, curve = condensed(half)](Real s) { return curve.drawn_at(s, half); });
 }
 
 std::vector<Real> drawn_along(const std::vector<Real>& travel, const std::vector<Real>& value, Real half)
