@@ -132,6 +132,7 @@ std::optional<Clay> with_strength_over(Clay law, Real factor)
   law.undrained_strength_gradient /= factor;
   for (Real& strength : law.profile.strength) strength /= factor;
   if (law.shansep) law.shansep->ratio /= factor, law.shansep->min_strength /= factor;
+  law.rate_parameter = 0;
   return law;
 }
 

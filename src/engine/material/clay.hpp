@@ -67,7 +67,7 @@ std::vector<FieldInfo> state_fields(const Clay& law);
 std::optional<Strength> strength_at_rest(const Clay& law);
 std::optional<Real> shear_strength(const Clay& law, Real middle, const Real* state);
 
-/// The undrained strength over the factor, intact and remoulded; the stiffness stays.
+/// The undrained strength over the factor, intact and remoulded; the stiffness stays. Of slow shearing, as a load that lasts has it: a rate that adds strength would hide that the soil creeps.
 std::optional<Clay> with_strength_over(Clay law, Real factor);
 
 /// Smooths the rate over a time (s) where the input names none.

@@ -33,9 +33,14 @@ Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape,
 {
   Real largest = nan;
   if (!bodies::is_bounded<dim>(shape)) return largest;
+  const Axes<dim>& axes = model.axes;
+  constexpr Real of_width = 0.55;  // half of it, and what point_at keeps off the surface
+  const Real bed = axes.sign * model.surface_at(center_of<dim>(shape)), lowest = bodies::lowest_level<dim>(shape, axes.up_vector());
+  const Real in_the_air = std::max(bed, lowest) + of_width * width_of<dim>(shape);
   for (int k = 0; k <= points; ++k) {
     const Vec<dim> x = point_at(model, shape, std::numbers::pi * k / points);
-    if ((x.array() < model.mesh.lower.array()).any() || (x.array() > model.mesh.upper.array()).any()) continue;
+    if ((x.array() < model.mesh.lower.array()).any() || (x.array() > model.mesh.upper.array()).any() || axes.height(x) > in_the_air)
+      continue;
     const mesh::Location place = locate(model.mesh, x, start);
     if (!place.inside) continue;
     start = place.cell;

@@ -6,9 +6,9 @@
 namespace berm::problem {
 
 /// Cells that are larger than at the start by more than cells of one size differ: this many times.
-constexpr Real coarser_cells = 1.6;
+constexpr Real coarser_cells = 1.5;
 
-/// The largest cell of the mesh at the lower half of a rigid body's surface, where its shape is: the side of the square (cube) whose half (sixth) is as large, m.
+/// The largest cell of the mesh at the lower half of a rigid body's surface, where its shape is: the side of the square (cube) whose half (sixth) is as large, m. The surface of a tall body more than half its width above the bed is left out.
 /// NaN of a half-plane, and where none of the surface is in the mesh. `start` is where the search begins, and the cell that it found last.
 template <int dim>
 Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Index& start);

@@ -47,7 +47,7 @@ void Trial::end_flow(Real overstress)
       1e-4;  // soil whose strength is x too small has some x / 10 while it flows; soil that consolidates has next to none
   const bool flows = flows_on();
   flowed_ = flows && overstress > of_yielding_soil;
-  end(!flows && !failed());
+  end(!failed() && (!flows || overstress == 0));
 }
 
 run_folder::Summary::Checks Trial::checks() const
@@ -60,11 +60,11 @@ run_folder::Summary::Checks Trial::checks() const
 
 std::string Trial::words(Real factor) const
 {
-  const std::string what = no_equilibrium_ ? "finds no equilibrium"
-                           : flowed_       ? fmt::format("goes on flowing, after {:.3g} m", movement_)
-                                           : fmt::format("has moved by {:.3g} m, and has failed from {:.3g} m on", movement_, limit_);
-  const char* verdict = failed() ? "fails" : rests_ ? "stands" : "is not at rest, nor has it failed,";
-  return fmt::format("with its strength over {:.6g} the soil {}: it {}{}", factor, verdict, what,
+  const std::string what = no_equilibrium_ ? "it finds no equilibrium"
+                           : flowed_       ? fmt::format("it goes on flowing, after {:.3g} m", movement_)
+                                           : fmt::format("it has moved by {:.3g} m, and fails from {:.3g} m on", movement_, limit_);
+  const char* verdict = failed() ? "fails" : rests_ ? "stands" : "has not failed, and still moves";
+  return fmt::format("with its strength over {:.6g} the soil {}: {}{}", factor, verdict, what,
                      failed() || rests_ ? "" : "; give the last stage more time");
 }
 

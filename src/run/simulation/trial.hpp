@@ -13,9 +13,9 @@ namespace berm::simulation {
 /// stage that moved a body ended. The soil
 ///
 ///   fails    where it moves by more than the limit in a stage that moves no body, finds no equilibrium, or (finite elements) goes on flowing in the last half of the last stage, and yields;
-///   stands   where it has not failed, and rests at the end of the last stage.
+///   stands   where it has not failed, and rests at the end of the last stage, or yields nowhere (finite elements): what moves it then is its water.
 ///
-/// Soil that flows and does not yield consolidates: it has not failed, nor is it at rest.
+/// Soil that still moves while some of it yields, but too little of it to flow, is undecided.
 class Trial {
 public:
   /// `limit`: m; `time_factor`: c_v T / H^2 of the last stage (problem::time_factor_of_last_stage).

@@ -106,14 +106,14 @@ std::string definition_html(const problem::Case& settings)
       "angle), "
       "undrained strength and tension cut-off of every soil, tan(friction angle), adhesion and tension of its interfaces. The stiffness "
       "and "
-      "the dilation angle stay; the dilation angle is at most the reduced friction angle.</p>\n"
+      "the dilation angle stay; the dilation angle is at most the reduced friction angle. Clay has its strength at the reference rate.</p>\n"
       "<p>The soil <b>fails</b> where a point of it moves farther than the displacement in the table, in a stage that moves no body: a "
       "hundredth of the height that can slide, and twice the compression of elastic soil of that height under its weight and loads, unless "
       "safety.movement says otherwise. ";
   html += settings.method == problem::Method::fem
               ? "It also fails where the finite elements find no equilibrium, or where more than a tenth of the displacement comes in the "
-                "last half of the last stage while the soil yields: soil of small strain that flows once flows on. Soil that flows and "
-                "does not yield consolidates; the trial is then undecided."
+                "last half of the last stage while the soil yields: soil of small strain that flows once flows on. Soil that moves "
+                "and yields nowhere consolidates: it stands. One that yields too little to flow, and still moves, is undecided."
               : "Larger displacements make the slope flatter, and a slide comes to rest: that it rests at last does not say that it stood.";
   return html + " It <b>stands</b> where it has not failed and is at rest at the end of the last stage.</p>\n";
 }
@@ -202,8 +202,8 @@ std::vector<std::string> doubts_of(const std::vector<Trial>& trials, problem::Me
                                  "and units before its strength",
                                  1 / min_factor));
   if (moves_alike(trials))
-    doubts.push_back("the soil moves by the same whatever its strength is, so that this is no failure: water that flows, soil that creeps, "
-                     "or loads that are not over. Give the last stage more time");
+    doubts.push_back("the soil moves by the same whatever its strength is, so that this is no failure: water that flows, or loads that are "
+                     "not over. Give the last stage more time");
   if (!trials.empty() && method == problem::Method::mpm)
     doubts.push_back("cells make the factor of the material point method too large: a vertical cut with 20 cells over its height gives 6 % "
                      "more than the exact factor, and half of that with cells half as large. Take "

@@ -45,6 +45,24 @@ TEST(CellsAtBody, are_the_largest_that_the_lower_half_meets_as_it_moves)
   EXPECT_NEAR(cell_size_at<2>(model, circle(1, 1, 0.3), start), 0.1, 1e-12) << "and back";
 }
 
+TEST(CellsAtBody, are_not_those_in_the_air_beside_a_leg)
+{
+  Model<2> model = model_of_squares();
+  // Above y = 1.5 m rows are four times as high.
+  for (Vec<2>& x : model.mesh.position)
+    if (x[1] > 1.5) x[1] = 1.5 + 4 * (x[1] - 1.5);
+  model.mesh.complete();
+  Index start = 0;
+  bodies::BoxSettings leg;
+  leg.center = {1, 2.4};
+  leg.size = {0.4, 3};
+  const bodies::RigidShape<2> shape = bodies::make_shape<2>(bodies::RigidShapeSettings(leg));
+  model.surface = 1.1;
+  EXPECT_NEAR(cell_size_at<2>(model, shape, start), 0.1, 1e-12) << "it reaches 0.9 m, and its middle 2.4 m";
+  model.surface = 1.6;
+  EXPECT_NEAR(cell_size_at<2>(model, shape, start), 0.2, 1e-12);
+}
+
 TEST(CellsAtBody, are_not_known_beyond_the_mesh)
 {
   const Model<2> model = model_of_squares();

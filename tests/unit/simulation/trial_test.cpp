@@ -86,12 +86,14 @@ TEST(Trial, takes_no_flow_from_what_is_round_off_beside_the_limit)
 
 TEST(Trial, fails_by_flow_only_where_soil_yields)
 {
-  Trial yields = flowing(1e-3), drains = flowing(1e-3), rests = flowing(0);
+  Trial yields = flowing(1e-3), drains = flowing(1e-3), elastic = flowing(1e-3), rests = flowing(0);
   yields.end_flow(1e-3);
   EXPECT_TRUE(yields.failed());
   drains.end_flow(1e-7);
   EXPECT_FALSE(drains.failed());
   EXPECT_EQ(check_of(drains, "soil_at_rest"), 0) << "undecided";
+  elastic.end_flow(0);
+  EXPECT_EQ(check_of(elastic, "soil_at_rest"), 1) << "soil that yields nowhere stands";
   rests.end_flow(0.1);
   EXPECT_FALSE(rests.failed());
   EXPECT_EQ(check_of(rests, "soil_at_rest"), 1);
