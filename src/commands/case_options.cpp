@@ -6,9 +6,9 @@
 #include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "core/threads.hpp"
-#include "material/user_law.hpp"
 #include "sandbox/sandbox.hpp"
 #include "structures/structures.hpp"
+#include "user_law/load.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -31,18 +31,13 @@ std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case
   if (const auto* mesh = std::get_if<mesh::GmshFile>(&settings.mesh); mesh != nullptr && fs::path(mesh->file).extension() == ".geo")
     found.emplace_back("mesh.file", "a geometry that gmsh runs");
   for (const auto& soil : settings.material)
-    if (is_of_library(soil)) found.emplace_back(fmt::format("material.{}.library", soil.first), "a library with a law");
+    if (user_law::names_library({soil})) found.emplace_back(fmt::format("material.{}.library", soil.first), "a library with a law");
   return found;
 }
 
 std::string text_of_stdin()
 {
   return {std::istreambuf_iterator<char>(std::cin), {}};
-}
-
-bool is_one(const char* value)
-{
-  return value != nullptr && std::string_view(value) == "1";
 }
 
 }  // namespace
@@ -95,18 +90,17 @@ void CaseOptions::take_sandbox(CLI::App& command)
 {
   CLI::Option* with = command.add_flag("--sandbox", sandbox,
                                        "let nothing write but to the run folder, open sockets or start programs: the default where a case "
-                                       "brings a geometry (.geo) or a library; an error where the system has no sandbox");
+                                       "brings a library; an error where the system has no sandbox");
   command
       .add_flag("--no-sandbox", no_sandbox,
                 "let a geometry (.geo) or a library do whatever you may; as does BERM_NO_SANDBOX=1 in the environment, for studies too")
       ->excludes(with);
 }
 
-void CaseOptions::enter_sandbox(bool brings_programs, const std::vector<fs::path>& folders) const
+void CaseOptions::enter_sandbox(bool brings_libraries, const std::vector<fs::path>& folders) const
 {
-  constexpr const char* variable = "BERM_NO_SANDBOX";  // which runs that this one starts inherit
-  if (no_sandbox) ::setenv(variable, "1", 1);
-  if (!sandbox && (!brings_programs || is_one(std::getenv(variable)))) return;
+  if (no_sandbox) ::setenv(sandbox::trust_variable, "1", 1);
+  if (!sandbox && (!brings_libraries || sandbox::is_trusted())) return;
   std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
   try {
     if (why.empty()) return sandbox::enter(folders);
@@ -114,7 +108,7 @@ void CaseOptions::enter_sandbox(bool brings_programs, const std::vector<fs::path
     why = error.what();
   }
   if (sandbox) throw RunError(fmt::format("--sandbox: there is none here: {}", why));
-  if (Ranks::of_run().is_first()) spdlog::warn("what the case brings runs with all of your rights: there is no sandbox here: {}", why);
+  sandbox::do_without(why);
 }
 
 void CaseOptions::take_runner(CLI::App& command)
@@ -168,15 +162,14 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
   return all;
 }
 
-bool is_of_library(const std::pair<std::string, material::Material>& soil)
-{
-  return soil.second.get_if<material::UserLaw<material::Interface::own>>() != nullptr ||
-         soil.second.get_if<material::UserLaw<material::Interface::umat>>() != nullptr;
-}
-
 bool brings_programs(const simulation::RunRequest& request)
 {
   return !programs_of(request.settings).empty();
+}
+
+bool brings_libraries(const simulation::RunRequest& request)
+{
+  return user_law::names_library(request.settings.material);
 }
 
 void messages_to_stderr()

@@ -38,9 +38,9 @@ struct CaseOptions {
   void refuse_programs(const simulation::RunRequest& request) const;
   /// --sandbox and --no-sandbox.
   void take_sandbox(CLI::App& command);
-  /// From now on what the cases bring writes to `folders` only (sandbox/sandbox.hpp): where they bring programs, or --sandbox asks for it. Where the system has no sandbox a warning says
-  /// why; throws RunError where --sandbox asks for one.
-  void enter_sandbox(bool brings_programs, const std::vector<std::filesystem::path>& folders) const;
+  /// From now on this program writes to `folders` only (sandbox/sandbox.hpp): where the cases bring libraries, which become a part of it, or --sandbox asks for it. Where the system has no
+  /// sandbox a warning says why; throws RunError where --sandbox asks for one.
+  void enter_sandbox(bool brings_libraries, const std::vector<std::filesystem::path>& folders) const;
   /// --runner and what goes with it.
   void take_runner(CLI::App& command);
   /// What runs the cases. Throws InputError where it cannot.
@@ -58,7 +58,8 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options);
 
 /// Whether a case names a geometry that gmsh runs or a library with a law.
 bool brings_programs(const simulation::RunRequest& request);
-bool is_of_library(const std::pair<std::string, material::Material>& soil);
+/// Whether it names a library with a law.
+bool brings_libraries(const simulation::RunRequest& request);
 
 /// Messages of commands that write no run.log go to stderr.
 void messages_to_stderr();

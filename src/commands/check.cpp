@@ -62,7 +62,7 @@ Json check_as_json(CaseOptions options, const std::string& file)
   options.files = {file};
   try {
     const simulation::RunRequest request = requests(options).front();
-    options.enter_sandbox(brings_programs(request), {});
+    options.enter_sandbox(brings_libraries(request), {});
     const simulation::Checked checked = check_of(request, options);
     for (const input::Located& refusal : checked.refusals) findings.push_back(finding("error", refusal));
     if (checked.failure) findings.push_back(finding("error", *checked.failure));
@@ -107,7 +107,7 @@ Command add_check(CLI::App& program)
   return {app, [options, json] {
             if (*json) return print_json(*options);
             const std::vector<simulation::RunRequest> all = requests(*options);
-            options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_programs), {});
+            options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), {});
             for (const simulation::RunRequest& request : all) print_check(request, check_of(request, *options));
             return 0;
           }};

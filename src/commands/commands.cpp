@@ -90,7 +90,7 @@ std::string words_of_sandbox(const std::string& why, const std::string& stopped)
   std::istringstream lines(stopped);
   for (std::string line; std::getline(lines, line);)
     if (why.find(line) == std::string::npos) words += fmt::format("{}stopped by the sandbox: {}", words.empty() ? "" : "\n", line);
-  return words + "\n--no-sandbox lets a case that you trust do so";
+  return words + "; " + sandbox::how_to_do_without;
 }
 
 /// `why` is what was said of a failure.
@@ -120,6 +120,8 @@ int status_of_command(int argc, char** argv, std::string& why)
 int run_commands(int argc, char** argv)
 {
   try {
+    if (const std::optional<int> status = sandbox::run_inside(argc, argv)) return *status;
+    sandbox::guard_case_programs();
     std::string why;
     int status = status_of_command(argc, argv, why);
     if (const std::string stopped = sandbox::stopped(); !stopped.empty()) {

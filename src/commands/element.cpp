@@ -30,10 +30,9 @@ void load_laws(ElementRequest& request)
   }
 }
 
-bool brings_libraries(const ElementRequest& request)
+bool names_library(const ElementRequest& request)
 {
-  const auto any = [](const auto& materials) { return std::any_of(materials.begin(), materials.end(), is_of_library); };
-  return any(request.settings.material) || any(request.settings.borrowed);
+  return user_law::names_library(request.settings.material) || user_law::names_library(request.settings.borrowed);
 }
 
 /// All inputs are read before the first test; one goes to `output` itself, several to folders in it that are named like their files.
@@ -53,8 +52,11 @@ std::vector<ElementRequest> element_requests(const CaseOptions& options)
           fmt::format("{} holds the results of element tests: replace them with --force, or name another folder with -o", folder.string()));
   }
   std::vector<fs::path> folders;
-  for (const ElementRequest& request : all) folders.push_back(request.folder);
-  options.enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), folders);
+  for (const ElementRequest& request : all) {
+    if (names_library(request)) element::refuse_other_files(request.folder);
+    folders.push_back(request.folder);
+  }
+  options.enter_sandbox(std::any_of(all.begin(), all.end(), names_library), folders);
   for (ElementRequest& request : all) load_laws(request);
   return all;
 }

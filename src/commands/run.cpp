@@ -57,7 +57,7 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
     for (const simulation::RunRequest& request : all)
       if (!(side_by_side && is_fem(request)) && !run_case(request, context)) return outcome_of_stopped(request.folder);
   }
-  return side_by_side ? run_side_by_side(fem, options) : Outcome::done;
+  return side_by_side ? run_side_by_side(fem, options, false) : Outcome::done;
 }
 
 /// Says of runs that the user stopped before their bands were made how to go on.
@@ -118,6 +118,12 @@ std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunR
   return folders;
 }
 
+/// Several cases of which one brings a library run side by side, each in a sandbox of its own.
+bool go_side_by_side(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
+{
+  return options.has_runner() || (all.size() > 1 && !sandbox::is_trusted() && std::any_of(all.begin(), all.end(), brings_libraries));
+}
+
 /// That of the run; of several the folders that theirs lie in, where the messages and the queue of those that go side by side lie, too.
 std::vector<std::filesystem::path> written_folders(const std::vector<simulation::RunRequest>& all)
 {
@@ -135,7 +141,7 @@ Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
   if (finished && !options.uncertainty) return Outcome::done;
   if (finished) request = simulation::finished_run(folder);
   options.refuse_programs(*request);
-  options.enter_sandbox(brings_programs(*request), {folder});
+  options.enter_sandbox(brings_libraries(*request), {folder});
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
     simulation::Context context(options.threads, stopped);
@@ -186,11 +192,11 @@ Command add_run(CLI::App& program)
               return status_of(judged(resume(options->unfinished, *options), {options->unfinished}, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
             if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
-            if (!options->has_runner()) {
-              options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_programs), written_folders(all));
-              return status_of(judged(run_all(all, *options), folders_of(all), *options));
-            }
-            return status_of(judged(run_side_by_side(all, *options), folders_of(all), *options));
+            for (const simulation::RunRequest& request : all) run_folder::refuse_other_files(request.folder);
+            if (options->no_sandbox) options->enter_sandbox(false, {});
+            if (go_side_by_side(all, *options)) return status_of(judged(run_side_by_side(all, *options, true), folders_of(all), *options));
+            options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), written_folders(all));
+            return status_of(judged(run_all(all, *options), folders_of(all), *options));
           }};
 }
 

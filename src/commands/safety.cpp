@@ -46,7 +46,6 @@ Command add_safety(CLI::App& program)
             if (options->files.size() > 1)
               throw InputError(fmt::format("a factor of safety is that of one case, and here are {}", options->files.size()));
             check_search(options->how);
-            options->how.at_once = options->jobs();
             const std::filesystem::path file = options->files[0];
             const std::filesystem::path folder =
                 options->output.empty() ? std::filesystem::path("out/safety") / file.stem() : std::filesystem::path(options->output);

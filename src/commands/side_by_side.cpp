@@ -24,14 +24,14 @@ std::filesystem::path queue_of(const std::vector<simulation::RunRequest>& reques
   return requests.front().folder.string() + ".queue";
 }
 
-jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& requests, const CaseOptions& options)
+jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& requests, const CaseOptions& options, bool with_bands)
 {
   const jobs::Runner runner = options.runner();
-  const bool local = std::holds_alternative<jobs::LocalProcesses>(runner.by);  // which makes the bands of all runs afterwards
+  const bool local = std::holds_alternative<jobs::LocalProcesses>(runner.by);
   std::vector<jobs::Job> jobs;
   std::vector<simulation::RunRequest> of_job;
   for (const simulation::RunRequest& request : requests) {
-    const jobs::Job job{request.case_file, options.overrides, request.folder, nan, options.uncertainty && !local};
+    const jobs::Job job{request.case_file, options.overrides, request.folder, nan, options.uncertainty && with_bands};
     if (!local && !options.force && has_result(job)) {
       io::tell("{} has its result already and is not run again\n", request.folder.string());
       print_results(request);

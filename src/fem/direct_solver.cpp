@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/timer.hpp"
+#include "fem/blas.hpp"
 
 #include <algorithm>
 #include <dmumps_c.h>
@@ -25,6 +26,7 @@ struct DirectSolver::Mumps {
   MUMPS_INT& control(int number) { return call.icntl[number - 1]; }
   MUMPS_INT run(int job)
   {
+    const OneBlasThread one;
     call.job = job;
     dmumps_c(&call);
     return call.infog[0];

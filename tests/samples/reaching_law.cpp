@@ -2,19 +2,65 @@
 // A law that does, once in a run, what its third property says: the sandbox is tried with it.
 #include <berm/law.h>
 
+#include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
 #include <sched.h>
 #include <string>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/timex.h>
+#include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace {
+
+/// A process that nobody waits for, in a session of its own, and which outlives whoever asks for it: after a second it writes into the run folder.
+void leave_somebody_behind()
+{
+  if (::fork() != 0) return;
+  ::setsid();
+  if (::fork() != 0) ::_exit(0);
+  ::usleep(1'000'000);
+  if (const int file = ::open("results/late", O_WRONLY | O_CREAT, 0666); file >= 0) ::close(file);
+  ::_exit(0);
+}
+
+/// Tries to have the loader start a shell: its name stands where that of a program that may be started was looked at.
+void race_for_a_shell()
+{
+  char berm[PATH_MAX] = "", path[PATH_MAX] = "";
+  if (::readlink("/proc/self/exe", berm, sizeof berm - 1) <= 0) std::abort();
+  const char* const loader = "/lib64/ld-linux-x86-64.so.2";
+  std::atomic<bool> stop = false;
+  std::strcpy(path, berm);
+  std::thread changes([&] {
+    while (!stop) {
+      std::strcpy(path, loader);
+      std::strcpy(path, berm);
+    }
+  });
+  char shell[] = "/bin/sh", option[] = "-c", command[] = "echo > results/by_a_shell";
+  char* words[] = {berm, shell, option, command, nullptr};
+  for (int k = 0; k < 300; ++k) {
+    const pid_t child = ::vfork();
+    if (child == 0) {
+      ::execv(path, words);
+      ::_exit(1);
+    }
+    ::waitpid(child, nullptr, 0);
+  }
+  stop = true;
+  changes.join();
+}
 
 /// victim lies in the folder that berm works in, beside the run folder.
 void act(int what)
@@ -93,6 +139,23 @@ void act(int what)
                          ::ioctl(0, TIOCSTI, &byte) != 0 && errno == EPERM && ::syscall(fchmodat2, AT_FDCWD, "victim", 0, 0) != 0;
     // Below /proc the kernel's rules judge alone.
     if (!refused || ::open("/proc/self/comm", O_WRONLY) >= 0 || ::open("/proc/self/oom_score_adj", O_WRONLY) >= 0) std::abort();
+    break;
+  }
+  case 23:
+    leave_somebody_behind();
+    break;
+  case 24:
+    leave_somebody_behind();
+    ::_exit(0);
+  case 25:
+    race_for_a_shell();
+    break;
+  case 26: {
+    // Of root, too.
+    timex now{};
+    if (::syscall(SYS_clock_adjtime, CLOCK_REALTIME, &now) >= 0 || errno != EPERM || ::acct(nullptr) == 0 || errno != EPERM ||
+        ::syscall(SYS_syslog, 3, nullptr, 0) >= 0 || errno != EPERM || ::prctl(PR_SET_CHILD_SUBREAPER, 0) == 0)
+      std::abort();
     break;
   }
   case 20:

@@ -1,24 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "user_law/library.hpp"
 
+#include "core/case_programs.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
+#include "io/atomic_file.hpp"
+#include "io/sha256.hpp"
 #include "user_law/crash_guard.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cfenv>
 #include <cstring>
 #include <dlfcn.h>
 #include <elf.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <map>
 #include <optional>
+#include <sys/mman.h>
 #include <unistd.h>
 
 namespace berm::user_law {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t max_bytes = 1'000'000'000;
+
+/// Bytes as a file that has no name and does not change any more.
+class SealedFile {
+public:
+  SealedFile(const std::string& name, const std::string& bytes) : file_(::memfd_create(name.c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING))
+  {
+    if (file_ < 0 || !io::write_all(file_, bytes) ||
+        ::fcntl(file_, F_ADD_SEALS, F_SEAL_SEAL | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE) != 0) {
+      const int reason = errno;
+      if (file_ >= 0) ::close(file_);
+      throw RunError(fmt::format("{} cannot be copied into memory: {}", name, std::strerror(reason)));
+    }
+  }
+  ~SealedFile() { ::close(file_); }
+  SealedFile(const SealedFile&) = delete;
+  SealedFile& operator=(const SealedFile&) = delete;
+
+  std::string path() const { return fmt::format("/proc/self/fd/{}", file_); }
+
+private:
+  int file_;
+};
+
+/// What the loader says, of the file that the user knows.
+std::string reason_of_loader(const std::string& path, const fs::path& file)
+{
+  std::string reason = ::dlerror();
+  if (const std::size_t at = reason.find(path); at != std::string::npos) reason.replace(at, path.size(), file.string());
+  return reason;
+}
 
 /// The object of a type at a place in the bytes of a file; empty beyond their end.
 template <class T>
@@ -39,7 +78,7 @@ std::string text_at(const std::string& bytes, std::uint64_t place)
 
 }  // namespace
 
-void* open_library(const fs::path& file)
+Library open_library(const fs::path& file, const std::string& wanted_sha256)
 {
   std::error_code error;
   if (!fs::exists(file, error)) {
@@ -48,21 +87,27 @@ void* open_library(const fs::path& file)
     throw InputError(
         fmt::format("there is no {}; build it first{}", file.string(), made ? fmt::format(": make -C {}", folder.string()) : ""));
   }
-  std::string fault;
-  const int readable = open_to_read(file, fault);
-  if (readable < 0) throw InputError(fmt::format("{}: {}", file.string(), fault));
-  ::close(readable);
+  const FileBytes read = read_file(file, max_bytes);
+  if (!read.fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), read.fault));
+  const std::string hash = io::sha256_of(read.bytes);
+  if (!wanted_sha256.empty() && wanted_sha256 != hash)
+    throw InputError(fmt::format("{} is another file than the one with the SHA-256 {}: it is {}", file.string(), wanted_sha256, hash));
+  static std::map<std::string, void*> loaded;  // by their hashes: a library is loaded once
+  if (const auto earlier = loaded.find(hash); earlier != loaded.end()) return {earlier->second, hash};
+  ask_to_load(file.string());
+  const SealedFile sealed(file.filename().string(), read.bytes);
   // Code made with -ffast-math would have small numbers set to zero from its loading on, in all of the program.
   std::fenv_t rounding;
   std::fegetenv(&rounding);
   const std::string name = "loading " + file.string();
   std::optional<InsideCall> inside(name);
-  void* const library = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
-  const char* const reason = library == nullptr ? ::dlerror() : nullptr;
+  void* const library = ::dlopen(sealed.path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  const std::string reason = library == nullptr ? reason_of_loader(sealed.path(), file) : "";
   inside.reset();
   std::fesetenv(&rounding);
   if (library == nullptr) throw InputError(fmt::format("the library does not load: {}", reason));
-  return library;
+  loaded[hash] = library;
+  return {library, hash};
 }
 
 Symbol find_function(void* library, const fs::path& file, const std::vector<std::string>& names)
@@ -78,7 +123,6 @@ Symbol find_function(void* library, const fs::path& file, const std::vector<std:
 
 std::vector<std::string> functions_in(const fs::path& file)
 {
-  constexpr std::uintmax_t max_bytes = 1'000'000'000;
   const std::string bytes = read_file(file, max_bytes).bytes;
   std::vector<std::string> names;
   const auto header = object_at<Elf64_Ehdr>(bytes, 0);

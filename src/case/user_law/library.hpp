@@ -7,9 +7,15 @@
 
 namespace berm::user_law {
 
-/// Loads a shared library and keeps it until the program ends; its start-up code cannot change how berm rounds. Throws InputError with what the loader says
-/// where it is not there or does not load.
-void* open_library(const std::filesystem::path& file);
+struct Library {
+  void* handle;
+  std::string sha256;  ///< of the bytes that were loaded
+};
+
+/// Loads a shared library and keeps it until the program ends; its start-up code cannot change how berm rounds. Its bytes are read once, compared with the SHA-256 that is wanted ("": any) and
+/// loaded from memory, so that nobody changes the file in between. What it needs itself is found by whole paths only: $ORIGIN is not its folder. Throws InputError with what the loader
+/// says where it is not there, is another or does not load.
+Library open_library(const std::filesystem::path& file, const std::string& wanted_sha256 = "");
 
 /// The first of these functions that the library has, and its name. Throws InputError, with names that the library does have, where it has none of them.
 struct Symbol {

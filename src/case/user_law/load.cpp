@@ -2,7 +2,6 @@
 #include "user_law/load.hpp"
 
 #include "core/error.hpp"
-#include "io/sha256.hpp"
 #include "material/user_law.hpp"
 #include "user_law/library.hpp"
 #include "user_law/trial.hpp"
@@ -53,16 +52,12 @@ struct Found {
 template <Interface interface>
 Found find_in_library(const std::string& name, UserLaw<interface>& law)
 {
-  void* const library = with_key(name, "library", [&] { return open_library(law.library); });
-  const std::string hash = io::sha256_of_file(law.library);
-  if (!law.library_sha256.empty() && law.library_sha256 != hash)
-    throw KeyError(fmt::format("material.{}.library: {} is another file than the one with the SHA-256 {}: it is {}", name, law.library,
-                               law.library_sha256, hash));
-  law.library_sha256 = hash;
+  const Library library = with_key(name, "library", [&] { return open_library(law.library, law.library_sha256); });
+  law.library_sha256 = library.sha256;
   std::vector<std::string> names = {law.symbol};
   if (law.symbol.empty())
     names = interface == Interface::umat ? std::vector<std::string>{"umat_", "umat"} : std::vector<std::string>{"berm_law"};
-  const Symbol symbol = with_key(name, "symbol", [&] { return find_function(library, law.library, names); });
+  const Symbol symbol = with_key(name, "symbol", [&] { return find_function(library.handle, law.library, names); });
   const std::string words = fmt::format("the law \"{}\" of [material.{}], {} of {},", law.word, name, symbol.name, law.library);
   if constexpr (interface == Interface::umat)
     return {Umat{reinterpret_cast<UmatFunction>(symbol.address)}, words};
@@ -109,6 +104,13 @@ void refuse_unused(const GivenLaws& given, const Materials& materials)
 }
 
 }  // namespace
+
+bool names_library(const Materials& materials)
+{
+  bool found = false;
+  for_each_law(materials, [&](const std::string&, const auto&) { found = true; });
+  return found;
+}
 
 void load(Materials& materials, int dimension, const GivenLaws& given)
 {

@@ -20,6 +20,9 @@ void load(problem::Case& c, const GivenLaws& given = {});
 /// The same of materials by themselves, for stresses of this dimension.
 void load(std::vector<std::pair<std::string, material::Material>>& materials, int dimension, const GivenLaws& given = {});
 
+/// Whether one of the materials has a law from a library.
+bool names_library(const std::vector<std::pair<std::string, material::Material>>& materials);
+
 /// Path and SHA-256 of the libraries of a case that are loaded, each once.
 std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c);
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/mesh/mesh_settings_test.cpp
 #include "mesh/gmsh_program.hpp"
 
+#include "core/case_programs.hpp"
 #include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
@@ -20,16 +21,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string last_lines(const fs::path& file, std::size_t count)
+std::vector<std::string> lines_of(const fs::path& file)
 {
   constexpr std::uintmax_t max_bytes = 100'000'000;
   std::istringstream in(read_file(file, max_bytes).bytes);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);)
     if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+std::string last_lines(const fs::path& file, std::size_t count)
+{
+  const std::vector<std::string> lines = lines_of(file);
   std::string text;
   for (std::size_t k = lines.size() > count ? lines.size() - count : 0; k < lines.size(); ++k) text += "\n  " + lines[k];
   return text;
+}
+
+std::string last_line(const fs::path& file)
+{
+  const std::vector<std::string> lines = lines_of(file);
+  return lines.empty() ? "gmsh was stopped" : lines.back();
 }
 
 ChildProcess started(const ChildStart& start)
@@ -45,7 +58,7 @@ ChildProcess started(const ChildStart& start)
 
 }  // namespace
 
-void run_gmsh(const fs::path& geo, const fs::path& msh, int dim)
+void run_gmsh(const fs::path& geo, const fs::path& msh, int dim, Geometry whose)
 {
   const fs::path folder = fs::absolute(msh).parent_path();
   const fs::path log = fs::path(msh).replace_extension(".log");
@@ -54,11 +67,14 @@ void run_gmsh(const fs::path& geo, const fs::path& msh, int dim)
   if (!fs::is_regular_file(geo)) throw RunError(fmt::format("gmsh: there is no geometry {}", geo.string()));
   fs::remove(msh);
   // Gmsh reads its user's options from the folder that GMSH_HOME names; a folder without any makes meshes the same for everyone.
-  ChildProcess gmsh = started({.words = {"gmsh", fs::absolute(geo).string(), fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format",
-                                         "msh41", "-o", fs::absolute(msh).string()},
+  const std::vector<std::string> words = {
+      "gmsh", fs::absolute(geo).string(),   fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format", "msh41", "-o",
+      fs::absolute(msh).string()};
+  ChildProcess gmsh = started({.words = whose == Geometry::of_user ? contained(words, folder.string()) : words,
                                .messages = log.string(),
                                .environment = {"GMSH_HOME=" + folder.string() + "/"}});
   const int status = wait_unless_interrupted(gmsh, "gmsh");
+  if (status == stopped_status && whose == Geometry::of_user) throw RunError(last_line(log));
   if (status > 128) throw RunError(fmt::format("gmsh was stopped by signal {} ({})", status - 128, strsignal(status - 128)));
   if (status != 0 || !fs::exists(msh))
     throw RunError(
@@ -69,9 +85,9 @@ template <int dim>
 Mesh<dim> mesh_by_gmsh(const fs::path& geo, const fs::path& msh, const std::string& key, const GmshFile* settings)
 {
   if (settings == nullptr)
-    kept_or_made(geo, msh, dim, [&] { run_gmsh(geo, msh, dim); });
+    kept_or_made(geo, msh, dim, [&] { run_gmsh(geo, msh, dim, Geometry::own); });
   else  // a user's geometry may take in other files
-    run_gmsh(geo, msh, dim);
+    run_gmsh(geo, msh, dim, Geometry::of_user);
   try {
     return settings == nullptr ? read_msh<dim>(msh) : read_msh<dim>(msh, *settings);
   } catch (const InputError& error) {

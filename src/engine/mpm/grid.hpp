@@ -313,7 +313,7 @@ struct Workspace {
   std::vector<std::shared_ptr<const BodyLaws>> laws;   ///< by body
   std::vector<Vec<dim>> motion_before, motion_after;   ///< m/s, by Model::motions: when the step begins and when it ends
   Real unbalanced = 0,
-       weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
+       weight = nan;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step; NaN before a step
 
   Workspace(const problem::Model<dim>& model, const problem::State<dim>& state);
 };

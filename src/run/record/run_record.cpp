@@ -228,7 +228,11 @@ RunRecord read_run(const fs::path& folder)
   take_log(run);
   take_origin(run);
   compare_history_with_end(run);
-  if (run.summary) run.quantities = run.summary->quantities;
+  if (!run.summary) return run;
+  if (run.history.rows() > 0)
+    run.quantities = run.summary->quantities;
+  else if (!run.summary->quantities.empty())
+    run.faults.emplace_back("the results in summary.json are left out: the rows that they are of are not there");
   return run;
 }
 

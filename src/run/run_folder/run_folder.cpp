@@ -99,19 +99,33 @@ void move_start(const fs::path& folder)
   throw RunError(fmt::format("cannot use {} as the run folder: {}", path.string(), reason));
 }
 
+bool is_of_a_run(const fs::path& path)
+{
+  return fs::exists(path / resolved) || fs::exists(start_in(path));
+}
+
 }  // namespace
+
+void refuse_other_files(const fs::path& path)
+{
+  try {
+    if (!fs::exists(path)) return;
+    if (!fs::is_directory(path)) refuse(path, "it is not a folder");
+    if (!is_of_a_run(path) && holds_files(path))
+      refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
+  } catch (const fs::filesystem_error& error) {
+    refuse(path, error.code().message());
+  }
+}
 
 RunFolder::RunFolder(const fs::path& path) : path_(path)
 {
+  refuse_other_files(path);
   try {
-    if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "it is not a folder");
     fs::create_directories(path);
     if (::access(path.c_str(), W_OK | X_OK) != 0) io::throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
-    const bool of_a_run = fs::exists(path / resolved) || fs::exists(start_in(path));
-    if (!of_a_run && holds_files(path))
-      refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
     lock_ = std::make_unique<io::FolderLock>(path);
-    if (of_a_run) remove_run(path);
+    if (is_of_a_run(path)) remove_run(path);
   } catch (const fs::filesystem_error& error) {
     refuse(path, error.code().message());
   }

@@ -37,6 +37,9 @@ private:
   std::unique_ptr<io::FolderLock> lock_;
 };
 
+/// Throws RunError where the path is not a folder, or one that holds something and is not one of a run. Makes nothing.
+void refuse_other_files(const std::filesystem::path& path);
+
 /// Moves what a process that was killed in begin() left of it. Throws RunError where another process writes into the folder.
 void finish_start(const std::filesystem::path& run_folder);
 

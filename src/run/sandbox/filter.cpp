@@ -10,6 +10,7 @@
 #include <sched.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <system_error>
 
@@ -25,6 +26,9 @@ const int refused_calls[] = {
     SCMP_SYS(clock_settime), SCMP_SYS(settimeofday), SCMP_SYS(swapon),        SCMP_SYS(swapoff),         SCMP_SYS(reboot),
     SCMP_SYS(keyctl),        SCMP_SYS(add_key),      SCMP_SYS(request_key),   SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd),
     SCMP_SYS(quotactl),      SCMP_SYS(sethostname),  SCMP_SYS(setdomainname), SCMP_SYS(kexec_file_load),
+    SCMP_SYS(clock_adjtime), SCMP_SYS(adjtimex),     SCMP_SYS(acct),          SCMP_SYS(fanotify_init),   SCMP_SYS(syslog),
+    SCMP_SYS(vhangup),       SCMP_SYS(iopl),         SCMP_SYS(ioperm),        SCMP_SYS(nfsservctl),      SCMP_SYS(quotactl_fd),
+    SCMP_SYS(fsconfig),      SCMP_SYS(fspick),       SCMP_SYS(pidfd_getfd),   SCMP_SYS(process_madvise), SCMP_SYS(process_vm_writev),
 };
 
 /// What the filter cannot see into, or does not know yet: programs that ask for it take what they took before it was there.
@@ -83,8 +87,11 @@ int install_filter()
   // The kernel looks at the lower half of a request only.
   constexpr std::uint64_t lower_half = 0xffffffff;
   for (const std::uint64_t request : {static_cast<std::uint64_t>(TIOCSTI), static_cast<std::uint64_t>(TIOCLINUX),
-                                      static_cast<std::uint64_t>(FS_IOC_SETFLAGS), static_cast<std::uint64_t>(FS_IOC_FSSETXATTR)})
+                                      static_cast<std::uint64_t>(FS_IOC_SETFLAGS), static_cast<std::uint64_t>(FS_IOC_FSSETXATTR),
+                                      static_cast<std::uint64_t>(FIFREEZE), static_cast<std::uint64_t>(FITHAW), static_cast<std::uint64_t>(FITRIM)})
     filter.add(refuse, SCMP_SYS(ioctl), 1, lower_half, request & lower_half);
+  // What a process leaves behind becomes a child of the program, where the watcher finds it.
+  filter.add(refuse, SCMP_SYS(prctl), 0, lower_half, PR_SET_CHILD_SUBREAPER);
   // Pairs of datagram sockets send to any other; those of streams are connected for good.
   constexpr std::uint64_t kind = 0xf;
   for (const std::uint64_t type : {SOCK_DGRAM, SOCK_RAW, SOCK_RDM}) filter.add(refuse, SCMP_SYS(socketpair), 1, kind, type);

@@ -146,7 +146,7 @@ std::string family(std::uint64_t number)
 const std::vector<int>& watched_calls()
 {
   static const std::vector<int> all = [] {
-    std::vector<int> calls = {SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(socket)};
+    std::vector<int> calls = {SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(set_tid_address), SCMP_SYS(socket)};
     for (const Changes& changes : changing_calls())
       if (changes.call != SCMP_SYS(open) && changes.call != SCMP_SYS(openat)) calls.push_back(changes.call);
     return calls;
@@ -177,6 +177,17 @@ Verdict Judge::start(const seccomp_notif& call) const
   return allowed ? Verdict{} : refused(call, "started the program " + file->string());
 }
 
+/// Each program makes this call as it begins, before any code of its own: the loader, which may be started, must not have been started to load another.
+Verdict Judge::begin(const seccomp_notif& call) const
+{
+  std::error_code error;
+  const fs::path program = fs::read_symlink(process(call) / "exe", error);
+  if (!error && std::find(allowed_.programs.begin(), allowed_.programs.end(), program) != allowed_.programs.end()) return {};
+  Verdict verdict = refused(call, "started a program by the loader");
+  verdict.ends = true;
+  return verdict;
+}
+
 /// Below /proc and /dev names are others for each process, but for the files in shared memory: what Landlock knows it judges itself, and of the rest nothing is allowed.
 Verdict Judge::change(const seccomp_notif& call, const fs::path& file, bool only_here) const
 {
@@ -192,6 +203,8 @@ Verdict Judge::change(const seccomp_notif& call, const fs::path& file, bool only
 
 Verdict Judge::operator()(const seccomp_notif& call) const
 {
+  if (call.data.nr == SCMP_SYS(renameat2) && call.data.args[4] == question_flags) return {answer_inside, ""};
+  if (call.data.nr == SCMP_SYS(set_tid_address)) return begin(call);
   if (call.data.nr == SCMP_SYS(socket)) return refused(call, "opened a socket " + family(call.data.args[0]));
   if (call.data.nr == SCMP_SYS(execve) || call.data.nr == SCMP_SYS(execveat)) return start(call);
   const auto changes =

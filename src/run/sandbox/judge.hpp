@@ -3,6 +3,7 @@
 
 #include "sandbox/watcher.hpp"
 
+#include <cerrno>
 #include <seccomp.h>
 #include <string>
 #include <sys/types.h>
@@ -14,7 +15,12 @@ namespace berm::sandbox {
 struct Verdict {
   int error = 0;
   std::string note = {};
+  bool ends = false;  ///< the process is ended
 };
+
+/// A call that the kernel knows as senseless, and the watcher answers: whoever gets the answer is in the sandbox, whatever its environment says.
+constexpr unsigned question_flags = 0x6265726d;
+constexpr int answer_inside = ENOTUNIQ;
 
 /// The calls that are judged whatever their arguments are; open and openat beside them where they write.
 const std::vector<int>& watched_calls();
@@ -28,6 +34,7 @@ public:
 
 private:
   Verdict start(const seccomp_notif& call) const;
+  Verdict begin(const seccomp_notif& call) const;
   Verdict change(const seccomp_notif& call, const std::filesystem::path& file, bool only_here) const;
   Verdict refused(const seccomp_notif& call, const std::string& what) const;
 

@@ -2,20 +2,30 @@
 // Tests: tests/unit/commands/run_sandbox_test.cpp
 #include "sandbox/sandbox.hpp"
 
+#include "core/case_programs.hpp"
+#include "core/child_process.hpp"
 #include "core/control_group.hpp"
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
+#include "io/tell.hpp"
+#include "sandbox/judge.hpp"
 #include "sandbox/landlock.hpp"
 #include "sandbox/watcher.hpp"
 
+#include <cerrno>
 #include <cstdlib>
-#include <optional>
+#include <fmt/format.h>
 #include <seccomp.h>
+#include <spdlog/spdlog.h>
 #include <sstream>
+#include <string_view>
+#include <sys/syscall.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace berm::sandbox {
 namespace {
@@ -23,6 +33,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<Watcher> watcher;
+
+bool does_without = false;
+
+constexpr const char* inside_word = "--inside";  // the first word of a berm that starts a program of a case
 
 bool has_one_thread()
 {
@@ -69,13 +83,6 @@ bool is_script(const fs::path& program)
   return script;
 }
 
-/// Whether a berm that is in a sandbox started this one: what it left in the environment is believed where the kernel says the same.
-bool is_in_one_already()
-{
-  return std::getenv(io::ScratchFolder::outer_variable) != nullptr && kernel_number("/proc/self/status", "Seccomp:") == 2 &&
-         kernel_number("/proc/self/status", "NoNewPrivs:") == 1;
-}
-
 /// The folders that are not there yet on the way to this one, the innermost first.
 std::vector<fs::path> missing(fs::path folder)
 {
@@ -90,16 +97,44 @@ std::string why_there_is_none()
 {
   if (landlock_version() < 2) return "its kernel has no Landlock (Linux 5.19 and later, where it is not switched off)";
   if (seccomp_api_get() < 5) return "its kernel has no notifications of seccomp";
-  if (!has_one_thread()) return "the program has threads already";
   if (is_script(program_in_path("gmsh"))) return "gmsh is a script here, which would have to start other programs";
   const Real scope = kernel_number("/proc/sys/kernel/yama/ptrace_scope");
   if (scope > 0 && scope < infinity && ::geteuid() != 0) return "no process may look into another here (kernel.yama.ptrace_scope)";
   return "";
 }
 
+bool is_inside()
+{
+  errno = 0;
+  ::syscall(SYS_renameat2, -1, nullptr, -1, nullptr, question_flags);
+  return errno == answer_inside;
+}
+
+namespace {
+
+/// Throws RunError where that is not possible.
+void restrict(const Allowed& allowed)
+{
+  if (!has_one_thread()) throw RunError("this system has no sandbox: the program has threads already");
+  adopt_orphans();  // so that the watcher finds what the program started
+  try {
+    watcher.emplace(allowed);  // first: the watcher itself is not restricted
+    restrict_files(allowed.folders, allowed.programs);
+  } catch (const std::system_error& error) {
+    throw RunError(std::string("the sandbox cannot be set up: ") + error.what());
+  }
+}
+
+void set_temporary_folder(const fs::path& folder)
+{
+  for (const char* variable : {io::ScratchFolder::outer_variable, "TMPDIR", "TMP", "TEMP"}) ::setenv(variable, folder.c_str(), 1);
+}
+
+}  // namespace
+
 void enter(const std::vector<fs::path>& folders)
 {
-  if (is_in_one_already()) return;
+  if (is_inside()) return;
   ::unsetenv(io::ScratchFolder::outer_variable);
   if (const std::string why = why_there_is_none(); !why.empty()) throw RunError("this system has no sandbox: " + why);
   // Never removed by this program, which may not: its guard does so, outside of the sandbox.
@@ -114,14 +149,65 @@ void enter(const std::vector<fs::path>& folders)
     io::make_folder(folder);
     allowed.folders.push_back(fs::canonical(folder));
   }
-  try {
-    watcher.emplace(allowed);  // first: the watcher itself is not restricted
-    restrict_files(allowed.folders, allowed.programs);
-  } catch (const std::system_error& error) {
-    throw RunError(std::string("the sandbox cannot be set up: ") + error.what());
+  restrict(allowed);
+  set_temporary_folder(allowed.folders.front());
+}
+
+bool is_trusted()
+{
+  const char* const value = std::getenv(trust_variable);
+  return value != nullptr && std::string_view(value) == "1";
+}
+
+void do_without(const std::string& why)
+{
+  if (!std::exchange(does_without, true) && Ranks::of_run().is_first())
+    spdlog::warn("what the case brings runs with all of your rights: there is no sandbox here: {}", why);
+}
+
+void guard_case_programs()
+{
+  set_case_program_rules({words_inside, [](const std::string& library) {
+                            if (!is_inside() && !is_trusted() && !does_without)
+                              throw RunError(fmt::format("{} is a library of a case, and loaded in a sandbox only: {}", library, how_to_do_without));
+                          }});
+}
+
+std::vector<std::string> words_inside(const std::vector<std::string>& words, const std::string& folder)
+{
+  if (is_trusted()) return words;
+  if (const std::string why = is_inside() ? "" : why_there_is_none(); !why.empty()) {
+    do_without(why);
+    return words;
   }
-  for (const char* variable : {io::ScratchFolder::outer_variable, "TMPDIR", "TMP", "TEMP"})
-    ::setenv(variable, allowed.folders.front().c_str(), 1);
+  std::vector<std::string> inside = {fs::canonical("/proc/self/exe").string(), inside_word, folder};
+  inside.insert(inside.end(), words.begin(), words.end());
+  return inside;
+}
+
+std::optional<int> run_inside(int argc, char** argv)
+{
+  if (argc < 4 || std::string_view(argv[1]) != inside_word) return {};
+  try {
+    Allowed allowed;
+    allowed.folders.push_back(fs::canonical(argv[2]));
+    add_own_programs(allowed);
+    if (is_inside())
+      restrict_files(allowed.folders, allowed.programs);
+    else
+      restrict(allowed);
+    set_temporary_folder(allowed.folders.front());
+    ChildProcess program({.words = std::vector<std::string>(argv + 3, argv + argc)});
+    const int status = program.wait();
+    const std::string what = stopped();
+    leave();
+    if (what.empty()) return status;
+    io::tell("stopped by the sandbox: {}; {}\n", what.substr(0, what.find('\n')), how_to_do_without);
+    return stopped_status;
+  } catch (const std::exception& error) {
+    io::tell("{}\n", error.what());
+    return 1;
+  }
 }
 
 std::string stopped()

@@ -2,11 +2,13 @@
 // Tests: tests/unit/commands/run_sandbox_test.cpp
 #include "sandbox/watcher.hpp"
 
+#include "sandbox/descendants.hpp"
 #include "sandbox/filter.hpp"
 #include "sandbox/judge.hpp"
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -15,6 +17,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -72,38 +75,76 @@ std::string plain(std::string text)
   return text;
 }
 
-/// Until nobody is left who could be asked about.
-void answer(int asks, int line, const Judge& judge, const std::vector<std::filesystem::path>& made, const auto& note)
+/// Answers what the kernel asks.
+class Answers {
+public:
+  Answers(int asks, const Judge& judge) : asks_(asks), judge_(judge) { has_memory_ = seccomp_notify_alloc(&call_, &reply_) == 0; }
+
+  bool has_memory() const { return has_memory_; }
+
+  /// One call; `alone`: the watched program has ended, and nothing that it left behind goes on.
+  void give(bool alone, const auto& note)
+  {
+    std::memset(call_, 0, sizeof *call_);
+    if (seccomp_notify_receive(asks_, call_) != 0) return;
+    std::memset(reply_, 0, sizeof *reply_);
+    reply_->id = call_->id;
+    const Verdict verdict = alone ? Verdict{EACCES, "", true} : judge_(*call_);
+    if (seccomp_notify_id_valid(asks_, call_->id) != 0) return;  // it has ended: what was read may be of another
+    if (!verdict.note.empty()) note(verdict.note);
+    if (verdict.ends) ::kill(static_cast<pid_t>(call_->pid), SIGKILL);
+    reply_->flags = verdict.error == 0 ? SECCOMP_USER_NOTIF_FLAG_CONTINUE : 0;
+    reply_->error = -verdict.error;
+    seccomp_notify_respond(asks_, reply_);
+  }
+
+private:
+  int asks_;
+  const Judge& judge_;
+  seccomp_notif* call_ = nullptr;
+  seccomp_notif_resp* reply_ = nullptr;
+  bool has_memory_ = false;
+};
+
+/// Until nobody is left who could be asked about. What the watched program started ends with it.
+void answer(int asks, int line, pid_t watched, const Judge& judge, const std::vector<std::filesystem::path>& made, const auto& note)
 {
-  seccomp_notif* call = nullptr;
-  seccomp_notif_resp* reply = nullptr;
-  if (seccomp_notify_alloc(&call, &reply) != 0) return;
-  for (pollfd both[2] = {{asks, POLLIN, 0}, {line, POLLIN, 0}}; ::poll(both, 2, -1) >= 0 || errno == EINTR;) {
-    if ((both[1].revents & POLLIN) != 0) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds look_each(100);
+  Answers answers(asks, judge);
+  Descendants started(watched);
+  bool alone = false;
+  Clock::time_point looked = Clock::now();
+  const int program = static_cast<int>(::syscall(SYS_pidfd_open, watched, 0));
+  if (!answers.has_memory() || program < 0) return;
+  const auto broken = [](const pollfd& of) { return (of.revents & (POLLHUP | POLLERR)) != 0; };
+  for (pollfd all[3] = {{asks, POLLIN, 0}, {line, POLLIN, 0}, {program, POLLIN, 0}};
+       ::poll(all, 3, alone ? -1 : static_cast<int>(look_each.count())) >= 0 || errno == EINTR;) {
+    if ((all[1].revents & POLLIN) != 0) {
       char byte = 0;
       if (::read(line, &byte, 1) == 1) {
+        started.end();
         for (const auto& folder : made) ::rmdir(folder.c_str());
         [[maybe_unused]] const auto told = ::write(line, &byte, 1);
       } else {
-        both[1].fd = -1;
+        all[1].fd = -1;
       }
-    } else if ((both[1].revents & (POLLHUP | POLLERR)) != 0) {
-      both[1].fd = -1;
+    } else if (broken(all[1])) {
+      all[1].fd = -1;
     }
-    if ((both[0].revents & POLLIN) == 0) {
-      if ((both[0].revents & (POLLHUP | POLLERR)) != 0) return;
-      continue;
+    if ((all[2].revents & POLLIN) != 0) {
+      alone = true;
+      all[2].fd = -1;
+      started.end();
     }
-    std::memset(call, 0, sizeof *call);
-    if (seccomp_notify_receive(asks, call) != 0) continue;
-    std::memset(reply, 0, sizeof *reply);
-    reply->id = call->id;
-    const Verdict verdict = judge(*call);
-    if (seccomp_notify_id_valid(asks, call->id) != 0) continue;  // it has ended: what was read may be of another
-    if (!verdict.note.empty()) note(verdict.note);
-    reply->flags = verdict.error == 0 ? SECCOMP_USER_NOTIF_FLAG_CONTINUE : 0;
-    reply->error = -verdict.error;
-    seccomp_notify_respond(asks, reply);
+    if (!alone && Clock::now() - looked >= look_each) {
+      started.look();
+      looked = Clock::now();
+    }
+    if ((all[0].revents & POLLIN) != 0)
+      answers.give(alone, note);
+    else if (broken(all[0]))
+      return;
   }
 }
 
@@ -145,7 +186,7 @@ Watcher::Watcher(const Allowed& allowed)
       std::memcpy(notes->text, all.data(), all.size());
       notes->length = all.size();
     };
-    if (const int asks = received_file(own_line); asks >= 0) answer(asks, own_line, Judge(allowed, watched), allowed.made, note);
+    if (const int asks = received_file(own_line); asks >= 0) answer(asks, own_line, watched, Judge(allowed, watched), allowed.made, note);
     ::_exit(0);
   }
   ::close(line[1]);

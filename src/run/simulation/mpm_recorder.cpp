@@ -364,7 +364,8 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   }
   row_.of_main("run");
   observe_energies(model, state, kinetic);
-  out_of_balance_ = workspace.weight > 0 ? workspace.unbalanced / workspace.weight : nan;
+  // Of a run that was resumed the soil may sleep: then the last number is still that of its last step.
+  if (!std::isnan(workspace.weight)) out_of_balance_ = workspace.weight > 0 ? workspace.unbalanced / workspace.weight : nan;
   observe_out_of_balance(row_, out_of_balance_);
   if (!model.impermeable.empty()) observe_consolidation(row_, state.stage);
   if (model.main_rigid != none) observe_contact_of_main(model, state);

@@ -63,7 +63,7 @@ private:
   std::vector<problem::LoadPointState<dim>> first_loaded_;
   Real first_elastic_ = 0;  ///< J/m or J, of the stress at the start, in elastic soil; 0 where a stage drives a body
   Real first_kinetic_ = 0;
-  Real out_of_balance_ = 0;
+  Real out_of_balance_ = nan;
   Real shaking_ = 0, shaken_rows_ = 0;  ///< sum over rows, and their number
 };
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "simulation/results.hpp"
 
+#include "fem/blas.hpp"
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
 #include "problem/cells_at_body.hpp"
@@ -151,6 +152,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
                   {"machine", io::host_description()},
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
   for (auto& entry : run_folder::this_build()) summary.text.push_back(std::move(entry));
+  if (request.settings.method == problem::Method::fem) summary.text.emplace_back("blas_kernel", fem::blas_kernel());
   if (run.summary) summary.text.emplace_back(base::region_entry, run.summary->text.at(base::region_entry));
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());

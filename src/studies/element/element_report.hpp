@@ -18,6 +18,9 @@ struct ElementResults {
 /// Whether the folder holds what write_results leaves. Throws InputError where it holds a run of berm run, which is never replaced.
 bool holds_results(const std::filesystem::path& folder);
 
+/// Throws InputError where the folder holds something, and no element tests.
+void refuse_other_files(const std::filesystem::path& folder);
+
 /// Whether it holds those of the same tests by this build of berm.
 bool has_result(const ElementCase& settings, const std::filesystem::path& folder);
 

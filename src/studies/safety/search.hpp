@@ -27,7 +27,7 @@ struct Trial {
 struct SearchSettings {
   Real low = 1, high = 2;  ///< of the first trials
   Real tolerance = 0.01;   ///< between the largest factor at which the soil stands and the smallest at which it fails
-  int at_once = 1;         ///< trials at a time
+  int at_once = 3;         ///< trials of a round: the same on every machine, so that the answer does not depend on how many run at a time
 };
 
 constexpr Real min_factor = 0.1, max_factor = 10, smallest_tolerance = 1e-3;

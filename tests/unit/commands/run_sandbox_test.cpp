@@ -6,10 +6,12 @@
 #include "samples/program.hpp"
 #include "samples/small_cases.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <thread>
 
 namespace berm::commands::this_file {
 namespace {
@@ -93,7 +95,7 @@ TEST_F(SandboxOfLaw, names_what_a_law_was_kept_from_and_ends_the_run)
     EXPECT_EQ(ended.status, 1) << act;
     EXPECT_NE(ended.err.find("berm: stopped by the sandbox: a library of the case would have " + words), std::string::npos)
         << act << ": " << ended.err;
-    EXPECT_TRUE(ended.err.ends_with("\n--no-sandbox lets a case that you trust do so\n")) << ended.err;
+    EXPECT_TRUE(ended.err.ends_with("; --no-sandbox lets a case that you trust do so\n")) << ended.err;
     EXPECT_NE(text_of_file(folder_ / "results/run.log").find("stopped by the sandbox"), std::string::npos) << act;
     EXPECT_NE(text_of_file(folder_ / "results/summary.json").find("\"finished\": false"), std::string::npos) << act;
     expect_nothing_changed(std::to_string(act));
@@ -128,11 +130,43 @@ strain_path = [0.05]
 
 TEST_F(SandboxOfLaw, has_no_other_way_out_and_a_temporary_folder)
 {
-  for (const int act : {19, 21}) {
+  for (const int act : {19, 21, 26}) {
     const Ended ended = run(act);
     EXPECT_EQ(ended.status, 0) << act << ": " << ended.err;
     expect_nothing_changed(std::to_string(act));
   }
+}
+
+TEST_F(SandboxOfLaw, ends_what_a_law_leaves_behind)
+{
+  for (const int act : {23, 24}) {
+    run(act);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    EXPECT_FALSE(fs::exists(folder_ / "results/late")) << act;
+  }
+}
+
+TEST_F(SandboxOfLaw, starts_no_shell_by_the_loader)
+{
+  run(25);
+  EXPECT_FALSE(fs::exists(folder_ / "results/by_a_shell"));
+}
+
+TEST_F(SandboxOfLaw, of_several_cases_has_a_folder_for_each)
+{
+  fs::copy_file(folder_ / "case.toml", folder_ / "other.toml");
+  const Ended ended = berm({"run", "case.toml", "other.toml", "-o", ".", "--set", "material.stone.properties=[1e6, 0, 1]"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("stopped by the sandbox: a library of the case would have written to "), std::string::npos) << ended.err;
+  expect_nothing_changed("several");
+}
+
+TEST_F(SandboxOfLaw, is_not_entered_for_a_folder_of_other_files)
+{
+  const Ended ended = berm({"run", "case.toml", "-o", ".", "--set", "material.stone.properties=[1e6, 0, 1]"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("cannot use . as the run folder: it holds files that are not of a run"), std::string::npos) << ended.err;
+  expect_nothing_changed("other files");
 }
 
 TEST_F(SandboxOfLaw, is_not_put_off_by_what_stands_in_the_environment)
@@ -185,15 +219,38 @@ TEST_F(Sandbox, names_what_a_geometry_was_kept_from)
     folder_.write("square.geo", square + line + "\n");
     for (const std::vector<std::string>& command : {std::vector<std::string>{"check", "case.toml"},
                                                     {"draw", "case.toml", "-o", "drawn/case.svg"},
+                                                    {"draw", "case.toml", "-o", "-"},
+                                                    {"draw", "case.toml", "-o", "case.svg"},
                                                     {"run", "case.toml", "-o", "out/results"}}) {
       const Ended ended = berm(command);
       EXPECT_EQ(ended.status, 1) << command[0];
-      EXPECT_NE(ended.err.find("stopped by the sandbox: the geometry of the case would have " + words + "\n"), std::string::npos)
+      EXPECT_NE(ended.err.find("stopped by the sandbox: the geometry of the case would have " + words + "; "), std::string::npos)
           << command[0] << ": " << ended.err;
       expect_nothing_changed(line);
       EXPECT_FALSE(fs::exists(folder_ / "out")) << "a run that has not begun leaves no folder";
     }
   }
+}
+
+TEST_F(Sandbox, holds_where_a_command_asks_a_case_before_its_runs_begin)
+{
+  std::string text = test::falling_stone;
+  const std::string box = "{kind = \"box\", size = [1, 1], cells = [4, 4]}", law = "law = \"linear_elastic\"";
+  text.replace(text.find(box), box.size(), "{kind = \"gmsh\", file = \"square.geo\"}");
+  text.replace(text.find(law), law.size(), "law = \"mohr_coulomb\", cohesion = 1e3, friction_angle = 0");
+  fs::create_directory(folder_ / "theirs");
+  folder_.write("theirs/case.toml", text);
+  folder_.write("theirs/square.geo", square + std::string("SystemCall \"touch made\";\n"));
+  folder_.write("theirs/expected.toml", "chapter = \"other\"\nrequirement = \"It falls.\"\nderived = \"here\"\n[run.falls]\ntitle = \"It falls\"\n"
+                "[[expect]]\nrun = \"falls\"\ncolumn = \"stone_uy_m\"\nmost = 0\nsource = \"it falls\"\nwhy = \"it falls\"\n");
+  const std::string why = "stopped by the sandbox: the geometry of the case would have started the program /bin/sh; --no-sandbox";
+  const Ended safety = berm({"safety", "theirs/case.toml", "-o", "found"});
+  EXPECT_EQ(safety.status, 1);
+  EXPECT_NE(safety.err.find(why), std::string::npos) << safety.err;
+  const Ended verify = berm({"verify", "theirs", "-o", "book"});
+  EXPECT_EQ(verify.status, 1) << verify.err;
+  EXPECT_NE((verify.out + verify.err).find(why), std::string::npos) << verify.out << verify.err;
+  expect_nothing_changed("asked before");
 }
 
 TEST_F(Sandbox, of_a_case_without_programs_changes_nothing)

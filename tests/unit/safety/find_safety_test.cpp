@@ -155,6 +155,22 @@ TEST_F(SafetyCommand, counts_no_strength_that_clay_has_by_its_rate)
   EXPECT_NE(ended.out.find("F = 1.4 to 1.5"), std::string::npos) << ended.out;
 }
 
+TEST_F(SafetyCommand, tries_the_same_factors_on_any_number_of_threads)
+{
+  std::vector<std::string> tables;
+  for (const char* threads : {"1", "2", "4"}) {
+    const Ended ended = run_program(folder_.path(), {"safety", "column.toml", "-o", std::string("on_") + threads, "--threads", threads, "--tolerance", "0.05"});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    std::string table = text_of_file(folder_ / (std::string("on_") + threads + "/safety.csv"));
+    std::string without_times;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) without_times += line.substr(0, line.rfind(',')) + "\n";
+    tables.push_back(without_times);
+  }
+  EXPECT_EQ(tables[0], tables[1]);
+  EXPECT_EQ(tables[0], tables[2]);
+}
+
 TEST_F(SafetyCommand, keeps_trials_of_another_case_apart)
 {
   ASSERT_EQ(safety({"--tolerance", "0.5", "--low", "1.3"}).status, 0);

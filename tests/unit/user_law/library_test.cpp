@@ -41,13 +41,13 @@ TEST(Library, that_is_none_says_what_the_loader_says)
 
 TEST(Library, finds_the_first_name_that_is_there)
 {
-  void* const library = open_library(BERM_TRIAL_LAWS);
+  void* const library = open_library(BERM_TRIAL_LAWS).handle;
   EXPECT_EQ(find_function(library, BERM_TRIAL_LAWS, {"no_such", "patient", "fails"}).name, "patient");
 }
 
 TEST(Library, without_the_function_lists_those_it_has)
 {
-  void* const library = open_library(BERM_TRIAL_LAWS);
+  void* const library = open_library(BERM_TRIAL_LAWS).handle;
   const std::string message = message_of([&] { find_function(library, BERM_TRIAL_LAWS, {"umat_", "umat"}); });
   EXPECT_NE(message.find("has no function umat_ or umat; it has aborts, berm_law, "), std::string::npos) << message;
 }
