@@ -2,6 +2,7 @@
 #include "fem/direct_solver.hpp"
 
 #include <Eigen/LU>
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <malloc.h>
 
@@ -41,6 +42,42 @@ TEST(DirectSolver, says_that_a_matrix_is_singular)
   EXPECT_FALSE(solver.factorize(std::vector<Real>{1, -1, 1, 0, 5}));
 }
 
+/// Springs between n x n points of a square, and their stiffness.
+std::pair<SparsePattern, std::vector<Real>> springs_of(Index n)
+{
+  SparsePattern springs{{0}, {}};
+  std::vector<Real> stiffness;
+  const auto add = [&](Index column, Real entry) { springs.column.push_back(column), stiffness.push_back(entry); };
+  for (Index k = 0; k < n * n; ++k) {
+    if (k >= n) add(k - n, -1);
+    if (k % n > 0) add(k - 1, -1);
+    add(k, 4 + 1. / (k + 3));
+    springs.first.push_back(static_cast<Index>(springs.column.size()));
+  }
+  return {springs, stiffness};
+}
+
+/// The solution of 200 x 200 equations where OpenBLAS was told to take so many threads.
+std::vector<Real> solution_with(int threads)
+{
+  const auto set = reinterpret_cast<void (*)(int)>(::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  if (set != nullptr) set(threads);
+  const auto [springs, stiffness] = springs_of(200);
+  DirectSolver solver(springs);
+  EXPECT_TRUE(solver.factorize(stiffness));
+  std::vector<Real> b(200 * 200);
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] = 1. / (static_cast<Real>(k) + 7);
+  solver.solve(b);
+  if (set != nullptr) set(1);
+  return b;
+}
+
+TEST(DirectSolver, has_the_same_digits_however_many_threads_the_blas_would_take)
+{
+  const std::vector<Real> one = solution_with(1);
+  for (const int threads : {2, 4}) EXPECT_TRUE(one == solution_with(threads)) << threads;
+}
+
 Real allocated()
 {
   const struct mallinfo2 now = ::mallinfo2();
@@ -52,16 +89,8 @@ TEST(DirectSolver, foretells_the_memory_of_a_decomposition)
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer's memory is not counted by mallinfo2";
 #endif
-  constexpr int n = 200;  // springs between the points of a square
-  SparsePattern springs{{0}, {}};
-  std::vector<Real> stiffness;
-  const auto add = [&](Index column, Real entry) { springs.column.push_back(column), stiffness.push_back(entry); };
-  for (Index k = 0; k < n * n; ++k) {
-    if (k >= n) add(k - n, -1);
-    if (k % n > 0) add(k - 1, -1);
-    add(k, 4);
-    springs.first.push_back(static_cast<Index>(springs.column.size()));
-  }
+  constexpr int n = 200;
+  const auto [springs, stiffness] = springs_of(n);
   DirectSolver solver(springs);
   const Real before = allocated();
   ASSERT_TRUE(solver.factorize(stiffness));

@@ -99,6 +99,21 @@ TEST_F(PipelineRun, goes_on_to_the_same_bytes_after_it_was_stopped_and_as_a_clon
   }
 }
 
+TEST_F(PipelineRun, goes_on_to_the_same_bytes_while_all_its_slices_sleep)
+{
+  const std::vector<std::string> more = {"pipeline.slices.asleep=\"always\"", "pipeline.far_soil={friction=0.9, axial_angle=\"20 deg\"}"};
+  run_of("whole", more).finish();
+  {
+    OneRun parts = run_of("parts", more);
+    to_the_line(parts);
+    parts.stop();
+  }
+  OneRun::resume((folder_ / "parts").string()).finish();
+  EXPECT_GT(values("parts", "out_of_balance", "current").back(), 0) << "the last that the soil had";
+  for (const std::string name : {"history.csv", "line.csv", "springs.csv"})
+    EXPECT_EQ(folder_.read("whole/" + name), folder_.read("parts/" + name)) << name;
+}
+
 TEST_F(PipelineRun, has_columns_of_its_line_and_of_each_slice_and_answers_for_each_of_its_stages)
 {
   OneRun run = run_of("run");
