@@ -18,11 +18,14 @@ import sys
 import tempfile
 import tokenize
 
+sys.dont_write_bytecode = True
+
+from house_samples import LICENCE, SAMPLES
+
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SKIPPED = 77
 CPP = (".cpp", ".hpp")
 CODE = CPP + (".py", ".pyi", "pyproject.toml", ".sh", ".cmake", ".ts", ".js", ".geo")
-LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 MOST_LINES, MANY_LINES = 600, 400
 MOST_LETTERS = 140  # in a line of the Python package and its tests
 # clang-format lays code out a little differently in every version; the house uses the one of Debian 12.
@@ -298,9 +301,9 @@ def examples(tree):
 
 
 def silence(tree):
-    """Only what runs cases, main.cpp, the progress line and the run log write to the terminal."""
+    """Only what runs cases, main.cpp, the progress line, the run log and the sandbox of a geometry write to the terminal."""
     studies = tuple(f"src/studies/{room}/" for room in ("benchmark", "envelope", "jobs", "safety", "study", "uncertainty", "verification"))
-    allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log", "src/run/io/tell")
+    allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/run/sandbox/sandbox.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log", "src/run/io/tell")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
     pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b|\bio::tell\s*\("
     yield from code_matching(tree, paths, pattern, "writes to the terminal")
@@ -310,6 +313,23 @@ def silence(tree):
 def reading(tree):
     """Files are opened for reading by core/read_file alone, which opens no FIFO and no device."""
     yield from code_matching(tree, tree.ending(CPP, "src/"), r"\bstd::i?fstream\b|\bfopen\s*\(", "opens a file by itself: open_to_read and read_file do it")
+
+
+def starting(tree):
+    """Libraries are loaded and processes made in a few places, so that nothing of a case starts outside of the sandbox (core/case_programs.hpp)."""
+    makers = (
+        "src/engine/core/child_process.cpp",  # all children
+        "src/engine/core/threads.cpp",  # berm itself, anew
+        "src/case/user_law/library.cpp",  # a law, after ask_to_load
+        "src/run/sandbox/watcher.cpp",
+        "src/run/simulation/run_of_ranks.cpp",  # libberm_mpi
+        "src/studies/fmu/slice.c",  # libberm, in a unit
+    )
+    starters = ("src/engine/core/", "src/engine/mesh/gmsh_program.cpp", "src/run/io/", "src/run/sandbox/", "src/studies/desk/process.", "src/studies/jobs/", "src/commands/desk.cpp")
+    code = tree.ending(CPP + (".c",), "src/")
+    calls = r"\b(?:dlopen|dlmopen|v?fork|f?execve?p?e?|execl[pe]?|execv|posix_spawnp?|popen|system)\s*\("
+    yield from code_matching(tree, [path for path in code if path not in makers], calls, "starts a program or loads a library by itself")
+    yield from code_matching(tree, [path for path in code if not path.startswith(starters)], r"\bChildProcess\b", "starts a program")
 
 
 def allocation(tree):
@@ -417,125 +437,7 @@ def decisions(tree):
     yield from (f"CHANGELOG.md: says twice '{line[:60]}'" for line in sorted(set(lines)) if lines.count(line) > 1)
 
 
-SPDX = "// " + LICENCE + "\n"
-TIERS = "berm_room(engine/core ENGINE)\nberm_room(engine/mesh ENGINE USES core)\nberm_room(engine/mpm ENGINE USES core mesh)\nberm_room(case/input/inner USES mpm LINKS toml)\n"
-CELL = '{"cell_type": "code", "source": ["sticky = 1"], "outputs": []}'
-NOTEBOOK = f'{{"metadata": {{"license": "{LICENCE}"}}, "cells": [{CELL}]}}'
-EXAMPLE = {"examples/slope/README.md": "a", "examples/slope/case.toml": "a", "examples/slope/expected.toml": "a"}
-
-# Each check with trees that it must refuse and trees that it must let pass: {path: text}.
-CHECKS = {
-    licence: (
-        [{"src/a.cpp": "int a;\n"}, {"run": "#!/bin/sh\nls\n"}, {"CMakeLists.txt": "\n\n# " + LICENCE + "\n"}],
-        [{"src/a.cpp": SPDX, "run": "#!/bin/sh\n# " + LICENCE + "\n", "notes.md": "words"}],
-    ),
-    notebooks: (
-        [
-            {"a.ipynb": NOTEBOOK.replace(LICENCE, "")},
-            {"a.ipynb": NOTEBOOK.replace('"outputs": []', '"outputs": [1]')},
-            {"a.ipynb": NOTEBOOK.replace(CELL, "")},
-            {"a.ipynb": "words"},
-        ],
-        [{"a.ipynb": NOTEBOOK}],
-    ),
-    width: ([{"python/berm/a.py": "a" * 141}, {"tests/python/a.py": "\n" + "a" * 141}], [{"python/a.py": "a" * 140, "scripts/a.py": "a" * 141}]),
-    length: ([{"a.cpp": "\n" * 601}, {"a.py": "\n" * 700}], [{"a.cpp": "\n" * 600, "a.md": "\n" * 900}]),
-    names: ([{"src/string_utils.hpp": ""}, {"src/common/a.hpp": ""}], [{"src/engine/mesh/locate.hpp": ""}]),
-    tiers: (
-        [
-            {"CMakeLists.txt": TIERS, "src/engine/core/a.hpp": '#include "mesh/mesh.hpp"\n'},
-            {"CMakeLists.txt": TIERS, "src/engine/mesh/a.cpp": '#include "../core/a.hpp"\n'},
-            {"CMakeLists.txt": TIERS, "src/fem/a.cpp": ""},
-            {"CMakeLists.txt": TIERS, "src/case/input/a.cpp": ""},
-            {"CMakeLists.txt": "berm_room(core USES mesh)\nberm_room(mesh)\n"},
-        ],
-        [{"CMakeLists.txt": TIERS, "src/case/input/inner/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "commands/a.hpp"\n'}],
-    ),
-    namespaces: (
-        [{"src/engine/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/pages/report/page/a.cpp": "namespace berm::page {\n}\n"}, {"tests/unit/mesh/a.cpp": "namespace berm::mesh {\n}\n"}],
-        [{"src/engine/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/engine/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n", "tests/physics/a.cpp": "namespace berm::this_file {\n}\n"}],
-    ),
-    type_names: (
-        [
-            {"src/engine/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\n}\n", "src/engine/mesh/b.cpp": "namespace berm::mesh {\nclass A {\n};\n}\n"},
-            {"tests/a.hpp": "namespace berm {\nstruct A {\n};\n}\n", "tests/b.hpp": "namespace berm {\nenum class A { one };\n}\n"},
-        ],
-        [
-            {
-                "src/engine/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\nstruct B;\n}\n",
-                "src/engine/mesh/b.cpp": "namespace berm::mesh {\nnamespace {\nstruct A {\n};\n}  // namespace\nstruct B {\n};\n}\n",
-                "src/fem/a.hpp": "namespace berm::fem {\nstruct A {\n};\n}\n",
-            }
-        ],
-    ),
-    test_files: (
-        [{"src/engine/mesh/a.cpp": ""}, {"src/engine/mesh/a.cpp": "\n// Tests: tests/b.cpp\n"}, {"tests/unit/mesh/a_test.cpp": ""}, {"src/engine/mesh/a.hpp": "", "tests/unit/mesh/test_a.cpp": ""}],
-        [{"src/engine/mesh/a.cpp": "", "tests/unit/mesh/a_of_tests_test.cpp": "", "src/engine/mesh/b.cpp": "\n// Tests: tests/b.cpp\n", "tests/b.cpp": ""}],
-    ),
-    places: (
-        [{"a.md": "see /ho" + "me/me/x"}, {"a.sh": "cd /wo" + "rk/main"}, {"a.lock": "https://registry." + "npmjs.org/x"}],
-        [{"a.md": "https://berm.example/work/x and out/work/y and /usr/bin/python3"}],
-    ),
-    loose_ends: ([{"a.cpp": "// TO" + "DO later\n"}, {"a.md": "FIX" + "ME\n"}], [{"a.cpp": "// to do nothing is allowed\n"}]),
-    toml: (
-        [{"src/a.cpp": "#include <toml++/toml.h>\n", "src/b.hpp": "#include <toml++/toml.h>\n"}],
-        [{"src/a.cpp": "#include <toml++/toml.h>\n", "src/b.cpp": '#include "input/toml_reader.hpp"\n'}],
-    ),
-    layout: (
-        [{".clang-format": "BasedOnStyle: LLVM\n", "a.cpp": "int  a ;\n"}],
-        [{".clang-format": "BasedOnStyle: LLVM\n", "a.cpp": "int a;\n"}],
-    ),
-    examples: (
-        [{path: text for path, text in EXAMPLE.items() if path != left_out} for left_out in EXAMPLE] + [{"examples/sizes/study.toml": "a"}],
-        [EXAMPLE, {"examples/sizes/README.md": "a", "examples/sizes/study.toml": "a"}, {"examples/program/README.md": "a", "examples/program/CMakeLists.txt": "a"}],
-    ),
-    silence: (
-        [
-            {"src/engine/mpm/a.cpp": "std::cout << 1;\n"},
-            {"src/engine/mesh/a.cpp": 'printf("x");\n'},
-            {"src/run/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
-            {"src/engine/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
-            {"src/fem/b.cpp": 'io::tell("{}", 1);\n'},
-        ],
-        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/run/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/engine/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
-    ),
-    reading: (
-        [{"src/run/io/a.cpp": "std::ifstream lines(file);\n"}, {"src/engine/mesh/a.cpp": 'FILE* file = fopen(name, "r");\n'}],
-        [{"src/run/io/a.cpp": "std::ofstream lines(file); // no std::ifstream\n", "tests/a.cpp": "std::ifstream lines(file);\n"}],
-    ),
-    allocation: (
-        [{"src/engine/mpm/a.cpp": "int* a = new int;\n"}, {"src/engine/contact/a.hpp": "void* p = std::malloc(3);\n"}],
-        [{"src/engine/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/run/io/a.cpp": "new int;\n"}],
-    ),
-    dialect: (
-        [
-            {"src/a.hpp": "Real initial_spin;\n"},
-            {"src/a.hpp": "enum class Grip { open };\n"},
-            {"src/a.hpp": "struct WishedPipe;\n"},
-            {"tests/a.cpp": "TEST(Memory, is_foretold)\n"},
-            {"src/a.cpp": "int a = stumble_;\n"},
-            {"python/a.py": "def stumble(): pass\n"},
-            {"a.ipynb": NOTEBOOK},
-        ],
-        [{"src/a.hpp": '/// spin\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n", "python/a.py": "# spin\na = 'sticky'\n"}],
-    ),
-    prose: (
-        [{"README.md": "a\n" * 61}, {"examples/a/README.md": "a\n" * 61}, {"docs/a.md": "at zero cells.\nThe number wavers.\n"}],
-        [{"README.md": "a\n" * 60, "docs/README.md": "a\n" * 61, "docs/decisions/0001-a.md": "It wavers.\n", "examples/a/results.md": "a\n" * 61}],
-    ),
-    decisions: (
-        [
-            {"CHANGELOG.md": "", "docs/decisions/README.md": "| [1](1-a.md) | a |\n| [1](1-a.md) | b |\n", "docs/decisions/1-a.md": ""},
-            {"CHANGELOG.md": "", "docs/decisions/README.md": "", "docs/decisions/1-a.md": ""},
-            {"CHANGELOG.md": "- A.\n- B.\n- A.\n", "docs/decisions/README.md": ""},
-        ],
-        [{"CHANGELOG.md": "- A.\n\n", "docs/decisions/README.md": "| [1](1-a.md) | a |\n", "docs/decisions/1-a.md": ""}],
-    ),
-    links: (
-        [{"docs/a.md": "[b](b.md)"}, {"docs/a.md": "[b](../b.md#other)", "b.md": "# Part\n"}, {"a.md": "[b](#b)\n```\n# b\n```\n"}],
-        [{"docs/a.md": "# One, `two`\n[b](../b.md#part-a_b) [1](#one-two) [c](https://berm.example/c.md#d)", "b.md": "## Part [a_b](c)\n", "c": ""}],
-    ),
-}
+CHECKS = {globals()[name]: samples for name, samples in SAMPLES.items()}
 
 
 def tells_apart(check):

@@ -68,8 +68,8 @@ void run_gmsh(const fs::path& geo, const fs::path& msh, int dim, Geometry whose)
   fs::remove(msh);
   // Gmsh reads its user's options from the folder that GMSH_HOME names; a folder without any makes meshes the same for everyone.
   const std::vector<std::string> words = {
-      "gmsh", fs::absolute(geo).string(),   fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format", "msh41", "-o",
-      fs::absolute(msh).string()};
+      "gmsh", fs::absolute(geo).string(), fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format", "msh41",
+      "-o",   fs::absolute(msh).string()};
   ChildProcess gmsh = started({.words = whose == Geometry::of_user ? contained(words, folder.string()) : words,
                                .messages = log.string(),
                                .environment = {"GMSH_HOME=" + folder.string() + "/"}});

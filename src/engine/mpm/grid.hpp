@@ -312,8 +312,10 @@ struct Workspace {
   std::vector<int> load_owner;                         ///< of each load point: the rank that has its cell
   std::vector<std::shared_ptr<const BodyLaws>> laws;   ///< by body
   std::vector<Vec<dim>> motion_before, motion_after;   ///< m/s, by Model::motions: when the step begins and when it ends
-  Real unbalanced = 0,
-       weight = nan;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step; NaN before a step
+  Real
+      unbalanced = 0,
+      weight =
+          nan;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step; NaN before a step
 
   Workspace(const problem::Model<dim>& model, const problem::State<dim>& state);
 };

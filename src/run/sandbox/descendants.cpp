@@ -2,12 +2,14 @@
 // Tests: tests/unit/commands/run_sandbox_test.cpp
 #include "sandbox/descendants.hpp"
 
+#include "core/read_file.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <poll.h>
+#include <sstream>
 #include <string>
 #include <sys/syscall.h>
 #include <thread>
@@ -25,8 +27,9 @@ std::vector<pid_t> children_of(pid_t process)
   std::error_code error;
   for (fs::directory_iterator task(fs::path("/proc") / std::to_string(process) / "task", error), end; !error && task != end;
        task.increment(error)) {
-    std::ifstream file(task->path() / "children");
-    for (pid_t child = 0; file >> child;) all.push_back(child);
+    constexpr std::uintmax_t most = 1 << 20;
+    std::istringstream children(read_file(task->path() / "children", most).bytes);
+    for (pid_t child = 0; children >> child;) all.push_back(child);
   }
   return all;
 }

@@ -19,16 +19,55 @@ namespace {
 
 /// Calls that no solver, mesh or picture makes: they lead out of the sandbox or change the machine.
 const int refused_calls[] = {
-    SCMP_SYS(connect),       SCMP_SYS(bind),         SCMP_SYS(listen),        SCMP_SYS(unshare),         SCMP_SYS(setns),
-    SCMP_SYS(chroot),        SCMP_SYS(pivot_root),   SCMP_SYS(mount),         SCMP_SYS(umount2),         SCMP_SYS(move_mount),
-    SCMP_SYS(open_tree),     SCMP_SYS(fsopen),       SCMP_SYS(fsmount),       SCMP_SYS(mount_setattr),   SCMP_SYS(open_by_handle_at),
-    SCMP_SYS(bpf),           SCMP_SYS(init_module),  SCMP_SYS(finit_module),  SCMP_SYS(delete_module),   SCMP_SYS(kexec_load),
-    SCMP_SYS(clock_settime), SCMP_SYS(settimeofday), SCMP_SYS(swapon),        SCMP_SYS(swapoff),         SCMP_SYS(reboot),
-    SCMP_SYS(keyctl),        SCMP_SYS(add_key),      SCMP_SYS(request_key),   SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd),
-    SCMP_SYS(quotactl),      SCMP_SYS(sethostname),  SCMP_SYS(setdomainname), SCMP_SYS(kexec_file_load),
-    SCMP_SYS(clock_adjtime), SCMP_SYS(adjtimex),     SCMP_SYS(acct),          SCMP_SYS(fanotify_init),   SCMP_SYS(syslog),
-    SCMP_SYS(vhangup),       SCMP_SYS(iopl),         SCMP_SYS(ioperm),        SCMP_SYS(nfsservctl),      SCMP_SYS(quotactl_fd),
-    SCMP_SYS(fsconfig),      SCMP_SYS(fspick),       SCMP_SYS(pidfd_getfd),   SCMP_SYS(process_madvise), SCMP_SYS(process_vm_writev),
+    SCMP_SYS(connect),
+    SCMP_SYS(bind),
+    SCMP_SYS(listen),
+    SCMP_SYS(unshare),
+    SCMP_SYS(setns),
+    SCMP_SYS(chroot),
+    SCMP_SYS(pivot_root),
+    SCMP_SYS(mount),
+    SCMP_SYS(umount2),
+    SCMP_SYS(move_mount),
+    SCMP_SYS(open_tree),
+    SCMP_SYS(fsopen),
+    SCMP_SYS(fsmount),
+    SCMP_SYS(mount_setattr),
+    SCMP_SYS(open_by_handle_at),
+    SCMP_SYS(bpf),
+    SCMP_SYS(init_module),
+    SCMP_SYS(finit_module),
+    SCMP_SYS(delete_module),
+    SCMP_SYS(kexec_load),
+    SCMP_SYS(clock_settime),
+    SCMP_SYS(settimeofday),
+    SCMP_SYS(swapon),
+    SCMP_SYS(swapoff),
+    SCMP_SYS(reboot),
+    SCMP_SYS(keyctl),
+    SCMP_SYS(add_key),
+    SCMP_SYS(request_key),
+    SCMP_SYS(perf_event_open),
+    SCMP_SYS(userfaultfd),
+    SCMP_SYS(quotactl),
+    SCMP_SYS(sethostname),
+    SCMP_SYS(setdomainname),
+    SCMP_SYS(kexec_file_load),
+    SCMP_SYS(clock_adjtime),
+    SCMP_SYS(adjtimex),
+    SCMP_SYS(acct),
+    SCMP_SYS(fanotify_init),
+    SCMP_SYS(syslog),
+    SCMP_SYS(vhangup),
+    SCMP_SYS(iopl),
+    SCMP_SYS(ioperm),
+    SCMP_SYS(nfsservctl),
+    SCMP_SYS(quotactl_fd),
+    SCMP_SYS(fsconfig),
+    SCMP_SYS(fspick),
+    SCMP_SYS(pidfd_getfd),
+    SCMP_SYS(process_madvise),
+    SCMP_SYS(process_vm_writev),
 };
 
 /// What the filter cannot see into, or does not know yet: programs that ask for it take what they took before it was there.
@@ -86,9 +125,10 @@ int install_filter()
   for (int call = first_newer_call; call <= last_newer_call; ++call) filter.add(unknown, call);
   // The kernel looks at the lower half of a request only.
   constexpr std::uint64_t lower_half = 0xffffffff;
-  for (const std::uint64_t request : {static_cast<std::uint64_t>(TIOCSTI), static_cast<std::uint64_t>(TIOCLINUX),
-                                      static_cast<std::uint64_t>(FS_IOC_SETFLAGS), static_cast<std::uint64_t>(FS_IOC_FSSETXATTR),
-                                      static_cast<std::uint64_t>(FIFREEZE), static_cast<std::uint64_t>(FITHAW), static_cast<std::uint64_t>(FITRIM)})
+  for (const std::uint64_t request :
+       {static_cast<std::uint64_t>(TIOCSTI), static_cast<std::uint64_t>(TIOCLINUX), static_cast<std::uint64_t>(FS_IOC_SETFLAGS),
+        static_cast<std::uint64_t>(FS_IOC_FSSETXATTR), static_cast<std::uint64_t>(FIFREEZE), static_cast<std::uint64_t>(FITHAW),
+        static_cast<std::uint64_t>(FITRIM)})
     filter.add(refuse, SCMP_SYS(ioctl), 1, lower_half, request & lower_half);
   // What a process leaves behind becomes a child of the program, where the watcher finds it.
   filter.add(refuse, SCMP_SYS(prctl), 0, lower_half, PR_SET_CHILD_SUBREAPER);

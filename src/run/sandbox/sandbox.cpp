@@ -169,7 +169,8 @@ void guard_case_programs()
 {
   set_case_program_rules({words_inside, [](const std::string& library) {
                             if (!is_inside() && !is_trusted() && !does_without)
-                              throw RunError(fmt::format("{} is a library of a case, and loaded in a sandbox only: {}", library, how_to_do_without));
+                              throw RunError(
+                                  fmt::format("{} is a library of a case, and loaded in a sandbox only: {}", library, how_to_do_without));
                           }});
 }
 

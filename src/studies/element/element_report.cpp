@@ -118,7 +118,8 @@ bool holds_results(const fs::path& folder)
 void refuse_other_files(const fs::path& folder)
 {
   std::error_code error;
-  if (!holds_results(folder) && fs::is_directory(folder, error) && !fs::is_empty(folder, error) && !fs::exists(folder / "resolved.toml", error))
+  if (!holds_results(folder) && fs::is_directory(folder, error) && !fs::is_empty(folder, error) &&
+      !fs::exists(folder / "resolved.toml", error))
     throw InputError(fmt::format("{} holds files that are not of element tests: name another folder with -o", folder.string()));
 }
 

@@ -106,7 +106,8 @@ std::string definition_html(const problem::Case& settings)
       "angle), "
       "undrained strength and tension cut-off of every soil, tan(friction angle), adhesion and tension of its interfaces. The stiffness "
       "and "
-      "the dilation angle stay; the dilation angle is at most the reduced friction angle. Clay has its strength at the reference rate.</p>\n"
+      "the dilation angle stay; the dilation angle is at most the reduced friction angle. Clay has its strength at the reference "
+      "rate.</p>\n"
       "<p>The soil <b>fails</b> where a point of it moves farther than the displacement in the table, in a stage that moves no body: a "
       "hundredth of the height that can slide, and twice the compression of elastic soil of that height under its weight and loads, unless "
       "safety.movement says otherwise. ";

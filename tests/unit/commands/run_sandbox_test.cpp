@@ -241,7 +241,8 @@ TEST_F(Sandbox, holds_where_a_command_asks_a_case_before_its_runs_begin)
   fs::create_directory(folder_ / "theirs");
   folder_.write("theirs/case.toml", text);
   folder_.write("theirs/square.geo", square + std::string("SystemCall \"touch made\";\n"));
-  folder_.write("theirs/expected.toml", "chapter = \"other\"\nrequirement = \"It falls.\"\nderived = \"here\"\n[run.falls]\ntitle = \"It falls\"\n"
+  folder_.write("theirs/expected.toml",
+                "chapter = \"other\"\nrequirement = \"It falls.\"\nderived = \"here\"\n[run.falls]\ntitle = \"It falls\"\n"
                 "[[expect]]\nrun = \"falls\"\ncolumn = \"stone_uy_m\"\nmost = 0\nsource = \"it falls\"\nwhy = \"it falls\"\n");
   const std::string why = "stopped by the sandbox: the geometry of the case would have started the program /bin/sh; --no-sandbox";
   const Ended safety = berm({"safety", "theirs/case.toml", "-o", "found"});

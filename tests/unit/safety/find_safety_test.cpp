@@ -159,7 +159,8 @@ TEST_F(SafetyCommand, tries_the_same_factors_on_any_number_of_threads)
 {
   std::vector<std::string> tables;
   for (const char* threads : {"1", "2", "4"}) {
-    const Ended ended = run_program(folder_.path(), {"safety", "column.toml", "-o", std::string("on_") + threads, "--threads", threads, "--tolerance", "0.05"});
+    const Ended ended = run_program(
+        folder_.path(), {"safety", "column.toml", "-o", std::string("on_") + threads, "--threads", threads, "--tolerance", "0.05"});
     EXPECT_EQ(ended.status, 0) << ended.err;
     std::string table = text_of_file(folder_ / (std::string("on_") + threads + "/safety.csv"));
     std::string without_times;
