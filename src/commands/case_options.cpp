@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <iostream>
-#include <iterator>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -35,9 +34,13 @@ std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case
   return found;
 }
 
+/// One byte more than a case may have tells that it has too many.
 std::string text_of_stdin()
 {
-  return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::string text(input::max_case_bytes + 1, '\0');
+  std::cin.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(std::cin.gcount()));
+  return text;
 }
 
 }  // namespace

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <new>
@@ -115,10 +117,32 @@ int status_of_command(int argc, char** argv, std::string& why)
   }
 }
 
+/// To say so may take no memory.
+void say_without_memory()
+{
+  std::fputs("berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n", stderr);
+}
+
+/// Libraries take objects apart by means of memory, in destructors that may not throw.
+[[noreturn]] void end_without_memory()
+{
+  if (const std::exception_ptr error = std::current_exception()) {
+    try {
+      std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+      say_without_memory();
+      std::_Exit(1);
+    } catch (...) {
+    }
+  }
+  std::abort();
+}
+
 }  // namespace
 
 int run_commands(int argc, char** argv)
 {
+  std::set_terminate(end_without_memory);
   try {
     if (const std::optional<int> status = sandbox::run_inside(argc, argv)) return *status;
     sandbox::guard_case_programs();
@@ -131,9 +155,9 @@ int run_commands(int argc, char** argv)
     sandbox::leave();
     if (!why.empty()) io::tell("berm: {}\n", why);
     return simulation::leave_ranks(status, why);
-  } catch (const std::bad_alloc&) {  // to say so may take none
-    std::fputs("berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n", stderr);
-    return simulation::leave_ranks(1, "out of memory");
+  } catch (const std::bad_alloc&) {
+    say_without_memory();
+    std::_Exit(simulation::leave_ranks(1, "out of memory"));  // what is taken apart at the end of a program may ask for memory
   }
 }
 

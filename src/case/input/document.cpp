@@ -36,7 +36,6 @@ struct TomlStumbled {};
 namespace berm::input {
 namespace {
 
-constexpr std::size_t max_bytes = 1'000'000;
 constexpr int max_dots = 32;
 
 Node convert(const toml::node& from);
@@ -165,15 +164,15 @@ int line_of_syntax_error(const std::string& text)
 
 Document parse_file(const std::filesystem::path& file)
 {
-  const auto [text, fault] = read_file(file, max_bytes);
+  const auto [text, fault] = read_file(file, max_case_bytes);
   if (!fault.empty()) throw LocatedError({.file = file.string(), .message = fault});
   return parse_text(file.string(), text);
 }
 
 Document parse_text(const std::string& file, const std::string& text)
 {
-  if (text.size() > max_bytes)
-    throw LocatedError({.file = file, .message = fmt::format("is longer than {} bytes, the maximum for a case", max_bytes)});
+  if (text.size() > max_case_bytes)
+    throw LocatedError({.file = file, .message = fmt::format("is longer than {} bytes, the maximum for a case", max_case_bytes)});
   if (const int line = line_of_too_deep_key(text)) refuse_line(file, line, fmt::format("a key has more than {} dots", max_dots));
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos)
     refuse_line(file, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'),

@@ -45,6 +45,9 @@ Document parse_file(const std::filesystem::path& file);
 /// As parse_file, of a text; `file` is for the messages.
 Document parse_text(const std::string& file, const std::string& text);
 
+/// Bytes of a case at most.
+constexpr std::size_t max_case_bytes = 1'000'000;
+
 /// The single TOML value that a text is; empty where it is not one.
 std::optional<Node> parse_value(const std::string& text);
 

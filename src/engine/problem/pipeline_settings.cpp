@@ -117,24 +117,24 @@ void describe(Describe& d, FarSoil& soil)
 void describe(Describe& d, PipelineSettings& pipeline)
 {
   d.value("wall", pipeline.wall,
-          {.meaning = "thickness of the steel wall; the outer diameter is that of the rigid body", .unit = "m", .range = positive});
-  d.value("young_modulus", pipeline.young_modulus, {.meaning = "of the wall", .unit = "Pa", .range = positive});
+          {.meaning = "thickness of the steel wall; the outer diameter is that of the rigid body", .unit = "m", .range = {1e-5, 1}});
+  d.value("young_modulus", pipeline.young_modulus, {.meaning = "of the wall", .unit = "Pa", .range = {1e5, 1e14}});
   d.value("bending_stiffness", pipeline.bending_stiffness,
-          {.meaning = "EI, instead of wall and young_modulus: of a cable, an umbilical", .unit = "N m^2", .range = positive});
+          {.meaning = "EI, instead of wall and young_modulus: of a cable, an umbilical", .unit = "N m^2", .range = {1e-6, 1e15}});
   d.value("axial_stiffness", pipeline.axial_stiffness,
-          {.meaning = "EA, which goes with bending_stiffness", .unit = "N", .range = positive});
+          {.meaning = "EA, which goes with bending_stiffness", .unit = "N", .range = {1e-3, 1e16}});
   d.value("poisson_ratio", pipeline.poisson_ratio, {.meaning = "of the wall", .range = {0, 0.5}});
   d.value("expansion", pipeline.expansion, {.meaning = "thermal expansion of length", .unit = "1/K", .range = not_negative});
   d.value("submerged_weight", pipeline.submerged_weight,
-          {.meaning = "weight in water, as the line was laid", .unit = "N/m", .range = positive, .required = true});
+          {.meaning = "weight in water, as the line was laid", .unit = "N/m", .range = {1e-3, 1e8}, .required = true});
   d.value("mass", pipeline.mass,
           {.meaning = "mass that moves sideways and upwards: pipe, content and the water that goes along; absent: that of the rigid body",
            .unit = "kg/m",
-           .range = positive});
+           .range = {1e-4, 1e8}});
   d.value("axial_mass", pipeline.axial_mass,
-          {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = positive});
+          {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = {1e-4, 1e8}});
   d.value("lay_tension", pipeline.lay_tension,
-          {.meaning = "effective tension under which it was laid", .unit = "N", .range = not_negative});
+          {.meaning = "effective tension under which it was laid", .unit = "N", .range = {0, 1e10}});
   d.choice("half", pipeline.half, {"symmetric", "antisymmetric", "none"},
            {.meaning =
                 "what the other half of the line is, beyond x = 0: its mirror image, or turned by half a turn; none: x = 0 is a free "

@@ -461,9 +461,10 @@ const char* berm_macro_element_error(int code)
 }
 
 #define MEMBER(name, unit, least, most) {#name, unit, offsetof(berm_macro_element_parameters, name), least, most}
-#define ABOVE_0 DBL_MIN
+/* What no pipe and no soil comes near to: products of these are numbers. */
+#define ABOVE_0 1e-15
 #define BELOW_1 (1 - DBL_EPSILON)
-#define ANY DBL_MAX
+#define ANY 1e18
 const berm_macro_element_member berm_macro_element_members[BERM_MACRO_ELEMENT_MEMBERS] = {
     MEMBER(diameter, "m", ABOVE_0, ANY),
     MEMBER(vertical_stiffness, "N/m^2", ABOVE_0, ANY), MEMBER(horizontal_stiffness, "N/m^2", ABOVE_0, ANY),
@@ -496,7 +497,7 @@ static const char* wrong_parameter(const berm_macro_element_parameters* p)
   if (n == 0 && !(p->backbone_power > 0)) return "backbone_power";
   for (k = 0; k < n; ++k) {
     if (!(p->backbone_w[k] > (k > 0 ? p->backbone_w[k - 1] : 0) && is_number(p->backbone_w[k]))) return "backbone_w";
-    if (!(p->backbone_V[k] >= (k > 0 ? p->backbone_V[k - 1] : DBL_MIN) && is_number(p->backbone_V[k]))) return "backbone_V";
+    if (!(p->backbone_V[k] >= (k > 0 ? p->backbone_V[k - 1] : ABOVE_0) && is_number(p->backbone_V[k]))) return "backbone_V";
   }
   return NULL;
 }
@@ -589,6 +590,8 @@ int berm_macro_element_step(const berm_macro_element_parameters* p, const berm_m
     if (move_by_increment(p, &s, top, dx) != BERM_MACRO_ELEMENT_OK) return BERM_MACRO_ELEMENT_NO_SOLUTION;
   }
   if (!is_number(s.T.v + s.H.v + s.V.v)) return BERM_MACRO_ELEMENT_INPUT;
+  for (k = 0; k < 3; ++k)
+    if (!is_number(s.T.d[k] + s.H.d[k] + s.V.d[k])) return BERM_MACRO_ELEMENT_NO_SOLUTION;
   take_numbers(&s, after);
   for (k = 0; k < 3; ++k) {
     const number* force = k == 0 ? &s.T : k == 1 ? &s.H : &s.V;

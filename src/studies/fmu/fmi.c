@@ -2,6 +2,7 @@
 /* The functions of FMI 2.0 and 3.0 for co-simulation (fmi-standard.org), over those of a model (fmi.h): one library is a unit of both versions. C99. */
 #include "fmi.h"
 
+#include <ctype.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,7 +48,10 @@ static char* path_of(const char* resources)
   resources += 5;
   if (strncmp(resources, "//", 2) == 0) resources = strchr(resources + 2, '/');
   for (k = 0; resources != NULL && resources[k] != 0; ++k) {
-    if (resources[k] == '%' && sscanf(resources + k + 1, "%2x", &letter) == 1) path[n++] = (char)letter, k += 2;
+    if (resources[k] == '%' && isxdigit((unsigned char)resources[k + 1]) && isxdigit((unsigned char)resources[k + 2])) {
+      sscanf(resources + k + 1, "%2x", &letter);
+      path[n++] = (char)letter, k += 2;
+    }
     else path[n++] = resources[k];
   }
   path[n] = 0;
