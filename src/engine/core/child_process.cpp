@@ -3,10 +3,10 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/write_file.hpp"
 
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sched.h>
@@ -87,8 +87,9 @@ private:
 int opened_messages(const std::string& file)
 {
   if (file.empty()) return -1;
-  const int out = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (out < 0) throw RunError(fmt::format("cannot write {}: {}", file, std::strerror(errno)));
+  std::string fault;
+  const int out = open_to_write(file, O_WRONLY | O_TRUNC, fault);
+  if (out < 0) throw RunError(fmt::format("cannot write {}: {}", file, fault));
   return out;
 }
 

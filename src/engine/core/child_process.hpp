@@ -11,7 +11,7 @@ namespace berm {
 struct ChildStart {
   std::vector<std::string> words;             ///< what it is called, and its arguments
   std::string program = {};                   ///< its file; "": the first word, looked for in PATH
-  std::string messages = {};                  ///< the file of its standard output and error, no link; "": the next
+  std::string messages = {};                  ///< the regular file of its standard output and error; "": the next
   int out = -1;                               ///< the open file of them; -1: where this program's own errors go
   int in = -1;                                ///< the open file that it reads; -1: nothing
   std::string folder = {};                    ///< where it works; "": here

@@ -4,17 +4,29 @@
 
 #include "core/error.hpp"
 #include "core/read_file.hpp"
+#include "core/write_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
 namespace berm::io {
 namespace {
+
+/// The file gets the mode of the one that it takes the place of: what its user shares with nobody stays so.
+bool keep_mode(int file, const std::filesystem::path& path)
+{
+  constexpr mode_t of_users = 0777;
+  struct stat made {
+  }, before{};
+  if (::lstat(path.c_str(), &before) != 0 || !S_ISREG(before.st_mode)) return true;
+  return ::fstat(file, &made) == 0 && (((made.st_mode ^ before.st_mode) & of_users) == 0 || ::fchmod(file, before.st_mode & of_users) == 0);
+}
 
 /// Makes a temporary file with fill(file descriptor), which returns false with errno where it fails; forces it to the disk
 /// and renames it.
@@ -23,7 +35,7 @@ void make_whole(const std::filesystem::path& path, const Fill& fill)
 {
   const std::filesystem::path part = part_of(path);
   const int file = open_to_write(part, O_WRONLY | O_TRUNC);
-  bool fine = fill(file) && ::fsync(file) == 0;
+  bool fine = keep_mode(file, path) && fill(file) && ::fsync(file) == 0;
   int reason = errno;
   if (::close(file) != 0 && fine) fine = false, reason = errno;
   if (fine && ::rename(part.c_str(), path.c_str()) != 0) fine = false, reason = errno;
@@ -65,13 +77,30 @@ bool write_all(int file, std::string_view text)
 
 int open_to_write(const std::filesystem::path& path, int how)
 {
-  const int file = ::open(path.c_str(), how | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
-  if (file < 0 && errno == ELOOP) throw RunError(fmt::format("cannot write {}: it is a link, and berm writes through none", path.string()));
-  if (file < 0) throw_errno(fmt::format("cannot write {}", path.string()));
-  struct stat about {};
-  if (::fstat(file, &about) == 0 && S_ISREG(about.st_mode)) return file;
-  ::close(file);
-  throw RunError(fmt::format("cannot write {}: it is no regular file", path.string()));
+  std::string fault;
+  const int file = berm::open_to_write(path, how, fault);
+  if (file < 0) throw RunError(fmt::format("cannot write {}: {}", path.string(), fault));
+  return file;
+}
+
+int open_for_one(const std::filesystem::path& path, int how)
+{
+  while (true) {
+    const int file = open_to_write(path, how);
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+      const int reason = errno;
+      ::close(file);
+      if (reason == EWOULDBLOCK) return -1;
+      errno = reason;
+      throw_errno(fmt::format("cannot lock {}", path.string()));
+    }
+    // Whoever had it before may have removed it at the end.
+    struct stat open {
+    }, named{};
+    if (::fstat(file, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino && open.st_dev == named.st_dev)
+      return file;
+    ::close(file);
+  }
 }
 
 std::string read_text_file(const std::filesystem::path& path, std::uintmax_t most)

@@ -10,7 +10,7 @@
 namespace berm::io {
 
 /// Writes the file atomically: to a temporary file beside it, which is forced to the disk and renamed. Readers of `path` see
-/// the old content or the new one. Throws RunError with the reason (disk full, no permission, ...); the old file is
+/// the old content or the new one. A file that is there keeps its mode. Throws RunError with the reason (disk full, no permission, ...); the old file is
 /// unchanged then.
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
@@ -36,6 +36,9 @@ std::filesystem::path make_inner_folder(const std::filesystem::path& folder, con
 /// Opens a file for writing, which is made where it is missing; `how`: O_WRONLY or O_RDWR, with O_APPEND, O_TRUNC. Throws RunError where that fails and
 /// where a link has its name.
 int open_to_write(const std::filesystem::path& path, int how);
+
+/// The same of a file that one process has at a time, as long as it or a process that it started has it open; -1 where another has it.
+int open_for_one(const std::filesystem::path& path, int how);
 
 /// All bytes of a file; "" where there is none. Throws RunError where it cannot be read or has more than `most` bytes.
 std::string read_text_file(const std::filesystem::path& path, std::uintmax_t most = 100'000'000);

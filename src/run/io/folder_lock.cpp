@@ -9,7 +9,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace berm::io {
@@ -22,14 +21,6 @@ std::string this_process()
   return fmt::format("process {} on {}", ::getpid(), host);
 }
 
-/// Whether the open file is still the one of that name: its owner removes it at the end.
-bool is_file_at(int file, const std::filesystem::path& path)
-{
-  struct stat open {
-  }, named{};
-  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino && open.st_dev == named.st_dev;
-}
-
 }  // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / file_name)
@@ -40,22 +31,16 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / fil
     errno = reason;
     throw_errno(fmt::format("cannot use {} as the run folder: {} {}", folder.string(), what, path_.string()));
   };
-  while (true) {
-    try {
-      file_ = open_to_write(path_, O_RDWR);
-    } catch (const RunError& error) {
-      throw RunError(fmt::format("cannot use {} as the run folder: {}", folder.string(), error.what()));
-    }
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-      if (errno != EWOULDBLOCK) refuse("cannot lock");
-      ::close(file_);
-      const std::string owner = read_text_file(path_);
-      throw RunError(
-          fmt::format("cannot use {} as the run folder: another run is writing into it{}; wait for it, or name another folder with -o",
-                      folder.string(), owner.empty() ? "" : fmt::format(" ({})", owner.substr(0, owner.find('\n')))));
-    }
-    if (is_file_at(file_, path_)) break;
-    ::close(file_);
+  try {
+    file_ = open_for_one(path_, O_RDWR);
+  } catch (const RunError& error) {
+    throw RunError(fmt::format("cannot use {} as the run folder: {}", folder.string(), error.what()));
+  }
+  if (file_ < 0) {
+    const std::string owner = read_text_file(path_);
+    throw RunError(
+        fmt::format("cannot use {} as the run folder: another run is writing into it{}; wait for it, or name another folder with -o",
+                    folder.string(), owner.empty() ? "" : fmt::format(" ({})", owner.substr(0, owner.find('\n')))));
   }
   if (::ftruncate(file_, 0) != 0 || !write_all(file_, this_process() + '\n')) {
     const int reason = errno;

@@ -55,16 +55,21 @@ void ScratchFolder::start_guard()
   int pipe[2];
   if (::pipe2(pipe, O_CLOEXEC) != 0) throw_errno("no temporary folder can be made");
   held_ = pipe[1];
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const auto leave = [&] {
+    ::close(pipe[0]);
+    if (nowhere >= 0) ::close(nowhere);
+  };
   try {
     guard_.emplace(ChildStart{.words = {"/bin/sh", "-c", "trap '' HUP INT TERM; read -r nothing; rm -rf -- \"$0\"", path_.string()},
-                              .messages = "/dev/null",
+                              .out = nowhere,
                               .in = pipe[0],
                               .outlives = true});
   } catch (const std::system_error& error) {
-    ::close(pipe[0]);
+    leave();
     throw RunError(std::string("no temporary folder can be made: /bin/sh does not start: ") + error.code().message());
   }
-  ::close(pipe[0]);
+  leave();
 }
 
 ScratchFolder::~ScratchFolder()

@@ -13,6 +13,11 @@ before=$(cat "$folder.status" 2> /dev/null)
 if [ -n "$before" ] && [ "$before" -ne 75 ]; then exit "$before"; fi
 if [ ! -e "$folder.messages" ] && [ -e "$folder/summary.json" ]; then exit 0; fi
 rm -f "$folder.status"
+if [ -h "$folder.messages" ] || { [ -e "$folder.messages" ] && [ ! -f "$folder.messages" ]; }; then
+  echo "berm: cannot write $folder.messages: it is no regular file" >&2
+  echo 1 > "$folder.status.part" && mv "$folder.status.part" "$folder.status"
+  exit 1
+fi
 if [ "$2" = run ] && [ -e "$folder.messages" ] && { [ -e "$folder/checkpoint/case_file.txt" ] || [ -e "$folder/summary.json" ]; }; then
   case " $* " in
     *' --uncertainty '*) set -- "$1" run --resume "$folder" --threads 1 --uncertainty ;;

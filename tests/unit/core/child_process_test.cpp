@@ -5,6 +5,7 @@
 #include "samples/processes.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <system_error>
 
 namespace berm::this_file {
@@ -45,6 +46,28 @@ TEST(ChildProcess, that_cannot_be_started_says_why)
     EXPECT_EQ(error.code().value(), ENOENT);
   }
   EXPECT_THROW(ChildProcess({.words = {"true"}, .messages = "/no/such/folder/messages"}), RunError);
+}
+
+// To open a FIFO waits for who reads it, and a link leads anywhere.
+TEST(ChildProcess, writes_messages_to_a_regular_file_only)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
+  folder.write("target", "kept");
+  std::filesystem::create_symlink(folder / "target", folder / "link");
+  const auto why = [&](const std::string& file) -> std::string {
+    try {
+      ChildProcess({.words = {"true"}, .messages = file}).wait();
+      return "";
+    } catch (const RunError& error) {
+      return error.what();
+    }
+  };
+  const std::string fifo = (folder / "fifo").string(), link = (folder / "link").string();
+  EXPECT_EQ(why(fifo), "cannot write " + fifo + ": it is no regular file");
+  EXPECT_EQ(why(link), "cannot write " + link + ": it is a link, and berm writes through none");
+  EXPECT_EQ(why("/dev/null"), "cannot write /dev/null: it is no regular file");
+  EXPECT_EQ(folder.read("target"), "kept");
 }
 
 TEST(ChildProcess, ends_where_its_parent_is_killed)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <optional>
+#include <sys/stat.h>
 
 namespace berm::study::this_file {
 namespace {
@@ -128,6 +129,15 @@ TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
   text.replace(text.find("1e6 s"), 5, "0.1 s");
   write_study(text);
   EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
+}
+TEST_F(StudyCommand, ends_with_a_message_where_a_fifo_lies_in_the_way_of_those_of_a_run)
+{
+  write_study(four_falls);
+  std::filesystem::create_directories(folder_ / "results/runs");
+  ASSERT_EQ(::mkfifo((folder_ / "results/runs/low.earth.messages").c_str(), 0600), 0);
+  const Ended ended = study();
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("low.earth.messages: it is no regular file"), std::string::npos) << ended.err;
 }
 TEST_F(StudyCommand, draws_what_is_missing_of_a_run_that_was_killed_between_its_summary_and_its_pictures)
 {
