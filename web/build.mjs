@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// node build.mjs pages FOLDER     script and style, minified, of the page of a report (page_files.cpp, with the licences of what is in them) and of the desk (desk_files.cpp), as
-//                                 C++ constants that the program holds; licences.txt has the licences of both
+// node build.mjs pages FOLDER     script and style, minified, of the page of a report (page_files.cpp, with the licences of what is in them) and of the desk (desk_files.cpp, each
+//                                 begins with them), as C++ constants that the program holds; licences.txt has the licences of both
 // node build.mjs tests FOLDER     the tests of the page, for node
 import { build } from "esbuild";
+import { createHash } from "node:crypto";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -59,6 +60,16 @@ function licences_of(held) {
   return [...held].sort().map(licence_of).join("\n" + "-".repeat(80) + "\n\n");
 }
 
+// A file that is served by itself says what it holds of others.
+function with_licences(text, held) {
+  return `/*\nThis file holds code of others, under these licences:\n\n${licences_of(held).replaceAll("*/", "* /")}*/\n${text}`;
+}
+
+// The script as a Content-Security-Policy names it.
+function source_of(script) {
+  return `'sha256-${createHash("sha256").update(script).digest("base64")}'`;
+}
+
 function write_constants(file, header, room, constants) {
   writeFileSync(
     file,
@@ -68,14 +79,18 @@ function write_constants(file, header, room, constants) {
 }
 
 async function pages(folder) {
-  const of_report = new Set(), of_desk = new Set();
+  const of_report = new Set(), of_script = new Set(), of_style = new Set();
   const page_script = await bundle("main.ts", { format: "iife" }, of_report);
   const page_style = await bundle("page.css", {}, of_report);
-  const desk_script = await bundle("desk/main.ts", { format: "iife" }, of_desk);
-  const desk_style = await bundle("desk/desk.css", {}, of_desk);
-  write_constants(join(folder, "page_files.cpp"), "report/page/page_files.hpp", "report", { page_script, page_style, page_licences: licences_of(of_report) });
-  write_constants(join(folder, "desk_files.cpp"), "desk/desk_files.hpp", "desk", { desk_script, desk_style });
-  writeFileSync(join(folder, "licences.txt"), licences_of(new Set([...of_report, ...of_desk])));
+  const desk_script = await bundle("desk/main.ts", { format: "iife" }, of_script);
+  const desk_style = await bundle("desk/desk.css", {}, of_style);
+  write_constants(join(folder, "page_files.cpp"), "report/page/page_files.hpp", "report", { page_script, page_script_source: source_of(page_script), page_style, page_licences: licences_of(of_report) });
+  write_constants(join(folder, "desk_files.cpp"), "desk/desk_files.hpp", "desk", {
+    desk_script: with_licences(desk_script, of_script),
+    desk_style: with_licences(desk_style, of_style),
+    report_script_source: source_of(page_script),
+  });
+  writeFileSync(join(folder, "licences.txt"), licences_of(new Set([...of_report, ...of_script, ...of_style])));
 }
 
 async function tests(folder) {

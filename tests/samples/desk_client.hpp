@@ -42,6 +42,27 @@ public:
       text.remove_prefix(static_cast<std::size_t>(count));
     }
   }
+  /// Whether a text comes, at most within 20 s.
+  bool reads(const std::string& wanted) const
+  {
+    std::string text;
+    char some[4096];
+    pollfd ready{socket_, POLLIN, 0};
+    while (text.find(wanted) == std::string::npos) {
+      if (::poll(&ready, 1, 20000) <= 0) return false;
+      const ssize_t count = ::recv(socket_, some, sizeof some, 0);
+      if (count <= 0) return false;
+      text.append(some, static_cast<std::size_t>(count));
+    }
+    return true;
+  }
+  /// Whether the server has closed the connection; ends(): whether it does so within 5 s.
+  bool has_ended(int wait_ms = 0) const
+  {
+    pollfd ready{socket_, POLLRDHUP, 0};
+    return ::poll(&ready, 1, wait_ms) > 0;
+  }
+  bool ends() const { return has_ended(5000); }
   /// All that comes until the server closes the connection, at most for 20 s.
   Response answer() const
   {

@@ -53,6 +53,7 @@ public:
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
+  pid_t id() const { return id_; }
   /// What it has printed so far.
   std::string out() const { return streams_.read("out"); }
   void signal(int number) const { ::kill(id_, number); }

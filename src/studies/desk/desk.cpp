@@ -119,14 +119,17 @@ struct Desk::Parts {
     };
     all["GET /api/run/soil"] = [this](const Request& r) {
       const auto soil = soil_of(folder.run(query(r, "path")), number(r, "after", -1), query(r, "field"));
-      return soil ? json(*soil) : Answer{{}, {}, {}, 204};
+      return soil ? json(*soil) : Answer{.status = 204};
     };
     all["POST /api/report"] = [this](const Request& r) { return json(actions.report(r.body)); };
     all["POST /api/export"] = [this](const Request& r) { return json(actions.export_springs(r.body)); };
     all["GET /api/jobs"] = [this](const Request&) { return json(actions.jobs()); };
     all["POST /api/jobs/stop"] = [this](const Request& r) { return runs.stop(text_in(r.body, "job")), json(Json::object()); };
     all["GET /api/file"] = [this](const Request& r) { return file_answer(folder.inside(query(r, "path"))); };
-    all["POST /api/show"] = [this](const Request& r) { return json({{"address", shown.add(text_in(r.body, "path"))}}); };
+    all["POST /api/show"] = [this](const Request& r) {
+      const ShownFiles::Shown one = shown.add(text_in(r.body, "path"));
+      return json({{"address", one.address}, {"without_scripts", one.without_scripts}});
+    };
     return all;
   }
 
@@ -145,8 +148,8 @@ struct Desk::Parts {
   Answer open(const Request& request) const
   {
     if (request.path == "/") return page();
-    if (request.path == "/desk.js") return {.body = std::string(desk_script), .type = "text/javascript; charset=utf-8"};
-    if (request.path == "/desk.css") return {.body = std::string(desk_style), .type = "text/css; charset=utf-8"};
+    if (request.path == "/desk.js") return {.type = "text/javascript; charset=utf-8", .held = desk_script};
+    if (request.path == "/desk.css") return {.type = "text/css; charset=utf-8", .held = desk_style};
     return shown.answer(request.path);
   }
 };

@@ -12,13 +12,17 @@ namespace berm::desk {
 /// The bytes of a file that berm made. Throws Refusal where it is of another kind, missing or too large.
 Answer file_answer(const std::filesystem::path& file);
 
-/// Pages that are shown in a frame: each by an address that nobody guesses, in an origin of its own, so that its script reaches neither the desk nor the net.
+/// Pages that are shown in a frame: each by an address that nobody guesses, in an origin of its own. The script of berm's reports runs in them, by its hash, and no other.
 class ShownFiles {
 public:
   explicit ShownFiles(const Folder& folder) : folder_(folder) {}
 
+  struct Shown {
+    std::string address;
+    bool without_scripts = false;  ///< it has some, and they are not those of this program's reports
+  };
   /// An address of the file from now on: /shown/WORD. The oldest of many are forgotten.
-  std::string add(const std::string& name);
+  Shown add(const std::string& name);
   Answer answer(const std::string& address) const;
 
 private:

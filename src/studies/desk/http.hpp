@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace berm::desk {
 
@@ -18,8 +19,11 @@ struct Request {
 };
 
 struct Answer {
-  std::string body, type = "application/json", policy = {};  ///< policy: its Content-Security-Policy, where it is not that of data
+  std::string body = {}, type = "application/json", policy = {};  ///< policy: its Content-Security-Policy, where it is not that of data
   int status = 200;
+  std::string_view held = {};  ///< by the program: given for the body, without a copy
+
+  std::string_view bytes() const { return held.empty() ? std::string_view(body) : held; }
 };
 
 using Handler = std::function<Answer(const Request&)>;

@@ -51,6 +51,13 @@ std::string nested(int levels)
   return "{\"a\":" + std::string(levels, '[') + std::string(levels, ']') + "}";
 }
 
+std::string many_lines(int count)
+{
+  std::string lines;
+  for (int k = 0; k < count; ++k) lines += "a: b\r\n";
+  return lines;
+}
+
 TEST_F(DeskGuards, refuses_and_writes_nothing)
 {
   const DeskClient& desk = *desk_;
@@ -109,8 +116,12 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
       {415, "a compressed body", start + json + "Content-Encoding: gzip\r\n" + length("\x1f\x8b")},
       {413, "a length of five million", start + json + "Content-Length: 5000000\r\n\r\n"},
       {413, "a length beyond all numbers", start + json + "Content-Length: 99999999999999999999\r\n\r\n"},
-      {413, "five million in chunks",
-       start + json + "Transfer-Encoding: chunked\r\n\r\n4c4b40\r\n" + std::string(5000000, ' ') + "\r\n0\r\n\r\n"},
+      {411, "a body in chunks", start + json + "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"},
+      {400, "a length that is no number", start + json + "Content-Length: -1\r\n\r\n{}"},
+      {400, "two lengths", start + json + "Content-Length: 2\r\nContent-Length: 3\r\n\r\n{}"},
+      {400, "no HTTP", "hello\r\n\r\n"},
+      {431, "a line without end", about + "X: " + std::string(20000, 'a')},
+      {431, "lines without end", about + many_lines(7000)},
       {400, "JSON of a thousand levels", post("/api/runs", nested(1000))},
       {400, "no JSON", post("/api/runs", "case=x")},
       {400, "JSON that is no object", post("/api/runs", "[1]")},
@@ -200,10 +211,70 @@ TEST_F(DeskGuards, its_pages_fetch_nothing_and_are_not_framed)
     EXPECT_NE(page.head.find(part), std::string::npos) << part << "\n" << page.head;
   EXPECT_EQ(page.body.find(desk_->token), std::string::npos);
   EXPECT_EQ(desk_->get("/desk.js").body.find(desk_->token), std::string::npos);
-  const std::string address = desk_->post("/api/show", {{"path", "page.html"}}).json().value("address", "");
-  const Response shown = desk_->get(address);
-  EXPECT_EQ(shown.body, "<p>page");
-  EXPECT_NE(shown.head.find("Content-Security-Policy: sandbox allow-scripts"), std::string::npos) << shown.head;
+  // Bytes that are asked for in many ranges are given once.
+  const Response whole = desk_->get("/desk.js");
+  std::string ranges = "Range: bytes=0-";
+  for (int k = 0; k < 1000; ++k) ranges += ",0-";
+  EXPECT_EQ(desk_->raw(desk_->head("GET", "/desk.js") + ranges + "\r\n\r\n").body.size(), whole.body.size());
+}
+
+TEST_F(DeskGuards, scripts_of_others_do_not_run_in_pages_that_it_shows)
+{
+  const auto shown = [&](const char* path) {
+    const Response about = desk_->post("/api/show", {{"path", path}});
+    EXPECT_EQ(about.status, 200) << about.body;
+    return std::pair{desk_->get(about.json().value("address", "")), about.json().value("without_scripts", false)};
+  };
+  const auto [page, of_page] = shown("page.html");
+  EXPECT_EQ(page.body, "<p>page");
+  EXPECT_NE(page.head.find("Content-Security-Policy: sandbox; default-src 'none';"), std::string::npos) << page.head;
+  EXPECT_FALSE(of_page);
+  std::ofstream(served() / "hostile.html") << "<script>location.href = 'http://127.0.0.1:1/'</script>";
+  const auto [hostile, of_hostile] = shown("hostile.html");
+  EXPECT_NE(hostile.head.find("Content-Security-Policy: sandbox; default-src 'none';"), std::string::npos) << hostile.head;
+  EXPECT_TRUE(of_hostile);
+  // A report: its script by its hash.
+  ASSERT_EQ(run_program(served(), {"run", "bay/case.toml", "-o", "run"}).status, 0);
+  ASSERT_EQ(run_program(served(), {"report", "run"}).status, 0);
+  const auto [report, of_report] = shown("run/report.html");
+  EXPECT_FALSE(of_report);
+  const std::size_t at = report.body.find("script-src 'sha256-");
+  ASSERT_NE(at, std::string::npos);
+  const std::string source = report.body.substr(at, report.body.find(';', at) - at);
+  EXPECT_NE(report.head.find("Content-Security-Policy: sandbox allow-scripts allow-downloads; " + source + "; default-src 'none';"),
+            std::string::npos)
+      << report.head;
+  // A page that says so too, and would go elsewhere by itself.
+  for (const char* more :
+       {"<META HTTP-EQUIV=refresh content='0;url=http://127.0.0.1:1/'>", "<Link rel=preconnect href='http://127.0.0.1:1'>"}) {
+    std::ofstream(served() / "claims.html") << report.body << more;
+    const Response claims = shown("claims.html").first;
+    EXPECT_NE(claims.head.find("Content-Security-Policy: sandbox; default-src 'none';"), std::string::npos) << claims.head;
+  }
+  for (const Response& one : {page, hostile, report}) {
+    EXPECT_NE(one.head.find("webrtc 'block'"), std::string::npos) << one.head;
+    EXPECT_EQ(one.head.find("unsafe-inline' blob"), std::string::npos) << one.head;
+  }
+}
+
+// MIT asks for the licence in all copies.
+TEST_F(DeskGuards, what_it_serves_has_the_licences_of_what_it_holds_of_others)
+{
+  const std::string script = desk_->get("/desk.js").body, style = desk_->get("/desk.css").body;
+  for (const char* held : {"@codemirror/view", "uplot", "Permission is hereby granted"})
+    EXPECT_NE(script.substr(0, script.find("*/")).find(held), std::string::npos) << held;
+  EXPECT_NE(style.substr(0, style.find("*/")).find("uplot"), std::string::npos);
+}
+
+TEST_F(DeskGuards, a_case_that_is_saved_keeps_its_mode)
+{
+  const fs::path file = served() / "bay/case.toml";
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(file, own);
+  const std::string mark = desk_->get("/api/case?path=bay/case.toml").json().value("modified", "");
+  EXPECT_EQ(desk_->put("/api/case?path=bay/case.toml", {{"text", "x = 2"}, {"modified", mark}}).status, 200);
+  EXPECT_EQ(text_of_file(file), "x = 2");
+  EXPECT_EQ(fs::status(file).permissions(), own);
 }
 
 TEST_F(DeskGuards, clients_that_are_slow_block_nobody)

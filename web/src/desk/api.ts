@@ -66,6 +66,7 @@ export interface Quantity { value: number; unit: string; meaning: string; kind: 
 export interface Summary { quantities?: Record<string, Quantity>; checks?: Record<string, unknown>; warnings?: string[]; spoiled?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
 export interface Soil2D { frame: number; time_s: number; points: number; x: number[]; y: number[]; z?: number[]; size: number[]; field?: { name: string; label: string; unit: string; values: number[] }; fields: string[]; rigids: [number, number][][] }
 export interface Checked { findings: Finding[]; estimate: { particles: number; time_s: number | null; memory_bytes: number; disk_bytes: number; lines: string[] } | null }
+export interface Shown { address: string; without_scripts: boolean }
 export interface Job { job: string; command: string; status: Status; log_tail: string; made: string[] }
 
 export const api = {
@@ -91,6 +92,6 @@ export const api = {
   jobs: () => json<Job[]>(ask("GET", "jobs", {})) as Promise<Job[]>,
   stop_job: (job: string) => json(ask("POST", "jobs/stop", {}, { job })),
   /** An address at which a frame may show a page that berm made. */
-  show: (path: string) => json<{ address: string }>(ask("POST", "show", {}, { path })) as Promise<{ address: string }>,
+  show: (path: string) => json<Shown>(ask("POST", "show", {}, { path })) as Promise<Shown>,
   file: async (path: string) => (await ask("GET", "file", { path })).blob(),
 };

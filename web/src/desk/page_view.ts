@@ -10,10 +10,11 @@ import { download, say } from "./words";
 
 /** A page of berm in a frame, with a way to keep it. */
 async function framed(path: string, ...more: HTMLElement[]): Promise<HTMLElement[]> {
-  const { address } = await api.show(path);
+  const { address, without_scripts } = await api.show(path);
   const keep = element("button", { type: "button" }, "Save the page"), alone = element("a", { href: address, target: "_blank", rel: "noopener" }, "Open in a new tab");
   keep.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)));
-  return [make("div", "bar", alone, keep, make("span", "quiet", path), ...more), element("iframe", { src: address, sandbox: "allow-scripts allow-downloads allow-popups", class: "page_frame", title: path })];
+  const note = make("p", "quiet", "The scripts of this page do not run here: another version of berm, or another program, wrote it. Make its report anew to see all of it.");
+  return [make("div", "bar", alone, keep, make("span", "quiet", path), ...more), ...(without_scripts ? [note] : []), element("iframe", { src: address, sandbox: "allow-scripts allow-downloads allow-popups", class: "page_frame", title: path })];
 }
 
 export class PageView implements Place {

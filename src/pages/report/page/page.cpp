@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page.hpp"
 
-#include "io/sha256.hpp"
 #include "report/animation/film.hpp"
 #include "report/animation/line_film.hpp"
 #include "report/origin/origin_section.hpp"
@@ -10,7 +9,6 @@
 #include "report/results/results_section.hpp"
 #include "report/setup/setup_section.hpp"
 #include "structures/base/spoiled.hpp"
-#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 
 #include <algorithm>
@@ -114,15 +112,6 @@ std::string faults_of(const std::vector<record::RunRecord>& runs, const std::vec
   return items.empty() ? "" : fmt::format("<ul class=\"warnings\" id=\"faults\">\n{}</ul>\n", items);
 }
 
-/// The one script that the page runs, by its hash, as a Content-Security-Policy names it.
-std::string source_of_script()
-{
-  const std::string digits = io::sha256_of(page_script);
-  std::string bytes;
-  for (std::size_t k = 0; k < digits.size(); k += 2) bytes += static_cast<char>(std::stoi(digits.substr(k, 2), nullptr, 16));
-  return fmt::format("'sha256-{}'", text::base64(bytes));
-}
-
 std::string licences()
 {
   return fmt::format(
@@ -163,7 +152,8 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
   sections.emplace_back("record", "Record");
 
-  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + text::content_policy(source_of_script());
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + text::content_policy(std::string(page_script_source));
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", text::html_text(page_heading(runs)), page_style,
                       style_of_foot(document_foot(runs.front())));
