@@ -175,6 +175,7 @@ std::vector<std::string> Actions::runs_in(const Json& body) const
   for (const std::string& name : texts_in(body, "runs")) {
     const fs::path folder = folder_.inside(name);
     if (folder == folder_.root() || !fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is no folder of runs", name));
+    folder_.refuse_links_out(folder);
     runs.push_back(folder_.name_of(folder));
   }
   if (runs.empty()) throw Refusal(400, "no runs are named", {{"key", "runs"}});
@@ -237,6 +238,7 @@ Json Actions::start(const std::string& kind, const Json& body)
     if (kind != "study") append(work.words, changes_in(body));
     if (kind == "element" && body.contains("replace") && body["replace"] == true) work.words.emplace_back("--force");
   }
+  folder_.refuse_links_out(work.folder);
   append_options(work.words, body, found->options);
   if (kind != "element") append(work.words, {"--threads", std::to_string(work.threads)});
   work.name = folder_.name_of(work.folder);

@@ -118,7 +118,7 @@ struct Desk::Parts {
       return json(runs.one(query(r, "path"), static_cast<std::size_t>(std::max(number(r, "from_row", 0), 0L))));
     };
     all["GET /api/run/soil"] = [this](const Request& r) {
-      const auto soil = soil_of(folder.run(query(r, "path")), number(r, "after", -1), query(r, "field"));
+      const auto soil = soil_of(folder, folder.run(query(r, "path")), number(r, "after", -1), query(r, "field"));
       return soil ? json(*soil) : Answer{.status = 204};
     };
     all["POST /api/report"] = [this](const Request& r) { return json(actions.report(r.body)); };

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <mutex>
 #include <sstream>
+#include <unistd.h>
 
 namespace berm::desk {
 namespace {
@@ -86,6 +87,13 @@ void refuse_other_than_utf8(const std::string& text, const std::string& name)
                        name, number));
 }
 
+/// Whether nobody may write to a file, or this user may not; whoever may replace it does not ask the system for that.
+bool is_protected(const fs::path& file)
+{
+  const fs::perms any_write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  return (fs::status(file).permissions() & any_write) == fs::perms::none || ::access(file.c_str(), W_OK) != 0;
+}
+
 void check_name(const std::string& name)
 {
   const auto refuse = [&](const char* why) { throw Refusal(403, fmt::format("the path {} {}", one_line(name), why)); };
@@ -113,17 +121,32 @@ Folder::Folder(const fs::path& root)
 fs::path Folder::inside(const std::string& name) const
 {
   check_name(name);
-  fs::path path = root_;
-  for (const fs::path& part : fs::path(name)) {
-    if (part.empty()) continue;
+  return real(root_ / name);
+}
+
+fs::path Folder::real(const fs::path& path) const
+{
+  fs::path real = root_;
+  for (const fs::path& part : path.lexically_relative(root_)) {
+    if (part.empty() || part == ".") continue;
+    if (part == "..") throw Refusal(403, "the path leads out of the folder");
     std::error_code none;
-    const fs::path next = path / part;
+    const fs::path next = real / part;
     const bool link = fs::is_symlink(fs::symlink_status(next, none));
-    path = link ? fs::canonical(next, none) : next;
-    const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), path.begin(), path.end());
-    if ((link && none) || end != root_.end()) throw Refusal(403, fmt::format("the link {} leads out of the folder", name_of(next)));
+    real = link ? fs::canonical(next, none) : next;
+    const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), real.begin(), real.end());
+    if ((link && none) || end != root_.end())
+      throw Refusal(403, fmt::format("the link {} leads out of the folder", one_line(name_of(next))));
   }
-  return path;
+  return real;
+}
+
+void Folder::refuse_links_out(const fs::path& inner) const
+{
+  std::error_code none;
+  for (auto entry = fs::recursive_directory_iterator(inner, fs::directory_options::skip_permission_denied, none);
+       !none && entry != fs::end(entry); entry.increment(none))
+    if (entry->is_symlink()) real(entry->path());
 }
 
 fs::path Folder::input(const std::string& name) const
@@ -203,10 +226,11 @@ Json Folder::write(const std::string& name, const Json& body) const
   const std::lock_guard lock(one_at_a_time);
   const fs::path file = input(name);
   const std::string text = text_in(body, "text"), mark = text_in(body, "modified", "");
-  const bool there = fs::exists(file);
+  const bool there = fs::exists(fs::symlink_status(file));
   if (there && !fs::is_regular_file(file)) throw Refusal(403, fmt::format("{} is no file", name));
   if (there ? mark != io::sha256_of(io::read_text_file(file, most_bytes_of_body)) : !mark.empty())
     throw Refusal(409, fmt::format("{} was changed elsewhere", name));
+  if (there && is_protected(file)) throw Refusal(403, fmt::format("{} is write-protected", name));
   io::make_folder(file.parent_path());
   io::write_atomically(file, text);
   return {{"modified", io::sha256_of(text)}};

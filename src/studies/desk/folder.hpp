@@ -19,6 +19,10 @@ public:
   /// The real path of what a client calls `name` ("bay/case.toml"; "" is the folder itself), whether it is there or not. Throws Refusal where it is no relative path, has
   /// "..", a hidden folder or a name that an option could have, or leaves the folder by a link.
   std::filesystem::path inside(const std::string& name) const;
+  /// The path without links of one in the folder, whether it is there or not. Throws Refusal 403 where a link leads out of the folder.
+  std::filesystem::path real(const std::filesystem::path& path) const;
+  /// Throws Refusal 403 where a link in an inner folder, which a command is about to read, leads out of this one.
+  void refuse_links_out(const std::filesystem::path& inner) const;
   /// The same of a case or another input, NAME.toml; of a run.
   std::filesystem::path input(const std::string& name) const;
   std::filesystem::path run(const std::string& name) const;

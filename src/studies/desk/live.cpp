@@ -100,10 +100,17 @@ std::string identity_of(const fs::path& run)
   std::string words;
   for (const char* name : {"resolved.toml", "origin.json", "summary.json"}) {
     struct stat about {};
-    if (::stat((run / name).c_str(), &about) == 0)
+    if (::lstat((run / name).c_str(), &about) == 0)
       words += fmt::format("{}.{}.{} ", about.st_ino, about.st_mtim.tv_sec, about.st_mtim.tv_nsec);
   }
   return words;
+}
+
+std::string identity_with_log(const fs::path& run)
+{
+  std::error_code none;
+  const auto size = fs::file_size(run / "run.log", none);
+  return identity_of(run) + (none ? "" : fmt::format("{}", size));
 }
 
 std::string tail_of(const fs::path& file, std::size_t bytes)
@@ -128,8 +135,9 @@ Json Live::rows(const fs::path& run, std::size_t from_row)
   const Opened history(run / "history.csv");
   Place place{0, 0, identity_of(run)};
   Json answer = {{"of", place.of}, {"columns", Json::array()}, {"from_row", from_row}, {"rows", Json::array()}, {"more", false}};
-  if (history.size() == 0 || !fs::exists(run / "history.schema.json")) return answer;
-  answer["columns"] = run_folder::read_json(run / "history.schema.json", 10'000'000).value("columns", Json::array());
+  const fs::path schema = folder_.real(run / "history.schema.json");
+  if (history.size() == 0 || !fs::exists(schema)) return answer;
+  answer["columns"] = run_folder::read_json(schema, 10'000'000).value("columns", Json::array());
   Json& rows = answer["rows"];
   {
     const std::lock_guard lock(mutex_);

@@ -12,14 +12,13 @@
 namespace berm::desk {
 namespace {
 
-ChildProcess started(std::vector<std::string> words, const std::filesystem::path& folder, const std::filesystem::path& messages,
-                     bool outlives, int in)
+ChildProcess started(std::vector<std::string> words, const std::filesystem::path& folder, int messages, bool outlives, int in)
 {
   words.insert(words.begin(), "berm");
   try {
     return ChildProcess({.words = std::move(words),
                          .program = "/proc/self/exe",
-                         .messages = messages.string(),
+                         .out = messages,
                          .in = in,
                          .folder = folder.string(),
                          .outlives = outlives});
@@ -30,8 +29,7 @@ ChildProcess started(std::vector<std::string> words, const std::filesystem::path
 
 }  // namespace
 
-Process::Process(std::vector<std::string> words, const std::filesystem::path& folder, const std::filesystem::path& messages, bool outlives,
-                 int in)
+Process::Process(std::vector<std::string> words, const std::filesystem::path& folder, int messages, bool outlives, int in)
     : child_(started(std::move(words), folder, messages, outlives, in))
 {
 }

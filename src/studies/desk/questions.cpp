@@ -34,11 +34,12 @@ Told Questions::ask(const Question& question)
   if (ending_) throw Refusal(503, "berm desk ends");
   --free_;
   const fs::path place = scratch_.path() / std::to_string(number_++), messages = place / "messages";
-  int in = -1;
+  int in = -1, out = -1;
   std::shared_ptr<Process> process;
   const auto leave = [&] {  // with the lock
     asked_.erase(process);
-    if (in >= 0) ::close(in);
+    for (const int file : {in, out})
+      if (file >= 0) ::close(file);
     std::error_code none;
     fs::remove_all(place, none);
     ++free_;
@@ -53,7 +54,8 @@ Told Questions::ask(const Question& question)
     }
     std::vector<std::string> words = question.words;
     if (!question.made.empty()) words.push_back((place / question.made).string());
-    process = std::make_shared<Process>(std::move(words), folder_, messages, false, in);
+    out = io::open_to_write(messages, O_WRONLY);
+    process = std::make_shared<Process>(std::move(words), folder_, out, false, in);
     asked_.insert(process);
     if (!question.about.empty()) {
       std::shared_ptr<Process>& last = about_[question.about];

@@ -2,19 +2,25 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/queue.hpp"
 
-#include "desk/refusal.hpp"
+#include "core/error.hpp"
+#include "desk/live.hpp"
 #include "io/atomic_file.hpp"
 #include "jobs/outcome.hpp"
 
 #include <algorithm>
 #include <csignal>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 
 namespace berm::desk {
 namespace {
 
 constexpr std::size_t most_entries = 1000;
+constexpr std::ptrdiff_t most_at_work = 300;  // each that waits has a file open
 
 bool at_work(const Queue::Entry& entry)
 {
@@ -22,6 +28,38 @@ bool at_work(const Queue::Entry& entry)
 }
 
 }  // namespace
+
+MessagesFile::MessagesFile(const Work& work) : path_(work.messages())
+{
+  try {
+    io::make_folder(path_.parent_path());
+    file_ = io::open_for_one(path_, O_WRONLY);
+  } catch (const RunError& error) {
+    throw Refusal(409, error.what());
+  }
+  if (file_ < 0) throw Refusal(409, fmt::format("{} is being filled by a command of another desk", work.name));
+}
+
+/// Of work that never began no empty file is left.
+MessagesFile::~MessagesFile()
+{
+  struct stat about {};
+  if (!given_ && ::fstat(file_, &about) == 0 && about.st_size == 0) ::unlink(path_.c_str());
+  ::close(file_);
+}
+
+int MessagesFile::given()
+{
+  if (::ftruncate(file_, 0) != 0) io::throw_errno(fmt::format("cannot write {}", path_.string()));
+  given_ = true;
+  return file_;
+}
+
+void MessagesFile::end(bool kept)
+{
+  if (!kept) ::unlink(path_.c_str());
+  ::flock(file_, LOCK_UN);  // what the process left behind may have it open still
+}
 
 const char* word_of(WorkState state)
 {
@@ -35,14 +73,16 @@ void Queue::add(Work work)
   const auto same = [&](const Entry& entry) { return entry.work.name == work.name; };
   if (std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return same(entry) && at_work(entry); }))
     throw Refusal(409, fmt::format("{} is being filled", work.name));
+  if (std::count_if(entries_.begin(), entries_.end(), at_work) >= most_at_work) throw Refusal(409, "the queue is full");
+  messages_.erase(work.name);
+  messages_.try_emplace(work.name, work);
   entries_.remove_if(same);
   if (entries_.size() >= most_entries) {
     const auto oldest = std::find_if_not(entries_.begin(), entries_.end(), at_work);
-    if (oldest == entries_.end()) throw Refusal(409, "the queue is full");
     entries_.erase(oldest);
   }
   work.threads = std::clamp(work.threads, 1, threads_);
-  entries_.push_back({std::move(work)});
+  entries_.push_back({.work = std::move(work)});
   start_what_fits();
 }
 
@@ -52,10 +92,12 @@ void Queue::start_what_fits()
     if (entry.state != WorkState::queued) continue;
     if (entry.work.threads > free_) return;  // none overtakes another
     try {
-      io::make_folder(entry.work.folder.parent_path());
-      entry.process = std::make_shared<Process>(entry.work.words, folder_, entry.work.messages(), true);
-    } catch (const std::exception&) {
+      entry.process = std::make_shared<Process>(entry.work.words, folder_, messages_.at(entry.work.name).given(), true);
+    } catch (const std::exception& error) {
       entry.state = WorkState::failed;
+      entry.why = error.what();
+      entry.left = identity_with_log(entry.work.folder);
+      messages_.erase(entry.work.name);
       continue;
     }
     entry.state = WorkState::running;
@@ -76,9 +118,10 @@ void Queue::ended(const std::string& name, int status)
                   : entry.asked_to_stop                                  ? WorkState::stopped
                                                                          : WorkState::failed;
     entry.process.reset();
+    entry.left = identity_with_log(entry.work.folder);
     free_ += entry.work.threads;
-    std::error_code none;
-    if (entry.state == WorkState::finished && entry.work.kind == "run") std::filesystem::remove(entry.work.messages(), none);
+    messages_.at(name).end(entry.state != WorkState::finished || entry.work.kind != "run");
+    messages_.erase(name);
   }
   start_what_fits();
 }
@@ -93,7 +136,7 @@ bool Queue::stop(const std::string& name)
   if (found->process)
     found->process->send(SIGINT);
   else
-    found->state = WorkState::stopped;
+    found->state = WorkState::stopped, messages_.erase(name);
   return true;
 }
 

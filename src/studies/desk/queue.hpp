@@ -5,7 +5,9 @@
 
 #include <filesystem>
 #include <list>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace berm::desk {
@@ -26,6 +28,26 @@ struct Work {
 enum class WorkState { queued, running, stopped, failed, finished };
 const char* word_of(WorkState state);
 
+/// The file of what a piece of work prints, which it alone has as long as it waits or is at work, whichever desk was asked for it.
+class MessagesFile {
+public:
+  /// Throws Refusal 409 where another has it, or it is no regular file.
+  explicit MessagesFile(const Work& work);
+  ~MessagesFile();
+  MessagesFile(const MessagesFile&) = delete;
+  MessagesFile& operator=(const MessagesFile&) = delete;
+
+  /// For a process, without what was in it.
+  int given();
+  /// Its process has ended.
+  void end(bool kept);
+
+private:
+  std::filesystem::path path_;
+  int file_;
+  bool given_ = false;
+};
+
 /// Work that this desk was asked for, in its order: it begins when as many threads are free as it takes. Work that has not begun ends with the desk.
 class Queue : public std::enable_shared_from_this<Queue> {
 public:
@@ -34,12 +56,15 @@ public:
     WorkState state = WorkState::queued;
     std::shared_ptr<Process> process{};
     bool asked_to_stop = false;
+    std::string why{};  ///< it failed before its process began
+    std::string
+        left{};  ///< identity_with_log of the folder as it left it: where that is another word, somebody else was at work there since
   };
 
   Queue(std::filesystem::path folder, int threads) : folder_(std::move(folder)), free_(threads), threads_(threads) {}
 
   int threads() const { return threads_; }
-  /// Throws Refusal 409 where that folder is being filled.
+  /// Throws Refusal 409 where that folder is being filled, by this desk or another.
   void add(Work work);
   /// Ctrl-C to its process, or it leaves the queue. False where it is not at work here.
   bool stop(const std::string& name);
@@ -53,6 +78,7 @@ private:
   std::filesystem::path folder_;
   mutable std::mutex mutex_;
   std::list<Entry> entries_;
+  std::map<std::string, MessagesFile> messages_;  ///< by the name of what waits or is at work
   int free_, threads_;
 };
 

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t log_bytes = 6000, most_known = 20000;
+constexpr std::size_t log_bytes = 6000, most_known = 20000, most_places_tried = 20;
 constexpr std::chrono::seconds between_looks{3};
 
 /// The process that has the folder, as its lock says, where it is one of this machine that has that file open; 0 where it is none.
@@ -44,9 +44,10 @@ int process_in(const fs::path& run)
 }
 
 /// Of a run that nobody is at work on: what it is, and why it did not come to its end. One that an error ended would come to the same error again.
-std::pair<WorkState, std::string> state_at_rest(const fs::path& run)
+std::pair<WorkState, std::string> state_at_rest(const Folder& folder, const fs::path& run)
 {
   try {
+    for (const char* read : {"summary.json", "run.log", "checkpoint"}) folder.real(run / read);
     const auto summary = run_folder::read_summary(run);
     if (!summary) return {WorkState::stopped, "It did not come to its end: it was killed, or it crashed."};
     if (summary->finished()) return {WorkState::finished, ""};
@@ -57,24 +58,22 @@ std::pair<WorkState, std::string> state_at_rest(const fs::path& run)
   }
 }
 
-/// With what the log adds: a run writes it to its very end.
-std::string identity_with_log(const fs::path& run)
-{
-  std::error_code none;
-  const auto size = fs::file_size(run / "run.log", none);
-  return identity_of(run) + (none ? "" : fmt::format("{}", size));
-}
-
 std::string last_line(const std::string& text)
 {
   const std::size_t end = text.find_last_not_of("\n ");
   return end == std::string::npos ? "" : text.substr(text.rfind('\n', end) + 1, end - text.rfind('\n', end));
 }
 
-std::string case_of(const fs::path& run)
+/// Whether what a piece of work came to still says how its folder is: nobody else was at work there since.
+bool is_of_now(const Queue::Entry& entry)
+{
+  return entry.left == identity_with_log(entry.work.folder);
+}
+
+std::string case_of(const Folder& folder, const fs::path& run)
 {
   try {
-    return run_folder::read_json(run / "origin.json", 10'000'000).value("case", "");
+    return run_folder::read_json(folder.real(run / "origin.json"), 10'000'000).value("case", "");
   } catch (const std::exception&) {
     return "";
   }
@@ -106,23 +105,45 @@ int threads_in(const Json& body, int otherwise)
   return std::min(found->get<int>(), otherwise);
 }
 
-fs::path Runs::free_place(const fs::path& case_file) const
+fs::path Runs::free_place(const fs::path& case_file, const std::set<fs::path>& taken) const
 {
   const fs::path first = folder_.inside(place_(folder_.name_of(case_file)).generic_string());
   for (int k = 1;; ++k) {
     const fs::path place = k == 1 ? first : fs::path(fmt::format("{}_{}", first.string(), k));
     const auto entry = queue_->find(folder_.name_of(place));
-    if (!fs::exists(place) && !(entry && (entry->state == WorkState::queued || entry->state == WorkState::running))) return place;
+    if (!fs::exists(place) && taken.count(place) == 0 &&
+        !(entry && (entry->state == WorkState::queued || entry->state == WorkState::running)))
+      return place;
   }
 }
 
 Json Runs::start(const Json& body)
+{
+  // Another request, or another desk, may take a free place before this one does.
+  const bool place_is_free = !body.contains("resume") && text_in(body, "out", "").empty();
+  std::set<fs::path> taken;
+  while (true) {
+    Work work = work_of(body, taken);
+    const Json answer = {{"path", work.name}};
+    const fs::path place = work.folder;
+    try {
+      queue_->add(std::move(work));
+      return answer;
+    } catch (const Refusal& refusal) {
+      if (!place_is_free || refusal.status != 409 || taken.size() >= most_places_tried) throw;
+    }
+    taken.insert(place);
+  }
+}
+
+Work Runs::work_of(const Json& body, const std::set<fs::path>& taken)
 {
   Work work;
   work.kind = "run";
   work.threads = threads_in(body, queue_->threads());
   if (body.contains("resume")) {
     work.folder = folder_.run(text_in(body, "resume"));
+    folder_.refuse_links_out(work.folder);
     if (!io::FolderLock::owner_of(work.folder).empty()) throw Refusal(409, "the run is at work");
     work.case_file = at_rest(work.folder).case_file;
     work.words = {"run", "--resume", folder_.name_of(work.folder)};
@@ -130,7 +151,7 @@ Json Runs::start(const Json& body)
     const fs::path file = folder_.input(text_in(body, "case"));
     if (!fs::is_regular_file(file)) throw Refusal(404, fmt::format("there is no {}", text_in(body, "case")));
     const std::string out = text_in(body, "out", "");
-    work.folder = out.empty() ? free_place(file) : folder_.inside(out);
+    work.folder = out.empty() ? free_place(file, taken) : folder_.inside(out);
     if (work.folder == folder_.root() || fs::exists(work.folder)) throw Refusal(409, fmt::format("{} is there: name another folder", out));
     work.case_file = folder_.name_of(file);
     work.words = {"run", work.case_file, "-o", folder_.name_of(work.folder)};
@@ -140,9 +161,7 @@ Json Runs::start(const Json& body)
   work.words.insert(work.words.end(), {"--threads", std::to_string(work.threads)});
   work.words.insert(work.words.end(), more_.begin(), more_.end());
   work.name = folder_.name_of(work.folder);
-  const Json answer = {{"path", work.name}};
-  queue_->add(std::move(work));
-  return answer;
+  return work;
 }
 
 void Runs::stop(const std::string& name)
@@ -162,8 +181,8 @@ Runs::AtRest Runs::at_rest(const fs::path& run)
     const auto known = at_rest_.find(run.string());
     if (known != at_rest_.end() && known->second.of == of) return known->second;
   }
-  const auto [state, why] = state_at_rest(run);
-  const AtRest seen{of, case_of(run), state, why};
+  const auto [state, why] = state_at_rest(folder_, run);
+  const AtRest seen{of, case_of(folder_, run), state, why};
   const std::lock_guard lock(mutex_);
   if (at_rest_.size() >= most_known) at_rest_.clear();
   return at_rest_[run.string()] = seen;
@@ -190,7 +209,7 @@ Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& 
   if (at_work || (entry && !fs::exists(run / "resolved.toml")))
     state = entry->state;
   else if (io::FolderLock::owner_of(run).empty())
-    state = entry && entry->state == WorkState::failed ? WorkState::failed : rest.state;
+    state = entry && entry->state == WorkState::failed && is_of_now(*entry) ? WorkState::failed : rest.state;
   Json answer = {{"path", name},
                  {"case", entry && !entry->work.case_file.empty() ? entry->work.case_file : rest.case_file},
                  {"status", word_of(state)},
@@ -233,11 +252,13 @@ Json Runs::one(const std::string& name, std::size_t from_row)
   if (const std::string status = answer["status"]; status == "failed" || status == "stopped") {
     const std::string said = last_line(messages);
     const bool begun = fs::exists(run / "resolved.toml"), ended = fs::exists(run / "summary.json"),
-               is_error = said.starts_with("berm: ") && !said.starts_with("berm: warning: ");
-    answer["why"] = !begun || (!ended && is_error) ? said : at_rest(run).why;
+               is_error = said.starts_with("berm: ") && !said.starts_with("berm: warning: "), is_now = !entry || is_of_now(*entry);
+    answer["why"] = is_now && entry && !entry->why.empty()       ? entry->why
+                    : is_now && (!begun || (!ended && is_error)) ? said
+                                                                 : at_rest(run).why;
   }
   if (answer["status"] != "running" && fs::exists(run / "summary.json"))
-    answer["summary"] = run_folder::read_json(run / "summary.json", 10'000'000);
+    answer["summary"] = run_folder::read_json(folder_.real(run / "summary.json"), 10'000'000);
   return answer;
 }
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <set>
 
 namespace berm::desk {
 
@@ -20,7 +21,8 @@ public:
       : folder_(folder),
         queue_(std::move(queue)),
         place_(std::move(place)),
-        more_(std::move(more))
+        more_(std::move(more)),
+        live_(folder)
   {
   }
 
@@ -41,7 +43,8 @@ private:
   AtRest at_rest(const std::filesystem::path& run);
   Json state_of(const std::string& name, const std::optional<Queue::Entry>& entry);
   std::vector<std::filesystem::path> found();
-  std::filesystem::path free_place(const std::filesystem::path& case_file) const;
+  Work work_of(const Json& body, const std::set<std::filesystem::path>& taken);
+  std::filesystem::path free_place(const std::filesystem::path& case_file, const std::set<std::filesystem::path>& taken) const;
 
   const Folder& folder_;
   std::shared_ptr<Queue> queue_;

@@ -67,12 +67,15 @@ Json outlines_of(const fs::path& file)
 
 }  // namespace
 
-std::optional<Json> soil_of(const fs::path& run, long after, const std::string& field)
+std::optional<Json> soil_of(const Folder& folder, const fs::path& run, long after, const std::string& field)
 {
+  folder.real(run / "frames/frames.pvd");
   const std::vector<run_folder::FrameFiles> frames = run_folder::frame_files(run / "frames");
   const long last = static_cast<long>(frames.size()) - 1;
   if (last < 0 || last <= after) return std::nullopt;
   const run_folder::FrameFiles& files = frames.back();
+  for (const fs::path& file : {files.soil, files.rigid})
+    if (!file.empty()) folder.real(file);
   if (fs::file_size(files.soil) > largest_frame) throw Refusal(413, "the frame is too large to be shown while the run is at work");
   const run_folder::SavedSoil soil = run_folder::read_soil(files.soil);
   const std::size_t step = 1 + soil.x.size() / most_points;

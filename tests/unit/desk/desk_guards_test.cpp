@@ -70,6 +70,9 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
   const auto put = [&](const char* path) {
     return desk.head("PUT", fmt::format("/api/case?path={}", path)) + json + length(R"({"text":"x = 1"})");
   };
+  std::ofstream(served() / "bay/kept.toml") << "x = 1";
+  fs::permissions(served() / "bay/kept.toml", fs::perms::owner_read);
+  const std::string mark = desk.get("/api/case?path=bay/kept.toml").json().value("modified", "");
   const auto get = [&](const char* target) { return desk.head("GET", target) + "\r\n"; };
   const struct {
     int status;
@@ -162,6 +165,8 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
       {403, "writing through a file's link", put("link.toml")},
       {403, "writing through a link to nothing", put("dangling.toml")},
       {403, "writing what is no case", put("page.html")},
+      {403, "writing a file that is write-protected",
+       desk.head("PUT", "/api/case?path=bay/kept.toml") + json + length(fmt::format(R"({{"text":"y","modified":"{}"}})", mark))},
       {403, "writing a hidden file", put(".bashrc.toml")},
       {409, "writing over a file without having read it", put("bay/case.toml")},
       {409, "stopping what nobody runs", post("/api/runs/stop", R"({"path":"bay"})")},

@@ -16,7 +16,8 @@ TEST(DeskLive, gives_the_rows_that_were_written_since)
   std::ofstream(run / "resolved.toml") << "x = 1";
   std::ofstream history(run / "history.csv");
   history << "time_s,stage\n0,rest\n1,\"push, slow\"\n2,pu" << std::flush;
-  Live live;
+  const Folder folder(run.path());
+  Live live(folder);
   EXPECT_EQ(live.rows(run.path(), 0).at("rows"), Json::parse(R"([[0.0,"rest"],[1.0,"push, slow"]])"));
   EXPECT_EQ(live.rows(run.path(), 2).at("rows"), Json::array());
   history << "sh\nnan,push\n" << std::flush;
@@ -33,7 +34,8 @@ TEST(DeskLive, gives_long_histories_in_parts)
     history << "time_s\n";
     for (int k = 0; k < 300000; ++k) history << k << '\n';
   }
-  Live live;
+  const Folder folder(run.path());
+  Live live(folder);
   std::size_t count = 0;
   for (bool more = true; more;) {
     const Json part = live.rows(run.path(), count);
