@@ -23,7 +23,7 @@ function(berm_beside name)
   set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/beside C_STANDARD 99 C_EXTENSIONS OFF BUILD_WITH_INSTALL_RPATH ON UNITY_BUILD OFF)
   target_compile_options(${name} PRIVATE -O2 -Wall -Wextra -Wconversion -Wno-sign-conversion -Werror)
   target_link_options(${name} PRIVATE -Wl,-s)
-  target_link_libraries(${name} PRIVATE m)
+  target_link_libraries(${name} PRIVATE m berm_hardening)
 endfunction()
 
 function(berm_embed room header namespace)

@@ -17,7 +17,19 @@ set(BERM_SANITIZE "" CACHE STRING "sanitizers, as for -fsanitize=")
 option(BERM_REPRODUCIBLE "nothing that is built names the folder it was built in" OFF)
 option(BERM_FUZZ "make the targets of tests/fuzz programs of clang's libFuzzer" OFF)
 
+# What Debian hardens its programs with (dpkg-buildflags, hardening=+all); tests/installed looks for it. Sanitizers look at more themselves.
+add_library(berm_hardening INTERFACE)
+if(NOT BERM_SANITIZE AND NOT BERM_FUZZ)
+  target_compile_options(berm_hardening INTERFACE -fstack-protector-strong -fstack-clash-protection)
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+    target_compile_options(berm_hardening INTERFACE -fcf-protection)
+  endif()
+  target_compile_definitions(berm_hardening INTERFACE $<$<CONFIG:Release>:_FORTIFY_SOURCE=2>)
+  target_link_options(berm_hardening INTERFACE -Wl,-z,relro -Wl,-z,now)
+endif()
+
 add_library(berm_flags INTERFACE)
+target_link_libraries(berm_flags INTERFACE berm_hardening)
 # -Wno-psabi: vectors wider than a register are passed by reference inside berm; no such type crosses a library's boundary by value.
 target_compile_options(berm_flags INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -Werror -Wno-psabi)
 # Files that are compiled together see each other's constants, which their local names may shadow, and are no main file, whose types in anonymous namespaces may be anywhere.
