@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure configure_tests build probe test test-all slowest verify bench packages reproducible site debug fuzz sanitize threads tidy clean
+.PHONY: help setup configure configure_tests build probe test test-all slowest verify bench packages reproducible site debug torture fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -102,6 +102,10 @@ debug: setup ## the program without optimization, its types compared at the link
 	@build/debug/berm run examples/probe_test/case.toml -o build/debug/probe/case --force $(coarse) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
 	@build/debug/berm run examples/probe_test/wip_10.toml -o build/debug/probe/wip_10 --force $(short) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
 	@build/debug/berm report build/debug/probe >/dev/null && echo 'make debug: the program, a short probe test and its report'
+
+torture: configure_tests build ## faults made on purpose, for TIME seconds (3600): kills, full disks, damaged folders, mutants, environments; finds go to build/torture
+	@ninja -C $(release) torture | $(only_news)
+	@/usr/bin/python3 tests/torture/run all --seconds $(or $(TIME),3600) --seed $$(date +%j) --keep build/torture
 
 fuzz: ## look for inputs that break berm, with clang: ten million for each target of tests/fuzz, hours
 	@scripts/setup clang

@@ -12,7 +12,11 @@ import run_folder
 from program import LINE, PUSHED_PIPE, TIME_LIMIT
 
 # What is killed, and how often it writes a checkpoint: some twenty times.
-CASES = {"pipe": [*PUSHED_PIPE, "--set", "output.checkpoint_wall_time=0.01 s"], "line": [*LINE, "--set", "output.checkpoint_wall_time=0.05 s"]}
+CASES = {
+    "pipe": [*PUSHED_PIPE, "--set", "output.checkpoint_wall_time=0.01 s"],
+    "line": [*LINE, "--set", "output.checkpoint_wall_time=0.05 s"],
+    "sleeping": [*LINE, "--set", 'pipeline.slices={spacing=1, to=3, asleep="always"}', "--set", "output.checkpoint_wall_time=0.02 s"],
+}
 
 
 def kill_at_random(process, folder, length):

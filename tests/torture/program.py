@@ -40,7 +40,7 @@ class Berm:
 
     def start(self, *words, hears=False, **more):
         """hears: its standard output can be read."""
-        environment = dict(os.environ, TMPDIR=self.scratch, OMP_NUM_THREADS="1", GOMP_SPINCOUNT="100", **more)
+        environment = {**os.environ, "TMPDIR": self.scratch, "OMP_NUM_THREADS": "1", "GOMP_SPINCOUNT": "100", **more}
         return subprocess.Popen([self.program, *words], cwd=self.place, env=environment, text=True, errors="surrogateescape", stderr=subprocess.PIPE,
                                 stdout=subprocess.PIPE if hears else subprocess.DEVNULL)
 

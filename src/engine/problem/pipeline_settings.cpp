@@ -133,8 +133,7 @@ void describe(Describe& d, PipelineSettings& pipeline)
            .range = {1e-4, 1e8}});
   d.value("axial_mass", pipeline.axial_mass,
           {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = {1e-4, 1e8}});
-  d.value("lay_tension", pipeline.lay_tension,
-          {.meaning = "effective tension under which it was laid", .unit = "N", .range = {0, 1e10}});
+  d.value("lay_tension", pipeline.lay_tension, {.meaning = "effective tension under which it was laid", .unit = "N", .range = {0, 1e10}});
   d.choice("half", pipeline.half, {"symmetric", "antisymmetric", "none"},
            {.meaning =
                 "what the other half of the line is, beyond x = 0: its mirror image, or turned by half a turn; none: x = 0 is a free "
