@@ -117,23 +117,24 @@ void describe(Describe& d, FarSoil& soil)
 void describe(Describe& d, PipelineSettings& pipeline)
 {
   d.value("wall", pipeline.wall,
-          {.meaning = "thickness of the steel wall; the outer diameter is that of the rigid body", .unit = "m", .range = {1e-5, 1}});
-  d.value("young_modulus", pipeline.young_modulus, {.meaning = "of the wall", .unit = "Pa", .range = {1e5, 1e14}});
+          {.meaning = "thickness of the steel wall; the outer diameter is that of the rigid body", .unit = "m", .range = positive});
+  d.value("young_modulus", pipeline.young_modulus, {.meaning = "of the wall", .unit = "Pa", .range = positive});
   d.value("bending_stiffness", pipeline.bending_stiffness,
-          {.meaning = "EI, instead of wall and young_modulus: of a cable, an umbilical", .unit = "N m^2", .range = {1e-6, 1e15}});
+          {.meaning = "EI, instead of wall and young_modulus: of a cable, an umbilical", .unit = "N m^2", .range = positive});
   d.value("axial_stiffness", pipeline.axial_stiffness,
-          {.meaning = "EA, which goes with bending_stiffness", .unit = "N", .range = {1e-3, 1e16}});
+          {.meaning = "EA, which goes with bending_stiffness", .unit = "N", .range = positive});
   d.value("poisson_ratio", pipeline.poisson_ratio, {.meaning = "of the wall", .range = {0, 0.5}});
   d.value("expansion", pipeline.expansion, {.meaning = "thermal expansion of length", .unit = "1/K", .range = not_negative});
   d.value("submerged_weight", pipeline.submerged_weight,
-          {.meaning = "weight in water, as the line was laid", .unit = "N/m", .range = {1e-3, 1e8}, .required = true});
+          {.meaning = "weight in water, as the line was laid", .unit = "N/m", .range = positive, .required = true});
   d.value("mass", pipeline.mass,
           {.meaning = "mass that moves sideways and upwards: pipe, content and the water that goes along; absent: that of the rigid body",
            .unit = "kg/m",
-           .range = {1e-4, 1e8}});
+           .range = positive});
   d.value("axial_mass", pipeline.axial_mass,
-          {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = {1e-4, 1e8}});
-  d.value("lay_tension", pipeline.lay_tension, {.meaning = "effective tension under which it was laid", .unit = "N", .range = {0, 1e10}});
+          {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = positive});
+  d.value("lay_tension", pipeline.lay_tension,
+          {.meaning = "effective tension under which it was laid", .unit = "N", .range = not_negative});
   d.choice("half", pipeline.half, {"symmetric", "antisymmetric", "none"},
            {.meaning =
                 "what the other half of the line is, beyond x = 0: its mirror image, or turned by half a turn; none: x = 0 is a free "
@@ -224,8 +225,31 @@ void check_places(Describe& d, const SliceSettings& s, Real length)
   d.check(length >= s.at.back(), "pipeline.length", "must reach to the last slice, the last of pipeline.slices.at");
 }
 
+/// Numbers with which nothing can be computed, as a unit that was forgotten or a digit too many make them; what is unusual is doubted only.
+void check_sizes(Describe& d, const PipelineSettings& p)
+{
+  struct Size {
+    const char* key;
+    std::optional<Real> value;
+    Real least, most;
+    const char* unit;
+  };
+  const Size sizes[] = {{"wall", p.wall, 1e-5, 1, "m"},
+                        {"young_modulus", p.young_modulus, 1e5, 1e14, "Pa"},
+                        {"bending_stiffness", p.bending_stiffness, 1e-6, 1e15, "N m^2"},
+                        {"axial_stiffness", p.axial_stiffness, 1e-3, 1e16, "N"},
+                        {"submerged_weight", p.submerged_weight, 1e-3, 1e8, "N/m"},
+                        {"mass", p.mass, 1e-4, 1e8, "kg/m"},
+                        {"axial_mass", p.axial_mass, 1e-4, 1e8, "kg/m"},
+                        {"lay_tension", p.lay_tension, 0, 1e10, "N"}};
+  for (const auto& [key, value, least, most, unit] : sizes)
+    d.check(!value || (*value >= least && *value <= most), std::string("pipeline.") + key,
+            fmt::format("is {0:g} {3}; no line has less than {1:g} or more than {2:g} {3}", value.value_or(0), least, most, unit));
+}
+
 void check_line(Describe& d, const PipelineSettings& p)
 {
+  check_sizes(d, p);
   const bool steel = p.wall || p.young_modulus, stiff = p.bending_stiffness || p.axial_stiffness;
   d.check(steel != stiff, "pipeline", "needs either wall and young_modulus, or bending_stiffness and axial_stiffness");
   d.check(!steel || (p.wall && p.young_modulus), "pipeline", "needs both wall and young_modulus");

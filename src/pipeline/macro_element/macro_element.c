@@ -461,10 +461,9 @@ const char* berm_macro_element_error(int code)
 }
 
 #define MEMBER(name, unit, least, most) {#name, unit, offsetof(berm_macro_element_parameters, name), least, most}
-/* What no pipe and no soil comes near to: products of these are numbers. */
-#define ABOVE_0 1e-15
+#define ABOVE_0 DBL_MIN
 #define BELOW_1 (1 - DBL_EPSILON)
-#define ANY 1e18
+#define ANY DBL_MAX
 const berm_macro_element_member berm_macro_element_members[BERM_MACRO_ELEMENT_MEMBERS] = {
     MEMBER(diameter, "m", ABOVE_0, ANY),
     MEMBER(vertical_stiffness, "N/m^2", ABOVE_0, ANY), MEMBER(horizontal_stiffness, "N/m^2", ABOVE_0, ANY),
@@ -480,6 +479,10 @@ const berm_macro_element_member berm_macro_element_members[BERM_MACRO_ELEMENT_ME
     MEMBER(axial_friction, "1", 0, ANY),               MEMBER(axial_mobilisation, "m", ABOVE_0, ANY),
 };
 
+/* No pipe and no soil comes near to these, and their products are numbers. */
+#define SMALLEST 1e-15
+#define LARGEST 1e18
+
 /* The name of the first parameter that makes no sense, or null. */
 static const char* wrong_parameter(const berm_macro_element_parameters* p)
 {
@@ -490,6 +493,7 @@ static const char* wrong_parameter(const berm_macro_element_parameters* p)
     double value;
     memcpy(&value, (const char*)p + m->offset, sizeof value);
     if (!(value >= m->least && value <= m->most)) return m->name;
+    if (fabs(value) > LARGEST || (m->least == ABOVE_0 && value < SMALLEST)) return m->name;
   }
   if (p->uplift_ratio > p->surface_beta) return "uplift_ratio";
   if (n < 0 || n > BERM_MACRO_ELEMENT_MAX_POINTS) return "backbone_points";
@@ -497,7 +501,7 @@ static const char* wrong_parameter(const berm_macro_element_parameters* p)
   if (n == 0 && !(p->backbone_power > 0)) return "backbone_power";
   for (k = 0; k < n; ++k) {
     if (!(p->backbone_w[k] > (k > 0 ? p->backbone_w[k - 1] : 0) && is_number(p->backbone_w[k]))) return "backbone_w";
-    if (!(p->backbone_V[k] >= (k > 0 ? p->backbone_V[k - 1] : ABOVE_0) && is_number(p->backbone_V[k]))) return "backbone_V";
+    if (!(p->backbone_V[k] >= (k > 0 ? p->backbone_V[k - 1] : SMALLEST) && is_number(p->backbone_V[k]))) return "backbone_V";
   }
   return NULL;
 }

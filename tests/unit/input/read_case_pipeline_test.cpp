@@ -25,6 +25,8 @@ TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
       {{"pipeline.bending_stiffness=\"-1 N m^2\""}, "pipeline.bending_stiffness", "more than 0"},
       {{"pipeline.axial_stiffness=0"}, "pipeline.axial_stiffness", "more than 0"},
       {{"pipeline.submerged_weight=\"0 N/m\""}, "pipeline.submerged_weight", "more than 0"},
+      {{"pipeline.submerged_weight=1e300"}, "pipeline.submerged_weight", "no line has"},
+      {{"pipeline.mass=1e-300"}, "pipeline.mass", "no line has"},
       {{"pipeline.submerged_weight=\"1.5 kN\""}, "pipeline.submerged_weight", "N/m"},
       {{"pipeline.mass=\"-3 kg/m\""}, "pipeline.mass", "more than 0"},
       {{"pipeline.lay_tension=\"-1 kN\""}, "pipeline.lay_tension", ""},

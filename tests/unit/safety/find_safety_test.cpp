@@ -152,7 +152,8 @@ TEST_F(SafetyCommand, counts_no_strength_that_clay_has_by_its_rate)
   creeps.replace(creeps.find(strength), strength.size(), "undrained_strength = 10e3\nrate_parameter = 0.1\nreference_rate = 1e-6\n");
   folder_.write("column.toml", creeps);
   const Ended ended = safety({"--tolerance", "0.1", "--low", "1.4", "--high", "1.5"});
-  EXPECT_NE(ended.out.find("F = 1.4 to 1.5"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("1.4000  stands"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("1.5000  fails"), std::string::npos) << ended.out;
 }
 
 TEST_F(SafetyCommand, tries_the_same_factors_on_any_number_of_threads)
