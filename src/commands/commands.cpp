@@ -15,6 +15,7 @@
 #include "simulation/run_of_ranks.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -123,25 +124,27 @@ void say_without_memory()
   std::fputs("berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n", stderr);
 }
 
-/// Libraries take objects apart by means of memory, in destructors that may not throw.
+volatile std::sig_atomic_t memory_failed = 0;
+
+void note_failed_memory()
+{
+  memory_failed = 1;
+  throw std::bad_alloc();
+}
+
+/// Libraries ask for memory in functions that may not throw; what was thrown is not known here.
 [[noreturn]] void end_without_memory()
 {
-  if (const std::exception_ptr error = std::current_exception()) {
-    try {
-      std::rethrow_exception(error);
-    } catch (const std::bad_alloc&) {
-      say_without_memory();
-      std::_Exit(1);
-    } catch (...) {
-    }
-  }
-  std::abort();
+  if (memory_failed == 0) std::abort();
+  say_without_memory();
+  std::_Exit(1);
 }
 
 }  // namespace
 
 int run_commands(int argc, char** argv)
 {
+  std::set_new_handler(note_failed_memory);
   std::set_terminate(end_without_memory);
   try {
     if (const std::optional<int> status = sandbox::run_inside(argc, argv)) return *status;

@@ -223,6 +223,15 @@ FrontalSolver::FrontalSolver(const QuadraticMesh& mesh, Index unknowns, const st
   const auto n = static_cast<Index>(kept.size());
   kept_matrix_.resize(n, n);
   kept_part_.resize(n);
+  Index most_ending = 0, most_left = 0, most_entries = 0;
+  for (const Front& front : fronts_) {
+    most_ending = std::max(most_ending, front.ending);
+    most_left = std::max(most_left, static_cast<Index>(front.unknowns.size()) - front.ending);
+    most_entries = std::max(most_entries, static_cast<Index>(front.columns.size()));
+  }
+  part_.resize(most_ending);
+  rest_.resize(most_left);
+  scaled_.resize(most_entries);
 }
 
 Real FrontalSolver::memory() const
@@ -302,9 +311,8 @@ bool FrontalSolver::eliminate(Front& front)
   Dense& a = front.columns;
   const auto rows = static_cast<Index>(a.rows()), m = front.ending, left = rows - m;
   if (m == 0) return true;
-  scaled_.resize(rows, m);
   if (!eliminate_columns({a.data(), rows}, {scaled_.data(), rows}, rows, m)) return false;
-  if (left > 0) subtract_product({&a(m, 0), rows}, {&scaled_(m, 0), rows}, {front.left.data(), left}, {left, left, m});
+  if (left > 0) subtract_product({&a(m, 0), rows}, {scaled_.data() + m, rows}, {front.left.data(), left}, {left, left, m});
   return true;
 }
 
@@ -314,12 +322,12 @@ std::span<Real> FrontalSolver::condense(std::span<Real> b)
   for (const Front& front : fronts_) {
     const Index m = front.ending;
     const auto all = static_cast<Index>(front.unknowns.size());
-    part_.resize(m);
-    for (Index k = 0; k < m; ++k) part_[k] = b[front.unknowns[k]];
-    front.columns.topRows(m).triangularView<Eigen::UnitLower>().solveInPlace(part_);
-    rest_.noalias() = front.columns.bottomRows(all - m) * part_;
-    for (Index k = 0; k < m; ++k) b[front.unknowns[k]] = part_[k];
-    for (Index k = m; k < all; ++k) b[front.unknowns[k]] -= rest_[k - m];
+    auto part = part_.head(m), rest = rest_.head(all - m);
+    for (Index k = 0; k < m; ++k) part[k] = b[front.unknowns[k]];
+    front.columns.topRows(m).triangularView<Eigen::UnitLower>().solveInPlace(part);
+    rest.noalias() = front.columns.bottomRows(all - m) * part;
+    for (Index k = 0; k < m; ++k) b[front.unknowns[k]] = part[k];
+    for (Index k = m; k < all; ++k) b[front.unknowns[k]] -= rest[k - m];
   }
   for (std::size_t k = 0; k < kept_.size(); ++k) kept_part_[static_cast<Index>(k)] = b[kept_[k]];
   return {kept_part_.data(), kept_.size()};
@@ -332,13 +340,12 @@ void FrontalSolver::expand(std::span<Real> b)
   for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
     const Index m = front->ending;
     const auto all = static_cast<Index>(front->unknowns.size());
-    part_.resize(m);
-    rest_.resize(all - m);
-    for (Index k = 0; k < m; ++k) part_[k] = b[front->unknowns[k]] / front->columns(k, k);
-    for (Index k = m; k < all; ++k) rest_[k - m] = b[front->unknowns[k]];
-    part_.noalias() -= front->columns.bottomRows(all - m).transpose() * rest_;
-    front->columns.topRows(m).triangularView<Eigen::UnitLower>().transpose().solveInPlace(part_);
-    for (Index k = 0; k < m; ++k) b[front->unknowns[k]] = part_[k];
+    auto part = part_.head(m), rest = rest_.head(all - m);
+    for (Index k = 0; k < m; ++k) part[k] = b[front->unknowns[k]] / front->columns(k, k);
+    for (Index k = m; k < all; ++k) rest[k - m] = b[front->unknowns[k]];
+    part.noalias() -= front->columns.bottomRows(all - m).transpose() * rest;
+    front->columns.topRows(m).triangularView<Eigen::UnitLower>().transpose().solveInPlace(part);
+    for (Index k = 0; k < m; ++k) b[front->unknowns[k]] = part[k];
   }
 }
 

@@ -67,8 +67,8 @@ private:
   std::vector<Front> fronts_;  ///< halves before the whole
   CellField<CellStiffness> stiffness_;
   std::vector<char> prescribed_;
-  Dense kept_matrix_, scaled_;
-  Eigen::VectorXd kept_part_, part_, rest_;
+  Dense kept_matrix_;
+  Eigen::VectorXd kept_part_, part_, rest_, scaled_;  ///< the last three as large as any front needs them: Eigen loses what it has where a larger one finds no memory
   int found_ = 0;
 };
 
