@@ -104,14 +104,19 @@ void CaseOptions::enter_sandbox(bool brings_libraries, const std::vector<fs::pat
 {
   if (no_sandbox) ::setenv(sandbox::trust_variable, "1", 1);
   if (!sandbox && (!brings_libraries || sandbox::is_trusted())) return;
-  std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
-  try {
-    if (why.empty()) return sandbox::enter(folders);
-  } catch (const RunError& error) {
-    why = error.what();
-  }
+  const std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
+  if (why.empty()) return sandbox::enter(folders);  // what goes wrong there is an error: a case may have brought it about
   if (sandbox) throw RunError(fmt::format("--sandbox: there is none here: {}", why));
   sandbox::do_without(why);
+}
+
+void refuse_links(const fs::path& folder)
+{
+  std::error_code error;
+  for (fs::path part = folder; !part.empty(); part = part.parent_path())
+    if (fs::is_symlink(fs::symlink_status(part, error)))
+      throw InputError(fmt::format(
+          "{} is a link, and the case brings a library, which writes below its run folder: name the folder with -o", part.string()));
 }
 
 void CaseOptions::take_runner(CLI::App& command)

@@ -56,6 +56,9 @@ std::filesystem::path default_folder(const std::filesystem::path& file);
 /// named like their files. Throws InputError.
 std::vector<simulation::RunRequest> requests(const CaseOptions& options);
 
+/// Throws InputError where a part of a run folder that berm has chosen itself is a link, which whoever sent the case may have made.
+void refuse_links(const std::filesystem::path& folder);
+
 /// Whether a case names a geometry that gmsh runs or a library with a law.
 bool brings_programs(const simulation::RunRequest& request);
 /// Whether it names a library with a law.

@@ -82,8 +82,23 @@ bool is_wrong(const Json& of_case)
   return std::ranges::any_of(of_case["findings"], [](const Json& found) { return found["level"] == "error"; });
 }
 
+/// The sandbox is entered before the first check, which starts threads.
+void enter_sandbox_for_all(CaseOptions options)
+{
+  bool libraries = false;
+  for (const std::string& file : std::vector<std::string>(options.files)) {
+    options.files = {file};
+    try {
+      libraries = libraries || brings_libraries(requests(options).front());
+    } catch (const InputError&) {  // its check says so
+    }
+  }
+  options.enter_sandbox(libraries, {});
+}
+
 int print_json(const CaseOptions& options)
 {
+  if (options.files.size() > 1 && !options.text_from_stdin) enter_sandbox_for_all(options);
   Json all = Json::array();
   for (const std::string& file : options.files) all.push_back(check_as_json(options, file));
   fmt::print("{}\n", all.dump(1, ' ', false, Json::error_handler_t::replace));

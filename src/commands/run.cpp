@@ -192,8 +192,11 @@ Command add_run(CLI::App& program)
               return status_of(judged(resume(options->unfinished, *options), {options->unfinished}, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
             if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
-            for (const simulation::RunRequest& request : all) run_folder::refuse_other_files(request.folder);
             if (options->no_sandbox) options->enter_sandbox(false, {});
+            for (const simulation::RunRequest& request : all) {
+              run_folder::refuse_other_files(request.folder);
+              if (options->output.empty() && brings_libraries(request) && !sandbox::is_trusted()) refuse_links(request.folder);
+            }
             if (go_side_by_side(all, *options)) return status_of(judged(run_side_by_side(all, *options, true), folders_of(all), *options));
             options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), written_folders(all));
             return status_of(judged(run_all(all, *options), folders_of(all), *options));

@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
+#include <memory>
 #include <optional>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -32,7 +33,7 @@ constexpr std::uintmax_t max_bytes = 1'000'000'000;
 /// Bytes as a file that has no name and does not change any more.
 class SealedFile {
 public:
-  SealedFile(const std::string& name, const std::string& bytes) : file_(::memfd_create(name.c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING))
+  SealedFile(const std::string& name, const std::string& bytes) : file_(::memfd_create("berm-law", MFD_CLOEXEC | MFD_ALLOW_SEALING))
   {
     if (file_ < 0 || !io::write_all(file_, bytes) ||
         ::fcntl(file_, F_ADD_SEALS, F_SEAL_SEAL | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE) != 0) {
@@ -92,21 +93,26 @@ Library open_library(const fs::path& file, const std::string& wanted_sha256)
   const std::string hash = io::sha256_of(read.bytes);
   if (!wanted_sha256.empty() && wanted_sha256 != hash)
     throw InputError(fmt::format("{} is another file than the one with the SHA-256 {}: it is {}", file.string(), wanted_sha256, hash));
-  static std::map<std::string, void*> loaded;  // by their hashes: a library is loaded once
-  if (const auto earlier = loaded.find(hash); earlier != loaded.end()) return {earlier->second, hash};
+  // A library is loaded once. Its file stays open: the loader knows it by that name, and would take another of the same name for it.
+  struct Loaded {
+    std::unique_ptr<const SealedFile> sealed;
+    void* handle;
+  };
+  static std::map<std::string, Loaded> loaded;
+  if (const auto earlier = loaded.find(hash); earlier != loaded.end()) return {earlier->second.handle, hash};
   ask_to_load(file.string());
-  const SealedFile sealed(file.filename().string(), read.bytes);
+  auto sealed = std::make_unique<const SealedFile>(file.filename().string(), read.bytes);
   // Code made with -ffast-math would have small numbers set to zero from its loading on, in all of the program.
   std::fenv_t rounding;
   std::fegetenv(&rounding);
   const std::string name = "loading " + file.string();
   std::optional<InsideCall> inside(name);
-  void* const library = ::dlopen(sealed.path().c_str(), RTLD_NOW | RTLD_LOCAL);
-  const std::string reason = library == nullptr ? reason_of_loader(sealed.path(), file) : "";
+  void* const library = ::dlopen(sealed->path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  const std::string reason = library == nullptr ? reason_of_loader(sealed->path(), file) : "";
   inside.reset();
   std::fesetenv(&rounding);
   if (library == nullptr) throw InputError(fmt::format("the library does not load: {}", reason));
-  loaded[hash] = library;
+  loaded[hash] = {std::move(sealed), library};
   return {library, hash};
 }
 

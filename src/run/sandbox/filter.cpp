@@ -135,7 +135,8 @@ int install_filter()
   // Pairs of datagram sockets send to any other; those of streams are connected for good.
   constexpr std::uint64_t kind = 0xf;
   for (const std::uint64_t type : {SOCK_DGRAM, SOCK_RAW, SOCK_RDM}) filter.add(refuse, SCMP_SYS(socketpair), 1, kind, type);
-  for (const std::uint64_t space : {CLONE_NEWNS, CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWIPC, CLONE_NEWUTS, CLONE_NEWCGROUP})
+  for (const std::uint64_t space : {CLONE_NEWNS, CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWIPC, CLONE_NEWUTS, CLONE_NEWCGROUP,
+                                    CLONE_PARENT})  // whose child would be nobody's here
     filter.add(refuse, SCMP_SYS(clone), 0, space, space);
   return filter.load();
 }

@@ -181,8 +181,10 @@ std::vector<std::string> words_inside(const std::vector<std::string>& words, con
     do_without(why);
     return words;
   }
-  std::vector<std::string> inside = {fs::canonical("/proc/self/exe").string(), inside_word, folder};
-  inside.insert(inside.end(), words.begin(), words.end());
+  const fs::path program = program_in_path(words.front());
+  if (program.empty()) return words;  // it cannot be started, and is missed
+  std::vector<std::string> inside = {fs::canonical("/proc/self/exe").string(), inside_word, folder, program.string()};
+  inside.insert(inside.end(), words.begin() + 1, words.end());
   return inside;
 }
 

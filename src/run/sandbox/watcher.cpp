@@ -16,6 +16,7 @@
 #include <seccomp.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <system_error>
@@ -107,12 +108,12 @@ private:
 };
 
 /// Until nobody is left who could be asked about. What the watched program started ends with it.
-void answer(int asks, int line, pid_t watched, const Judge& judge, const std::vector<std::filesystem::path>& made, const auto& note)
+void answer(int asks, int line, pid_t watched, Descendants& started, const Judge& judge, const std::vector<std::filesystem::path>& made,
+            const auto& note)
 {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds look_each(100);
   Answers answers(asks, judge);
-  Descendants started(watched);
   bool alone = false;
   Clock::time_point looked = Clock::now();
   const int program = static_cast<int>(::syscall(SYS_pidfd_open, watched, 0));
@@ -125,7 +126,7 @@ void answer(int asks, int line, pid_t watched, const Judge& judge, const std::ve
       if (::read(line, &byte, 1) == 1) {
         started.end();
         for (const auto& folder : made) ::rmdir(folder.c_str());
-        [[maybe_unused]] const auto told = ::write(line, &byte, 1);
+        [[maybe_unused]] const auto told = ::send(line, &byte, 1, MSG_DONTWAIT | MSG_NOSIGNAL);  // who does not read waits for nothing
       } else {
         all[1].fd = -1;
       }
@@ -156,6 +157,11 @@ void become_watcher(int line)
   ::setsid();
   ::prctl(PR_SET_NAME, "berm-sandbox");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGPIPE}) ::signal(signal, SIG_IGN);
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) == 0) {
+    files.rlim_cur = files.rlim_max;  // one for each process that it may have to end
+    ::setrlimit(RLIMIT_NOFILE, &files);
+  }
   const int nothing = ::open("/dev/null", O_RDWR);
   for (int file = 0; file < 3; ++file) ::dup2(nothing, file);
   ::dup2(line, own_line);
@@ -176,6 +182,7 @@ Watcher::Watcher(const Allowed& allowed)
   if (watcher == 0) {
     void* const shared = ::mmap(nullptr, sizeof(Notes), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
     become_watcher(line[1]);
+    Descendants started(watched);  // before it goes on
     if (shared == MAP_FAILED || ::write(own_line, &byte, 1) != 1) ::_exit(1);
     auto* const notes = new (shared) Notes{};
     std::string all;
@@ -186,7 +193,8 @@ Watcher::Watcher(const Allowed& allowed)
       std::memcpy(notes->text, all.data(), all.size());
       notes->length = all.size();
     };
-    if (const int asks = received_file(own_line); asks >= 0) answer(asks, own_line, watched, Judge(allowed, watched), allowed.made, note);
+    if (const int asks = received_file(own_line); asks >= 0)
+      answer(asks, own_line, watched, started, Judge(allowed, watched), allowed.made, note);
     ::_exit(0);
   }
   ::close(line[1]);

@@ -45,6 +45,24 @@ TEST(Library, finds_the_first_name_that_is_there)
   EXPECT_EQ(find_function(library, BERM_TRIAL_LAWS, {"no_such", "patient", "fails"}).name, "patient");
 }
 
+TEST(Library, is_another_where_its_bytes_are)
+{
+  const TemporaryFolder folder;
+  const std::filesystem::path other = folder.path() / "other.so";
+  std::filesystem::copy_file(BERM_TRIAL_LAWS, other);
+  std::ofstream(other, std::ios::app) << '\n';
+  const Library first = open_library(BERM_TRIAL_LAWS), second = open_library(other);
+  EXPECT_NE(first.handle, second.handle);
+  EXPECT_NE(first.sha256, second.sha256);
+  EXPECT_EQ(open_library(other).handle, second.handle);
+}
+
+TEST(Library, that_is_not_the_one_that_was_looked_at_is_refused)
+{
+  EXPECT_NE(message_of([&] { open_library(BERM_TRIAL_LAWS, std::string(64, '0')); }).find("is another file than the one with the SHA-256"),
+            std::string::npos);
+}
+
 TEST(Library, without_the_function_lists_those_it_has)
 {
   void* const library = open_library(BERM_TRIAL_LAWS).handle;
