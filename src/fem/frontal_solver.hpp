@@ -68,7 +68,8 @@ private:
   CellField<CellStiffness> stiffness_;
   std::vector<char> prescribed_;
   Dense kept_matrix_;
-  Eigen::VectorXd kept_part_, part_, rest_, scaled_;  ///< the last three as large as any front needs them: Eigen loses what it has where a larger one finds no memory
+  Eigen::VectorXd kept_part_, part_, rest_,
+      scaled_;  ///< the last three as large as any front needs them: Eigen loses what it has where a larger one finds no memory
   int found_ = 0;
 };
 
