@@ -113,7 +113,7 @@ void CaseOptions::enter_sandbox(bool brings_libraries, const std::vector<fs::pat
 void refuse_links(const fs::path& folder)
 {
   std::error_code error;
-  for (fs::path part = folder; !part.empty(); part = part.parent_path())
+  for (fs::path part = folder; !part.empty() && part != part.root_path(); part = part.parent_path())
     if (fs::is_symlink(fs::symlink_status(part, error)))
       throw InputError(fmt::format(
           "{} is a link, and the case brings a library, which writes below its run folder: name the folder with -o", part.string()));
