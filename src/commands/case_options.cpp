@@ -95,14 +95,14 @@ void CaseOptions::take_sandbox(CLI::App& command)
                                        "let nothing write but to the run folder, open sockets or start programs: the default where a case "
                                        "brings a library; an error where the system has no sandbox");
   command
-      .add_flag("--no-sandbox", no_sandbox,
-                "let a geometry (.geo) or a library do whatever you may; as does BERM_NO_SANDBOX=1 in the environment, for studies too")
+      .add_flag_callback(
+          "--no-sandbox", [] { ::setenv(sandbox::trust_variable, "1", 1); },
+          "let a geometry (.geo) or a library do whatever you may; as does BERM_NO_SANDBOX=1 in the environment, for studies too")
       ->excludes(with);
 }
 
 void CaseOptions::enter_sandbox(bool brings_libraries, const std::vector<fs::path>& folders) const
 {
-  if (no_sandbox) ::setenv(sandbox::trust_variable, "1", 1);
   if (!sandbox && (!brings_libraries || sandbox::is_trusted())) return;
   const std::string why = Ranks::of_run().count() > 1 ? "ranks talk by sockets" : sandbox::why_there_is_none();
   if (why.empty()) return sandbox::enter(folders);  // what goes wrong there is an error: a case may have brought it about
@@ -110,8 +110,9 @@ void CaseOptions::enter_sandbox(bool brings_libraries, const std::vector<fs::pat
   sandbox::do_without(why);
 }
 
-void refuse_links(const fs::path& folder)
+void CaseOptions::refuse_links(const fs::path& folder) const
 {
+  if (!output.empty() || sandbox::is_trusted()) return;
   std::error_code error;
   for (fs::path part = folder; !part.empty() && part != part.root_path(); part = part.parent_path())
     if (fs::is_symlink(fs::symlink_status(part, error)))

@@ -17,7 +17,6 @@ struct CaseOptions {
   bool uncertainty = false;  ///< find the bands of the results, too
   bool no_programs = false;  ///< refuse cases that bring programs
   bool sandbox = false;      ///< where no case brings programs, too
-  bool no_sandbox = false;
   bool text_from_stdin = false;
   bool strict = false;  ///< a run whose answer is spoiled has failed
   std::string runner_words, sbatch;
@@ -41,6 +40,8 @@ struct CaseOptions {
   /// From now on this program writes to `folders` only (sandbox/sandbox.hpp): where the cases bring libraries, which become a part of it, or --sandbox asks for it. Where the system has no
   /// sandbox a warning says why; throws RunError where --sandbox asks for one.
   void enter_sandbox(bool brings_libraries, const std::vector<std::filesystem::path>& folders) const;
+  /// Of a case that brings a library: throws InputError where berm has chosen the folder itself, and a part of it is a link, which whoever sent the case may have made.
+  void refuse_links(const std::filesystem::path& folder) const;
   /// --runner and what goes with it.
   void take_runner(CLI::App& command);
   /// What runs the cases. Throws InputError where it cannot.
@@ -55,9 +56,6 @@ std::filesystem::path default_folder(const std::filesystem::path& file);
 /// Reads all cases, before the first one runs, so that a wrong one costs nothing. One case goes to `output` itself, several to folders in it that are
 /// named like their files. Throws InputError.
 std::vector<simulation::RunRequest> requests(const CaseOptions& options);
-
-/// Throws InputError where a part of a run folder that berm has chosen itself is a link, which whoever sent the case may have made.
-void refuse_links(const std::filesystem::path& folder);
 
 /// Whether a case names a geometry that gmsh runs or a library with a law.
 bool brings_programs(const simulation::RunRequest& request);

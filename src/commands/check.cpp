@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace berm::commands {
 namespace {
@@ -55,26 +56,48 @@ Json estimate_of(const simulation::Estimate& e)
                        {"lines", e.lines}});
 }
 
-/// A case with what is found of it; it is wrong where that has an error.
-Json check_as_json(CaseOptions options, const std::string& file)
+/// A case that was read, or what is wrong with its text.
+struct Read {
+  std::string file;
+  std::optional<simulation::RunRequest> request;
+  Json findings;
+};
+
+/// Adds what act finds wrong.
+template <class Act>
+void find(Json& findings, const std::string& file, const Act& act)
 {
-  Json findings = Json::array(), estimate;
-  options.files = {file};
   try {
-    const simulation::RunRequest request = requests(options).front();
-    options.enter_sandbox(brings_libraries(request), {});
-    const simulation::Checked checked = check_of(request, options);
-    for (const input::Located& refusal : checked.refusals) findings.push_back(finding("error", refusal));
-    if (checked.failure) findings.push_back(finding("error", *checked.failure));
-    for (const input::Located& warning : checked.warnings) findings.push_back(finding("warning", warning));
-    for (const std::string& note : checked.notes) findings.push_back(finding("note", {.file = file, .message = note}));
-    if (checked.estimate) estimate = estimate_of(*checked.estimate);
+    act();
   } catch (const input::LocatedError& error) {
     findings.push_back(finding("error", error.located));
   } catch (const InputError& error) {
     findings.push_back(finding("error", {.file = file, .message = error.what()}));
   }
-  return Json::object({{"file", file}, {"findings", findings}, {"estimate", estimate}});
+}
+
+Read read(CaseOptions options, const std::string& file)
+{
+  Read read{file, {}, Json::array()};
+  options.files = {file};
+  find(read.findings, file, [&] { read.request = requests(options).front(); });
+  return read;
+}
+
+/// A case with what is found of it; it is wrong where that has an error.
+Json check_as_json(const Read& of, const CaseOptions& options)
+{
+  Json findings = of.findings, estimate;
+  if (of.request)
+    find(findings, of.file, [&] {
+      const simulation::Checked checked = check_of(*of.request, options);
+      for (const input::Located& refusal : checked.refusals) findings.push_back(finding("error", refusal));
+      if (checked.failure) findings.push_back(finding("error", *checked.failure));
+      for (const input::Located& warning : checked.warnings) findings.push_back(finding("warning", warning));
+      for (const std::string& note : checked.notes) findings.push_back(finding("note", {.file = of.file, .message = note}));
+      if (checked.estimate) estimate = estimate_of(*checked.estimate);
+    });
+  return Json::object({{"file", of.file}, {"findings", findings}, {"estimate", estimate}});
 }
 
 bool is_wrong(const Json& of_case)
@@ -82,25 +105,14 @@ bool is_wrong(const Json& of_case)
   return std::ranges::any_of(of_case["findings"], [](const Json& found) { return found["level"] == "error"; });
 }
 
-/// The sandbox is entered before the first check, which starts threads.
-void enter_sandbox_for_all(CaseOptions options)
-{
-  bool libraries = false;
-  for (const std::string& file : std::vector<std::string>(options.files)) {
-    options.files = {file};
-    try {
-      libraries = libraries || brings_libraries(requests(options).front());
-    } catch (const InputError&) {  // its check says so
-    }
-  }
-  options.enter_sandbox(libraries, {});
-}
-
 int print_json(const CaseOptions& options)
 {
-  if (options.files.size() > 1 && !options.text_from_stdin) enter_sandbox_for_all(options);
+  std::vector<Read> cases;
+  for (const std::string& file : options.files) cases.push_back(read(options, file));
+  // Before the first check, which starts threads.
+  options.enter_sandbox(std::ranges::any_of(cases, [](const Read& one) { return one.request && brings_libraries(*one.request); }), {});
   Json all = Json::array();
-  for (const std::string& file : options.files) all.push_back(check_as_json(options, file));
+  for (const Read& one : cases) all.push_back(check_as_json(one, options));
   fmt::print("{}\n", all.dump(1, ' ', false, Json::error_handler_t::replace));
   return std::ranges::any_of(all, is_wrong) ? 2 : 0;
 }

@@ -53,9 +53,10 @@ std::vector<ElementRequest> element_requests(const CaseOptions& options)
   }
   std::vector<fs::path> folders;
   for (const ElementRequest& request : all) {
-    if (names_library(request)) element::refuse_other_files(request.folder);
-    if (names_library(request) && options.output.empty() && !options.no_sandbox) refuse_links(request.folder);
     folders.push_back(request.folder);
+    if (!names_library(request)) continue;
+    element::refuse_other_files(request.folder);
+    options.refuse_links(request.folder);
   }
   options.enter_sandbox(std::any_of(all.begin(), all.end(), names_library), folders);
   for (ElementRequest& request : all) load_laws(request);

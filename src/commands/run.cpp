@@ -121,7 +121,8 @@ std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunR
 /// Several cases of which one brings a library run side by side, each in a sandbox of its own.
 bool go_side_by_side(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
-  return options.has_runner() || (all.size() > 1 && !sandbox::is_trusted() && std::any_of(all.begin(), all.end(), brings_libraries));
+  const bool in_sandboxes = all.size() > 1 && !sandbox::is_trusted() && Ranks::of_run().count() == 1;
+  return options.has_runner() || (in_sandboxes && std::any_of(all.begin(), all.end(), brings_libraries));
 }
 
 /// That of the run; of several the folders that theirs lie in, where the messages and the queue of those that go side by side lie, too.
@@ -192,10 +193,9 @@ Command add_run(CLI::App& program)
               return status_of(judged(resume(options->unfinished, *options), {options->unfinished}, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
             if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
-            if (options->no_sandbox) options->enter_sandbox(false, {});
             for (const simulation::RunRequest& request : all) {
               run_folder::refuse_other_files(request.folder);
-              if (options->output.empty() && brings_libraries(request) && !sandbox::is_trusted()) refuse_links(request.folder);
+              if (brings_libraries(request)) options->refuse_links(request.folder);
             }
             if (go_side_by_side(all, *options)) return status_of(judged(run_side_by_side(all, *options, true), folders_of(all), *options));
             options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), written_folders(all));

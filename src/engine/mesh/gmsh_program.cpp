@@ -4,6 +4,7 @@
 
 #include "core/case_programs.hpp"
 #include "core/child_process.hpp"
+#include "core/control_characters.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
 #include "mesh/kept_meshes.hpp"
@@ -27,7 +28,7 @@ std::vector<std::string> lines_of(const fs::path& file)
   std::istringstream in(read_file(file, max_bytes).bytes);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);)
-    if (!line.empty()) lines.push_back(line);
+    if (!line.empty()) lines.push_back(one_line(line));  // a geometry may print what moves a cursor
   return lines;
 }
 

@@ -4,7 +4,6 @@
 #include "core/error.hpp"
 
 #include <cfloat>
-#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -102,14 +101,14 @@ private:
     if (berm_macro_element_check(&p, &wrong) == BERM_MACRO_ELEMENT_OK) return;
     const std::string name = wrong;
     if (name == "backbone_w" || name == "backbone_V") refuse(name, "numbers that ascend, the first more than 0");
-    constexpr double smallest = 1e-15, largest = 1e18;  // of what a pipe and its soil have
     for (const berm_macro_element_member& m : berm_macro_element_members) {
       if (name != m.name) continue;
-      const double value = value_of(p, m), size = std::abs(value);
+      const double value = value_of(p, m);
       if (!(value >= m.least && value <= m.most)) refuse(name, fmt::format("{:g} is not {}", value, range_of(m)));
-      if (size > largest || (size > 0 && size < smallest)) refuse(name, fmt::format("{:g} is beyond what any pipe and soil have", value));
+      if (value == 0) refuse(name, "more than 0 where backbone_w has no numbers");
+      if (name == "uplift_ratio" && value > p.surface_beta) refuse(name, "surface_beta or less");
+      refuse(name, fmt::format("{:g} is beyond what any pipe and soil have", value));
     }
-    refuse(name, name == "uplift_ratio" ? "surface_beta or less" : "more than 0 where backbone_w has no numbers");
   }
 
   std::string name_;

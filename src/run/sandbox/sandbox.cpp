@@ -91,6 +91,31 @@ std::vector<fs::path> missing(fs::path folder)
   return all;
 }
 
+/// Throws RunError where that is not possible.
+void restrict(const Allowed& allowed)
+{
+  if (!has_one_thread()) throw RunError("the sandbox cannot be set up: the program has threads already");
+  adopt_orphans();  // so that the watcher finds what the program started
+  try {
+    watcher.emplace(allowed);  // first: the watcher itself is not restricted
+    restrict_files(allowed.folders, allowed.programs);
+  } catch (const std::system_error& error) {
+    throw RunError(std::string("the sandbox cannot be set up: ") + error.what());
+  }
+}
+
+void set_temporary_folder(const fs::path& folder)
+{
+  for (const char* variable : {io::ScratchFolder::outer_variable, "TMPDIR", "TMP", "TEMP"}) ::setenv(variable, folder.c_str(), 1);
+}
+
+/// The first thing that was stopped, in words; "" where nothing was.
+std::string first_stopped()
+{
+  const std::string what = stopped();
+  return what.empty() ? "" : "stopped by the sandbox: " + what.substr(0, what.find('\n'));
+}
+
 }  // namespace
 
 std::string why_there_is_none()
@@ -109,28 +134,6 @@ bool is_inside()
   ::syscall(SYS_renameat2, -1, nullptr, -1, nullptr, question_flags);
   return errno == answer_inside;
 }
-
-namespace {
-
-/// Throws RunError where that is not possible.
-void restrict(const Allowed& allowed)
-{
-  if (!has_one_thread()) throw RunError("this system has no sandbox: the program has threads already");
-  adopt_orphans();  // so that the watcher finds what the program started
-  try {
-    watcher.emplace(allowed);  // first: the watcher itself is not restricted
-    restrict_files(allowed.folders, allowed.programs);
-  } catch (const std::system_error& error) {
-    throw RunError(std::string("the sandbox cannot be set up: ") + error.what());
-  }
-}
-
-void set_temporary_folder(const fs::path& folder)
-{
-  for (const char* variable : {io::ScratchFolder::outer_variable, "TMPDIR", "TMP", "TEMP"}) ::setenv(variable, folder.c_str(), 1);
-}
-
-}  // namespace
 
 void enter(const std::vector<fs::path>& folders)
 {
@@ -202,10 +205,10 @@ std::optional<int> run_inside(int argc, char** argv)
     set_temporary_folder(allowed.folders.front());
     ChildProcess program({.words = std::vector<std::string>(argv + 3, argv + argc)});
     const int status = program.wait();
-    const std::string what = stopped();
+    const std::string what = first_stopped();
     leave();
     if (what.empty()) return status;
-    io::tell("stopped by the sandbox: {}; {}\n", what.substr(0, what.find('\n')), how_to_do_without);
+    io::tell("{}; {}\n", what, how_to_do_without);
     return stopped_status;
   } catch (const std::exception& error) {
     io::tell("{}\n", error.what());
@@ -220,7 +223,7 @@ std::string stopped()
 
 void throw_if_stopped()
 {
-  if (const std::string what = stopped(); !what.empty()) throw RunError("stopped by the sandbox: " + what.substr(0, what.find('\n')));
+  if (const std::string what = first_stopped(); !what.empty()) throw RunError(what);
 }
 
 void leave()

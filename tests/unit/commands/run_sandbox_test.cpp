@@ -141,7 +141,7 @@ TEST_F(SandboxOfLaw, ends_what_a_law_leaves_behind)
 {
   for (const int act : {23, 24}) {
     run(act);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
     EXPECT_FALSE(fs::exists(folder_ / "results/late")) << act;
   }
 }
@@ -167,6 +167,35 @@ TEST_F(SandboxOfLaw, is_not_entered_for_a_folder_of_other_files)
   EXPECT_EQ(ended.status, 1);
   EXPECT_NE(ended.err.find("cannot use . as the run folder: it holds files that are not of a run"), std::string::npos) << ended.err;
   expect_nothing_changed("other files");
+}
+
+TEST_F(SandboxOfLaw, is_not_given_up_for_what_lies_where_the_run_folder_would)
+{
+  const std::vector<std::string> words = {"run", "case.toml", "--set", "material.stone.properties=[1e6, 0, 5]"};
+  folder_.write("out", "a file");
+  const Ended file = berm(words);
+  EXPECT_EQ(file.status, 1);
+  EXPECT_NE(file.err.find("cannot make the folder"), std::string::npos) << file.err;
+  EXPECT_EQ(file.err.find("no sandbox here"), std::string::npos) << file.err;
+  fs::remove(folder_ / "out");
+  fs::create_directory(folder_ / "elsewhere");
+  fs::create_symlink("elsewhere", folder_ / "out");
+  const Ended link = berm(words);
+  EXPECT_EQ(link.status, 2);
+  EXPECT_NE(link.err.find("out is a link, and the case brings a library"), std::string::npos) << link.err;
+  EXPECT_TRUE(fs::is_empty(folder_ / "elsewhere"));
+  expect_nothing_changed("planted");
+}
+
+TEST_F(SandboxOfLaw, holds_for_the_second_of_two_cases_that_are_checked)
+{
+  folder_.write("plain.toml", test::falling_stone);
+  std::string text = text_of_file(folder_ / "case.toml");
+  const std::string library = "library = \"their.so\"";
+  folder_.write("case.toml", text.replace(text.find(library), library.size(), library + ", properties = [1e6, 0, 0]"));
+  const Ended both = berm({"check", "--json", "plain.toml", "case.toml"});
+  EXPECT_EQ(both.status, 0) << both.out;
+  EXPECT_EQ(both.err, "");
 }
 
 TEST_F(SandboxOfLaw, is_not_put_off_by_what_stands_in_the_environment)

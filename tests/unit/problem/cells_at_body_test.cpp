@@ -17,6 +17,16 @@ Model<2> model_of_squares()
   return model;
 }
 
+/// The same, where beyond 1.5 m of an axis columns or rows are four times as large.
+Model<2> model_of_squares_and_larger(int axis)
+{
+  Model<2> model = model_of_squares();
+  for (Vec<2>& x : model.mesh.position)
+    if (x[axis] > 1.5) x[axis] = 1.5 + 4 * (x[axis] - 1.5);
+  model.mesh.complete();
+  return model;
+}
+
 bodies::RigidShape<2> circle(Real x, Real y, Real radius)
 {
   bodies::CircleSettings settings;
@@ -34,11 +44,7 @@ TEST(CellsAtBody, have_the_side_of_the_squares_of_a_box)
 
 TEST(CellsAtBody, are_the_largest_that_the_lower_half_meets_as_it_moves)
 {
-  Model<2> model = model_of_squares();
-  // Right of x = 1.5 m columns are four times as wide.
-  for (Vec<2>& x : model.mesh.position)
-    if (x[0] > 1.5) x[0] = 1.5 + 4 * (x[0] - 1.5);
-  model.mesh.complete();
+  const Model<2> model = model_of_squares_and_larger(0);
   Index start = 0;
   EXPECT_NEAR(cell_size_at<2>(model, circle(1, 1, 0.3), start), 0.1, 1e-12);
   EXPECT_NEAR(cell_size_at<2>(model, circle(2, 1, 0.3), start), 0.2, 1e-12) << "the square of the same area";
@@ -47,11 +53,7 @@ TEST(CellsAtBody, are_the_largest_that_the_lower_half_meets_as_it_moves)
 
 TEST(CellsAtBody, are_not_those_in_the_air_beside_a_leg)
 {
-  Model<2> model = model_of_squares();
-  // Above y = 1.5 m rows are four times as high.
-  for (Vec<2>& x : model.mesh.position)
-    if (x[1] > 1.5) x[1] = 1.5 + 4 * (x[1] - 1.5);
-  model.mesh.complete();
+  Model<2> model = model_of_squares_and_larger(1);
   Index start = 0;
   bodies::BoxSettings leg;
   leg.center = {1, 2.4};
