@@ -104,13 +104,16 @@ def check_results(berm, command, status, reference):
         run_folder.expect(not lost, ", ".join(lost))
 
 
-def torture_command(berm, name, command, sample, symbols):
+def torture_command(berm, name, command, sample, each, symbols):
     """Numbers of requests that failed, of those that berm did not survive, and of those that a library did not, by its name."""
     reference = os.path.join(berm.place, f"undisturbed_{name}")
     firsts, requests = ways(berm, command)
     if os.path.isdir(command.folder):
         shutil.copytree(command.folder, reference)
-    chosen = random.sample(firsts, min(sample, len(firsts))) if sample else firsts
+    if each:
+        chosen = range(1, min(each, requests) + 1)
+    else:
+        chosen = random.sample(firsts, min(sample, len(firsts))) if sample else firsts
     lost, by_libraries = 0, collections.Counter()
     for k, at in enumerate(chosen):
         how = ("ONCE", "EVER")[k % 2]
@@ -135,11 +138,11 @@ def torture_command(berm, name, command, sample, symbols):
     return len(chosen), lost, by_libraries
 
 
-def torture(berm, names, sample):
+def torture(berm, names, sample, each):
     symbols, commands = Symbols(berm.program), commands_of(berm)
     tried, lost, by_libraries = 0, 0, collections.Counter()
     for name in names or commands:
-        counts = torture_command(berm, name, commands[name], sample, symbols)
+        counts = torture_command(berm, name, commands[name], sample, each, symbols)
         tried, lost, by_libraries = tried + counts[0], lost + counts[1], by_libraries + counts[2]
     print(f"{tried} requests failed, {lost} not survived, {sum(by_libraries.values())} ended by libraries")
     return tried > 0 and lost == 0

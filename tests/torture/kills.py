@@ -8,14 +8,29 @@ import signal
 import subprocess
 import time
 
+import calls
 import run_folder
-from program import LINE, PUSHED_PIPE, TIME_LIMIT
+from program import LINE, PUSHED_PIPE, ROOT, TIME_LIMIT
+
+
+def with_checkpoints(words, wall_time):
+    return [*words, "--set", f"output.checkpoint_wall_time={wall_time} s"]
+
+
+def example(name, wall_time, *changes):
+    case = ["run", os.path.join(ROOT, "examples", name, "case.toml")]
+    return with_checkpoints([*case, *(word for change in changes for word in ("--set", change))], wall_time)
+
 
 # What is killed, and how often it writes a checkpoint: some twenty times.
 CASES = {
-    "pipe": [*PUSHED_PIPE, "--set", "output.checkpoint_wall_time=0.01 s"],
-    "line": [*LINE, "--set", "output.checkpoint_wall_time=0.05 s"],
-    "sleeping": [*LINE, "--set", 'pipeline.slices={spacing=1, to=3, asleep="always"}', "--set", "output.checkpoint_wall_time=0.02 s"],
+    "pipe": with_checkpoints(PUSHED_PIPE, 0.01),
+    "line": with_checkpoints(LINE, 0.05),
+    "sleeping": with_checkpoints([*LINE, "--set", 'pipeline.slices={spacing=1, to=3, asleep="always"}'], 0.02),
+    **{name: with_checkpoints(calls.RUNS[name], 0.02) for name in ("clay", "water", "water_around_axis", "disks", "space", "earthworks", "elements", "elements_in_water")},
+    "seepage": example("seepage", 0.02, "stage.seep.until.time=0.3 s"),
+    "motion": example("shaken_base", 0.01),
+    "tables": example("load_table", 0.02),
 }
 
 
