@@ -58,7 +58,7 @@ berm_package(doc berm-doc "examples and documentation of berm" SHLIBDEPS OFF SEC
 # Once all is built: the build tells what it has read, and Debian which package that is of.
 find_program(BERM_DPKG_QUERY dpkg-query)
 if(BERM_DPKG_QUERY AND CMAKE_GENERATOR STREQUAL "Ninja")
-  install(CODE "execute_process(COMMAND ${CMAKE_SOURCE_DIR}/scripts/licences ${CMAKE_BINARY_DIR} COMMAND gzip -9 -n OUTPUT_FILE ${CMAKE_BINARY_DIR}/licences.gz COMMAND_ERROR_IS_FATAL ANY)" COMPONENT berm)
+  install(CODE "execute_process(COMMAND ${CMAKE_SOURCE_DIR}/scripts/materials ${CMAKE_BINARY_DIR} licences COMMAND gzip -9 -n OUTPUT_FILE ${CMAKE_BINARY_DIR}/licences.gz COMMAND_ERROR_IS_FATAL ANY)" COMPONENT berm)
   install(FILES ${CMAKE_BINARY_DIR}/licences.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT berm)
 endif()
 

@@ -277,6 +277,24 @@ void check_fem(Describe& d, const Case& c)
             fmt::format("makes more than {:.0e} cells around [rigid.{}]: enlarge it or mesh.growth", mesh::max_seabed_cells, name));
 }
 
+/// A box of so many cells that its mesh takes minutes and gigabytes, for a stone in it, is a digit too many.
+void check_cells_of_box(Describe& d, const Case& c)
+{
+  const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
+  const bool by_regions = std::ranges::any_of(c.body, [](const auto& body) { return !body.second.block && !body.second.disk; });
+  if (box == nullptr || by_regions) return;
+  constexpr Real usual = 1e6, for_a_particle = 1e4;
+  Real cells = 1, particles = 0;
+  for (const Real count : box->cells) cells *= count;
+  for (const auto& [name, body] : c.body) {
+    if (body.disk) particles += bodies::particles_in(*body.disk);
+    if (body.block) particles += c.dimension() == 2 ? bodies::particles_in<2>(*body.block) : bodies::particles_in<3>(*body.block);
+  }
+  d.check(
+      cells <= std::max(usual, for_a_particle * particles), "mesh.cells",
+      fmt::format("makes {:.3g} cells for {:.3g} particles: take larger cells, or a mesh that ends where no soil goes", cells, particles));
+}
+
 /// Rows and frames are written to a disk that ends. Stages of unknown duration are not counted.
 void check_output(Describe& d, const Case& c)
 {
@@ -492,6 +510,7 @@ void describe(Describe& d, Case& c)
   check_axisymmetry(d, c);
   check_symmetry(d, c);
   check_fem(d, c);
+  check_cells_of_box(d, c);
   check_safety(d, c);
   check_pipeline(d, c);
   check_output(d, c);

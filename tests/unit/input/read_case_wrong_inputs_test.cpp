@@ -3,6 +3,7 @@
 #include "input/read_case.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "samples/falling_stone.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,20 @@ TEST_P(WrongInputs, are_refused_in_one_line_with_place_key_and_what_is_allowed)
 
 INSTANTIATE_TEST_SUITE_P(Table, WrongInputs, testing::ValuesIn(test::wrong_inputs()),
                          [](const auto& row) { return std::string(row.param.name); });
+
+TEST(ReadCase, refuses_a_box_of_more_cells_than_any_soil_in_it_needs)
+{
+  const auto read = [](const char* cells) {
+    read_case_text("case.toml", std::string(test::falling_stone), {std::string("mesh.cells=") + cells});
+  };
+  EXPECT_NO_THROW(read("[1000, 1000]"));
+  try {
+    read("[100000, 100]");
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("mesh.cells: makes 1e+07 cells for "), std::string::npos) << error.what();
+  }
+}
 
 TEST(ReadCase, takes_the_good_case)
 {
