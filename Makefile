@@ -82,7 +82,7 @@ packages: setup ## Debian packages in build/packages, for all processors, tried 
 	@cmake --preset all_units >/dev/null
 	@ninja -C build/all_units | $(only_news)
 	@scripts/packages build/all_units build/packages
-	@lintian --fail-on error build/packages/*.deb
+	@lintian --fail-on error,warning build/packages/*.deb
 	@tests/installed/clean_root build/packages
 
 reproducible: ## build the packages twice, in two folders, and compare their bytes: two builds long

@@ -19,7 +19,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_DEBUGINFO_PACKAGE OFF)
 
@@ -41,10 +40,15 @@ endmacro()
 
 file(READ ${CMAKE_SOURCE_DIR}/LICENSE licence)
 file(WRITE ${CMAKE_BINARY_DIR}/copyright "${licence}\nThe licences of other packages whose code berm holds are in /usr/share/doc/berm/licences.gz.\n")
-# gzip without the time of the file, so that the same sources give the same bytes
-execute_process(COMMAND gzip -9 -n -c ${CMAKE_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+# What Debian's tools read; what is new is in CHANGELOG.md of berm-doc. Dated as the last commit, so that the same sources give the same bytes.
+execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} log -1 --format=%cD OUTPUT_VARIABLE date OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT date)
+  execute_process(COMMAND date --rfc-email --reference ${CMAKE_SOURCE_DIR}/CHANGELOG.md OUTPUT_VARIABLE date OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+file(WRITE ${CMAKE_BINARY_DIR}/changelog "berm (${PROJECT_VERSION}) bookworm; urgency=medium\n\n  * /usr/share/doc/berm-doc/CHANGELOG.md says what is new.\n\n -- ${BERM_MAINTAINER}  ${date}\n")
+execute_process(COMMAND gzip -9 -n -c ${CMAKE_BINARY_DIR}/changelog OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 set(same "(= ${PROJECT_VERSION})")
-berm_package(berm berm "pushes pipes and cables into the seabed, drags them, and computes how the soil responds"
+berm_package(berm berm "pushes pipes and cables into the seabed, drags them, tells how soil responds"
   DEPENDS "gmsh, gnuplot-nox | gnuplot, librsvg2-bin" SUGGESTS "berm-doc, python3-berm, berm-mpi, chromium, xdg-utils")
 if(TARGET berm_mpi)
   berm_package(berm_mpi berm-mpi "one run of berm on several processes of an MPI launcher" DEPENDS "berm ${same}, openmpi-bin")
@@ -66,4 +70,8 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATAD
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/build/site/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm/html COMPONENT doc OPTIONAL) # where `make site` has made it
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)
+install(FILES ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm-doc COMPONENT doc)
+# The library is for programs that are built with its headers; one package holds both.
+file(WRITE ${CMAKE_BINARY_DIR}/libberm-dev.overrides "libberm-dev: link-to-shared-library-in-wrong-package *\nlibberm-dev: package-name-doesnt-match-sonames *\n")
+install(FILES ${CMAKE_BINARY_DIR}/libberm-dev.overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME libberm-dev COMPONENT libberm)
 include(CPack)

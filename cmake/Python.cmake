@@ -23,7 +23,7 @@ if(Python_Development.Module_FOUND AND pybind11_FOUND AND NOT BERM_SANITIZE AND 
   pybind11_add_module(berm_python MODULE NO_EXTRAS python/engine/engine.cpp python/engine/macro_element.cpp
                       src/pipeline/macro_element/macro_element.c src/pipeline/macro_element/parameters.cpp)
   target_link_libraries(berm_python PRIVATE berm_library nlohmann_json::nlohmann_json fmt::fmt)
-  target_include_directories(berm_python PRIVATE ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src/pipeline ${CMAKE_SOURCE_DIR}/src/engine)
+  target_include_directories(berm_python PRIVATE ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src/pipeline ${CMAKE_SOURCE_DIR}/src/base)
   set_target_properties(berm_python PROPERTIES OUTPUT_NAME engine LIBRARY_OUTPUT_DIRECTORY ${BERM_PYTHON_FOLDER}/berm UNITY_BUILD OFF)
   install(TARGETS berm_python LIBRARY DESTINATION lib/python3/dist-packages/berm COMPONENT python)
   berm_search_path(berm_python python lib/python3/dist-packages/berm/$<TARGET_FILE_NAME:berm_python> "$ORIGIN/../../lib" "$ORIGIN/../../..")

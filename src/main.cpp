@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/commands.hpp"
-#include "core/interrupt.hpp"
-#include "core/threads.hpp"
+#include "os/interrupt.hpp"
+#include "os/threads.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

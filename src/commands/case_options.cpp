@@ -3,9 +3,9 @@
 #include "commands/case_options.hpp"
 #include "commands/option_values.hpp"
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
-#include "core/threads.hpp"
+#include "os/error.hpp"
+#include "os/threads.hpp"
 #include "sandbox/sandbox.hpp"
 #include "structures/structures.hpp"
 #include "user_law/load.hpp"

@@ -2,9 +2,9 @@
 // Tests: tests/unit/commands/run_wrong_inputs_test.cpp, tests/unit/commands/check_json_test.cpp
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "io/tell.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -3,14 +3,14 @@
 #include "commands/commands.hpp"
 
 #include "commands/command.hpp"
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
 #include "core/ranks.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
 #include "io/revision.hpp"
 #include "io/tell.hpp"
 #include "jobs/outcome.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 #include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
 

@@ -2,8 +2,8 @@
 // Tests: tests/unit/commands/manual_test.cpp
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

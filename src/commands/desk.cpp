@@ -5,10 +5,10 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
-#include "core/child_process.hpp"
-#include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
+#include "os/child_process.hpp"
+#include "os/interrupt.hpp"
 
 #include <cstdio>
 #include <fmt/format.h>

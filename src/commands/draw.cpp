@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
+#include "os/error.hpp"
 #include "picture/model_picture.hpp"
 
 #include <fmt/format.h>

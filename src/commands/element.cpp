@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/error.hpp"
 #include "element/element_report.hpp"
 #include "io/tell.hpp"
+#include "os/error.hpp"
 #include "user_law/load.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 #include "structures/structures.hpp"
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
-#include "core/error.hpp"
 #include "macro_element_fit/files.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>

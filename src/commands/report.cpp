@@ -3,7 +3,7 @@
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 

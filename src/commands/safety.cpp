@@ -3,8 +3,8 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 #include "safety/find_safety.hpp"
 #include "structures/structures.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/interrupt.hpp"
+#include "os/interrupt.hpp"
 
 #include <fmt/ranges.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/fem/cut_mesh_test.cpp
 #include "bodies/initial_stress.hpp"
-#include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
+#include "os/error.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/cut_mesh.hpp"
 
-#include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
+#include "os/error.hpp"
 #include "problem/ground.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/direct_solver.hpp"
 
-#include "core/error.hpp"
 #include "core/timer.hpp"
 #include "fem/blas.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <dmumps_c.h>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/fem/load_steps_test.cpp
 #include "fem/fem_problem.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/initial_state.hpp"
 
 namespace berm::fem {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/load_steps.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/archive.hpp"
-#include "core/error.hpp"
 #include "fem/newton.hpp"
+#include "os/error.hpp"
 
 namespace berm::fem {
 

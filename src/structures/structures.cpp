@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/structures.hpp"
 
-#include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "os/error.hpp"
 #include "structures/anchor/anchor.hpp"
 #include "structures/ball/ball.hpp"
 #include "structures/cone/cone.hpp"

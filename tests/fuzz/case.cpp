@@ -2,9 +2,9 @@
 // A case file and, each after a NUL byte, overrides: refused in one line, or read, and what resolved.toml would say of it reads as the same case.
 #include "target.hpp"
 
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
+#include "os/error.hpp"
 #include "problem/stages.hpp"
 
 using namespace berm;

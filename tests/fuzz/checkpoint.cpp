@@ -8,11 +8,11 @@
 #include "target.hpp"
 
 #include "checkpoint/checkpoint_file.hpp"
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/step.hpp"
+#include "os/error.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
 #include "run_folder/frame_maker.hpp"

@@ -2,7 +2,7 @@
 // A file of a frame (.vtu) as `berm report` reads it, as one of the soil and as one of rigid bodies: refused, or all of its numbers fit each other.
 #include "target.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "run_folder/frame_reader.hpp"
 
 using namespace berm;

@@ -2,8 +2,8 @@
 // A macro_element.json, and beside its parameters a list "steps" of [x, u, w]: a refusal, an error, with which nothing is written, or numbers, and the same when asked again.
 #include "target.hpp"
 
-#include "core/error.hpp"
 #include "macro_element/parameters.hpp"
+#include "os/error.hpp"
 
 #include <array>
 #include <cstring>

@@ -2,9 +2,9 @@
 // A .msh file of Gmsh, read in the plane and in space: refused in one line, or a mesh in which every cell is found where its centre lies.
 #include "target.hpp"
 
-#include "core/error.hpp"
 #include "mesh/gmsh.hpp"
 #include "mesh/patches.hpp"
+#include "os/error.hpp"
 
 using namespace berm;
 

@@ -3,11 +3,11 @@
 // RunError.
 #include "target.hpp"
 
-#include "core/error.hpp"
 #include "fem/fem_problem.hpp"
 #include "input/read_case.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
+#include "os/error.hpp"
 #include "problem/stages.hpp"
 
 using namespace berm;

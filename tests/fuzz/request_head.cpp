@@ -2,9 +2,9 @@
 // The lines of a request to a desk, by whoever reaches its port: refused in one line, or read into words that end no line.
 #include "target.hpp"
 
-#include "core/control_characters.hpp"
 #include "desk/refusal.hpp"
 #include "desk/request_head.hpp"
+#include "os/control_characters.hpp"
 
 using namespace berm;
 

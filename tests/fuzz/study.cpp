@@ -2,8 +2,8 @@
 // A study.toml of `berm study`, and the same text as an expected.toml of `berm verify` and `berm report`.
 #include "target.hpp"
 
-#include "core/error.hpp"
 #include "expectations/expectation.hpp"
+#include "os/error.hpp"
 #include "study/study_settings.hpp"
 
 using namespace berm;

@@ -3,7 +3,7 @@
 // Refused in one line, or without a text that could end a line of what is made from it.
 #include "target.hpp"
 
-#include "core/control_characters.hpp"
+#include "os/control_characters.hpp"
 #include "run_folder/history.hpp"
 #include "run_folder/origin.hpp"
 #include "run_folder/summary_file.hpp"

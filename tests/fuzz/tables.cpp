@@ -2,9 +2,9 @@
 // What users write beside cases. The first byte of an input says what the rest is: t the table of an axis of a study (CSV), e an expected.toml, q a quantity with or without a unit.
 #include "target.hpp"
 
-#include "core/control_characters.hpp"
 #include "expectations/expectation.hpp"
 #include "input/units.hpp"
+#include "os/control_characters.hpp"
 #include "study/table_axis.hpp"
 
 using namespace berm;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <cstddef>
 #include <cstdint>

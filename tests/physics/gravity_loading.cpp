@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // initial_state = "gravity_loading": soil under its own weight that is in equilibrium from the first step, whatever its surface and its layers.
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "simulate.hpp"
 
 #include <gtest/gtest.h>

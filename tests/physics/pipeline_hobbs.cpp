@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Buckles of a hot pipe on a plane with friction against the solutions of Hobbs (1984), whose friction resists the displacement and not the motion.
+#include "formulas/hobbs.hpp"
 #include "samples/buckling_pipe.hpp"
-#include "structures/formulas/hobbs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/quadratic_mesh.hpp"
 #include "material/linear_elastic.hpp"
+#include "os/error.hpp"
 #include "samples/temporary_folder.hpp"
 
 namespace berm {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/error.hpp"
 #include "envelope/envelope_probes.hpp"
+#include "os/error.hpp"
 
 #include <string>
 

@@ -31,7 +31,7 @@ MOST_LETTERS = 140  # in a line of the Python package and its tests
 # clang-format lays code out a little differently in every version; the house uses the one of Debian 12.
 CLANG_FORMAT = "14."
 # Folders of src/ that hold rooms and are none; BERM_DISTRICTS of cmake/Rooms.cmake.
-DISTRICTS = "engine/|case/|run/|pages/|studies/|pipeline/"
+DISTRICTS = "base/|engine/|case/|run/|pages/|studies/|pipeline/"
 
 
 class Skip(Exception):
@@ -189,9 +189,29 @@ def tiers(tree):
                 yield f'{path}:{number}: {room} may not include "{found.group(1)}"; it uses {", ".join(sorted(reach[room]))}'
 
 
+# From the lowest up. Rooms of a district use those of districts before it, and of their own.
+FLOORS = ("base", "engine", "fem", "formulas", "pipeline", "case", "run", "structures", "pages", "studies", "commands")
+# What still runs back, to be mended; no more may come.
+BACKWARDS = {("case", "run"), ("run", "structures")}
+
+
+def floors(tree):
+    """A district uses those below it only."""
+    cmake = tree.read("CMakeLists.txt")
+    district = {re.sub(rf"^(?:{DISTRICTS})", "", path): path.split("/")[0] for path in re.findall(r"^\s*berm_room\(([\w/]+)", cmake, re.M)}
+    for room, used in rooms_of(cmake).items():
+        if district[room] not in FLOORS:
+            yield f"CMakeLists.txt: {district[room]} is none of the districts {', '.join(FLOORS)}"
+            continue
+        for other in used:
+            pair = (district[room], district.get(other, district[room]))
+            if pair not in BACKWARDS and FLOORS.index(pair[1]) > FLOORS.index(pair[0]):
+                yield f"CMakeLists.txt: {room} of {pair[0]} uses {other} of {pair[1]}, which is above it"
+
+
 def namespace_of(room):
-    """core is berm itself, and so is the library, of which users see that; inner rooms of the report share one namespace, a structure has its own."""
-    if room in ("core", "library"):
+    """os and core are berm itself, and so is the library, of which users see that; inner rooms of the report share one namespace, a structure has its own."""
+    if room in ("os", "core", "library"):
         return "berm"
     return "berm::" + (room.split("/")[1] if room.startswith("structures/") else room.split("/")[0])
 
@@ -303,7 +323,7 @@ def examples(tree):
 def silence(tree):
     """Only what runs cases, main.cpp, the progress line, the run log and the sandbox of a geometry write to the terminal."""
     studies = tuple(f"src/studies/{room}/" for room in ("benchmark", "envelope", "jobs", "safety", "study", "uncertainty", "verification"))
-    allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/run/sandbox/sandbox.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log", "src/run/io/tell")
+    allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/base/sandbox/sandbox.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log", "src/base/io/tell")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
     pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b|\bio::tell\s*\("
     yield from code_matching(tree, paths, pattern, "writes to the terminal")
@@ -311,21 +331,21 @@ def silence(tree):
 
 
 def reading(tree):
-    """Files are opened for reading by core/read_file alone, which opens no FIFO and no device."""
+    """Files are opened for reading by os/read_file alone, which opens no FIFO and no device."""
     yield from code_matching(tree, tree.ending(CPP, "src/"), r"\bstd::i?fstream\b|\bfopen\s*\(", "opens a file by itself: open_to_read and read_file do it")
 
 
 def starting(tree):
-    """Libraries are loaded and processes made in a few places, so that nothing of a case starts outside of the sandbox (core/case_programs.hpp)."""
+    """Libraries are loaded and processes made in a few places, so that nothing of a case starts outside of the sandbox (os/case_programs.hpp)."""
     makers = (
-        "src/engine/core/child_process.cpp",  # all children
-        "src/engine/core/threads.cpp",  # berm itself, anew
+        "src/base/os/child_process.cpp",  # all children
+        "src/base/os/threads.cpp",  # berm itself, anew
         "src/case/user_law/library.cpp",  # a law, after ask_to_load
-        "src/run/sandbox/watcher.cpp",
+        "src/base/sandbox/watcher.cpp",
         "src/run/simulation/run_of_ranks.cpp",  # libberm_mpi
         "src/studies/fmu/slice.c",  # libberm, in a unit
     )
-    starters = ("src/engine/core/", "src/engine/mesh/gmsh_program.cpp", "src/run/io/", "src/run/sandbox/", "src/studies/desk/process.", "src/studies/jobs/", "src/commands/desk.cpp")
+    starters = ("src/base/os/", "src/engine/mesh/gmsh_program.cpp", "src/base/io/", "src/base/sandbox/", "src/studies/desk/process.", "src/studies/jobs/", "src/commands/desk.cpp")
     code = tree.ending(CPP + (".c",), "src/")
     calls = r"\b(?:dlopen|dlmopen|v?fork|f?execve?p?e?|execl[pe]?|execv|posix_spawnp?|popen|system)\s*\("
     yield from code_matching(tree, [path for path in code if path not in makers], calls, "starts a program or loads a library by itself")

@@ -35,6 +35,14 @@ SAMPLES = {
         ],
         [{"CMakeLists.txt": TIERS, "src/case/input/inner/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "commands/a.hpp"\n'}],
     ),
+    "floors": (
+        [
+            {"CMakeLists.txt": "berm_room(pages/report)\nberm_room(engine/core USES report)\n"},
+            {"CMakeLists.txt": "berm_room(structures/pipe)\nberm_room(pipeline/beam USES structures/pipe)\n"},
+            {"CMakeLists.txt": "berm_room(attic/core)\n"},
+        ],
+        [{"CMakeLists.txt": "berm_room(base/os)\nberm_room(engine/core USES os)\nberm_room(fem USES core)\nberm_room(commands USES fem)\n"}],
+    ),
     "namespaces": (
         [{"src/engine/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/pages/report/page/a.cpp": "namespace berm::page {\n}\n"}, {"tests/unit/mesh/a.cpp": "namespace berm::mesh {\n}\n"}],
         [{"src/engine/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/engine/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n", "tests/physics/a.cpp": "namespace berm::this_file {\n}\n"}],
@@ -86,19 +94,19 @@ SAMPLES = {
         [
             {"src/engine/mpm/a.cpp": "std::cout << 1;\n"},
             {"src/engine/mesh/a.cpp": 'printf("x");\n'},
-            {"src/run/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
+            {"src/base/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
             {"src/engine/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
             {"src/fem/b.cpp": 'io::tell("{}", 1);\n'},
         ],
-        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/run/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/engine/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
+        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/base/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/engine/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
     ),
     "reading": (
-        [{"src/run/io/a.cpp": "std::ifstream lines(file);\n"}, {"src/engine/mesh/a.cpp": 'FILE* file = fopen(name, "r");\n'}],
-        [{"src/run/io/a.cpp": "std::ofstream lines(file); // no std::ifstream\n", "tests/a.cpp": "std::ifstream lines(file);\n"}],
+        [{"src/base/io/a.cpp": "std::ifstream lines(file);\n"}, {"src/engine/mesh/a.cpp": 'FILE* file = fopen(name, "r");\n'}],
+        [{"src/base/io/a.cpp": "std::ofstream lines(file); // no std::ifstream\n", "tests/a.cpp": "std::ifstream lines(file);\n"}],
     ),
     "allocation": (
         [{"src/engine/mpm/a.cpp": "int* a = new int;\n"}, {"src/engine/contact/a.hpp": "void* p = std::malloc(3);\n"}],
-        [{"src/engine/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/run/io/a.cpp": "new int;\n"}],
+        [{"src/engine/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/base/io/a.cpp": "new int;\n"}],
     ),
     "dialect": (
         [

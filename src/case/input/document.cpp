@@ -25,10 +25,10 @@ struct TomlStumbled {};
 #pragma pop_macro("TOML_UNREACHABLE")
 #include <toml++/toml.h>
 
-#include "core/control_characters.hpp"
-#include "core/read_file.hpp"
 #include "input/document.hpp"
 #include "input/message_text.hpp"
+#include "os/control_characters.hpp"
+#include "os/read_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/load_history.hpp"
 
-#include "core/error.hpp"
 #include "input/table_file.hpp"
 #include "input/units.hpp"
+#include "os/error.hpp"
 #include "problem/load_checks.hpp"
 #include "problem/motions.hpp"
 #include "problem/time_scale.hpp"

@@ -2,7 +2,7 @@
 // Tests: tests/unit/input/document_test.cpp
 #include "input/message_text.hpp"
 
-#include "core/control_characters.hpp"
+#include "os/control_characters.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

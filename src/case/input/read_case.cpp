@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/read_case.hpp"
 
-#include "core/error.hpp"
 #include "input/load_history.hpp"
 #include "input/override.hpp"
 #include "input/pipeline_tables.hpp"
 #include "input/reader.hpp"
 #include "material/user_law.hpp"
+#include "os/error.hpp"
 #include "problem/sweeps.hpp"
 #include "slices/place_slices.hpp"
 

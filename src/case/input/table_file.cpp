@@ -2,11 +2,11 @@
 // Tests: tests/unit/input/load_history_test.cpp
 #include "input/table_file.hpp"
 
-#include "core/error.hpp"
-#include "core/text_file.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
 #include "input/units.hpp"
+#include "os/error.hpp"
+#include "os/text_file.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/units.hpp"
 
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
+#include "os/error.hpp"
 
 #include <charconv>
 #include <cstring>

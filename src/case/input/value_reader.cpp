@@ -2,9 +2,9 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "input/value_reader.hpp"
 
-#include "core/control_characters.hpp"
 #include "input/message_text.hpp"
 #include "input/units.hpp"
+#include "os/control_characters.hpp"
 
 #include <fmt/format.h>
 

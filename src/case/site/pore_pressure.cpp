@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "site/pore_pressure.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

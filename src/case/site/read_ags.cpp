@@ -2,9 +2,9 @@
 // Tests: tests/unit/site/sounding_test.cpp
 // AGS 4: lines of texts between quotation marks. A group has the lines GROUP, HEADING, UNIT, TYPE and one DATA for each row. SCPT holds the readings, SCPG what a
 // sounding has once. A group may come several times in files that were put together, each time with headings and units of its own.
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
+#include "os/error.hpp"
 #include "site/table.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // Tests: tests/unit/site/sounding_test.cpp
 // A table: names with units in the first line, depth_m,q_c_MPa,f_s_kPa,u_2_kPa, or with the unit in brackets or on the line below, and rows of numbers. A line
 // # area_ratio = 0.8 gives the area ratio of the cone; other lines that begin with # are not read.
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
+#include "os/error.hpp"
 #include "site/table.hpp"
 
 #include <algorithm>

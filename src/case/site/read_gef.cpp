@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/site/sounding_test.cpp
 // GEF of a CPT: lines #KEY= VALUE, VALUE, ... to #EOH=, then rows of numbers. The number behind a column's name says what it holds.
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
 #include "input/units.hpp"
+#include "os/error.hpp"
 #include "site/table.hpp"
 
 #include <algorithm>

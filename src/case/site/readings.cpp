@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/site/sounding_test.cpp
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
 #include "input/units.hpp"
+#include "os/error.hpp"
 #include "site/pore_pressure.hpp"
 #include "site/table.hpp"
 

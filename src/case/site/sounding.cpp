@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "site/sounding.hpp"
 
-#include "core/error.hpp"
-#include "core/text_file.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
+#include "os/error.hpp"
+#include "os/text_file.hpp"
 #include "site/table.hpp"
 
 #include <algorithm>

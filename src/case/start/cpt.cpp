@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "start/cpt.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "input/units.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 #include "site/doubts.hpp"
 #include "start/soils.hpp"
 

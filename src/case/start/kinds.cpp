@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "start/kinds.hpp"
 
-#include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "os/error.hpp"
 #include "start/templates.hpp"
 
 #include <algorithm>

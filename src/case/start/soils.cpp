@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "start/soils.hpp"
 
-#include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "user_law/library.hpp"
 
-#include "core/case_programs.hpp"
-#include "core/error.hpp"
-#include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "os/case_programs.hpp"
+#include "os/error.hpp"
+#include "os/read_file.hpp"
 #include "user_law/crash_guard.hpp"
 
 #include <algorithm>

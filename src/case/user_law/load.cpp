@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "user_law/load.hpp"
 
-#include "core/error.hpp"
 #include "material/user_law.hpp"
+#include "os/error.hpp"
 #include "user_law/library.hpp"
 #include "user_law/trial.hpp"
 

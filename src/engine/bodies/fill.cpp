@@ -3,7 +3,7 @@
 
 #include "bodies/initial_stress.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

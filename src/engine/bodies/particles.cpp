@@ -3,8 +3,8 @@
 
 #include "bodies/particle_fields.hpp"
 #include "core/for_each_run.hpp"
-#include "core/lazy_memory.hpp"
 #include "material/material.hpp"
+#include "os/lazy_memory.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/problem/build_test.cpp
 #include "boundary/support.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

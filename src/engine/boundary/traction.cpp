@@ -2,7 +2,7 @@
 #include "boundary/traction.hpp"
 
 #include "bodies/fill.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/lazy_memory.hpp"
 #include "core/types.hpp"
+#include "os/lazy_memory.hpp"
 
 #include <new>
 #include <type_traits>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/error.hpp"
 #include "core/types.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <cstddef>

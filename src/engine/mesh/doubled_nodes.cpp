@@ -2,7 +2,7 @@
 // Tests: tests/unit/mesh/gmsh_of_others_test.cpp
 #include "mesh/doubled_nodes.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

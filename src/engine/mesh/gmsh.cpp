@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/gmsh.hpp"
 
-#include "core/error.hpp"
 #include "mesh/doubled_nodes.hpp"
 #include "mesh/line_reader.hpp"
 #include "mesh/loose_borders.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,12 +2,12 @@
 // Tests: tests/unit/mesh/mesh_settings_test.cpp
 #include "mesh/gmsh_program.hpp"
 
-#include "core/case_programs.hpp"
-#include "core/child_process.hpp"
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
-#include "core/read_file.hpp"
 #include "mesh/kept_meshes.hpp"
+#include "os/case_programs.hpp"
+#include "os/child_process.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
+#include "os/read_file.hpp"
 
 #include <cerrno>
 #include <cstring>

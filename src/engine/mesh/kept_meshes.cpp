@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/kept_meshes.hpp"
 
-#include "core/interrupt.hpp"
-#include "core/read_file.hpp"
+#include "os/interrupt.hpp"
+#include "os/read_file.hpp"
 
 #include <cerrno>
 #include <chrono>

@@ -2,8 +2,8 @@
 // Tests: tests/unit/mesh/gmsh_test.cpp
 #include "mesh/line_reader.hpp"
 
-#include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "os/error.hpp"
+#include "os/text_file.hpp"
 
 #include <charconv>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/mesh/gmsh_of_others_test.cpp
 #include "mesh/loose_borders.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

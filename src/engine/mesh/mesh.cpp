@@ -2,8 +2,8 @@
 #include "mesh/mesh.hpp"
 
 #include "core/chunks.hpp"
-#include "core/error.hpp"
 #include "mesh/hilbert_curve.hpp"
+#include "os/error.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

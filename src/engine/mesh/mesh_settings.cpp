@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/mesh_settings.hpp"
 
-#include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
 #include "mesh/spatial_seabed.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/seabed.hpp"
 
-#include "core/error.hpp"
 #include "mesh/spatial_seabed.hpp"
 #include "mesh/uneven_seabed.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <cerrno>

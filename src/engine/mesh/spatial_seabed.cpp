@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/spatial_seabed.hpp"
 
-#include "core/error.hpp"
 #include "mesh/kuhn.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/body_sums.hpp"
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
+#include "os/error.hpp"
 
 namespace berm::mpm {
 

@@ -2,11 +2,11 @@
 // Tests: tests/unit/mpm/move_test.cpp
 #include "mpm/change_cells.hpp"
 
-#include "core/error.hpp"
 #include "core/for_each_run.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/exchange.hpp"
 #include "mpm/moments.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

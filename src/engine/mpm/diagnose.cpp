@@ -2,9 +2,9 @@
 #include "mpm/diagnose.hpp"
 
 #include "bodies/particle_fields.hpp"
-#include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "mpm/time_step.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

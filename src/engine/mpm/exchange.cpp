@@ -3,7 +3,7 @@
 #include "mpm/exchange.hpp"
 
 #include "core/bytes.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 #include <numeric>

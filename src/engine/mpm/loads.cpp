@@ -2,9 +2,9 @@
 // Tests: tests/physics/tractions.cpp
 #include "mpm/loads.hpp"
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "core/timer.hpp"
+#include "os/error.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>

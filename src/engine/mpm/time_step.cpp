@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/time_step.hpp"
 
-#include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "mpm/diagnose.hpp"
+#include "os/error.hpp"
 #include "problem/drives.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "problem/absorbing.hpp"
 
 #include "bodies/fill.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/body_soil.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/case.hpp"
 
 #include <algorithm>

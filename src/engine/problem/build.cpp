@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
-#include "core/error.hpp"
 #include "mesh/critical_length.hpp"
+#include "os/error.hpp"
 #include "problem/absorbing.hpp"
 #include "problem/equilibrium.hpp"
 #include "problem/heads.hpp"

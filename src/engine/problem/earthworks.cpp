@@ -3,7 +3,7 @@
 #include "problem/earthworks.hpp"
 
 #include "bodies/fill.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/fill_room.hpp"
 #include "problem/names.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/physics/gravity_loading.cpp
 #include "bodies/particle_position.hpp"
-#include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "os/error.hpp"
 #include "problem/initial_state.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Tests: tests/physics/seepage.cpp
 #include "problem/heads.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/absorbing.hpp"
 #include "problem/drainage.hpp"
 #include "problem/names.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/problem/build_test.cpp
 #include "bodies/fill.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/initial_state.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_supports_test.cpp
 #include "problem/motions.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/names.hpp"
 
 #include <algorithm>

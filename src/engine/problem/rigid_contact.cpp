@@ -2,7 +2,7 @@
 // Tests: tests/unit/problem/rigid_contact_test.cpp
 #include "problem/rigid_contact.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "problem/names.hpp"
 #include "problem/stages.hpp"
 

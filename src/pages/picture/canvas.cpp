@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/canvas.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/run_and_wait.hpp"
 #include "io/scratch_folder.hpp"
+#include "os/error.hpp"
 #include "text/html.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "beam/hermite.hpp"
 #include "beam/loads.hpp"
 #include "beam/state.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 namespace berm::beam {
 

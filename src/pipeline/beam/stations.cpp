@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "beam/stations.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

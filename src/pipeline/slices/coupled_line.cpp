@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slices/coupled_line.hpp"
 
-#include "core/error.hpp"
 #include "core/for_each_task.hpp"
 #include "core/ranks.hpp"
 #include "mpm/contact_mass.hpp"
@@ -9,6 +8,7 @@
 #include "mpm/inactive.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
+#include "os/error.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
 #include "slices/line_on_springs.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slices/drag_curve.hpp"
 
-#include "core/error.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/step.hpp"
+#include "os/error.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>

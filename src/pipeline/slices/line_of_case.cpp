@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slices/line_of_case.hpp"
 
-#include "core/error.hpp"
-#include "core/read_file.hpp"
+#include "formulas/axial.hpp"
 #include "macro_element/under_force.hpp"
-#include "structures/formulas/axial.hpp"
+#include "os/error.hpp"
+#include "os/read_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slices/place_slices.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "slices/line_on_springs.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Tests: tests/unit/expectations/expectation_test.cpp
 #include "expectations/expectation_result.hpp"
 
-#include "core/error.hpp"
 #include "input/units.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <cmath>

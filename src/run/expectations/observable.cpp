@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "expectations/observable.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 #include "run_folder/summary_file.hpp"
 #include "structures/structures.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "library/message_sink.hpp"
 #include "library/particle_views.hpp"
+#include "os/error.hpp"
 #include "problem/stages.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/run_place.hpp"

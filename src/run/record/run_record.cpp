@@ -2,12 +2,12 @@
 // Tests: tests/unit/commands/report_test.cpp
 #include "record/run_record.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 #include "record/logged_end.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/raster.hpp"
 #include "record/particle_shapes.hpp"
+#include "record/raster.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ std::vector<Index> points_in_view(const Picture& picture)
 }
 
 /// Each triangle is painted as four, between its corners and the middles of its sides.
-void paint_triangles(const Picture& picture, Real side, plot::Raster& raster)
+void paint_triangles(const Picture& picture, Real side, Raster& raster)
 {
   constexpr int parts[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
   for (const std::array<Index, 6>& nodes : picture.frame.triangles)
@@ -69,7 +69,7 @@ void paint_triangles(const Picture& picture, Real side, plot::Raster& raster)
 }
 
 /// Each particle is painted as the ellipse that its circle has become.
-void paint_particles(const Picture& picture, const std::vector<Index>& points, Real side, plot::Raster& raster)
+void paint_particles(const Picture& picture, const std::vector<Index>& points, Real side, Raster& raster)
 {
   const Eigen::DiagonalMatrix<Real, 2> to_side(side, 1);
   const std::vector<Matrix<2>> shapes = particle_shapes(picture.frame, points);
@@ -80,7 +80,7 @@ void paint_particles(const Picture& picture, const std::vector<Index>& points, R
 /// The data of the soil.
 std::string pixels(const Picture& picture, const std::vector<Index>& points)
 {
-  plot::Raster raster(picture.view.lower, picture.view.upper, picture.plot_width(), picture.plot_height());
+  Raster raster(picture.view.lower, picture.view.upper, picture.plot_width(), picture.plot_height());
   for (const Real side : {1., -1.}) {
     if (side < 0 && !picture.view.mirrored) break;
     if (picture.frame.triangles.empty())
@@ -110,7 +110,7 @@ std::pair<Real, Real> range_of(const Picture& picture, const std::vector<Index>&
 {
   std::vector<Real> values;
   for (const Index k : points) values.push_back(picture.value(k));
-  return plot::color_range(std::move(values));
+  return color_range(std::move(values));
 }
 
 /// Axes, colours and the line of the surface.
@@ -136,7 +136,7 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
                         part(picture.plot_height(), height));
   script += fmt::format("set cblabel {} offset 0,0 font {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()),
                         plot::font_that_fits(picture.words(), 18, picture.plot_height()), range.first, range.second);
-  script += plot::viridis_palette();
+  script += viridis_palette();
   script += "unset key\nset style fill solid noborder\n";
   mesh::GroundLine line = view.ground;
   if (line.level() && view.surface) line.corners = {Vec<2>(view.lower[0], *view.surface), Vec<2>(view.upper[0], *view.surface)};

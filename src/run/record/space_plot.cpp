@@ -3,8 +3,8 @@
 
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/isometric_raster.hpp"
-#include "plot/raster.hpp"
+#include "record/isometric_raster.hpp"
+#include "record/raster.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace berm::record {
 namespace {
 
 constexpr int paper_width = 1200, paper_left = 95, paper_right = 175, paper_bottom = 110, paper_top = 70;  // pixels
-constexpr plot::Rgb body_color = {201, 204, 209};
+constexpr Rgb body_color = {201, 204, 209};
 
 Vec<3> shown_at(const Vec<3>& x, const SpaceView& view)
 {
@@ -25,7 +25,7 @@ bool holds(const SpaceView& view, const Vec<3>& x)
   return (x.array() >= view.lower.array()).all() && (x.array() <= view.upper.array()).all();
 }
 
-void paint_bodies(plot::IsometricRaster& raster, const run_folder::Frame<3>& frame)
+void paint_bodies(IsometricRaster& raster, const run_folder::Frame<3>& frame)
 {
   using Kind = bodies::SurfaceMesh<3>::Kind;
   constexpr int sides[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
@@ -46,7 +46,7 @@ void paint_bodies(plot::IsometricRaster& raster, const run_folder::Frame<3>& fra
 }
 
 /// Arrows along the axes in the lower left corner, and how long they are.
-std::string axes(const plot::IsometricRaster& raster, const plot::PlotUnit& unit)
+std::string axes(const IsometricRaster& raster, const plot::PlotUnit& unit)
 {
   const Real length = plot::round_up(60 / raster.pixels_per_metre() * unit.per_si) / unit.per_si;
   const Real on_paper = length * raster.pixels_per_metre() * std::sqrt(2. / 3);
@@ -54,7 +54,7 @@ std::string axes(const plot::IsometricRaster& raster, const plot::PlotUnit& unit
   std::string script;
   constexpr const char *names[] = {"x", "y", "z"}, *colors[] = {"#d1495b", "#2a9d4a", "#3a78c9"};
   for (int d = 0; d < 3; ++d) {
-    const Vec<2> way = plot::isometric(Vec<3>::Unit(d)).normalized();
+    const Vec<2> way = isometric(Vec<3>::Unit(d)).normalized();
     const Vec<2> tip = origin + on_paper * way, name = tip + 12 * way;
     script += fmt::format("set arrow from {:.6g},{:.6g} to {:.6g},{:.6g} lc rgb '{}' lw 2 front\n", origin[0], origin[1], tip[0], tip[1],
                           colors[d]);
@@ -102,13 +102,13 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<3>& 
     values.push_back(field.at(k));
   }
   if (shown.empty()) return false;
-  const std::pair<Real, Real> range = plot::color_range(values);
+  const std::pair<Real, Real> range = color_range(values);
 
-  plot::IsometricRaster raster(wanted.view.lower, wanted.view.upper, paper_width - paper_left - paper_right);
+  IsometricRaster raster(wanted.view.lower, wanted.view.upper, paper_width - paper_left - paper_right);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const Real part = (values[k] - range.first) / (range.second - range.first);
     // Larger than its share, so that neighbours close what lies behind them.
-    raster.paint_ball(shown_at(frame.points[shown[k]], wanted.view), 0.75 * std::cbrt(frame.volume[shown[k]]), plot::viridis(part));
+    raster.paint_ball(shown_at(frame.points[shown[k]], wanted.view), 0.75 * std::cbrt(frame.volume[shown[k]]), viridis(part));
   }
   paint_bodies(raster, frame);
 
@@ -124,7 +124,7 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<3>& 
   script += fmt::format("set xrange [0:{}]\nset yrange [0:{}]\nset cbrange [{:g}:{:g}]\n", raster.columns(), raster.rows(), range.first,
                         range.second);
   const std::string words = field.info.label + (field.info.unit.empty() ? "" : " (" + field.info.unit + ")");
-  script += fmt::format("set cblabel {}\n", plot::gnuplot_text(words)) + plot::viridis_palette();
+  script += fmt::format("set cblabel {}\n", plot::gnuplot_text(words)) + viridis_palette();
   script += axes(raster, plot::length_unit((wanted.view.upper - wanted.view.lower).maxCoeff()));
   script +=
       fmt::format("plot {} binary array=({},{}) format='%uchar%uchar%uchar' origin=(0.5,0.5) dx=1 dy=1 using 1:2:3 with rgbimage, \\\n"

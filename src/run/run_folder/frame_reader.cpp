@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/frame_reader.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "io/vtu_file.hpp"
-#include "io/xml_tag.hpp"
+#include "os/error.hpp"
+#include "run_folder/vtu_file.hpp"
+#include "run_folder/xml_tag.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ struct Coordinates {
   std::vector<Real> x, y, z;
 };
 
-Coordinates coordinates_in(const io::VtuFile& vtu)
+Coordinates coordinates_in(const VtuFile& vtu)
 {
   const std::size_t count = vtu.point_count();
   const std::vector<double> points = vtu.numbers<double>("Points", 3 * count);
@@ -34,7 +34,7 @@ Coordinates coordinates_in(const io::VtuFile& vtu)
 }
 
 /// The points of each cell, all of them points that there are.
-std::vector<std::vector<Index>> cells_in(const io::VtuFile& vtu)
+std::vector<std::vector<Index>> cells_in(const VtuFile& vtu)
 {
   const std::vector<std::int64_t> corners = vtu.numbers<std::int64_t>("connectivity"),
                                   ends = vtu.numbers<std::int64_t>("offsets", vtu.cell_count());
@@ -53,14 +53,14 @@ std::vector<std::vector<Index>> cells_in(const io::VtuFile& vtu)
   return cells;
 }
 
-std::vector<std::array<Index, 6>> triangles_in(const io::VtuFile& vtu)
+std::vector<std::array<Index, 6>> triangles_in(const VtuFile& vtu)
 {
   const std::vector<std::uint8_t> types = vtu.numbers<std::uint8_t>("types", vtu.cell_count());
-  const auto all = [&](io::VtkCell wanted) {
+  const auto all = [&](VtkCell wanted) {
     return std::all_of(types.begin(), types.end(), [&](std::uint8_t type) { return type == static_cast<std::uint8_t>(wanted); });
   };
-  if (all(io::VtkCell::vertex)) return {};
-  if (!all(io::VtkCell::quadratic_triangle)) vtu.refuse("is not a file of the soil: its cells are neither particles nor triangles");
+  if (all(VtkCell::vertex)) return {};
+  if (!all(VtkCell::quadratic_triangle)) vtu.refuse("is not a file of the soil: its cells are neither particles nor triangles");
   std::vector<std::array<Index, 6>> triangles;
   for (const std::vector<Index>& cell : cells_in(vtu)) {
     if (cell.size() != 6) vtu.refuse("is damaged: a triangle does not have six nodes");
@@ -82,7 +82,7 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder)
   constexpr std::size_t most_frames = 300'000;
   std::vector<FrameFiles> frames;
   std::set<std::string> names;
-  for (const io::XmlTag& tag : io::xml_tags(text, "DataSet")) {
+  for (const XmlTag& tag : xml_tags(text, "DataSet")) {
     const std::optional<Real> time = tag.number("timestep");
     const std::string name = tag["file"], part = tag["part"];
     if (!time || name.empty() || name.find_first_of("/\\") != std::string::npos) refuse("is damaged: a frame has no time or no file");
@@ -107,7 +107,7 @@ const std::vector<float>& SavedSoil::operator[](const std::string& name) const
 
 SavedSoil read_soil(const std::filesystem::path& file)
 {
-  const io::VtuFile vtu(file);
+  const VtuFile vtu(file);
   const std::size_t count = vtu.point_count();
   SavedSoil soil;
   soil.file = file;
@@ -127,7 +127,7 @@ SavedSoil read_soil(const std::filesystem::path& file)
 
 SavedRigids read_rigids(const std::filesystem::path& file)
 {
-  const io::VtuFile vtu(file);
+  const VtuFile vtu(file);
   SavedRigids rigid_bodies;
   Coordinates points = coordinates_in(vtu);
   rigid_bodies.x = std::move(points.x);
@@ -135,7 +135,7 @@ SavedRigids read_rigids(const std::filesystem::path& file)
   rigid_bodies.z = std::move(points.z);
   rigid_bodies.cells = cells_in(vtu);
   for (const std::uint8_t type : vtu.numbers<std::uint8_t>("types", vtu.cell_count()))
-    rigid_bodies.types.push_back(static_cast<io::VtkCell>(type));
+    rigid_bodies.types.push_back(static_cast<VtkCell>(type));
   rigid_bodies.rigid = vtu.numbers<std::int32_t>("rigid", vtu.cell_count());
   return rigid_bodies;
 }

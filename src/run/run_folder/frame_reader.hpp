@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/vtu.hpp"
 #include "run_folder/frame.hpp"
+#include "run_folder/vtu.hpp"
 
 #include <array>
 #include <filesystem>
@@ -39,7 +39,7 @@ struct SavedSoil {
 struct SavedRigids {
   std::vector<Real> x, y, z;              ///< m, by point; finite
   std::vector<std::vector<Index>> cells;  ///< points of each cell
-  std::vector<io::VtkCell> types;         ///< by cell
+  std::vector<VtkCell> types;             ///< by cell
   std::vector<std::int32_t> rigid;        ///< by cell: the number of the rigid body, as in the case
 };
 

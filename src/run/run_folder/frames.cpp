@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/frames.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "io/vtu.hpp"
+#include "os/error.hpp"
+#include "run_folder/vtu.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -47,13 +47,13 @@ std::string file_name(const char* kind, Index number)
 
 /// VTK's word for a kind of cell of a surface.
 template <int dim>
-io::VtkCell vtk_cell(typename bodies::SurfaceMesh<dim>::Kind kind)
+VtkCell vtk_cell(typename bodies::SurfaceMesh<dim>::Kind kind)
 {
   using Kind = typename bodies::SurfaceMesh<dim>::Kind;
-  return kind == Kind::line      ? io::VtkCell::line
-         : kind == Kind::polygon ? io::VtkCell::polygon
-         : kind == Kind::quad    ? io::VtkCell::quad
-                                 : io::VtkCell::hexahedron;
+  return kind == Kind::line      ? VtkCell::line
+         : kind == Kind::polygon ? VtkCell::polygon
+         : kind == Kind::quad    ? VtkCell::quad
+                                 : VtkCell::hexahedron;
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ std::function<void()> FrameWriter<dim>::write_later(const Frame<dim>& frame, Com
 template <int dim>
 std::function<void()> FrameWriter<dim>::write_files(const Frame<dim>& frame, Index number) const
 {
-  const auto files = std::make_shared<std::vector<std::pair<std::filesystem::path, io::Vtu::Packed>>>();
+  const auto files = std::make_shared<std::vector<std::pair<std::filesystem::path, Vtu::Packed>>>();
   files->emplace_back(folder_ / file_name(soil_kind(), number), soil(frame));
   if (with_rigids_) files->emplace_back(folder_ / file_name("rigid", number), rigids(frame));
   return [files] {
@@ -155,27 +155,27 @@ void FrameWriter<dim>::write_mesh(const mesh::Mesh<dim>& mesh) const
   std::vector<Real> points;
   points.reserve(3 * mesh.position.size());
   for (const Vec<dim>& x : mesh.position) append<dim>(points, x);
-  io::Vtu vtu(std::move(points));
+  Vtu vtu(std::move(points));
   vtu.reserve_cells(mesh.nodes.size(), dim + 1);
   for (const auto& nodes : mesh.nodes)
-    vtu.add_cell(dim == 2 ? io::VtkCell::triangle : io::VtkCell::tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
+    vtu.add_cell(dim == 2 ? VtkCell::triangle : VtkCell::tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
   const std::vector<std::int32_t> region(mesh.region.begin(), mesh.region.end());
   vtu.cell_field("region", 1, region);
   vtu.write(folder_ / "mesh.vtu");
 }
 
 template <int dim>
-io::Vtu::Packed FrameWriter<dim>::soil(const Frame<dim>& frame) const
+Vtu::Packed FrameWriter<dim>::soil(const Frame<dim>& frame) const
 {
   const std::size_t count = frame.points.size();
   std::vector<Real> points;
   points.reserve(3 * count);  // a list that grows by doubling would take half as much again, of the memory of a large run
   for (const Vec<dim>& x : frame.points) append<dim>(points, x);
-  io::Vtu vtu(std::move(points));
+  Vtu vtu(std::move(points));
   vtu.reserve_cells(with_triangles_ ? frame.triangles.size() : count, with_triangles_ ? 6 : 1);
-  for (const auto& nodes : frame.triangles) vtu.add_cell(io::VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
+  for (const auto& nodes : frame.triangles) vtu.add_cell(VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
   if (!with_triangles_)
-    for (Index k = 0; k < static_cast<Index>(count); ++k) vtu.add_cell(io::VtkCell::vertex, {k});
+    for (Index k = 0; k < static_cast<Index>(count); ++k) vtu.add_cell(VtkCell::vertex, {k});
   vtu.set_time(frame.time);
   for (const FieldValues<Real>& field : frame.fields) {
     FieldInfo info = field.info;
@@ -191,12 +191,12 @@ io::Vtu::Packed FrameWriter<dim>::soil(const Frame<dim>& frame) const
 }
 
 template <int dim>
-io::Vtu::Packed FrameWriter<dim>::rigids(const Frame<dim>& frame) const
+Vtu::Packed FrameWriter<dim>::rigids(const Frame<dim>& frame) const
 {
   std::vector<Real> points;
   for (const FrameRigid<dim>& f : frame.rigid_bodies)
     for (const Vec<dim>& x : f.surface.points) append<dim>(points, x);
-  io::Vtu vtu(std::move(points));
+  Vtu vtu(std::move(points));
   std::vector<std::int32_t> rigid;
   std::vector<float> velocity;
   Index first = 0;

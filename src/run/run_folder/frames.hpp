@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/archive.hpp"
-#include "io/vtu.hpp"
 #include "run_folder/frame.hpp"
+#include "run_folder/vtu.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -45,8 +45,8 @@ public:
 private:
   void write_mesh(const mesh::Mesh<dim>& mesh) const;
   std::function<void()> write_files(const Frame<dim>& frame, Index number) const;
-  io::Vtu::Packed soil(const Frame<dim>& frame) const;
-  io::Vtu::Packed rigids(const Frame<dim>& frame) const;
+  Vtu::Packed soil(const Frame<dim>& frame) const;
+  Vtu::Packed rigids(const Frame<dim>& frame) const;
   void write_collection(const std::vector<Real>& times) const;
   std::vector<std::string> files() const;
   /// A thread that writes sees the same as the first frame was counted before.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/history.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
-#include "core/read_file.hpp"
 #include "io/atomic_file.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
+#include "os/read_file.hpp"
 #include "run_folder/csv_line.hpp"
 #include "run_folder/json_file.hpp"
 

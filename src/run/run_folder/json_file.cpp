@@ -2,9 +2,9 @@
 // Tests: tests/unit/run_folder/summary_test.cpp
 #include "run_folder/json_file.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
-#include "core/read_file.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
+#include "os/read_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/origin.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "core/vector_unit.hpp"
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
 #include "io/revision.hpp"
 #include "io/sha256.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 #include "run_folder/json_file.hpp"
 
 #include <algorithm>

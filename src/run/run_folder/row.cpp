@@ -2,7 +2,7 @@
 // Tests: tests/unit/run_folder/history_test.cpp
 #include "run_folder/row.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

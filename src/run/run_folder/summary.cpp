@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/summary.hpp"
 
-#include "core/control_characters.hpp"
 #include "io/atomic_file.hpp"
+#include "os/control_characters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/run_folder/summary_test.cpp
 #include "run_folder/summary_file.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "run_folder/json_file.hpp"
 
 #include <fmt/format.h>

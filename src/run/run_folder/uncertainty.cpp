@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/uncertainty.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "run_folder/json_file.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/error.hpp"
-#include "core/threads.hpp"
 #include "core/timer.hpp"
+#include "os/error.hpp"
+#include "os/threads.hpp"
 
 #include <atomic>
 #include <functional>

@@ -2,10 +2,10 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "simulation/good_sense.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 #include "simulation/checkpoints.hpp"
 
 #include <fmt/format.h>

@@ -2,10 +2,10 @@
 #include "simulation/memory.hpp"
 
 #include "bodies/fill.hpp"
-#include "core/control_group.hpp"
-#include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "mpm/grid.hpp"
+#include "os/control_group.hpp"
+#include "os/error.hpp"
 #include "run_folder/frame_maker.hpp"
 
 #include <algorithm>

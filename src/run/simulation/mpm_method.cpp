@@ -3,12 +3,12 @@
 #include "simulation/mpm_method.hpp"
 
 #include "checkpoint/checkpoint_file.hpp"
-#include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/inactive.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
+#include "os/error.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/equilibrium.hpp"
 #include "problem/safety.hpp"

@@ -2,10 +2,10 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "simulation/mpm_recorder.hpp"
 
-#include "core/error.hpp"
 #include "mpm/condition.hpp"
 #include "mpm/interface.hpp"
 #include "mpm/time_step.hpp"
+#include "os/error.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/heads.hpp"
 #include "problem/stages.hpp"

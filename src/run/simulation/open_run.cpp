@@ -2,8 +2,8 @@
 // Tests: tests/unit/simulation/run_test.cpp
 #include "simulation/open_run.hpp"
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
+#include "os/error.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/run_of_ranks.hpp"
 #include "simulation/with_method.hpp"

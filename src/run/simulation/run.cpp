@@ -2,11 +2,11 @@
 // Tests: tests/unit/simulation/run_test.cpp
 #include "simulation/run.hpp"
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "core/vector_unit.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "problem/stages.hpp"
 #include "problem/time_scale.hpp"
 #include "record/run_record.hpp"

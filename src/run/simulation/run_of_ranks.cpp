@@ -3,10 +3,10 @@
 #include "simulation/run_of_ranks.hpp"
 
 #include "core/bytes.hpp"
-#include "core/error.hpp"
 #include "core/ranks.hpp"
-#include "core/threads.hpp"
 #include "core/vector_unit.hpp"
+#include "os/error.hpp"
+#include "os/threads.hpp"
 
 #include <cstdlib>
 #include <cstring>

@@ -2,12 +2,12 @@
 // Tests: tests/unit/commands/run_faults_test.cpp
 #include "simulation/run_place.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 #include "problem/safety.hpp"
 #include "run_folder/origin.hpp"
 #include "run_folder/summary_file.hpp"

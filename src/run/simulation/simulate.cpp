@@ -2,7 +2,7 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "simulation/simulate.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/with_method.hpp"

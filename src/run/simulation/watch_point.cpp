@@ -2,8 +2,8 @@
 // Tests: tests/unit/simulation/watch_point_test.cpp
 #include "simulation/watch_point.hpp"
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // Tests: tests/unit/commands/run_test.cpp
 #pragma once
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
+#include "os/error.hpp"
 #include "simulation/fem_method.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/pipeline_method.hpp"

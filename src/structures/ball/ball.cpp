@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/ball/ball.hpp"
 
-#include "structures/formulas/penetrometer.hpp"
+#include "formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
 
 #include <fmt/format.h>

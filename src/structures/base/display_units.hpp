@@ -77,7 +77,7 @@ private:
   bool by_weight_ = false, by_strength_ = false, in_plane_ = false, in_space_ = false;
 };
 
-/// A range of src/structures/formulas, "0 <= w/D <= 0.5", with the signs of print, HTML.
+/// A range of src/formulas, "0 <= w/D <= 0.5", with the signs of print, HTML.
 std::string printed_range(const char* range);
 
 }  // namespace berm::base

@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/base/mechanism_cells_test.cpp
 #include "structures/base/mechanism_cells.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/formulas/formula.hpp"
+#include "formulas/formula.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "record/travel_curve.hpp"
 #include "run_folder/run_folder.hpp"
 #include "structures/base/display_units.hpp"

@@ -2,9 +2,9 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/footing/footing.hpp"
 
+#include "formulas/footing.hpp"
+#include "formulas/penetrometer.hpp"
 #include "structures/base/little_cohesion.hpp"
-#include "structures/formulas/footing.hpp"
-#include "structures/formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
 
 #include <algorithm>

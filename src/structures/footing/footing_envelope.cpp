@@ -2,14 +2,14 @@
 // Tests: tests/unit/envelope/envelope_footing_test.cpp
 #include "structures/footing/footing.hpp"
 
-#include "core/error.hpp"
+#include "formulas/footing.hpp"
 #include "mesh/seabed.hpp"
+#include "os/error.hpp"
 #include "problem/axes.hpp"
 #include "problem/ground.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/kind.hpp"
 #include "structures/base/little_cohesion.hpp"
-#include "structures/formulas/footing.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,10 +2,10 @@
 // Tests: tests/unit/structures/line/answers_test.cpp
 #include "structures/line/answers.hpp"
 
-#include "core/error.hpp"
+#include "formulas/strain_limit.hpp"
+#include "os/error.hpp"
 #include "slices/line_of_case.hpp"
 #include "structures/base/still_moving.hpp"
-#include "structures/formulas/strain_limit.hpp"
 #include "structures/line/buckle.hpp"
 
 #include <algorithm>

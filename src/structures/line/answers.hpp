@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formulas/hobbs.hpp"
 #include "record/run_record.hpp"
-#include "structures/formulas/hobbs.hpp"
 
 namespace berm::line {
 

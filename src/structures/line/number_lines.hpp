@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/error.hpp"
-#include "core/read_file.hpp"
 #include "core/types.hpp"
+#include "os/error.hpp"
+#include "os/read_file.hpp"
 
 #include <charconv>
 #include <filesystem>

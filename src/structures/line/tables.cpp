@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/line/answers_test.cpp
 #include "structures/line/tables.hpp"
 
-#include "structures/formulas/strain_limit.hpp"
+#include "formulas/strain_limit.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formulas/formula.hpp"
 #include "structures/base/kind.hpp"
 #include "structures/base/trust_measure.hpp"
-#include "structures/formulas/formula.hpp"
 
 namespace berm::penetration {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/soil_on_body.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "structures/driven/results/path.hpp"
 
 #include <algorithm>

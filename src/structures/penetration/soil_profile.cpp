@@ -2,8 +2,8 @@
 // Tests: tests/unit/structures/penetration/penetration_run_test.cpp
 #include "structures/penetration/soil_profile.hpp"
 
-#include "core/error.hpp"
 #include "mesh/seabed.hpp"
+#include "os/error.hpp"
 #include "run_folder/frame_reader.hpp"
 
 #include <Eigen/Core>

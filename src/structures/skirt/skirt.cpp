@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/skirt/skirt.hpp"
 
+#include "formulas/axial.hpp"
+#include "formulas/footing.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/formulas/axial.hpp"
-#include "structures/formulas/footing.hpp"
 #include "structures/penetration/penetration_run.hpp"
 #include "text/quantity_words.hpp"
 

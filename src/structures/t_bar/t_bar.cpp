@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/t_bar/t_bar.hpp"
 
-#include "structures/formulas/pipe_in_clay.hpp"
+#include "formulas/pipe_in_clay.hpp"
 #include "structures/penetration/penetration_run.hpp"
 
 namespace berm::t_bar {

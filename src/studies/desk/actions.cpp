@@ -2,11 +2,11 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/actions.hpp"
 
-#include "core/control_characters.hpp"
 #include "desk/http.hpp"
 #include "desk/live.hpp"
 #include "desk/runs.hpp"
 #include "io/atomic_file.hpp"
+#include "os/control_characters.hpp"
 
 #include <algorithm>
 #include <cctype>

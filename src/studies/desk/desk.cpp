@@ -2,13 +2,13 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/desk.hpp"
 
-#include "core/threads.hpp"
 #include "desk/actions.hpp"
 #include "desk/desk_files.hpp"
 #include "desk/files.hpp"
 #include "desk/http.hpp"
 #include "desk/runs.hpp"
 #include "io/revision.hpp"
+#include "os/threads.hpp"
 #include "sandbox/sandbox.hpp"
 
 #include <charconv>

@@ -2,11 +2,11 @@
 // Tests: tests/unit/desk/desk_guards_test.cpp
 #include "desk/folder.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "desk/http.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <chrono>

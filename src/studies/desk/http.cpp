@@ -2,9 +2,9 @@
 // Tests: tests/unit/desk/desk_guards_test.cpp
 #include "desk/http.hpp"
 
-#include "core/error.hpp"
 #include "desk/listener.hpp"
 #include "desk/request_head.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

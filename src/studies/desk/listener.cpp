@@ -2,7 +2,7 @@
 // Tests: tests/unit/desk/desk_listener_test.cpp
 #include "desk/listener.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <arpa/inet.h>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/process.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <csignal>
 #include <fmt/format.h>

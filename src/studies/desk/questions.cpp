@@ -2,9 +2,9 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/questions.hpp"
 
-#include "core/threads.hpp"
 #include "desk/refusal.hpp"
 #include "io/atomic_file.hpp"
+#include "os/threads.hpp"
 
 #include <csignal>
 #include <fcntl.h>

@@ -2,10 +2,10 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/queue.hpp"
 
-#include "core/error.hpp"
 #include "desk/live.hpp"
 #include "io/atomic_file.hpp"
 #include "jobs/outcome.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <csignal>

@@ -2,8 +2,8 @@
 // Tests: tests/unit/desk/desk_request_head_test.cpp
 #include "desk/request_head.hpp"
 
-#include "core/control_characters.hpp"
 #include "desk/refusal.hpp"
+#include "os/control_characters.hpp"
 
 #include <algorithm>
 #include <charconv>

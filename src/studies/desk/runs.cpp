@@ -2,9 +2,9 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/runs.hpp"
 
-#include "core/control_characters.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
+#include "os/control_characters.hpp"
 #include "record/logged_end.hpp"
 #include "run_folder/json_file.hpp"
 #include "run_folder/summary_file.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/element_report.hpp"
 
-#include "core/error.hpp"
 #include "element/element_table.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "run_folder/build.hpp"
 #include "text/base64_zlib.hpp"
 #include "text/html.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/element_settings.hpp"
 
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "input/override.hpp"
 #include "input/read_case.hpp"
 #include "input/reader.hpp"
 #include "input/write_case.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

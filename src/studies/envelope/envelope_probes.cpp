@@ -2,7 +2,7 @@
 // Tests: tests/unit/envelope/envelope_test.cpp
 #include "envelope/envelope_probes.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // Tests: tests/unit/envelope/envelope_test.cpp
 #include "envelope/envelope_report.hpp"
 
-#include "core/error.hpp"
 #include "envelope/foundation.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

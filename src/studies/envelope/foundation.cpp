@@ -2,8 +2,8 @@
 // Tests: tests/unit/envelope/foundation_test.cpp
 #include "envelope/foundation.hpp"
 
-#include "core/error.hpp"
 #include "io/revision.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,12 +2,12 @@
 // Tests: tests/unit/fmu/slice_unit_test.cpp
 #include "fmu/slice_unit.hpp"
 
-#include "core/error.hpp"
 #include "fmu/embedded.hpp"
 #include "fmu/unit.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
+#include "os/error.hpp"
 
 #include <fmt/format.h>
 

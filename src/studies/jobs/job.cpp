@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jobs/job.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
 #include "material/user_law.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/origin.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jobs/jobs.hpp"
 
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
 #include "io/tell.hpp"
 #include "jobs/processes.hpp"
 #include "jobs/queue.hpp"
 #include "jobs/scheduler.hpp"
 #include "jobs/shell.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 
 #include <algorithm>
 #include <chrono>

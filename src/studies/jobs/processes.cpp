@@ -2,10 +2,6 @@
 // Tests: tests/unit/study/study_test.cpp
 #include "jobs/processes.hpp"
 
-#include "core/child_process.hpp"
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
-#include "core/threads.hpp"
 #include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
@@ -13,6 +9,10 @@
 #include "io/tell.hpp"
 #include "jobs/thread_shares.hpp"
 #include "mesh/kept_meshes.hpp"
+#include "os/child_process.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
+#include "os/threads.hpp"
 
 #include <algorithm>
 #include <chrono>

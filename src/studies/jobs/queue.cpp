@@ -2,10 +2,10 @@
 // Tests: tests/unit/jobs/jobs_test.cpp
 #include "jobs/queue.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "jobs/queue_scripts.hpp"
 #include "jobs/shell.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jobs/shell.hpp"
 
-#include "core/child_process.hpp"
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/child_process.hpp"
+#include "os/error.hpp"
 
 #include <csignal>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/child_process.hpp"
+#include "os/child_process.hpp"
 
 #include <string>
 

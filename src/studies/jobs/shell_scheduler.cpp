@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/jobs/jobs_test.cpp
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
 #include "jobs/scheduler.hpp"
 #include "jobs/shell.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 
 #include <chrono>
 #include <csignal>

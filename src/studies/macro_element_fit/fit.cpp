@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "macro_element_fit/fit.hpp"
 
-#include "core/error.hpp"
 #include "core/for_each_task.hpp"
+#include "formulas/axial.hpp"
 #include "macro_element/under_force.hpp"
-#include "structures/formulas/axial.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <array>

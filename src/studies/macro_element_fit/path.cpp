@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "macro_element_fit/path.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/soil_words.hpp"
 #include "structures/driven/results/states.hpp"

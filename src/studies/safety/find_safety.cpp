@@ -2,11 +2,11 @@
 // Tests: tests/unit/safety/find_safety_test.cpp
 #include "safety/find_safety.hpp"
 
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
+#include "os/error.hpp"
 #include "run_folder/progress.hpp"
 #include "run_folder/summary_file.hpp"
 #include "safety/safety_report.hpp"

@@ -2,7 +2,7 @@
 // Tests: tests/unit/safety/find_safety_test.cpp
 #include "safety/safety_report.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "plot/figure.hpp"
 #include "run_folder/history.hpp"
 

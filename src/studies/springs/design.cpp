@@ -3,8 +3,8 @@
 #include "springs/design.hpp"
 #include "springs/written_springs.hpp"
 
-#include "core/error.hpp"
 #include "io/revision.hpp"
+#include "os/error.hpp"
 #include "structures/base/spoiled.hpp"
 #include "structures/structures.hpp"
 #include "study/estimates.hpp"

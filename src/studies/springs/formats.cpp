@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "springs/formats.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "springs/written_springs.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/springs/line_formats_test.cpp
 #include "springs/line_formats.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "record/travel_curve.hpp"
 #include "run_folder/csv_line.hpp"
 #include "slices/line_of_case.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/springs/formats_test.cpp
-#include "core/control_characters.hpp"
+#include "os/control_characters.hpp"
 #include "springs/written_springs.hpp"
 
 #include <cmath>

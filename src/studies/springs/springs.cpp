@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "springs/springs.hpp"
 
-#include "core/error.hpp"
+#include "formulas/axial.hpp"
 #include "input/message_text.hpp"
 #include "material/clay.hpp"
+#include "os/error.hpp"
 #include "structures/base/soil_words.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
-#include "structures/formulas/axial.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

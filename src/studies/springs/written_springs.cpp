@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "springs/written_springs.hpp"
 
-#include "core/control_characters.hpp"
+#include "os/control_characters.hpp"
 
 #include <algorithm>
 #include <cmath>

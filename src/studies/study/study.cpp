@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/study.hpp"
 
-#include "core/error.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
+#include "os/error.hpp"
 #include "run_folder/progress.hpp"
 #include "run_folder/summary.hpp"
 #include "structures/driven/results/known_names.hpp"

@@ -2,9 +2,9 @@
 // Tests: tests/unit/study/study_test.cpp
 #include "study/study_report.hpp"
 
-#include "core/error.hpp"
 #include "input/units.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
 #include "record/travel_curve.hpp"

@@ -2,8 +2,8 @@
 // Tests: tests/unit/springs/design_test.cpp
 #include "study/study_rows.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "run_folder/json_file.hpp"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/table_axis.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
-#include "core/text_file.hpp"
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
 #include "input/units.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
+#include "os/text_file.hpp"
 #include "run_folder/csv_line.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "uncertainty/variants.hpp"
 
-#include "core/error.hpp"
 #include "material/shear_band.hpp"
 #include "mesh/uneven_seabed.hpp"
+#include "os/error.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Tests: tests/unit/verification/verify_test.cpp
 #include "verification/problems.hpp"
 
-#include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

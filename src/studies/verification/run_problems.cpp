@@ -2,11 +2,11 @@
 // Tests: tests/unit/verification/verify_resume_test.cpp
 #include "verification/run_problems.hpp"
 
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
 #include "element/element_report.hpp"
 #include "input/read_case.hpp"
 #include "io/tell.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/progress.hpp"
 #include "simulation/simulate.hpp"

@@ -2,7 +2,7 @@
 // Tests: tests/unit/verification/trust_page_test.cpp
 #include "verification/trust_page.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "beam/energy.hpp"
 #include "beam/step.hpp"
-#include "core/error.hpp"
 #include "macro_element/under_force.hpp"
+#include "os/error.hpp"
 #include "samples/buckling_pipe.hpp"
 #include "samples/macro_element_parameters.hpp"
 

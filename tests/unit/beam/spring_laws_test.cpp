@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "beam/spring_laws.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "beam/stations.hpp"
 
 #include "beam/state.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/rough_numbers.hpp"
 
 #include <gtest/gtest.h>

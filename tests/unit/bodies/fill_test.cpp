@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/sample_meshes.hpp"
 
 #include <gtest/gtest.h>

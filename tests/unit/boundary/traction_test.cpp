@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boundary/traction.hpp"
 
-#include "core/error.hpp"
 #include "mesh/box.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "element/element_report.hpp"
 #include "element/element_table.hpp"
+#include "os/error.hpp"
 #include "run_folder/history.hpp"
 #include "run_folder/summary_file.hpp"
 #include "sample_tests.hpp"

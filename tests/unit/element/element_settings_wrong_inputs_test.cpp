@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is refused of an input of element tests: each names the line and the key, and says what is allowed.
-#include "core/error.hpp"
 #include "element/element_settings.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "os/error.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

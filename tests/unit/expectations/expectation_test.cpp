@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "expectations/expectation.hpp"
 
-#include "core/error.hpp"
 #include "input/reader.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "expectations/observable.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/temporary_folder.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/flow.hpp"
 
-#include "core/error.hpp"
 #include "material/undrained.hpp"
+#include "os/error.hpp"
 #include "samples/fem_sample_problem.hpp"
 
 #include <gtest/gtest.h>

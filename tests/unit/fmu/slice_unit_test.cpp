@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Units of a slice of soil. tests/interfaces/slice_fmu.c runs them.
-#include "core/error.hpp"
 #include "fmu/slice_unit.hpp"
 #include "input/read_case.hpp"
 #include "io/scratch_folder.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "input/document.hpp"
 #include "input/override.hpp"
+#include "os/error.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <fstream>

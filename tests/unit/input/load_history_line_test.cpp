@@ -6,7 +6,7 @@
 #include "samples/pipeline_case.hpp"
 #include "samples/temporary_folder.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/places.hpp"
 
-#include "core/error.hpp"
 #include "input/override.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

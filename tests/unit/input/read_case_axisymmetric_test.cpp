@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
+#include "os/error.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>

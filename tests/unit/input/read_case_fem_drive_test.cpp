@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/clay_footing.hpp"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "samples/error_of.hpp"
 #include "samples/pipeline_case.hpp"
 
-#include "core/error.hpp"
 #include "input/write_case.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

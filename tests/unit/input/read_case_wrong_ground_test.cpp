@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fills, excavations, boundaries that absorb, pressures that grow and real times that make no sense.
-#include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "os/error.hpp"
 #include "samples/refusal.hpp"
 
 #include <gtest/gtest.h>

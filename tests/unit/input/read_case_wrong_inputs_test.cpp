@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "os/error.hpp"
 #include "samples/falling_stone.hpp"
 #include "samples/wrong_inputs.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Motions and heads of supports, and K0 by the stress history, that make no sense; and files of motions.
-#include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "os/error.hpp"
 #include "samples/refusal.hpp"
 #include "samples/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "os/error.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>

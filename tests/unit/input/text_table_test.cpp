@@ -2,8 +2,8 @@
 // Numbers and fields as spreadsheets, word processors and people write them.
 #include "input/text_table.hpp"
 
-#include "core/error.hpp"
 #include "input/units.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 
 #include <gtest/gtest.h>

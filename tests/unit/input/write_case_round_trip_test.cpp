@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/reader.hpp"
 #include "input/write_case.hpp"
+#include "os/error.hpp"
 #include "samples/small_cases.hpp"
 #include "samples/wrong_inputs.hpp"
 

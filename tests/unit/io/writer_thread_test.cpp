@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/writer_thread.hpp"
 
-#include "core/error.hpp"
-#include "core/threads.hpp"
+#include "os/error.hpp"
+#include "os/threads.hpp"
 
 #include <future>
 #include <gtest/gtest.h>

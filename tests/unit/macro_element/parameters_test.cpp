@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "macro_element/parameters.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 #include "samples/macro_element_parameters.hpp"
 

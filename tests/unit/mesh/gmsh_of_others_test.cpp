@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes as other programs leave them: other units and axes, parts, middles of sides, doubled nodes.
-#include "core/error.hpp"
 #include "mesh/gmsh.hpp"
+#include "os/error.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/gmsh.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/mesh_settings.hpp"
 
-#include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
+#include "os/error.hpp"
 #include "samples/sample_meshes.hpp"
 #include "samples/temporary_folder.hpp"
 

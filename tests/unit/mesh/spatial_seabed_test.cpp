@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/spatial_seabed.hpp"
 
-#include "core/error.hpp"
 #include "mesh/mesh_settings.hpp"
 #include "mesh/patches.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

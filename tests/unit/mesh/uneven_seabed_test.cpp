@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/uneven_seabed.hpp"
 
-#include "core/error.hpp"
 #include "mesh/mesh_settings.hpp"
+#include "os/error.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <functional>

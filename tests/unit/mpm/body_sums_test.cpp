@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/body_sums.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "sample_problem.hpp"
 
 #include <gtest/gtest.h>

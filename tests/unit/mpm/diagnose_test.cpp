@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/diagnose.hpp"
 
-#include "core/error.hpp"
 #include "mpm/moments.hpp"
 #include "mpm/step.hpp"
+#include "os/error.hpp"
 #include "sample_problem.hpp"
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 #include "mpm/change_cells.hpp"
 #include "mpm/move.hpp"
 
-#include "core/error.hpp"
 #include "mpm/internal_forces.hpp"
 #include "mpm/moments.hpp"
+#include "os/error.hpp"
 #include "sample_problem.hpp"
 
 #include <Eigen/Geometry>

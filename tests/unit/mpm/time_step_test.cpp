@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/time_step.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "sample_problem.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/ground.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/layered_box.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/absorbing.hpp"
 
-#include "core/error.hpp"
 #include "mesh/box.hpp"
+#include "os/error.hpp"
 #include "sample_case.hpp"
 
 #include <gtest/gtest.h>

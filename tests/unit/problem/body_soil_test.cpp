@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/body_soil.hpp"
 
-#include "core/error.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "os/error.hpp"
 #include "sample_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/earthworks.hpp"
 
-#include "core/error.hpp"
 #include "mesh/seabed.hpp"
+#include "os/error.hpp"
 #include "sample_case.hpp"
 #include "samples/temporary_folder.hpp"
 

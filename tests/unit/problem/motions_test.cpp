@@ -2,8 +2,8 @@
 // Supports that move what their mesh does not let them move, and heads at boundaries that give way.
 #include "problem/motions.hpp"
 
-#include "core/error.hpp"
 #include "mesh/box.hpp"
+#include "os/error.hpp"
 #include "problem/heads.hpp"
 #include "sample_case.hpp"
 

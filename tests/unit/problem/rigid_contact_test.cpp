@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/rigid_contact.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "sample_case.hpp"
 
 #include <gtest/gtest.h>

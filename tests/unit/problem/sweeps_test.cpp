@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/sweeps.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

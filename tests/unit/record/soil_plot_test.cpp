@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/soil_plot.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "plot/gnuplot.hpp"
 #include "samples/drawn_run.hpp"
 #include "samples/pixel_color.hpp"

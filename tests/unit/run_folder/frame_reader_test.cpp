@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/frame_reader.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/run_to_write.hpp"
 #include "samples/unpacked_vtu.hpp"
 
@@ -76,10 +76,10 @@ TYPED_TEST(FrameReaderIn, rigid_bodies_read_back_with_their_cells)
   const WrittenFrames<dim> written;
   const SavedRigids rigid_bodies = read_rigids(frame_files(written.folder.path())[0].rigid);
   using Kind = typename bodies::SurfaceMesh<dim>::Kind;
-  const std::map<Kind, io::VtkCell> vtk = {{Kind::line, io::VtkCell::line},
-                                           {Kind::polygon, io::VtkCell::polygon},
-                                           {Kind::quad, io::VtkCell::quad},
-                                           {Kind::hexahedron, io::VtkCell::hexahedron}};
+  const std::map<Kind, run_folder::VtkCell> vtk = {{Kind::line, run_folder::VtkCell::line},
+                                                   {Kind::polygon, run_folder::VtkCell::polygon},
+                                                   {Kind::quad, run_folder::VtkCell::quad},
+                                                   {Kind::hexahedron, run_folder::VtkCell::hexahedron}};
   std::size_t cell = 0, first = 0;
   for (std::size_t r = 0; r < 3; ++r) {
     const bodies::SurfaceMesh<dim>& surface = written.frames.last().rigid_bodies[r].surface;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/run_to_write.hpp"
 

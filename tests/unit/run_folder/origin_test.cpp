@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/origin.hpp"
 
-#include "core/error.hpp"
 #include "io/revision.hpp"
 #include "io/sha256.hpp"
+#include "os/error.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/progress.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/run_to_write.hpp"
 
 #include <gtest/gtest.h>

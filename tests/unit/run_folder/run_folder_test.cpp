@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/run_folder.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "samples/program.hpp"
 #include "samples/run_to_write.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/uncertainty.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "run_folder/summary_file.hpp"
 #include "samples/run_to_write.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulation/memory.hpp"
 
-#include "core/error.hpp"
 #include "io/scratch_folder.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "mpm/step.hpp"
+#include "os/error.hpp"
 #include "run_folder/frame_maker.hpp"
 
 #include <cstdlib>

@@ -2,8 +2,8 @@
 // Runs of both methods inside the process, by the context that a program gives them.
 #include "simulation/simulate.hpp"
 
-#include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "os/error.hpp"
 #include "run_folder/summary_file.hpp"
 #include "samples/program.hpp"
 #include "samples/small_cases.hpp"

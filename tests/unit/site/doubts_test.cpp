@@ -2,7 +2,7 @@
 // What of a sounding is doubted or refused, each by a sounding that has it and nothing else.
 #include "site/doubts.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 
 #include <functional>

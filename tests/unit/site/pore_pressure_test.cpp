@@ -2,7 +2,7 @@
 // Pore pressures that no soil has: that of the water above, single readings, another unit.
 #include "site/pore_pressure.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Cone penetration tests in files of AGS 4, GEF and tables: exact numbers, and what is refused, with file, line, column and unit.
 #include "site/sounding.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 #include "samples/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of soundings as loggers, databases and spreadsheets write them: the same sounding in each kind of file, with its value, what is said of it, or its refusal.
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 #include "samples/temporary_folder.hpp"
 #include "site/sounding.hpp"

@@ -2,7 +2,7 @@
 // Strength from a cone penetration test, against numbers by hand.
 #include "site/strength.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>

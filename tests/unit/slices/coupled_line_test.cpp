@@ -3,7 +3,7 @@
 
 #include "samples/laid_slice.hpp"
 
-#include "core/threads.hpp"
+#include "os/threads.hpp"
 #include <gtest/gtest.h>
 #include <memory>
 

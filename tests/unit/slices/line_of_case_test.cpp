@@ -6,10 +6,10 @@
 #include "samples/pipeline_case.hpp"
 #include "samples/temporary_folder.hpp"
 
-#include "core/error.hpp"
 #include "macro_element/parameters.hpp"
+#include "os/error.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <fstream>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "samples/error_of.hpp"
 #include "samples/pipeline_case.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

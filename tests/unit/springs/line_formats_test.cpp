@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "springs/line_formats.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 #include "samples/made_line_run.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "springs/springs.hpp"
 
-#include "core/error.hpp"
 #include "material/clay.hpp"
+#include "os/error.hpp"
 #include "samples/lived_pipe.hpp"
 #include "samples/made_run_in_water.hpp"
 #include "springs/design.hpp"

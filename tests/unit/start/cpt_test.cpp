@@ -2,8 +2,8 @@
 // The strength of a sounding in a case: a profile of clay, layers of sand.
 #include "start/cpt.hpp"
 
-#include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "os/error.hpp"
 #include "start/soils.hpp"
 
 #include <gtest/gtest.h>

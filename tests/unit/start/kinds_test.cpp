@@ -2,8 +2,8 @@
 // What berm new begins with: all kinds, at all sizes, are cases; a size changes cells and speeds, and nothing else.
 #include "start/kinds.hpp"
 
-#include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "os/error.hpp"
 
 #include <filesystem>
 #include <gtest/gtest.h>

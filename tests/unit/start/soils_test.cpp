@@ -2,8 +2,8 @@
 // Soils by name: each has a source, and makes a case of each kind that takes it.
 #include "start/soils.hpp"
 
-#include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/structures.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/made_run.hpp"
 #include "samples/temporary_folder.hpp"
 #include "samples/wrong_inputs.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "uncertainty/variants.hpp"
 
-#include "core/error.hpp"
 #include "material/clay.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "os/error.hpp"
 #include "samples/clay_pipe.hpp"
 
 #include <gtest/gtest.h>

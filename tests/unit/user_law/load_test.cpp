@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "user_law/load.hpp"
 
-#include "core/error.hpp"
 #include "io/sha256.hpp"
 #include "material/user_law.hpp"
+#include "os/error.hpp"
 
 #include <gtest/gtest.h>
 

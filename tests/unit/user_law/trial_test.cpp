@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "user_law/trial.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/trial_law.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "bodies/rigid/fault_count.hpp"
 #include "bodies/rigid/triangle_boxes.hpp"
 #include "bodies/rigid/triangle_pairs.hpp"
-#include "core/interrupt.hpp"
+#include "os/interrupt.hpp"
 
 #include <Eigen/Dense>
 #include <optional>

@@ -2,10 +2,10 @@
 // Tests: tests/unit/bodies/rigid/triangulated_test.cpp
 #include "bodies/rigid/triangle_file.hpp"
 
-#include "core/control_characters.hpp"
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
-#include "core/read_file.hpp"
+#include "os/control_characters.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
+#include "os/read_file.hpp"
 
 #include <algorithm>
 #include <bit>

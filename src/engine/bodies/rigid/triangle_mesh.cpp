@@ -3,7 +3,7 @@
 #include "bodies/rigid/triangle_mesh.hpp"
 
 #include "bodies/rigid/triangle_boxes.hpp"
-#include "core/interrupt.hpp"
+#include "os/interrupt.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "bodies/rigid/triangle_faults.hpp"
 #include "bodies/rigid/triangle_file.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/report/animation/film_test.cpp
 #include "report/animation/film_fields.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "run_folder/frame.hpp"
 
 #include <algorithm>

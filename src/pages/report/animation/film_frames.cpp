@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_frames.hpp"
 
-#include "core/error.hpp"
 #include "core/for_each_task.hpp"
+#include "os/error.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/structures.hpp"
 

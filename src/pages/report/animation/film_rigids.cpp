@@ -21,7 +21,8 @@ std::map<std::int32_t, Outlines> outlines_in(const run_folder::SavedRigids& rigi
     Outlines& own = outlines[rigid_bodies.rigid[cell]];
     if (dimension == 2) {
       own.push_back(points);
-    } else if (rigid_bodies.types[cell] == io::VtkCell::quad) {  // a side of an extruded body; its first corner is one of the lower end
+    } else if (rigid_bodies.types[cell] ==
+               run_folder::VtkCell::quad) {  // a side of an extruded body; its first corner is one of the lower end
       if (own.empty()) own.emplace_back();
       own.front().push_back(points.front());
     }
@@ -74,9 +75,9 @@ std::map<std::int32_t, std::vector<Index>> triangles_in(const run_folder::SavedR
   for (std::size_t cell = 0; cell < rigid_bodies.cells.size(); ++cell) {
     const std::vector<Index>& points = rigid_bodies.cells[cell];
     std::vector<Index>& own = triangles[rigid_bodies.rigid[cell]];
-    if (rigid_bodies.types[cell] == io::VtkCell::hexahedron && points.size() == 8)
+    if (rigid_bodies.types[cell] == run_folder::VtkCell::hexahedron && points.size() == 8)
       for (const auto& face : faces) add_polygon(own, {points[face[0]], points[face[1]], points[face[2]], points[face[3]]});
-    else if (rigid_bodies.types[cell] != io::VtkCell::line)
+    else if (rigid_bodies.types[cell] != run_folder::VtkCell::line)
       add_polygon(own, points);
   }
   return triangles;

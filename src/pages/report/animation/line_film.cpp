@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/line_film.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "report/animation/film_frames.hpp"
 #include "report/animation/film_quantization.hpp"
 #include "structures/base/driven_body.hpp"

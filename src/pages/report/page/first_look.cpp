@@ -2,8 +2,8 @@
 // Tests: tests/unit/commands/report_test.cpp
 #include "report/page/page.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "picture/stage_words.hpp"
 #include "text/base64_zlib.hpp"
 #include "text/html.hpp"

@@ -2,8 +2,8 @@
 // Tests: tests/unit/commands/report_test.cpp
 #include "report/page/report.hpp"
 
-#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "os/error.hpp"
 #include "report/page/page.hpp"
 #include "report/results/results_section.hpp"
 #include "structures/base/spoiled.hpp"

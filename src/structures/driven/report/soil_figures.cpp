@@ -2,7 +2,7 @@
 // Tests: tests/unit/commands/report_test.cpp
 #include "structures/driven/report/report.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "record/soil_plot.hpp"
 #include "structures/driven/results/mechanism.hpp"
 

@@ -2,10 +2,10 @@
 // Tests: tests/unit/report/expectations/claims_section_test.cpp
 #include "structures/driven/results/details.hpp"
 
-#include "core/error.hpp"
+#include "formulas/f114.hpp"
+#include "os/error.hpp"
 #include "record/travel_curve.hpp"
 #include "structures/driven/results/mechanism.hpp"
-#include "structures/formulas/f114.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/driven/results/mechanism.hpp"
 
-#include "core/error.hpp"
 #include "material/clay.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,13 +2,13 @@
 // Tests: tests/unit/envelope/envelope_test.cpp
 #include "structures/pipe/published/published.hpp"
 
-#include "core/error.hpp"
+#include "formulas/f114.hpp"
+#include "formulas/pipe_in_clay.hpp"
+#include "formulas/pipe_in_sand.hpp"
 #include "mesh/seabed.hpp"
+#include "os/error.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/little_cohesion.hpp"
-#include "structures/formulas/f114.hpp"
-#include "structures/formulas/pipe_in_clay.hpp"
-#include "structures/formulas/pipe_in_sand.hpp"
 #include "structures/pipe/published/pipe_soil.hpp"
 
 #include <algorithm>

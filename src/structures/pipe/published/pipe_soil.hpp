@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formulas/pipe_in_clay.hpp"
+#include "formulas/pipe_in_sand.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 #include "record/run_record.hpp"
 #include "structures/base/little_cohesion.hpp"
-#include "structures/formulas/pipe_in_clay.hpp"
-#include "structures/formulas/pipe_in_sand.hpp"
 
 #include <variant>
 

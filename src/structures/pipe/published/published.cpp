@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
+#include "formulas/f114.hpp"
 #include "structures/driven/results/resistance.hpp"
 #include "structures/driven/results/run_points.hpp"
-#include "structures/formulas/f114.hpp"
 #include "structures/pipe/published/published_of_soil.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formulas/formula.hpp"
 #include "problem/case.hpp"
 #include "structures/base/published_envelope.hpp"
 #include "structures/driven/results/driven_run.hpp"
-#include "structures/formulas/formula.hpp"
 
 namespace berm::pipe {
 

@@ -2,10 +2,10 @@
 // Tests: tests/unit/structures/pipe/published/published_test.cpp
 #include "structures/pipe/published/published_of_soil.hpp"
 
+#include "formulas/f114.hpp"
+#include "formulas/pipe_in_clay.hpp"
+#include "formulas/pipe_in_sand.hpp"
 #include "material/clay.hpp"
-#include "structures/formulas/f114.hpp"
-#include "structures/formulas/pipe_in_clay.hpp"
-#include "structures/formulas/pipe_in_sand.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/pipe/published/published_uplift_test.cpp
-#include "structures/formulas/uplift.hpp"
+#include "formulas/uplift.hpp"
 #include "structures/pipe/published/published_of_soil.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/report/results/results_section_test.cpp
 #include "structures/pipe/report/pipe_report.hpp"
 
-#include "structures/formulas/axial.hpp"
+#include "formulas/axial.hpp"
 #include "structures/pipe/results/axial_results.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"

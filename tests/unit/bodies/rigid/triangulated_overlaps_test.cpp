@@ -2,8 +2,8 @@
 #include "bodies/rigid/rigid_body.hpp"
 #include "bodies/rigid/triangle_faults.hpp"
 #include "bodies/rigid/triangle_file.hpp"
-#include "core/error.hpp"
-#include "core/interrupt.hpp"
+#include "os/error.hpp"
+#include "os/interrupt.hpp"
 
 #include <csignal>
 #include <cstdlib>

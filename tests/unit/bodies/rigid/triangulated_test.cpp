@@ -2,7 +2,7 @@
 #include "bodies/rigid/rigid_body.hpp"
 #include "bodies/rigid/triangle_faults.hpp"
 #include "bodies/rigid/triangle_file.hpp"
-#include "core/error.hpp"
+#include "os/error.hpp"
 
 #include <cctype>
 #include <cstring>

@@ -19,7 +19,7 @@ FilmFrame frame_at(Real x)
   r.y = {9, 0, 0, 1, 1, 0, 0, 1, 1, 9};
   r.z = {9, 0, 0, 0, 0, 1, 1, 1, 1, 8};
   r.cells = {{1, 2, 3, 4, 5, 6, 7, 8}, {0, 5, 6, 9}, {0, 9}};
-  r.types = {io::VtkCell::hexahedron, io::VtkCell::quad, io::VtkCell::line};
+  r.types = {run_folder::VtkCell::hexahedron, run_folder::VtkCell::quad, run_folder::VtkCell::line};
   r.rigid = {2, 5, 5};
   return frame;
 }

@@ -2,7 +2,7 @@
 // The printing itself is tested with a browser in tests/browser.
 #include "report/page/report.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <cstdlib>

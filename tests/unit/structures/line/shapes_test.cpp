@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/line/shapes.hpp"
 
-#include "core/error.hpp"
+#include "os/error.hpp"
 #include "samples/error_of.hpp"
 #include "samples/temporary_folder.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/penetration.hpp"
 
+#include "formulas/footing.hpp"
+#include "formulas/penetrometer.hpp"
 #include "samples/made_push.hpp"
 #include "samples/names_before_a_run.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/formulas/footing.hpp"
-#include "structures/formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_results.hpp"
 
 #include <algorithm>

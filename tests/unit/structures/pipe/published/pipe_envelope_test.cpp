@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
+#include "formulas/pipe_in_sand.hpp"
 #include "samples/clay_pipe.hpp"
-#include "structures/formulas/pipe_in_sand.hpp"
 
 #include <gtest/gtest.h>
 

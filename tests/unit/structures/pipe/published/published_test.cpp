@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
-#include "structures/formulas/pipe_in_clay.hpp"
+#include "formulas/pipe_in_clay.hpp"
 
 #include "samples/made_run.hpp"
 

@@ -2,8 +2,8 @@
 // What stands beside the uplift of a buried pipe.
 #include "structures/pipe/published/published_of_soil.hpp"
 
+#include "formulas/uplift.hpp"
 #include "samples/made_run.hpp"
-#include "structures/formulas/uplift.hpp"
 
 #include <gtest/gtest.h>
 
