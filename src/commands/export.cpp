@@ -29,10 +29,11 @@ struct Options {
 /// What is written, and where.
 struct Job {
   std::string name;
-  fs::path from, folder;
-  std::vector<std::string> missing;  ///< what is not written, and why
-  springs::ExportFiles files;
-  std::optional<springs::Design> drawn;
+  fs::path from, folder = {};
+  bool chosen = false;                    ///< the folder, by berm: inside of what is exported
+  std::vector<std::string> missing = {};  ///< what is not written, and why
+  springs::ExportFiles files = {};
+  std::optional<springs::Design> drawn = {};
 };
 
 template <class List>
@@ -50,7 +51,7 @@ std::vector<Job> jobs_from(const std::string& from, Options& options)
     if (!options.selection.state.empty() || !options.selection.travels.empty())
       throw InputError(fmt::format("--state and --travels choose springs: they do not go with --to {}", format->name));
     const record::RunRecord run = structures::read_run(from);
-    jobs.push_back({run.name, from, {}, {}, format->files(run), {}});
+    jobs.push_back({.name = run.name, .from = from, .files = format->files(run)});
     return jobs;
   }
   const springs::Format& format = *find_format(springs::formats, options.format);
@@ -58,7 +59,8 @@ std::vector<Job> jobs_from(const std::string& from, Options& options)
   for (springs::Design& design : springs::designs_in(from, options.selection)) {
     check_taken(design, format);
     springs::ExportFiles files = format.files(design);
-    jobs.push_back({design.name, from, {}, design.best.missing, std::move(files), std::move(design)});
+    jobs.push_back(
+        {.name = design.name, .from = from, .missing = design.best.missing, .files = std::move(files), .drawn = std::move(design)});
   }
   return jobs;
 }
@@ -71,7 +73,8 @@ std::vector<Job> jobs_of(Options& options)
     if (!fs::is_directory(from))
       throw InputError(fmt::format("{} is no folder: berm export takes run folders and outputs of berm study", from));
     for (Job& job : jobs_from(from, options)) {
-      job.folder = options.output.empty() ? fs::path(from) / "export" : fs::path(options.output);
+      job.chosen = options.output.empty();
+      job.folder = job.chosen ? fs::path(from) / "export" : fs::path(options.output);
       jobs.push_back(std::move(job));
     }
   }
@@ -89,7 +92,10 @@ std::vector<Job> jobs_of(Options& options)
 void write(const Job& job)
 {
   for (const std::string& line : job.missing) spdlog::warn("{}: {}", job.name, line);
-  io::make_folder(job.folder);
+  if (job.chosen)
+    io::make_inner_folder(job.folder.parent_path(), job.folder.filename());
+  else
+    io::make_folder(job.folder);
   for (const springs::ExportFile& file : job.files) {
     io::write_atomically(job.folder / file.name, file.text);
     fmt::print("{}\n", (job.folder / file.name).string());

@@ -13,6 +13,7 @@
 #include <string>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -160,6 +161,21 @@ void act(int what)
     if (::syscall(SYS_clock_adjtime, CLOCK_REALTIME, &now) >= 0 || errno != EPERM || ::acct(nullptr) == 0 || errno != EPERM ||
         ::syscall(SYS_syslog, 3, nullptr, 0) >= 0 || errno != EPERM || ::prctl(PR_SET_CHILD_SUBREAPER, 0) == 0)
       std::abort();
+    break;
+  }
+  case 27: {
+    // A name that leads into the run folder for whoever follows it from elsewhere, and to the victim from here.
+    if (::mkdir("results/d", 0777) != 0 || ::mkdir("results/d/results", 0777) != 0 ||
+        ::symlink("../../../victim", "results/d/results/s") != 0 || ::symlink("/proc/self/cwd/results/s", "results/l") != 0)
+      std::abort();
+    if (const int file = ::open("results/s", O_WRONLY | O_CREAT, 0666); file >= 0) ::close(file);
+    if (::chdir("results/d") != 0 || ::chmod("../l", 0) == 0 || ::chdir("../..") != 0) std::abort();
+    break;
+  }
+  case 28: {
+    // The watcher is a child of the process that the law is in; so is whoever is the parent of both.
+    const rlimit none{0, 0};
+    if (::prlimit(::getppid(), RLIMIT_NOFILE, &none, nullptr) == 0 || errno != EPERM) std::abort();
     break;
   }
   case 20:

@@ -96,6 +96,11 @@ public:
   {
     check(seccomp_rule_add(context_, action, call, 1, SCMP_CMP64(argument, SCMP_CMP_MASKED_EQ, mask, value)));
   }
+  /// Where an argument is not zero.
+  void add(std::uint32_t action, int call, unsigned argument)
+  {
+    check(seccomp_rule_add(context_, action, call, 1, SCMP_CMP64(argument, SCMP_CMP_NE, 0)));
+  }
   int load()
   {
     check(seccomp_load(context_));
@@ -126,10 +131,12 @@ int install_filter()
   // The kernel looks at the lower half of a request only.
   constexpr std::uint64_t lower_half = 0xffffffff;
   for (const std::uint64_t request :
-       {static_cast<std::uint64_t>(TIOCSTI), static_cast<std::uint64_t>(TIOCLINUX), static_cast<std::uint64_t>(FS_IOC_SETFLAGS),
-        static_cast<std::uint64_t>(FS_IOC_FSSETXATTR), static_cast<std::uint64_t>(FIFREEZE), static_cast<std::uint64_t>(FITHAW),
-        static_cast<std::uint64_t>(FITRIM)})
+       {static_cast<std::uint64_t>(TIOCSTI), static_cast<std::uint64_t>(TIOCLINUX), static_cast<std::uint64_t>(TIOCCONS),
+        static_cast<std::uint64_t>(FS_IOC_SETFLAGS), static_cast<std::uint64_t>(FS_IOC_FSSETXATTR), static_cast<std::uint64_t>(FIFREEZE),
+        static_cast<std::uint64_t>(FITHAW), static_cast<std::uint64_t>(FITRIM)})
     filter.add(refuse, SCMP_SYS(ioctl), 1, lower_half, request & lower_half);
+  // Limits of another process, as the watcher, would end it: 0 is the one that asks.
+  filter.add(refuse, SCMP_SYS(prlimit64), 0);
   // What a process leaves behind becomes a child of the program, where the watcher finds it.
   filter.add(refuse, SCMP_SYS(prctl), 0, lower_half, PR_SET_CHILD_SUBREAPER);
   // Pairs of datagram sockets send to any other; those of streams are connected for good.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <climits>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <optional>
@@ -197,8 +198,11 @@ Verdict Judge::change(const seccomp_notif& call, const fs::path& file, bool only
     return only_here ? refused(call, "changed " + file.string()) : Verdict{};
   if (std::any_of(allowed_.folders.begin(), allowed_.folders.end(), [&](const fs::path& folder) { return is_within(path, folder); }))
     return {};
-  // FLTK, which gmsh is made with, keeps settings of its own whatever the geometry is.
-  return path.filename() == "fltk.prefs" ? Verdict{EACCES, ""} : refused(call, "written to " + path.string());
+  // FLTK, which gmsh is made with, tries to keep settings of its own, for all users and for this one, whatever the geometry is, and makes the home folder for that.
+  const char* const home = std::getenv("HOME");
+  const bool of_fltk =
+      is_within(path, "/etc/fltk") || std::find(path.begin(), path.end(), ".fltk") != path.end() || (home != nullptr && path == home);
+  return of_fltk ? Verdict{EACCES, ""} : refused(call, "written to " + path.string());
 }
 
 Verdict Judge::operator()(const seccomp_notif& call) const
@@ -214,6 +218,8 @@ Verdict Judge::operator()(const seccomp_notif& call) const
     const std::optional<fs::path> file = absolute_path(call, name.folder, name.path);
     if (!file) return refused(call, "written to a file whose name cannot be read");
     if (Verdict verdict = change(call, *file, changes->only_here); verdict.error != 0) return verdict;
+    // The kernel may find another file by the same name, and Landlock does not look: nothing that berm starts asks by name.
+    if (changes->only_here && name.path >= 0 && call.data.args[name.path] != 0) return refused(call, "written to " + real(*file).string());
   }
   return {};
 }

@@ -108,7 +108,7 @@ void removed_where_it_fails(const fs::path& part, const Act& act)
     act();
   } catch (const RunError&) {
     // Emptied first: HDF5 may keep it open, and with it its space on a disk that may be full.
-    [[maybe_unused]] const int ignored = ::truncate(part.c_str(), 0);
+    if (const int file = ::open(part.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC); file >= 0) ::close(file);
     ::unlink(part.c_str());
     throw;
   }

@@ -27,13 +27,13 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
     simulation::check_buildable(
         {.settings = rows[0].probe.settings, .case_file = request.case_file, .folder = request.folder, .places = request.places});
 
-  const fs::path runs = request.folder / "runs";
-  io::make_folder(runs);
+  io::make_folder(request.folder);
+  const fs::path runs = io::make_inner_folder(request.folder, "runs");
   std::vector<jobs::Job> jobs;
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Probe& probe = rows[k].probe;
-    jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
+    jobs::Job job{runs / (probe.name + ".toml"), {}, io::make_inner_folder(runs, probe.name)};
     io::write_atomically(job.case_file, input::resolved_toml(probe.settings));
     if (has_ended_with_result(job)) continue;
     job.resume = goes_on(job);

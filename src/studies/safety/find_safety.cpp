@@ -24,7 +24,7 @@ jobs::Job job_of(const SafetyRequest& request, const problem::Case& settings, Re
 {
   const fs::path runs = request.folder / "runs";
   const std::string name = trial_name(factor);
-  jobs::Job job{runs / (name + ".toml"), {}, runs / name};
+  jobs::Job job{runs / (name + ".toml"), {}, io::make_inner_folder(runs, name)};
   io::write_atomically(job.case_file, input::resolved_toml(trial_case(settings, factor)));
   return job;
 }
@@ -125,7 +125,8 @@ jobs::Outcome find_safety(const SafetyRequest& request)
   const problem::Case settings = jobs::with_whole_paths(request.settings, request.case_file);
   simulation::check_buildable(
       {.settings = trial_case(settings, request.how.low), .case_file = request.case_file, .folder = request.folder});
-  io::make_folder(request.folder / "runs");
+  io::make_folder(request.folder);
+  io::make_inner_folder(request.folder, "runs");
   std::vector<Trial> trials = earlier_trials(request, settings);
   if (!trials.empty()) io::tell("{} trials have their result already and are not run again\n", trials.size());
   Round last;

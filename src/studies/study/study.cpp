@@ -170,6 +170,8 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
   for (std::size_t k = 0; k < plan.rows.size(); ++k) {
     plan.rows[k].end.kind = jobs::JobEnd::Kind::finished;
     if (has_ended_with_result(plan.rows[k].job)) continue;
+    const fs::path& run = plan.rows[k].job.folder;
+    io::make_inner_folder(io::make_inner_folder(output, "runs"), run.filename());
     jobs.push_back(plan.rows[k].job);
     jobs.back().resume = goes_on(jobs.back());
     row_of_job.push_back(k);

@@ -43,7 +43,7 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
   io::make_folder(folder);
   std::vector<jobs::Job> jobs;
   for (const Variant& variant : plan.variants) {
-    jobs::Job job{folder / (variant.name + ".toml"), {}, folder / variant.name};
+    jobs::Job job{folder / (variant.name + ".toml"), {}, io::make_inner_folder(folder, variant.name)};
     io::write_atomically(job.case_file, input::resolved_toml(variant.settings));
     if (has_ended_with_result(job)) continue;
     job.resume = goes_on(job);

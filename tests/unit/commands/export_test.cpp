@@ -136,6 +136,12 @@ TEST_F(Export, of_a_run_writes_its_springs_and_of_several_each_to_a_folder_of_it
   EXPECT_FALSE(exists("a/export/springs_low.inp"));
   ASSERT_EQ(berm({"export", "a", "b", "-o", "both"}).status, 0);
   EXPECT_TRUE(exists("both/a/springs.csv") && exists("both/b/springs.csv"));
+  std::filesystem::create_directory(folder_ / "elsewhere");
+  std::filesystem::create_directory_symlink("../elsewhere", folder_ / "b/export");
+  const Ended linked = berm({"export", "b", "--to", "abaqus"});
+  EXPECT_EQ(linked.status, 1);
+  EXPECT_NE(linked.err.find("it is a link, and berm writes through none"), std::string::npos) << linked.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "elsewhere")) << "whoever sent the run may have made the link";
   const Ended twice = berm({"export", "a", "a", "-o", "twice"});
   EXPECT_EQ(twice.status, 2);
   EXPECT_FALSE(exists("twice")) << "what cannot be written whole is not begun";

@@ -182,7 +182,7 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   std::vector<fs::path> written = {page};
   if (request.pdf) print_pdf(browser, page, written.emplace_back(fs::path(page).replace_extension("pdf")));
   if (request.figures) {
-    const fs::path figures = page.parent_path() / figures_name;
+    const fs::path figures = io::make_inner_folder(page.parent_path(), figures_name);
     for (const std::string& name : draw_report_figures(runs, published_points(runs, expected), figures)) written.push_back(figures / name);
   }
   return written;
