@@ -173,9 +173,9 @@ void act(int what)
     break;
   }
   case 28: {
-    // The watcher is a child of the process that the law is in; so is whoever is the parent of both.
+    // Of whoever started berm; a limit of time or files would end the watcher.
     const rlimit none{0, 0};
-    if (::prlimit(::getppid(), RLIMIT_NOFILE, &none, nullptr) == 0 || errno != EPERM) std::abort();
+    if (::prlimit(::getppid(), RLIMIT_CORE, &none, nullptr) == 0 || errno != EPERM) std::abort();
     break;
   }
   case 20:

@@ -114,6 +114,19 @@ TEST_F(Report, draws_figures_for_print)
       EXPECT_TRUE(fs::exists(file(std::string("out/report_figures/") + name + ending))) << name << ending;
 }
 
+TEST_F(Report, draws_no_figures_through_a_link)
+{
+  fs::remove_all(file("out/report_figures"));
+  fs::create_directory(file("elsewhere"));
+  fs::create_directory_symlink("../elsewhere", file("out/report_figures"));
+  const Ended ended = berm({"report", "out", "--figures"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("it is a link, and berm writes through none"), std::string::npos) << ended.err;
+  EXPECT_TRUE(fs::is_empty(file("elsewhere")));
+  fs::remove(file("out/report_figures"));
+  fs::remove(file("elsewhere"));
+}
+
 TEST_F(Report, needs_no_other_file)
 {
   ASSERT_EQ(berm({"report", "out/a"}).status, 0);

@@ -64,6 +64,17 @@ TEST_F(StudyCommand, makes_a_table_of_all_combinations_but_those_left_out)
   EXPECT_EQ(names_in(folder_ / "results/runs"), (Words{"low.earth/", "on_high.earth/", "on_high.moon/"}));
   EXPECT_EQ(text_of_file(folder_ / "results/plots/v_over_t_2.dat").substr(0, 4), "0 0\n");
 }
+TEST_F(StudyCommand, writes_no_run_through_a_link)
+{
+  std::filesystem::create_directories(folder_ / "results");
+  std::filesystem::create_directory(folder_ / "elsewhere");
+  std::filesystem::create_directory_symlink("../elsewhere", folder_ / "results/runs");
+  const Ended ended = study();
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("it is a link, and berm writes through none"), std::string::npos) << ended.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "elsewhere"));
+}
+
 TEST_F(StudyCommand, runs_only_what_has_no_result_yet)
 {
   ASSERT_EQ(study().status, 0);

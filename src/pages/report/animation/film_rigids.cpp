@@ -21,8 +21,8 @@ std::map<std::int32_t, Outlines> outlines_in(const run_folder::SavedRigids& rigi
     Outlines& own = outlines[rigid_bodies.rigid[cell]];
     if (dimension == 2) {
       own.push_back(points);
-    } else if (rigid_bodies.types[cell] ==
-               run_folder::VtkCell::quad) {  // a side of an extruded body; its first corner is one of the lower end
+    } else if (rigid_bodies.types[cell] == run_folder::VtkCell::quad) {
+      // A side of an extruded body; its first corner is one of the lower end.
       if (own.empty()) own.emplace_back();
       own.front().push_back(points.front());
     }
