@@ -151,6 +151,8 @@ def results(folder):
             content = read(path)
             if name == "summary.json":
                 summary = json.loads(content)
+                for run in summary.get("uncertainty", {}).get("runs", ()):
+                    run.pop("wall_s", None)
                 for key in ("machine", "date"):
                     summary.get("text", {}).pop(key, None)
                 timing = summary.get("timing", {})
@@ -179,11 +181,15 @@ def has_half_a_checkpoint(folder):
         return False
 
 
-def log_is_whole(folder):
-    if not os.path.exists(os.path.join(folder, "run.log")):
-        return False
-    lines = read(os.path.join(folder, "run.log")).splitlines()
-    return bool(lines) and b"everything is in" in lines[-1]
+def last_line(folder):
+    path = os.path.join(folder, "run.log")
+    return (read(path).rstrip().splitlines() or [b""])[-1] if os.path.exists(path) else b""
+
+
+def log_is_whole(folder, reference):
+    """The log ends as that of an undisturbed run: with the name of its folder, or with its bands."""
+    ours, theirs = last_line(folder), last_line(reference)
+    return b"everything is in" in ours if b"everything is in" in theirs else ours == theirs
 
 
 def differences(folder, reference):
@@ -191,7 +197,7 @@ def differences(folder, reference):
     ours, theirs = results(folder), results(reference)
     logs = [path for path, _, names in os.walk(reference) if "run.log" in names]
     inner = sorted(os.path.relpath(log, reference) for log in logs)
-    words = [f"{log}/run.log does not go to the end" for log in inner if not log_is_whole(os.path.join(folder, log))]
+    words = [f"{log}/run.log does not go to the end" for log in inner if not log_is_whole(os.path.join(folder, log), os.path.join(reference, log))]
     words += [f"{name} is missing" for name in sorted(theirs.keys() - ours.keys())]
     words += [f"{name} is too many" for name in sorted(ours.keys() - theirs.keys())]
     return words + [f"{name} differs" for name in sorted(ours.keys() & theirs.keys()) if ours[name] != theirs[name]]
