@@ -73,8 +73,8 @@ verify: build ## the verification book but for its long runs, on from where it s
 	@$(release)/berm verify
 
 bench: configure_tests build ## how fast a step is, and its single kernels: some minutes on a machine that does nothing else
-	@$(release)/berm bench
-	@ninja -C $(release) bench_kernels | $(only_news)
+	@ninja -C $(release) bench_steps bench_kernels | $(only_news)
+	@$(release)/tests/kernels/bench_steps
 	@$(release)/tests/kernels/bench_kernels
 
 packages: setup ## Debian packages in build/packages, for all processors, tried on a bare Debian that is made for it: needs root

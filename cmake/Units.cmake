@@ -4,13 +4,13 @@
 #   berm_unit(NAME SOURCE...)   the library of a unit
 #   berm_units()                those of `berm fmu` and `berm macro-element`, with the code of the latter
 function(berm_unit name)
-  berm_beside(${name} ${ARGN} ${CMAKE_SOURCE_DIR}/src/studies/fmu/fmi.c)
-  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/src/studies/fmu)
+  berm_beside(${name} ${ARGN} ${CMAKE_SOURCE_DIR}/src/exports/fmu/fmi.c)
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/src/exports/fmu)
 endfunction()
 
 function(berm_units)
-  set(fmu ${CMAKE_SOURCE_DIR}/src/studies/fmu)
-  set(model ${CMAKE_SOURCE_DIR}/src/studies/macro_element_fit/fmu.c)
+  set(fmu ${CMAKE_SOURCE_DIR}/src/exports/fmu)
+  set(model ${CMAKE_SOURCE_DIR}/src/exports/macro_element_fit/fmu.c)
   berm_unit(macro_element_fmu ${model} ${macro_element_code}.c)
   target_include_directories(macro_element_fmu PRIVATE ${CMAKE_SOURCE_DIR}/src/pipeline/macro_element)
   berm_embed(macro_element_fit macro_element_fit/fmu.hpp berm::macro_element_fit

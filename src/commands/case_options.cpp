@@ -4,10 +4,10 @@
 #include "commands/option_values.hpp"
 
 #include "core/ranks.hpp"
+#include "input/read_case.hpp"
 #include "os/error.hpp"
 #include "os/threads.hpp"
 #include "sandbox/sandbox.hpp"
-#include "structures/structures.hpp"
 #include "user_law/load.hpp"
 
 #include <algorithm>
@@ -164,7 +164,7 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
     input::Document document = options.text_from_stdin ? input::parse_text(file, text_of_stdin()) : input::parse_file(file);
-    auto [settings, places] = structures::read_case(std::move(document), options.overrides);
+    auto [settings, places] = input::case_of(std::move(document), options.overrides);
     all.push_back({std::move(settings), file, folder, false, std::move(places), {}, options.overrides});
     options.refuse_programs(all.back());
   }

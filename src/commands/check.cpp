@@ -5,6 +5,7 @@
 #include "input/message_text.hpp"
 #include "io/tell.hpp"
 #include "os/error.hpp"
+#include "structures/base/soil_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -19,7 +20,13 @@ using Json = nlohmann::ordered_json;
 simulation::Checked check_of(const simulation::RunRequest& request, const CaseOptions& options)
 {
   simulation::Context context(options.threads);
-  return check_case(request, context);
+  simulation::Checked checked = check_case(request, context);
+  if (!checked.refusals.empty()) return checked;
+  std::vector<std::string> notes;
+  for (const auto& words_of : {base::soil_words, base::k0_words, base::drainage_words})
+    for (std::string& line : words_of(request.settings)) notes.push_back(std::move(line));
+  checked.notes.insert(checked.notes.begin(), notes.begin(), notes.end());
+  return checked;
 }
 
 void print_check(const simulation::RunRequest& request, const simulation::Checked& checked)

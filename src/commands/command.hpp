@@ -29,7 +29,6 @@ Command add_safety(CLI::App& program);
 Command add_element(CLI::App& program);
 Command add_desk(CLI::App& program);
 Command add_verify(CLI::App& program);
-Command add_bench(CLI::App& program);
 Command add_params(CLI::App& program);
 Command add_completion(CLI::App& program);
 Command add_man(CLI::App& program);

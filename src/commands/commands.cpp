@@ -28,9 +28,9 @@ namespace berm::commands {
 namespace {
 
 /// All commands, in the order in which --help lists them.
-constexpr Command (*all_commands[])(CLI::App&) = {add_new,  add_draw,          add_check,  add_run,      add_report,     add_export,
-                                                  add_fmu,  add_macro_element, add_study,  add_envelope, add_safety,     add_element,
-                                                  add_desk, add_verify,        add_params, add_bench,    add_completion, add_man};
+constexpr Command (*all_commands[])(CLI::App&) = {add_new,  add_draw,          add_check,  add_run,        add_report, add_export,
+                                                  add_fmu,  add_macro_element, add_study,  add_envelope,   add_safety, add_element,
+                                                  add_desk, add_verify,        add_params, add_completion, add_man};
 
 /// What is wrong with the command line, in one line and with the nearest word that exists.
 std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
@@ -58,7 +58,7 @@ std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc
 /// Only what computes one problem at a time is done by several ranks.
 void refuse_ranks(const std::string& command)
 {
-  if (Ranks::of_run().count() > 1 && command != "run" && command != "check" && command != "bench")
+  if (Ranks::of_run().count() > 1 && command != "run" && command != "check")
     throw InputError(fmt::format("an MPI launcher started {} processes of berm {}, which is for one: start it without the launcher",
                                  Ranks::of_run().count(), command));
 }

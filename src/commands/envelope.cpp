@@ -5,9 +5,9 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
+#include "input/read_case.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
-#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ Command add_envelope(CLI::App& program)
             const std::filesystem::path file = options->files[0], folder = options->output.empty()
                                                                                ? std::filesystem::path("out/envelope") / file.stem()
                                                                                : std::filesystem::path(options->output);
-            auto [settings, places] = structures::read_case(file, options->overrides);
+            auto [settings, places] = input::case_of(file, options->overrides);
             try {
               return status_of(envelope::find_envelope({std::move(settings), file, folder, options->how, options->runner(), places}));
             } catch (const KeyError& error) {

@@ -4,7 +4,7 @@
 #include "element/element_settings.hpp"
 #include "expectations/expectation.hpp"
 #include "input/catalogue.hpp"
-#include "structures/structures.hpp"
+#include "input/structure_words.hpp"
 #include "study/study_settings.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ struct Schema {
   input::Listed (*catalogue)();
 };
 
-constexpr Schema schemas[] = {{"case", "A case of berm", structures::case_catalogue},
+constexpr Schema schemas[] = {{"case", "A case of berm", input::case_catalogue},
                               {"element", "Element tests of berm", element::element_catalogue},
                               {"study", "A study of berm", study::study_catalogue},
                               {"expected", "Numbers that runs of berm are expected to give", expectations::expected_catalogue}};
@@ -35,7 +35,7 @@ int print_list(bool markdown)
   std::erase_if(of_elements.children, [](const input::Listed& entry) { return entry.key == "material"; });  // listed with the case
   const std::vector<input::OtherInput> others = {
       {"Element tests, the input of berm element (beside the materials, as in a case)", of_elements}};
-  const input::Listed of_case = structures::case_catalogue();
+  const input::Listed of_case = input::case_catalogue();
   fmt::print("{}", markdown ? input::parameter_page(of_case, others) : input::parameter_table(of_case, others));
   return 0;
 }

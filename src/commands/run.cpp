@@ -7,13 +7,14 @@
 #include "io/scratch_folder.hpp"
 #include "io/tell.hpp"
 #include "jobs/outcome.hpp"
-#include "mesh/kept_meshes.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
+#include "os/mesh_cache.hpp"
 #include "run_folder/summary_file.hpp"
 #include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
 #include "simulation/run_place.hpp"
+#include "structures/after_run/after_run.hpp"
 #include "structures/base/spoiled.hpp"
 #include "uncertainty/find_bands.hpp"
 
@@ -47,10 +48,10 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
   std::copy_if(all.begin(), all.end(), std::back_inserter(fem), is_fem);
   const bool side_by_side = fem.size() > 1 && options.jobs() > 1;
   std::optional<io::ScratchFolder> scratch;
-  std::optional<mesh::KeptMeshes> meshes;
+  std::optional<MeshCache> meshes;
   if (all.size() > 1) meshes.emplace(scratch.emplace().path());
   {
-    simulation::Context context(options.threads, stopped);
+    simulation::Context context(options.threads, stopped, {}, after_run::answers_and_drawings());
     // A case that does not fit its mesh is refused before the first one runs.
     if (all.size() > 1)
       for (const simulation::RunRequest& request : all) check_buildable(request);
@@ -145,7 +146,7 @@ Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
   options.enter_sandbox(brings_libraries(*request), {folder});
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
-    simulation::Context context(options.threads, stopped);
+    simulation::Context context(options.threads, stopped, {}, after_run::answers_and_drawings());
     if (!run_case(*request, context)) {
       const Outcome outcome = outcome_of_stopped(folder);
       return options.uncertainty ? without_bands(outcome) : outcome;

@@ -3,10 +3,10 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
+#include "input/read_case.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "safety/find_safety.hpp"
-#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ Command add_safety(CLI::App& program)
                 options->output.empty() ? std::filesystem::path("out/safety") / file.stem() : std::filesystem::path(options->output);
             std::vector<std::string> overrides = options->overrides;
             overrides.push_back(fmt::format("safety.factor={}", options->how.low));
-            auto [settings, places] = structures::read_case(file, overrides);
+            auto [settings, places] = input::case_of(file, overrides);
             try {
               return status_of(safety::find_safety({std::move(settings), file, folder, options->how, options->runner()}));
             } catch (const KeyError& error) {

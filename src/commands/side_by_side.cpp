@@ -5,7 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
 #include "jobs/jobs.hpp"
-#include "simulation/run_place.hpp"
+#include "structures/after_run/after_run.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 void print_results(const simulation::RunRequest& request)
 {
-  if (const std::string table = simulation::key_results_in(request); !table.empty()) fmt::print("{}\n", table);
+  if (const std::string table = after_run::key_results_in(request); !table.empty()) fmt::print("{}\n", table);
 }
 
 }  // namespace

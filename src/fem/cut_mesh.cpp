@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/cut_mesh.hpp"
 
-#include "mesh/gmsh_program.hpp"
+#include "mesh/mesh_settings.hpp"
 #include "os/error.hpp"
 #include "problem/ground.hpp"
 

@@ -45,7 +45,7 @@ SAMPLES = {
     ),
     "namespaces": (
         [{"src/engine/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/pages/report/page/a.cpp": "namespace berm::page {\n}\n"}, {"tests/unit/mesh/a.cpp": "namespace berm::mesh {\n}\n"}],
-        [{"src/engine/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/engine/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n", "tests/physics/a.cpp": "namespace berm::this_file {\n}\n"}],
+        [{"src/engine/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/engine/core/a.hpp": "namespace berm {\n}\n", "src/answers/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n", "tests/physics/a.cpp": "namespace berm::this_file {\n}\n"}],
     ),
     "type_names": (
         [
@@ -86,7 +86,7 @@ SAMPLES = {
             {"src/fem/a.cpp": "void* a = dlopen(name, 0);\n"},
             {"src/engine/mesh/a.cpp": "const int a = std::system(words);\n"},
             {"src/pages/a.cpp": "ChildProcess a({words});\n"},
-            {"src/studies/fmu/a.c": "execvp(name, words);\n"},
+            {"src/exports/fmu/a.c": "execvp(name, words);\n"},
         ],
         [{"src/case/user_law/library.cpp": "void* a = ::dlopen(name, 0);\n", "src/studies/jobs/a.cpp": "ChildProcess a({words});\n", "src/fem/a.cpp": "// dlopen(name)\nint unit_system();\nint a = ut_system();\n"}],
     ),

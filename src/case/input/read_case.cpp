@@ -5,6 +5,7 @@
 #include "input/override.hpp"
 #include "input/pipeline_tables.hpp"
 #include "input/reader.hpp"
+#include "input/structure_words.hpp"
 #include "material/user_law.hpp"
 #include "os/error.hpp"
 #include "problem/sweeps.hpp"
@@ -72,15 +73,21 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides)
     for (std::size_t& origin : origins) origin = repeated[origin];
     written = found.places = Places(std::move(document), origins);
     if (found.settings.pipeline) slices::place_slices(found.settings);
+    check_structures(found.settings);
   } catch (const KeyError& error) {
     throw LocatedError(written.located(error));
   }
   return found;
 }
 
+CaseInFile case_of(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+  return case_of(parse_file(file), overrides);
+}
+
 problem::Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
-  return case_of(parse_file(file), overrides).settings;
+  return case_of(file, overrides).settings;
 }
 
 problem::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides)

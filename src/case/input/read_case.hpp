@@ -18,7 +18,8 @@ struct CaseInFile {
   problem::Case settings;
   Places places;
 };
-CaseInFile case_of(Document document, const std::vector<std::string>& overrides);
+CaseInFile case_of(Document document, const std::vector<std::string>& overrides = {});
+CaseInFile case_of(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// As read_case, of a text; `file` is for the messages.
 problem::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides = {});

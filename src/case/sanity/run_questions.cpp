@@ -2,9 +2,9 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "sanity/questions.hpp"
 
+#include "io/duration_text.hpp"
 #include "material/clay.hpp"
 #include "problem/stages.hpp"
-#include "run_folder/progress.hpp"
 #include "sanity/sanity.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void does_it_take_days(const Scene& s, Findings& found)
   if (seconds > day)
     found.warn("stage", fmt::format("the run takes about {}: {:.2g} steps of {:.3g} s with {:.0f} particles; drive faster, travel less, or "
                                     "take larger cells, fewer particles or softer soil",
-                                    run_folder::words_of_duration(seconds), steps, s.cost.time_step, s.cost.particles));
+                                    io::duration_text(seconds), steps, s.cost.time_step, s.cost.particles));
   if (steps < few)
     found.warn("stage", fmt::format("the whole run is {:.2g} steps of {:.3g} s: nothing is resolved in time; is the soil too soft, are "
                                     "cells too large, or are the stages too short?",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "io/duration_text.hpp"
 #include "problem/drainage.hpp"
 #include "problem/stages.hpp"
 #include "problem/time_scale.hpp"
-#include "run_folder/progress.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
 
@@ -296,8 +296,7 @@ void is_the_load_history_slow(const Scene& s, Findings& found)
           stage_key(k, "time_scale"),
           fmt::format("is {:.3g}, and the load history takes about {}: {:.2g} is slow enough for a body that the soil holds, with half "
                       "waves of {} ({} sets it); time_scale = \"automatic\" takes it. One that breaks out needs 1",
-                      stage.time_scale, run_folder::words_of_duration(seconds), slow->scale, words_of(slow->shortest, "s"),
-                      words_of(slow->reason)));
+                      stage.time_scale, io::duration_text(seconds), slow->scale, words_of(slow->shortest, "s"), words_of(slow->reason)));
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/mesh_settings.hpp"
 
-#include "mesh/gmsh_program.hpp"
 #include "mesh/spatial_seabed.hpp"
 #include "os/error.hpp"
+#include "os/gmsh_program.hpp"
+#include "os/mesh_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -47,6 +48,25 @@ Mesh<dim> make(const BoxMesh& box, const fs::path&, const fs::path&)
 }
 
 }  // namespace
+
+template <int dim>
+Mesh<dim> mesh_by_gmsh(const fs::path& geo, const fs::path& msh, const std::string& key, const GmshFile* settings)
+{
+  if (settings == nullptr)
+    cached_or_generated(geo, msh, dim, [&] { run_gmsh(geo, msh, dim, GeometryBy::berm); });
+  else  // a user's geometry may take in other files
+    run_gmsh(geo, msh, dim, GeometryBy::user);
+  try {
+    return settings == nullptr ? read_msh<dim>(msh) : read_msh<dim>(msh, *settings);
+  } catch (const InputError& error) {
+    std::string why = error.what();
+    if (const std::string name = msh.string() + ":"; why.starts_with(name)) why.erase(0, name.size());
+    throw KeyError(fmt::format("{}: the mesh that gmsh made cannot be used:{}{}", key, why.starts_with(' ') ? "" : " line ", why));
+  }
+}
+
+template Mesh<2> mesh_by_gmsh<2>(const fs::path&, const fs::path&, const std::string&, const GmshFile*);
+template Mesh<3> mesh_by_gmsh<3>(const fs::path&, const fs::path&, const std::string&, const GmshFile*);
 
 void describe(Describe& d, MeshSettings& mesh)
 {

@@ -18,4 +18,10 @@ void describe(Describe& d, MeshSettings& mesh);
 template <int dim>
 Mesh<dim> make_mesh(const MeshSettings& settings, const std::filesystem::path& case_folder, const std::filesystem::path& work_folder);
 
+/// Meshes a geometry by gmsh, or takes the cached mesh (os/mesh_cache.hpp), and reads it, by the settings of a user's file where there are some. Throws KeyError with the key that the geometry comes
+/// from where the mesh cannot be used: the file is berm's own.
+template <int dim>
+Mesh<dim> mesh_by_gmsh(const std::filesystem::path& geo, const std::filesystem::path& msh, const std::string& key,
+                       const GmshFile* settings = nullptr);
+
 }  // namespace berm::mesh

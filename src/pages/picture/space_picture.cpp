@@ -5,7 +5,7 @@
 #include "picture/canvas.hpp"
 #include "picture/sketch.hpp"
 #include "picture/stage_words.hpp"
-#include "record/raster.hpp"
+#include "soil_plot/raster.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace berm::picture {
 namespace {
 
-using record::isometric;
+using soil_plot::isometric;
 
 constexpr Real box_left = 90, box_top = 110, box_width = 700, box_height = 560;  // pixels: of what shows the model
 constexpr Real words_left = 880, row_height = 24;                                // pixels: of the words beside it

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/progress.hpp"
 
+#include "io/duration_text.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -25,24 +27,11 @@ Real seconds_of(std::chrono::steady_clock::duration duration)
 
 }  // namespace
 
-std::string words_of_duration(Real s)
-{
-  if (!std::isfinite(s) || s < 0) return "?";
-  if (s < 0.0995) return fmt::format("{:.0f} ms", s * 1000);
-  if (s < 9.95) return fmt::format("{:.1f} s", s);
-  if (s < 59.5) return fmt::format("{:.0f} s", s);
-  if (s < 3599.5) return fmt::format("{} min {:02} s", std::lround(s) / 60, std::lround(s) % 60);
-  constexpr Real year = 365.25 * 24 * 3600;
-  if (s > year) return fmt::format("{:.3g} years", s / year);
-  const long minutes = std::lround(s / 60);
-  return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
-}
-
 std::string progress_line(const ProgressReport& r, Real elapsed)
 {
   std::string line = r.stage;
   if (!std::isnan(r.done)) line += fmt::format("  {:.0f} %", 100 * std::clamp<Real>(r.done, 0, 1));
-  if (r.done > 0 && r.done < 1) line += fmt::format("  {} left", words_of_duration(elapsed * (1 - r.done) / r.done));
+  if (r.done > 0 && r.done < 1) line += fmt::format("  {} left", io::duration_text(elapsed * (1 - r.done) / r.done));
   if (r.drag && !std::isnan(r.u))
     line += r.diameter > 0 ? fmt::format("  u/D {:.3f}", r.u / r.diameter) : fmt::format("  u {:.2f} mm", r.u * 1000);
   if (!std::isnan(r.w)) line += fmt::format("  w {:.2f} mm", r.w * 1000);

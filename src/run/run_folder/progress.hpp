@@ -22,9 +22,6 @@ struct ProgressReport {
   Real particle_steps = 0;  ///< since the start
 };
 
-/// "40 ms", "3.1 s", "12 min 05 s", "1 h 02 min"; "?" where it is not a duration.
-std::string words_of_duration(Real seconds);
-
 /// One line that says how far the run is, what matters most first (a narrow terminal cuts it): stage, part done, the time left if the run goes
 /// on as since its start, u and w, V and H, speed.
 std::string progress_line(const ProgressReport& report, Real seconds_since_start);

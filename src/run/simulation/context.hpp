@@ -4,6 +4,7 @@
 #include "core/timer.hpp"
 #include "os/error.hpp"
 #include "os/threads.hpp"
+#include "simulation/after_run.hpp"
 
 #include <atomic>
 #include <functional>
@@ -13,17 +14,19 @@
 
 namespace berm::simulation {
 
-/// What a run has from the program that calls it: threads, a table of timings, who may stop it, and where its messages go. A process has one at a time that
+/// What a run has from the program that calls it: threads, a table of timings, who may stop it, where its messages go, and what is made of it after its end. A process has one at a time that
 /// works, since it has one set of OpenMP threads and one default logger: a second throws RunError. After it the calling thread is as it was. One of a single
 /// thread can pause, and others work meanwhile.
 class Context {
 public:
   /// threads: 0 = one for each processor. `stop` is called after every step (by ranks: every sixteenth): once true it stays true, and the run ends with a checkpoint. Messages go to
   /// stderr, or to `messages`, and to the run's log.
-  explicit Context(int threads = 0, std::function<bool()> stop = {}, std::shared_ptr<spdlog::sinks::sink> messages = {})
+  explicit Context(int threads = 0, std::function<bool()> stop = {}, std::shared_ptr<spdlog::sinks::sink> messages = {},
+                   AfterRun after = {})
       : asked_threads_(threads),
         stop_(std::move(stop)),
-        messages_(std::move(messages))
+        messages_(std::move(messages)),
+        after_(std::move(after))
   {
     go_on();
   }
@@ -32,6 +35,7 @@ public:
   bool asked_to_stop() const { return stop_ && stop_(); }
   Timings& timings() { return timings_; }
   const std::shared_ptr<spdlog::sinks::sink>& messages() const { return messages_; }
+  const AfterRun& after() const { return after_; }
 
   /// Gives the calling thread back; of several threads, which are bound to their processors, it keeps them.
   void pause()
@@ -69,6 +73,7 @@ private:
   std::optional<AtWork> at_work_;
   std::function<bool()> stop_;
   std::shared_ptr<spdlog::sinks::sink> messages_;
+  AfterRun after_;
 };
 
 /// "2 threads", or "4 ranks of 2 threads".

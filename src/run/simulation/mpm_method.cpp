@@ -4,6 +4,7 @@
 
 #include "checkpoint/checkpoint_file.hpp"
 #include "core/ranks.hpp"
+#include "io/duration_text.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/inactive.hpp"
 #include "mpm/step.hpp"
@@ -15,7 +16,6 @@
 #include "problem/stages.hpp"
 #include "problem/time_scale.hpp"
 #include "run_folder/frames.hpp"
-#include "run_folder/progress.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/processor_clock.hpp"
@@ -510,7 +510,7 @@ Estimate MpmMethod<d>::estimate(const Context& context)
     if (!(expected_time(stage) > 0)) say("stage \"{}\": its duration is not known in advance and is not counted below", stage.name);
   for (const std::string& line : load_history_lines()) e.lines.push_back(line);
   say("steps        about {:.0f}, {} rows of history", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
-  say("time         about {} with {} of a free machine ({:.3g} million particle-steps/s)", run_folder::words_of_duration(time),
+  say("time         about {} with {} of a free machine ({:.3g} million particle-steps/s)", io::duration_text(time),
       words_of_workers(context), static_cast<Real>(counts().particles) / pace.seconds_a_step / 1e6);
   return e;
 }

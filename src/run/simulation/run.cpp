@@ -289,7 +289,8 @@ template <class Method>
 void Run<Method>::leave_results()
 {
   if (!history_) return;
-  const run_folder::Summary::Checks checks = method_.checks();
+  run_folder::Summary::Checks checks = {{"finished", finished_}};
+  for (auto& check : method_.checks()) checks.push_back(std::move(check));
   frame();
   finish_files();
   const std::vector<Real> memory = Ranks::of_run().all_of(largest_memory_in_use());
@@ -297,9 +298,13 @@ void Run<Method>::leave_results()
   const run_folder::RunTiming timing{
       clock_.wall(),    clock_.processors(), clock_.parts(), context_.threads(), model().mesh.cell_count(), state().step,
       method_.counts(), clock_.loops(),      memory};
-  const RunOutcome outcome{history_->history(), finished_, held_forces_, checks, warnings_};
-  const std::string results =
-      write_results(request_, folder_, model(), state().rigid_bodies, in_hand_[last_in_hand_].frame, outcome, timing);
+  EndedRun ended{
+      folder_, LastState<dim>{model(), state().rigid_bodies, in_hand_[last_in_hand_].frame}, held_forces_, std::move(checks), {}};
+  ended.run.folder = folder_.path();
+  ended.run.settings = request_.settings;
+  ended.run.ground = model().ground;
+  ended.run.history = history_->history();
+  const std::string results = write_results(request_, std::move(ended), context_.after(), warnings_, timing);
   if (!results.empty()) log_.result(results);
   spdlog::info("everything is in {}", folder_.path().string());
 }

@@ -3,6 +3,7 @@
 #include "simulation/run_place.hpp"
 
 #include "core/ranks.hpp"
+#include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
@@ -13,9 +14,7 @@
 #include "run_folder/summary_file.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
-#include "simulation/results.hpp"
 #include "simulation/run_of_ranks.hpp"
-#include "structures/structures.hpp"
 #include "user_law/load.hpp"
 
 #include <fmt/format.h>
@@ -137,13 +136,13 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder)
   if (!fs::exists(note_of_case(folder)) && is_finished(folder)) return std::nullopt;
   must_hold(note_of_case(folder));
   const std::string noted = io::read_text_file(note_of_case(folder));
-  auto [settings, places] = structures::read_case(folder / "resolved.toml");
+  auto [settings, places] = input::case_of(folder / "resolved.toml");
   return RunRequest{std::move(settings), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true, std::move(places)};
 }
 
 RunRequest finished_run(const fs::path& folder)
 {
-  auto [settings, places] = structures::read_case(folder / "resolved.toml");
+  auto [settings, places] = input::case_of(folder / "resolved.toml");
   return {std::move(settings), folder / "case.toml", folder, false, std::move(places)};
 }
 
@@ -163,16 +162,6 @@ bool can_be_resumed(const fs::path& folder)
 bool has_checkpoint(const fs::path& folder)
 {
   return !checkpoint::CheckpointFolder(checkpoints_in(folder)).files().empty();
-}
-
-std::string key_results_in(const RunRequest& request)
-{
-  record::RunRecord run;
-  run.settings = request.settings;
-  run.summary = run_folder::read_summary(request.folder);
-  if (run.summary) run.quantities = run.summary->quantities;
-  const std::string table = run.summary ? structures::structure_of(request.settings).table_of(run) : "";
-  return table.empty() ? "" : fmt::format("{}: {}", request.folder.string(), key_results(table, run.summary->spoiled));
 }
 
 }  // namespace berm::simulation

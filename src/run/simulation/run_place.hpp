@@ -44,7 +44,4 @@ bool can_be_resumed(const std::filesystem::path& folder);
 /// Whether the folder holds a checkpoint.
 bool has_checkpoint(const std::filesystem::path& folder);
 
-/// The key results of a finished run in its folder, in words; "" where there are none.
-std::string key_results_in(const RunRequest& request);
-
 }  // namespace berm::simulation

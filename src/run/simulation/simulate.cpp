@@ -6,7 +6,6 @@
 #include "simulation/good_sense.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/with_method.hpp"
-#include "structures/base/soil_words.hpp"
 
 #include <fmt/format.h>
 
@@ -35,9 +34,7 @@ Checked check_case(const RunRequest& to_check, Context& context)
     Doubts doubts = doubts_of(scene);
     Checked checked{std::move(doubts.refusals), std::move(doubts.warnings), {}, {}, {}};
     if (!checked.refusals.empty()) return checked;
-    for (const auto& lines : {base::soil_words(request.settings), base::k0_words(request.settings), base::drainage_words(request.settings),
-                              motion_words(scene)})
-      checked.notes.insert(checked.notes.end(), lines.begin(), lines.end());
+    checked.notes = motion_words(scene);
     try {
       checked.estimate = method.estimate(context);
     } catch (const RunError& error) {

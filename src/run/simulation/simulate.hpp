@@ -35,7 +35,7 @@ void check_buildable(const RunRequest& request);
 /// What `berm check` says of a case.
 struct Checked {
   std::vector<input::Located> refusals, warnings;
-  std::vector<std::string> notes;         ///< on soils, stress at rest, water and supports
+  std::vector<std::string> notes;         ///< on supports that move
   std::optional<input::Located> failure;  ///< of the first steps
   std::optional<Estimate> estimate;       ///< none of a case that is refused or fails
 };

@@ -4,8 +4,8 @@
 #include "envelope/envelope_report.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/duration_text.hpp"
 #include "io/tell.hpp"
-#include "run_folder/progress.hpp"
 #include "simulation/simulate.hpp"
 #include "user_law/load.hpp"
 
@@ -55,7 +55,7 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
     failed += fails;
     if (fails) row.state = "failed";
     io::tell("{}/{} {}: {}\n", ++done, jobs.size(), row.probe.name,
-             fails ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
+             fails ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(jobs[job].folder)));
   });
   const base::EmbeddedBody body = embedded_body(settings);
   for (EnvelopeRow& row : rows)

@@ -8,10 +8,10 @@
 #include "io/scratch_folder.hpp"
 #include "io/tell.hpp"
 #include "jobs/thread_shares.hpp"
-#include "mesh/kept_meshes.hpp"
 #include "os/child_process.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
+#include "os/mesh_cache.hpp"
 #include "os/threads.hpp"
 
 #include <algorithm>
@@ -112,7 +112,7 @@ private:
 void run_processes(const std::vector<Job>& jobs, int at_once, const Ended& ended)
 {
   const io::ScratchFolder scratch;
-  const mesh::KeptMeshes meshes(scratch.path());
+  const MeshCache meshes(scratch.path());
   std::map<std::size_t, ChildProcess> running;
   Waiting waiting(jobs, ended);
   ThreadShares shares(at_once, processors());

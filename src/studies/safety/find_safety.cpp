@@ -5,9 +5,9 @@
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/duration_text.hpp"
 #include "io/tell.hpp"
 #include "os/error.hpp"
-#include "run_folder/progress.hpp"
 #include "run_folder/summary_file.hpp"
 #include "safety/safety_report.hpp"
 #include "simulation/simulate.hpp"
@@ -92,7 +92,7 @@ Round run_round(const SafetyRequest& request, const problem::Case& settings, con
     else
       trial.why = "the run failed: " + end.reason;
     io::tell("{}: {}{}\n", trial_name(trial.factor), trial.why.empty() ? word_of(trial.end) : trial.why,
-             std::isfinite(trial.wall_s) ? ", " + run_folder::words_of_duration(trial.wall_s) : "");
+             std::isfinite(trial.wall_s) ? ", " + io::duration_text(trial.wall_s) : "");
     round.trials.push_back(trial);
   });
   return round;

@@ -3,7 +3,7 @@
 #include "safety/safety_report.hpp"
 
 #include "io/atomic_file.hpp"
-#include "run_folder/progress.hpp"
+#include "io/duration_text.hpp"
 #include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
@@ -31,7 +31,7 @@ std::string metres(Real value)
 
 std::string wall_time(Real value)
 {
-  return std::isfinite(value) ? run_folder::words_of_duration(value) : "";
+  return std::isfinite(value) ? io::duration_text(value) : "";
 }
 
 std::string title_of(const problem::Case& settings)

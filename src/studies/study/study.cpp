@@ -2,10 +2,11 @@
 #include "study/study.hpp"
 
 #include "input/message_text.hpp"
+#include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/duration_text.hpp"
 #include "io/tell.hpp"
 #include "os/error.hpp"
-#include "run_folder/progress.hpp"
 #include "run_folder/summary.hpp"
 #include "structures/driven/results/known_names.hpp"
 #include "structures/structures.hpp"
@@ -76,7 +77,7 @@ std::string at_its_place(const Study& study, const StudyRow& row, const std::str
 problem::Case read_row(const fs::path& file, const Study& study, const StudyRow& row)
 {
   try {
-    return structures::read_case(row.job.case_file, row.job.set).settings;
+    return input::case_of(row.job.case_file, row.job.set).settings;
   } catch (const InputError& error) {
     const std::string which = fmt::format("{}: {}", file.string(), name_of(row.names)), place = at_its_place(study, row, error.what());
     throw InputError(place.empty() ? fmt::format("{}: {}", which, error.what()) : fmt::format("{} ({})", place, which));
@@ -187,8 +188,7 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
     if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     failed += end.kind == jobs::JobEnd::Kind::failed;
     io::tell("{}/{} {}: {}\n", ++done, jobs.size(), name_of(row.names),
-             end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason
-                                                    : run_folder::words_of_duration(jobs::wall_time_of(row.job.folder)));
+             end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(row.job.folder)));
   });
   std::vector<std::string> told;
   for (StudyRow& row : plan.rows) take_numbers(row, plan.study, told);

@@ -4,9 +4,9 @@
 
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/duration_text.hpp"
 #include "io/tell.hpp"
 #include "jobs/jobs.hpp"
-#include "run_folder/progress.hpp"
 #include "structures/structures.hpp"
 #include "uncertainty/bands.hpp"
 #include "uncertainty/variants.hpp"
@@ -65,7 +65,7 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
     const bool failed = end.kind == jobs::JobEnd::Kind::failed;
     if (failed && ends.failure.empty()) ends.failure = fmt::format("the run {} failed: {}", name, end.reason);
     io::tell("{}/{} {}: {}\n", ++done, jobs.size(), name,
-             failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
+             failed ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(jobs[job].folder)));
   });
   return ends;
 }

@@ -3,7 +3,7 @@
 #include "verification/book_html.hpp"
 
 #include "io/atomic_file.hpp"
-#include "run_folder/progress.hpp"
+#include "io/duration_text.hpp"
 #include "text/html.hpp"
 
 #include <array>
@@ -57,7 +57,7 @@ std::vector<std::string> numbers_of(const ExpectationResult& f)
 
 std::string time_of(const ProblemResult& result)
 {
-  return result.end.kind == jobs::JobEnd::Kind::finished ? run_folder::words_of_duration(jobs::wall_time_of(result.folder)) : "";
+  return result.end.kind == jobs::JobEnd::Kind::finished ? io::duration_text(jobs::wall_time_of(result.folder)) : "";
 }
 
 const ProblemResult* result_of(const ExamplePage& page, const std::string& run)

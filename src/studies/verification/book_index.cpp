@@ -2,7 +2,7 @@
 // Tests: tests/unit/verification/verify_chapters_test.cpp
 #include "verification/book_index.hpp"
 
-#include "run_folder/progress.hpp"
+#include "io/duration_text.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 #include "verification/book_html.hpp"
@@ -42,7 +42,7 @@ std::string summary_words(const std::vector<ExamplePage>& pages)
   Real sum = 0;
   const std::vector<ProblemTime> times = times_of(pages);
   for (const ProblemTime& time : times) sum += time.wall_s;
-  return fmt::format("{}. {} runs, {} in all on one thread each.", verdict_words(pages), times.size(), run_folder::words_of_duration(sum));
+  return fmt::format("{}. {} runs, {} in all on one thread each.", verdict_words(pages), times.size(), io::duration_text(sum));
 }
 
 std::string example_rows(const ExamplePage& page)
@@ -71,9 +71,9 @@ std::string longest_html(const std::vector<ExamplePage>& pages)
   std::string html = "<h2 id=\"longest\">The longest runs</h2>\n<table>\n" + text::plain_row({"problem", "time"}, 1, 1, "th");
   for (const auto& [problem, wall] : longest) {
     const std::size_t slash = problem.find('/');
-    html += text::plain_row({link_to(address_of(problem.substr(0, slash) + ".html") + "#" + problem.substr(slash + 1), problem),
-                             run_folder::words_of_duration(wall)},
-                            1, 1, "td");
+    html += text::plain_row(
+        {link_to(address_of(problem.substr(0, slash) + ".html") + "#" + problem.substr(slash + 1), problem), io::duration_text(wall)}, 1, 1,
+        "td");
   }
   return html + "</table>\n";
 }

@@ -4,11 +4,11 @@
 
 #include "element/element_report.hpp"
 #include "input/read_case.hpp"
+#include "io/duration_text.hpp"
 #include "io/tell.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "run_folder/build.hpp"
-#include "run_folder/progress.hpp"
 #include "simulation/simulate.hpp"
 #include "verification/remaining.hpp"
 
@@ -79,8 +79,7 @@ public:
     if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     if (remaining_) remaining_->end(job, end.kind == Kind::finished, now());
     ++done_;
-    const std::string words =
-        end.kind == Kind::failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs_[job].folder));
+    const std::string words = end.kind == Kind::failed ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(jobs_[job].folder));
     io::tell("{:>{}}/{} {}: {}{}\n", done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(),
              fs::relative(jobs_[job].folder, output_).string(), words, words_of_rest());
   }
@@ -93,7 +92,7 @@ private:
   std::string words_of_time(fmt::format_string<std::string> words) const
   {
     const Real rest = remaining_ ? remaining_->seconds(now()) : nan;
-    return rest > 0 ? fmt::format(words, run_folder::words_of_duration(rest)) : "";
+    return rest > 0 ? fmt::format(words, io::duration_text(rest)) : "";
   }
   std::string words_of_rest() const
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/verify.hpp"
 
+#include "io/duration_text.hpp"
 #include "io/tell.hpp"
-#include "run_folder/progress.hpp"
 #include "verification/book_index.hpp"
 #include "verification/requirements.hpp"
 #include "verification/run_problems.hpp"
@@ -58,7 +58,7 @@ void print_numbers(const std::vector<ExamplePage>& pages)
 void print_longest(const std::vector<ExamplePage>& pages)
 {
   std::vector<Row> rows = {{"the longest runs", "time"}};
-  for (const auto& [problem, wall] : longest_problems(pages)) rows.push_back({problem, run_folder::words_of_duration(wall)});
+  for (const auto& [problem, wall] : longest_problems(pages)) rows.push_back({problem, io::duration_text(wall)});
   if (rows.size() == 1) return;
   fmt::print("\n");
   print(rows);

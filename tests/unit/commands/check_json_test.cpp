@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `berm check --json`, from outside, and the place that each error of an input has.
+#include "input/read_case.hpp"
 #include "samples/program.hpp"
 #include "samples/small_cases.hpp"
 #include "samples/wrong_inputs.hpp"
-#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -156,7 +156,7 @@ TEST_F(CheckJson, takes_the_text_from_the_standard_input_as_if_it_lay_in_the_fil
 input::Located located(const WrongInput& wrong)
 {
   try {
-    structures::read_case(input::parse_text("case.toml", text_of(wrong)), wrong.overrides);
+    input::case_of(input::parse_text("case.toml", text_of(wrong)), wrong.overrides);
   } catch (const input::LocatedError& error) {
     return error.located;
   } catch (const InputError& error) {

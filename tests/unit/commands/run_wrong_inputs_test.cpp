@@ -103,7 +103,7 @@ TEST(WrongInput, of_the_command_line_ends_with_status_2)
   using Words = std::vector<std::string>;
   for (const Words& arguments :
        {Words{}, Words{"walk"}, Words{"run"}, Words{"run", "case.toml", "--colour"}, Words{"run", "case.toml", "--threads", "0"},
-        Words{"run", "case.toml", "--threads", "many"}, Words{"bench", "nothing"}, Words{"--nothing"}}) {
+        Words{"run", "case.toml", "--threads", "many"}, Words{"params", "--schema", "nothing"}, Words{"--nothing"}}) {
     const Ended ended = run_program(folder.path(), arguments);
     EXPECT_EQ(ended.status, 2) << testing::PrintToString(arguments);
     EXPECT_FALSE(ended.err.empty());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/mesh_settings.hpp"
 
-#include "mesh/gmsh_program.hpp"
 #include "os/error.hpp"
+#include "os/gmsh_program.hpp"
 #include "samples/sample_meshes.hpp"
 #include "samples/temporary_folder.hpp"
 
@@ -39,7 +39,7 @@ private:
 std::string failure_of(const std::filesystem::path& geo, const std::filesystem::path& msh)
 {
   try {
-    run_gmsh(geo, msh, 2, Geometry::own);
+    run_gmsh(geo, msh, 2, GeometryBy::berm);
   } catch (const RunError& error) {
     return error.what();
   }
@@ -49,7 +49,7 @@ std::string failure_of(const std::filesystem::path& geo, const std::filesystem::
 TEST(RunGmsh, meshes_a_geometry_and_keeps_what_gmsh_said)
 {
   const TemporaryFolder folder;
-  run_gmsh(folder.write("square.geo", square), folder / "mesh.msh", 2, Geometry::own);
+  run_gmsh(folder.write("square.geo", square), folder / "mesh.msh", 2, GeometryBy::berm);
   const auto mesh = read_msh<2>(folder / "mesh.msh");
   EXPECT_GT(mesh.cell_count(), 10);
   EXPECT_GT(mesh.boundary_nodes[mesh.find_boundary("base")].size(), 3u);
@@ -60,12 +60,12 @@ TEST(RunGmsh, does_not_read_its_users_options)
 {
   const TemporaryFolder folder;
   const auto geo = folder.write("square.geo", square);
-  run_gmsh(geo, folder / "first.msh", 2, Geometry::own);
+  run_gmsh(geo, folder / "first.msh", 2, GeometryBy::berm);
   folder.write(".gmsh-options", "Mesh.MeshSizeFactor = 0.2;\n");
   const std::string home = getenv("HOME") == nullptr ? "" : getenv("HOME");
   setenv("HOME", folder.path().c_str(), 1);
   const TemporaryFolder elsewhere;
-  run_gmsh(geo, elsewhere / "second.msh", 2, Geometry::own);
+  run_gmsh(geo, elsewhere / "second.msh", 2, GeometryBy::berm);
   setenv("HOME", home.c_str(), 1);
   EXPECT_EQ(folder.read("first.msh"), elsewhere.read("second.msh"));
 }
@@ -180,7 +180,7 @@ TEST(MeshSettings, keys_of_a_seabed_stand_for_their_members)
 TEST(MakeMesh, keeps_a_copy_of_the_users_mesh)
 {
   const TemporaryFolder theirs, ours;
-  run_gmsh(theirs.write("square.geo", square), theirs / "square.msh", 2, Geometry::own);
+  run_gmsh(theirs.write("square.geo", square), theirs / "square.msh", 2, GeometryBy::berm);
   const auto mesh = make_mesh<2>(GmshFile{"square.msh"}, theirs.path(), ours / "run");
   EXPECT_GT(mesh.cell_count(), 10);
   EXPECT_EQ(ours.read("run/mesh.msh"), theirs.read("square.msh"));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/seabed.hpp"
 
-#include "mesh/gmsh_program.hpp"
 #include "mesh/mesh_settings.hpp"
 #include "os/error.hpp"
+#include "os/gmsh_program.hpp"
 #include "samples/sample_meshes.hpp"
 #include "samples/temporary_folder.hpp"
 

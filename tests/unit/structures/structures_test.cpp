@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/structures.hpp"
 
+#include "input/structure_words.hpp"
 #include "os/error.hpp"
 #include "samples/made_run.hpp"
 #include "samples/temporary_folder.hpp"
@@ -62,9 +63,13 @@ std::string refusal(const std::string& word, bool around_an_axis)
 
 TEST(Structures, the_input_names_one_that_there_is_and_that_the_geometry_can_have)
 {
+  ASSERT_EQ(input::structure_words().size(), all_structures().size());
   for (const base::Structure* structure : all_structures()) {
-    EXPECT_EQ(refusal(structure->word(), true).empty(), structure->geometries() != base::Geometries::plane) << structure->word();
-    EXPECT_EQ(refusal(structure->word(), false).empty(), structure->geometries() != base::Geometries::round) << structure->word();
+    const auto words = std::ranges::find_if(input::structure_words(),
+                                            [&](const input::StructureWord& one) { return one.word == std::string(structure->word()); });
+    ASSERT_NE(words, input::structure_words().end()) << structure->word();
+    EXPECT_EQ(refusal(structure->word(), true).empty(), words->geometry != input::StructureGeometry::plane) << structure->word();
+    EXPECT_EQ(refusal(structure->word(), false).empty(), words->geometry != input::StructureGeometry::round) << structure->word();
   }
   EXPECT_EQ(refusal("automatic", false), "");
   const auto expect = [](const std::string& message, const std::vector<std::string>& parts) {
@@ -80,7 +85,7 @@ TEST(Structures, the_input_names_one_that_there_is_and_that_the_geometry_can_hav
 
 TEST(Structures, have_words_among_which_are_those_that_berm_finds_itself_and_which_params_lists)
 {
-  const input::Listed all = case_catalogue();
+  const input::Listed all = input::case_catalogue();
   const auto of = [](const input::Listed& table, const std::string& key) {
     return *std::ranges::find(table.children, key, &input::Listed::key);
   };

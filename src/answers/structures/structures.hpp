@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/base/structure.hpp"
+
+namespace berm::structures {
+
+/// All structures that berm knows; the last applies to every case.
+const std::vector<const base::Structure*>& all_structures();
+
+/// The structure of a case: the first that applies to it.
+const base::Structure& structure_of(const problem::Case& c);
+
+/// Those of the runs that are of a structure.
+base::Runs runs_of(const base::Structure& structure, const std::vector<record::RunRecord>& runs);
+
+/// Reads a run folder (record::read_run); of an unfinished run the quantities are what its structure makes of the history. Throws InputError or RunError where
+/// its resolved.toml cannot be read.
+record::RunRecord read_run(const std::filesystem::path& folder);
+
+}  // namespace berm::structures
