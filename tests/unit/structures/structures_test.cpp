@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/structures.hpp"
 
+#include "input/read_case.hpp"
 #include "input/structure_words.hpp"
 #include "os/error.hpp"
 #include "samples/made_run.hpp"
@@ -54,7 +55,7 @@ std::string refusal(const std::string& word, bool around_an_axis)
   replace("[rigid.pipe]\n", "[rigid.pipe]\nstructure = \"" + word + "\"\n");
   const TemporaryFolder folder;
   try {
-    EXPECT_EQ(read_case(folder.write("case.toml", text)).settings.rigid[0].second.structure, word);
+    EXPECT_EQ(input::case_of(folder.write("case.toml", text)).settings.rigid[0].second.structure, word);
   } catch (const InputError& error) {
     return error.what();
   }
