@@ -69,9 +69,9 @@ class Run:
         }
 
     @property
-    def spoiled(self) -> list[str]:
+    def invalid(self) -> list[str]:
         """Why its numbers are not to be used, in sentences: energy that does not balance ...; empty where nothing is wrong."""
-        return list(self.summary.get("spoiled", []))
+        return list(self.summary.get("invalid", []))
 
     @property
     def finished(self) -> bool:

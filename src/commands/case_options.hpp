@@ -18,7 +18,7 @@ struct CaseOptions {
   bool no_programs = false;  ///< refuse cases that bring programs
   bool sandbox = false;      ///< where no case brings programs, too
   bool text_from_stdin = false;
-  bool strict = false;  ///< a run whose answer is spoiled has failed
+  bool strict = false;  ///< a run whose answer is invalid has failed
   std::string runner_words, sbatch;
   int pack = 0;  ///< runs a task of Slurm; 0: not said
   bool no_wait = false;

@@ -49,7 +49,7 @@ std::vector<Job> jobs_from(const std::string& from, Options& options)
   std::vector<Job> jobs;
   if (const springs::LineFormat* format = find_format(springs::line_formats, options.format)) {
     if (!options.selection.state.empty() || !options.selection.travels.empty())
-      throw InputError(fmt::format("--state and --travels choose springs: they do not go with --to {}", format->name));
+      throw InputError(fmt::format("--state and --travels choose springs: they cannot be combined with --to {}", format->name));
     const record::RunRecord run = structures::read_run(from);
     jobs.push_back({.name = run.name, .from = from, .files = format->files(run)});
     return jobs;

@@ -15,7 +15,7 @@
 #include "simulation/run_of_ranks.hpp"
 #include "simulation/run_place.hpp"
 #include "structures/after_run/after_run.hpp"
-#include "structures/base/spoiled.hpp"
+#include "structures/base/invalid_answer.hpp"
 #include "uncertainty/find_bands.hpp"
 
 #include <algorithm>
@@ -98,18 +98,18 @@ void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all, const C
   }
 }
 
-/// With --strict the outcome of runs that are done is that they failed, where the answer of one is spoiled. The first rank knows.
+/// With --strict the outcome of runs that are done is that they failed, where the answer of one is invalid. The first rank knows.
 Outcome judged(Outcome outcome, const std::vector<std::filesystem::path>& folders, const CaseOptions& options)
 {
   if (!options.strict || outcome != Outcome::done) return outcome;
-  bool spoiled = false;
+  bool invalid = false;
   for (const std::filesystem::path& folder : folders) {
     const std::optional<run_folder::RunSummary> summary = Ranks::of_run().is_first() ? run_folder::read_summary(folder) : std::nullopt;
-    if (!summary || summary->spoiled.empty()) continue;
-    spoiled = true;
-    io::tell("berm: {}: the answer is spoiled: {}\n", folder.string(), base::spoiled_words(summary->spoiled));
+    if (!summary || summary->invalid.empty()) continue;
+    invalid = true;
+    io::tell("berm: {}: the answer is invalid: {}\n", folder.string(), base::invalid_words(summary->invalid));
   }
-  return simulation::ends_on_any_rank_with(spoiled) ? Outcome::failed : Outcome::done;
+  return simulation::ends_on_any_rank_with(invalid) ? Outcome::failed : Outcome::done;
 }
 
 std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunRequest>& all)
@@ -181,7 +181,7 @@ Command add_run(CLI::App& program)
       ->excludes(force);
   app->add_flag("--uncertainty", options->uncertainty,
                 "run each case on coarser cells and at another speed, too, and tell how sure its results are: about as long again");
-  app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is spoiled, as its summary.json says");
+  app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is invalid, as its summary.json says");
   app->callback([options] {
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });

@@ -103,7 +103,7 @@ const std::vector<JobKind>& job_kinds()
 
 std::string Actions::answer_of(const Question& question)
 {
-  const Told told = questions_.ask(question);
+  const CommandOutput told = questions_.ask(question);
   if (told.status != 0) throw Refusal(422, reason_in(told.messages));
   return told.text;
 }
@@ -159,7 +159,7 @@ Json Actions::check(const Json& body)
   std::vector<std::string> words = {"check", "--json", "--stdin", path};
   append(words, changes_in(body));
   append(words, more_);
-  const Told told = questions_.ask({words, text_in(body, "text"), "check " + path, {}});
+  const CommandOutput told = questions_.ask({words, text_in(body, "text"), "check " + path, {}});
   Json found = json_in(told.text);
   return found.is_array() && !found.empty() ? found[0] : found;
 }

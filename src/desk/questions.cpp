@@ -23,7 +23,7 @@ constexpr std::uintmax_t most_bytes = 64 << 20;
 
 Questions::Questions(fs::path folder) : folder_(std::move(folder)), free_(processor_count()) {}
 
-Told Questions::ask(const Question& question)
+CommandOutput Questions::ask(const Question& question)
 {
   std::unique_lock lock(mutex_);
   if (const auto last = about_.find(question.about); last != about_.end() && last->second) {
@@ -64,7 +64,7 @@ Told Questions::ask(const Question& question)
     }
     lock.unlock();
     const auto begin = std::chrono::steady_clock::now();
-    Told told{process->wait(longest), {}, io::read_text_file(messages, most_bytes)};
+    CommandOutput told{process->wait(longest), {}, io::read_text_file(messages, most_bytes)};
     told.text = question.made.empty() ? told.messages : io::read_text_file(place / question.made, most_bytes);
     lock.lock();
     const auto last = about_.find(question.about);

@@ -22,7 +22,7 @@ struct Question {
   std::string made{};                 ///< "model.svg": its path is put behind the words
 };
 
-struct Told {
+struct CommandOutput {
   int status = 0;
   std::string text;  ///< the file that it made, or what it printed
   std::string messages;
@@ -33,7 +33,7 @@ class Questions {
 public:
   explicit Questions(std::filesystem::path folder);
   /// Throws Refusal 409 where a later question took its place, 504 where it took too long.
-  Told ask(const Question& question);
+  CommandOutput ask(const Question& question);
   /// Ends those that are being answered; later ones are refused.
   void end();
 

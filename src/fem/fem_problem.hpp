@@ -49,7 +49,7 @@ struct FemModel {
   /// The material at an integration point of a cell, with its strength and stiffness there and the friction of such cells.
   material::Material soil_at(Index cell, int q) const
   {
-    return in_cells_of(soil_of(cell).at(region_of(cell), depth[cell][q]), model.mesh.size(cell));
+    return regularised_for(soil_of(cell).at(region_of(cell), depth[cell][q]), model.mesh.size(cell));
   }
   const problem::BodySoil& soil_of(Index cell) const { return model.bodies[mesh.body[cell]].soil; }
   const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }

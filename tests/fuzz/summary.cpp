@@ -24,7 +24,7 @@ void look_at(const run_folder::RunSummary& summary)
   for (const auto& [name, text] : summary.text) promise_plain(name), promise_plain(text);
   for (const run_folder::Quantity& q : summary.quantities) promise_plain(q.name), promise_plain(q.unit), promise_plain(q.meaning);
   for (const std::string& warning : summary.warnings) promise_plain(warning);
-  for (const std::string& why : summary.spoiled) promise_plain(why);
+  for (const std::string& why : summary.invalid) promise_plain(why);
 }
 
 void look_at(const run_folder::Origin& origin)

@@ -65,11 +65,11 @@ def test_forces_along_the_depth_are_the_columns_of_their_file(finished: berm.Run
         _ = berm.open(tmp_path).tz
 
 
-def test_a_spoiled_answer_says_why(finished: berm.Run, tmp_path: Path) -> None:
-    assert finished.spoiled == []
+def test_an_invalid_answer_says_why(finished: berm.Run, tmp_path: Path) -> None:
+    assert finished.invalid == []
     shutil.copy(finished.folder / "resolved.toml", tmp_path)
-    (tmp_path / "summary.json").write_text(json.dumps({"spoiled": ["energy does not balance"]}))
-    assert berm.open(tmp_path).spoiled == ["energy does not balance"]
+    (tmp_path / "summary.json").write_text(json.dumps({"invalid": ["energy does not balance"]}))
+    assert berm.open(tmp_path).invalid == ["energy does not balance"]
 
 
 def test_frames_have_position_and_fields_of_each_particle(finished: berm.Run) -> None:

@@ -219,7 +219,7 @@ inline const std::vector<SenselessInput>& senseless_inputs()
       {"trench_and_step",
        "bed",
        refused,
-       {"mesh.step", "does not go with a trench"},
+       {"mesh.step", "cannot be combined with a trench"},
        {"mesh.trench={depth=\"8 mm\", width=\"60 mm\", side_slope=\"30 deg\"}",
         "mesh.step={height=\"8 mm\", position=\"0.1 m\", face_slope=\"30 deg\"}"},
        "",

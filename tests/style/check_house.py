@@ -357,7 +357,7 @@ def allocation(tree):
 
 
 # Words of earlier names that no field of engineering uses; names take the field's (docs/notation.md). "wished in place" is the field's.
-DIALECT = ("dear", "foretold", "grip", "manieth", "meeting", "spin", "sticky", "stumble", "swallow", "taker", "wants", "weigh", "welded", "wished")
+DIALECT = ("asleep", "dear", "feelers", "foretold", "grip", "hangs", "manieth", "meeting", "sleepy", "spin", "spoiled", "sticky", "stumble", "swallow", "taker", "teller", "wants", "weigh", "welded", "wished")
 
 
 def python_names(text):
@@ -389,6 +389,7 @@ def dialect(tree):
             for word in re.split(r"_+|(?<=[a-z0-9])(?=[A-Z])", plain):
                 if word.lower() in DIALECT:
                     yield f"{path}:{number}: '{word}' in {name}"
+    yield from lines_matching(tree, tree.ending(CPP, "src/"), r"\"[^\"]*\bdo(?:es)? not go with\b", "a message says 'cannot be combined with'")
 
 
 def anchors_of(page):

@@ -115,10 +115,11 @@ SAMPLES = {
             {"src/a.hpp": "struct WishedPipe;\n"},
             {"tests/a.cpp": "TEST(Memory, is_foretold)\n"},
             {"src/a.cpp": "int a = stumble_;\n"},
+            {"src/a.cpp": 'd.check(a, "b", "does not go with c");\n'},
             {"python/a.py": "def stumble(): pass\n"},
             {"a.ipynb": NOTEBOOK},
         ],
-        [{"src/a.hpp": '/// spin\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n", "python/a.py": "# spin\na = 'sticky'\n"}],
+        [{"src/a.hpp": '/// spin, does not go with it\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n", "python/a.py": "# spin\na = 'sticky'\n"}],
     ),
     "prose": (
         [{"README.md": "a\n" * 61}, {"examples/a/README.md": "a\n" * 61}, {"docs/a.md": "at zero cells.\nThe number wavers.\n"}],

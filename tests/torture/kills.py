@@ -26,7 +26,7 @@ def example(name, wall_time, *changes):
 CASES = {
     "pipe": with_checkpoints(PUSHED_PIPE, 0.01),
     "line": with_checkpoints(LINE, 0.05),
-    "sleeping": with_checkpoints([*LINE, "--set", 'pipeline.slices={spacing=1, to=3, asleep="always"}'], 0.02),
+    "as_springs": with_checkpoints([*LINE, "--set", 'pipeline.slices={spacing=1, to=3, as_spring="always"}'], 0.02),
     **{name: with_checkpoints(calls.RUNS[name], 0.02) for name in ("clay", "water", "water_around_axis", "disks", "space", "earthworks", "elements", "elements_in_water")},
     "seepage": example("seepage", 0.02, "stage.seep.until.time=0.3 s"),
     "motion": example("shaken_base", 0.01),

@@ -25,8 +25,8 @@ def run_of(case, *changes, folder=SAMPLES):
 PUSHED_PIPE = run_of("mpm_case.toml", "mesh.cells=[15, 8]", "body.sand.block.spacing=2.6666667 mm", "stage.rest.until.time=0.5 ms", "output.history_time=0.2 ms")
 # The mesh comes from gmsh; an increment or two.
 WIP_PIPE = run_of("fem_case.toml", "stage.push.until.force=20", "stage.drag.until.displacement=0.1 mm")
-# Four slices that wake one after the other, and springs beside; some hundred steps.
-LINE = run_of("line.toml", "mesh.cells=[13, 7]", "body.clay.block.spacing=80 mm", 'pipeline.slices={spacing=1, to=3, asleep="until_it_slides"}',
+# Four slices that are resolved one after the other, and springs beside; some hundred steps.
+LINE = run_of("line.toml", "mesh.cells=[13, 7]", "body.clay.block.spacing=80 mm", 'pipeline.slices={spacing=1, to=3, as_spring="until_sliding"}',
               'pipeline.springs={travel="0.1 m", velocity="0.5 m/s"}', folder=RANKS)
 
 

@@ -16,14 +16,14 @@ export function serve_copy_buttons(): void {
   }
 }
 
-/** Rows as lines, cells with tabs between them; a tab or line break within a cell is a blank. Numbers of a spoiled answer keep the mark that the style sheet sets. */
+/** Rows as lines, cells with tabs between them; a tab or line break within a cell is a blank. Numbers of an invalid answer keep the mark that the style sheet sets. */
 export function table_text(table: HTMLTableElement): string {
   return [...table.rows].map((row) => [...row.cells].map(cell_text).join("\t") + "\n").join("");
 }
 
 function cell_text(cell: HTMLTableCellElement): string {
   const text = cell.textContent!.trim().replace(/\s+/g, " ");
-  return cell.matches(".spoiled td.number") ? `${text} (!)` : text;
+  return cell.matches(".invalid td.number") ? `${text} (!)` : text;
 }
 
 async function copied(text: string): Promise<boolean> {

@@ -197,13 +197,13 @@ test("copy_button_copies_the_table", async () => {
   await context.close();
 });
 
-test("copied_numbers_of_a_spoiled_answer_keep_their_mark", async () => {
+test("copied_numbers_of_an_invalid_answer_keep_their_mark", async () => {
   const { page, context, errors } = await open_report(browser, {
     script: () => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text: string) => void (document.documentElement.dataset.copied = text) } }),
   });
   const numbers = await page.evaluate(() => {
     const table = document.getElementById(document.querySelector<HTMLElement>("button.copy[data-copy]")!.dataset.copy!)!;
-    table.classList.add("spoiled");
+    table.classList.add("invalid");
     return table.querySelectorAll("td.number").length;
   });
   await copy(page);

@@ -87,7 +87,7 @@ Reading reading_of_column(const Observable& observable, const run_folder::Histor
 void describe(Describe& d, Observable& observable)
 {
   d.value("quantity", observable.quantity, {.meaning = "quantity of summary.json"});
-  d.value("at", observable.at, {.meaning = "where a quantity is taken that has a place: a length over D, a force in N/m"});
+  d.value("at", observable.at, {.meaning = "where a quantity is taken that has a position: a length over D, a force in N/m"});
   d.value("column", observable.column, {.meaning = "column of history.csv, instead of a quantity"});
   d.choice("measure", observable.measure, measure_words, {.meaning = "number that is taken from the column"});
   d.value("from", observable.from, {.meaning = "begin of the window in time; absent = first row", .unit = "s"});
@@ -98,7 +98,7 @@ void check(Describe& d, const std::string& path, const Observable& r)
 {
   d.check(r.quantity.empty() != r.column.empty(), path, "needs either a quantity of summary.json or a column of history.csv, and not both");
   d.check(r.column.empty() ? !r.from && !r.to : true, path + (r.from ? ".from" : ".to"), "only a column has a window in time");
-  d.check(r.column.empty() || !r.at, path + ".at", "only a quantity is taken at a place");
+  d.check(r.column.empty() || !r.at, path + ".at", "only a quantity is taken at a position");
   d.check(!r.from || !r.to || *r.from < *r.to, path + ".to", "must be later than from");
 }
 

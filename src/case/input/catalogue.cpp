@@ -110,7 +110,6 @@ Listed& Lister::add(Listed::Kind kind, const char* key, const Parameter& paramet
   Listed& entry = levels_.back().table->children.emplace_back();
   entry.kind = kind;
   entry.key = key;
-  entry.formerly = parameter.formerly;
   entry.meaning = parameter.meaning;
   entry.unit = parameter.unit;
   entry.range = parameter.range;

@@ -25,7 +25,7 @@ struct Listed {
   using Default = std::variant<std::monostate, bool, int, Real, std::string, std::vector<Real>, std::vector<std::string>>;
 
   Kind kind = Kind::table;
-  std::string key, formerly, meaning, unit;
+  std::string key, meaning, unit;
   Type type = Type::text;  ///< of a value
   Default default_value;
   std::string default_text;               ///< the same, for readers; "" where there is none

@@ -30,7 +30,7 @@ void read_pipeline_tables(problem::PipelineSettings& pipeline, const std::filesy
 {
   problem::Route& route = pipeline.route;
   read_points(
-      "pipeline.route", folder, {"this route", {{"y", "m"}}, false, "x_m,y_m", {"x", "m"}, "the place along the line"},
+      "pipeline.route", folder, {"this route", {{"y", "m"}}, false, "x_m,y_m", {"x", "m"}, "the position along the line"},
       [&](Real, Real) { return route.x.front() == 0 ? "" : "a route must begin at x = 0"; }, route);
   read_points(
       "pipeline.far_soil.lateral", folder, {"this curve", {{"H", "N/m"}}, false, "u_m,H_N_m", {"u", "m"}, "the displacement"},

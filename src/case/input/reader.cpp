@@ -108,9 +108,6 @@ int Reader::choose(const char* key, const std::vector<const char*>& names, int c
   if (node->kind != Node::Kind::text)
     refuse(document_, *node, path_of(key), fmt::format("must be a word in quotes, not {}", kind_of(*node)), "", words);
   const auto found = std::find(words.begin(), words.end(), node->text);
-  for (const FormerWord& former : parameter.former_words)
-    if (node->text == former.former)
-      refuse(document_, *node, path_of(key), fmt::format("{} is now called {}", in_quotes(node->text), in_quotes(former.word)));
   if (found == words.end())
     refuse(document_, *node, path_of(key), fmt::format("{} is not one of its words", in_quotes(node->text)), node->text, words);
   return static_cast<int>(found - words.begin());

@@ -91,8 +91,6 @@ private:
              fmt::format("applies with {0} = {1}, but here {0} = {2}", missed->selector, in_quotes(missed->word),
                          in_quotes(chosen_word(node, known, missed->selector))),
              "", allowed);
-    for (const Listed& entry : known.children)
-      if (entry.formerly == item.key) refuse(document_, item, path, fmt::format("is now called {}", in_quotes(entry.key)));
     refuse(document_, item, path, item.kind == Node::Kind::table ? "unknown table" : "unknown key", item.key, allowed);
   }
 

@@ -207,7 +207,7 @@ void does_the_case_fit_the_line_on_springs(const Scene& s, Findings& found)
   const std::optional<Journey> journey = journey_on_springs(s.c, 1, [](std::size_t, const LineThen&) { return true; });
   if (!journey) return;
   is_heating_slow(s, *journey, found);
-  if (s.c.pipeline->slices.asleep == problem::SliceSleep::always) return;
+  if (s.c.pipeline->slices.as_spring == problem::SliceAsSpring::always) return;
   are_slices_near_enough(s, *journey, found);
   do_fine_cells_reach(s, *journey, true, found);
   do_fine_cells_reach(s, *journey, false, found);

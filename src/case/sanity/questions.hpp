@@ -82,7 +82,7 @@ void is_damping_small(const Scene& s, Findings& found);
 void are_forces_those_of_soil(const Scene& s, Findings& found);
 void do_forces_press_down(const Scene& s, Findings& found);
 
-void do_names_stay_names(const Scene& s, Findings& found);
+void check_names(const Scene& s, Findings& found);
 
 // Supports that move or give way.
 void is_the_motion_resolved(const Scene& s, Findings& found);
@@ -90,10 +90,10 @@ void does_the_soil_stay_at_what_moves(const Scene& s, Findings& found);
 void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found);
 
 // The roles of stages.
-void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found);
+void check_role_order(const Scene& s, Findings& found);
 void are_roles_those_of_what_stages_do(const Scene& s, Findings& found);
 void are_weights_those_of_one_pipe(const Scene& s, Findings& found);
-void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found);
+void check_result_stage_is_named(const Scene& s, Findings& found);
 
 // The water.
 void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found);

@@ -49,7 +49,7 @@ constexpr const char* missing_values[] = {"NA", "N/A", "NULL", "NaN", "None", "n
 
 }  // namespace
 
-void do_names_stay_names(const Scene& s, Findings& found)
+void check_names(const Scene& s, Findings& found)
 {
   for (std::size_t k = 0; k < s.c.stage.size(); ++k)
     for (const char* word : missing_values)
@@ -60,7 +60,7 @@ void do_names_stay_names(const Scene& s, Findings& found)
                                word));
 }
 
-void are_roles_in_the_order_of_a_life(const Scene& s, Findings& found)
+void check_role_order(const Scene& s, Findings& found)
 {
   Index last = none;
   std::string of_stage;
@@ -119,7 +119,7 @@ void are_weights_those_of_one_pipe(const Scene& s, Findings& found)
   }
 }
 
-void is_it_said_what_the_answers_are_of(const Scene& s, Findings& found)
+void check_result_stage_is_named(const Scene& s, Findings& found)
 {
   const std::vector<StageSettings>& stages = s.c.stage;
   const auto has_role = [](const StageSettings& stage) { return stage.role != StageRole::automatic; };

@@ -77,16 +77,16 @@ void add_material_keys(const Scene& s, std::vector<Unused>& keys)
       keys.push_back({fmt::format("material.{}.{}", own, key), idle, why});
     };
     const bool softens = is_given(s, name, "sensitivity", clay->sensitivity > 1);
-    const bool knows_rate = is_given(s, name, "rate_parameter", clay->rate_parameter > 0);
+    const bool is_rate_dependent = is_given(s, name, "rate_parameter", clay->rate_parameter > 0);
     constexpr const char* no_softening =
         "without a sensitivity above 1 the clay does not soften; give it (sensitivity = 1 says that it does not)";
     constexpr const char* no_rate =
         "without a rate_parameter the clay does not know its rate; give it (rate_parameter = 0 says that it does not)";
     add("ductility", !softens && clay->ductility > 0, no_softening);
     add("softening_length", !softens && clay->softening_length, no_softening);
-    add("reference_rate", !knows_rate && clay->reference_rate > 0, no_rate);
-    add("rate_scale", !knows_rate && clay->rate_scale != 1, no_rate);
-    add("rate_smoothing", !knows_rate && clay->rate_smoothing, no_rate);
+    add("reference_rate", !is_rate_dependent && clay->reference_rate > 0, no_rate);
+    add("rate_scale", !is_rate_dependent && clay->rate_scale != 1, no_rate);
+    add("rate_smoothing", !is_rate_dependent && clay->rate_smoothing, no_rate);
   }
 }
 

@@ -60,8 +60,8 @@ void are_forces_those_of_soil(const Scene& s, Findings& found)
     const Real most = huge * weight + huge_for_clay * (deep && deep->friction_angle == 0 ? deep->cohesion * area : 0);
     const char* unit = s.c.force_dimension() == 2 ? "N/m" : "N";
     for (const Force& force : forces_of(s.c.stage[k])) {
-      const std::string key = stage_key(k, force.key), of_soil = fmt::format("the soil that \"{}\" can take the place of weighs {:.3g} {}",
-                                                                             s.c.rigid[rigid].first, weight, unit);
+      const std::string key = stage_key(k, force.key),
+                        of_soil = fmt::format("the soil that \"{}\" can displace weighs {:.3g} {}", s.c.rigid[rigid].first, weight, unit);
       if (force.presses && force.size < tiny * weight)
         found.warn(key, fmt::format("is {:.3g} {}, next to nothing: {}, and what lies on a bed weighs a tenth of that to ten times it: is "
                                     "the unit right? A plain "

@@ -206,7 +206,7 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
     }
     if (weight == 0 || modulus >= 3 * weight) continue;
     const std::string words =
-        fmt::format("is {:.3g} Pa, too soft to carry the weight of the soil above it, {:.3g} Pa: it would be squeezed to a part of "
+        fmt::format("is {:.3g} Pa, too soft to carry the weight of the soil above it, {:.3g} Pa: it would be squeezed to a fraction of "
                     "its height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
                     young_poisson(soil.materials[softest]).young_modulus, weight);
     modulus < weight / 2 ? found.refuse(key(soil.names[softest]), words) : found.warn(key(soil.names[softest]), words);
@@ -245,7 +245,7 @@ void is_the_strain_rate_smooth(const Scene& s, Findings& found)
                                          [](const problem::StageSettings& stage) { return !drives(stage.kind) || speed_of(stage) == 0; });
   for (const Soil& soil : yielding(s)) {
     const auto* clay = soil.material.get_if<material::Clay>();
-    if (clay == nullptr || !knows_rate(*clay) || clay->rate_smoothing || !none_by_speed) continue;
+    if (clay == nullptr || !is_rate_dependent(*clay) || clay->rate_smoothing || !none_by_speed) continue;
     found.warn(
         soil.key("rate_parameter"),
         "no stage drives a body by a velocity, from which the time follows over which the strain rate is averaged: the rate of single "
@@ -337,7 +337,7 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
     const std::string path = "body." + s.c.body[b].first;
     const auto beyond = [&](Real depth, Real largest, Real smallest) -> std::optional<std::pair<Real, Real>> {
       const std::optional<Real> strength =
-          problem::strength_under(in_cells_of(s.material_at(b, depth), largest_cell(s.c)), depth, -(largest + smallest) / 2);
+          problem::strength_under(regularised_for(s.material_at(b, depth), largest_cell(s.c)), depth, -(largest + smallest) / 2);
       const Real shear = (largest - smallest) / 2;
       if (!strength || (*strength >= 0 && shear <= *strength * (1 + rounding) + 1e-9)) return {};
       return std::pair(shear, std::max(Real(0), *strength));
@@ -358,8 +358,8 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
       if (!over) continue;
       found.warn(path + ".k0", fmt::format("is {:.3g}, beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "
                                            "it bears {:.3g} Pa; the bed moves before anything pushes it",
-                                           k0, bounds_of_k0(in_cells_of(s.material_at(b, depth), largest_cell(s.c))), words_of(depth, "m"),
-                                           over->first, over->second));
+                                           k0, bounds_of_k0(regularised_for(s.material_at(b, depth), largest_cell(s.c))),
+                                           words_of(depth, "m"), over->first, over->second));
       break;
     }
   }

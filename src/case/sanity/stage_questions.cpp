@@ -265,7 +265,7 @@ void is_the_drive_slow(const Scene& s, Findings& found)
     const Real speed = speed_of(s.c.stage[fastest]), inertia = density * speed * speed;
     const std::string part = strength > 0 ? fmt::format(", {:.2g} of the strength at a depth of D", inertia / strength) : "";
     found.warn(stage_key(fastest, s.c.stage[fastest].kind == StageKind::drive ? "drive" : "velocity"),
-               fmt::format("is {}: so fast that the inertia of the soil carries a part of the force (density v^2 = {:.3g} Pa{}; waves in "
+               fmt::format("is {}: so fast that the inertia of the soil carries part of the force (density v^2 = {:.3g} Pa{}; waves in "
                            "the soil run at {:.3g} m/s); {} or less is slow enough{}",
                            words_of(speed, "m/s"), inertia, part, s.bodies[body].wave_speed,
                            words_of(rounded_down(limit * std::sqrt(problem::small_inertia / problem::large_inertia)), "m/s"), others));

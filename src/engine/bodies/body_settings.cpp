@@ -58,7 +58,7 @@ void describe(Describe& d, BodySettings& body)
   d.optional_table("block", body.block, {.meaning = "a block of particles on a lattice of its own, instead of regions"});
   d.optional_table("disk", body.disk, {.meaning = "a disk of particles on a lattice of its own, instead of regions; 2D only"});
   d.value("damping", body.damping,
-          {.meaning = "local damping: part of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
+          {.meaning = "local damping: fraction of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
   d.value("region_damping", body.region_damping, {.meaning = "local damping in some regions, by the region's name", .range = {0, 1}});
   d.value("k0", body.k0,
           {.meaning = "ratio of horizontal to vertical stress at the start, which is that of a level bed below `surface`, or as "
@@ -77,8 +77,7 @@ void describe(Describe& d, BodySettings& body)
   d.value("initial_angular_velocity", body.initial_angular_velocity,
           {.meaning =
                "angular velocity about its centre of mass (in space: about z) at the start, counter-clockwise; added to initial_velocity",
-           .unit = "rad/s",
-           .formerly = "initial_spin"});
+           .unit = "rad/s"});
   d.array("soil_layer", body.soil_layer,
           {.meaning = "layers of other materials with the same law, downwards: each from its upper edge to the next one"});
   d.array("initial_velocity", body.initial_velocity, {.meaning = "velocity at the start; several terms are summed"});

@@ -47,12 +47,7 @@ void describe(Describe& d, ContactSettings& contact)
            {.meaning = "modified update stress last (MUSL) with one impulse, which step 4 of the algorithm begins and step 8 completes (at "
                        "nodes: step 8 keeps closed points together); MUSL with independent corrections in steps 4 and 8 (as published); "
                        "MUSL with a correction in step 4 only; the same with update stress last at nodes in contact; update stress "
-                       "first (of all contacts or none); or neither slip nor separation",
-            .former_words = {{"two_sided", "musl_coupled"},
-                             {"twice", "musl_double"},
-                             {"once", "musl_single"},
-                             {"hybrid", "hybrid_usl"},
-                             {"sticky", "tied"}}});
+                       "first (of all contacts or none); or neither slip nor separation"});
   d.choice("detection", contact.detection, {"automatic", "gap", "overlap", "distance", "particle"},
            {.meaning =
                 "automatic: particle at a rigid body, gap between deformable ones. Points in contact are: nodes whose particles have "
@@ -61,8 +56,7 @@ void describe(Describe& d, ContactSettings& contact)
   d.value("gap_closing_steps", contact.gap_closing_steps,
           {.meaning =
                "time over which a gap may close, with detection by gap or particle: so many steps, as long as they are without mpm.courant",
-           .range = {1, 1000},
-           .formerly = "approach_steps"});
+           .range = {1, 1000}});
   d.choice(
       "particle_rim", contact.particle_rim, {"whole", "worn"},
       {.meaning =

@@ -21,11 +21,6 @@ constexpr Range any_number{};
 constexpr Range positive{0, infinity, true, false};
 constexpr Range not_negative{0, infinity};
 
-/// A word of earlier versions, and the word that replaces it.
-struct FormerWord {
-  const char *former, *word;
-};
-
 /// A word that stands for a number: "unlimited" for infinity.
 struct NumberWord {
   const char* word;
@@ -39,9 +34,7 @@ struct Parameter {
   const char* unit = "";
   Range range = any_number;
   bool required = false;
-  const char* formerly = "";                  ///< key of earlier versions: refused, and the new one named
-  std::vector<FormerWord> former_words = {};  ///< of a choice: refused, and the new one named
-  std::vector<NumberWord> words = {};         ///< of a number, that may stand for it
+  std::vector<NumberWord> words = {};  ///< of a number, that may stand for it
   /// Instead of `unit`, for a number whose dimension is known only when it is read: its SI unit goes here ("1" for a
   /// dimensionless number in a text; a plain number leaves it unchanged). Numbers that share it must have one dimension.
   std::string* any_unit = nullptr;

@@ -72,7 +72,7 @@ std::optional<Clay> with_strength_over(Clay law, Real factor);
 
 /// Smooths the rate over a time (s) where the input names none.
 Clay with_rate_smoothing(Clay law, Real time);
-inline bool knows_rate(const Clay& law)
+inline bool is_rate_dependent(const Clay& law)
 {
   return law.rate_parameter > 0;
 }

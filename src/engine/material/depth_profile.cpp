@@ -44,7 +44,7 @@ void check_profile(Describe& d, const std::string& path, const DepthProfile& pro
     if (values.empty()) return;
     check_size(key, values);
     d.check(at_surface == values.front(), path + "." + key, fmt::format("is given by profile.{}: leave it out", key));
-    d.check(gradient == 0, fmt::format("{}.{}_gradient", path, key), fmt::format("does not go with profile.{}", key));
+    d.check(gradient == 0, fmt::format("{}.{}_gradient", path, key), fmt::format("cannot be combined with profile.{}", key));
   };
   if (strength_key != nullptr) check_one(strength_key, profile.strength, *strength.value, *strength.gradient);
   check_one("young_modulus", profile.young_modulus, young_modulus, young_modulus_gradient);

@@ -147,14 +147,14 @@ std::optional<Real> band_width(const L&)
 
 /// The law of soil with grains of this d50, m, whose shear bands have their width; the law itself where it needs none.
 template <Law L>
-L with_grains(const L& law, Real /*d50*/)
+L with_grain_size(const L& law, Real /*d50*/)
 {
   return law;
 }
 
 /// The law with which cells of this size, m (Mesh::size), carry what shear bands of the soil's own width carry.
 template <Law L>
-L in_cells_of(const L& law, Real /*size*/)
+L regularised_for(const L& law, Real /*size*/)
 {
   return law;
 }
@@ -168,7 +168,7 @@ L associated(const L& law, const SymTensor<2>& /*stress*/)
 
 /// Whether the strength depends on the strain rate.
 template <Law L>
-bool knows_rate(const L&)
+bool is_rate_dependent(const L&)
 {
   return false;
 }

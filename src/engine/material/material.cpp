@@ -20,8 +20,7 @@ bool Material::operator==(const Material& other) const
 void describe(Describe& d, Material& material)
 {
   Laws::Any law = visit([](const auto& own) { return Laws::Any(own); }, material);
-  d.one_of("law", law, Laws::words(),
-           {.meaning = "constitutive law", .required = true, .former_words = {{"rate_dependent_tresca", "clay"}}});
+  d.one_of("law", law, Laws::words(), {.meaning = "constitutive law", .required = true});
   material = std::visit([](const auto& chosen) { return Material(chosen); }, law);
 }
 
@@ -34,7 +33,7 @@ void check(Describe& d, const std::string& path, const Material& material)
         check_water(d, path, law);
       },
       material);
-  d.check(!std::isnan(density(material)), path + ".submerged_unit_weight", "does not go with density: give one of them");
+  d.check(!std::isnan(density(material)), path + ".submerged_unit_weight", "cannot be combined with density: give one of them");
   d.check(density(material) != 0, path + ".density", "is missing, or submerged_unit_weight instead");
   d.check(
       !(inertia_density(material) < density(material)), path + ".inertia_density",
@@ -184,9 +183,9 @@ std::optional<Material> with_strength_over(const Material& material, Real factor
       material);
 }
 
-bool knows_rate(const Material& material)
+bool is_rate_dependent(const Material& material)
 {
-  return visit([](const auto& law) { return knows_rate(law); }, material);
+  return visit([](const auto& law) { return is_rate_dependent(law); }, material);
 }
 
 Material with_rate_smoothing(const Material& material, Real time)
@@ -204,14 +203,14 @@ std::optional<Real> band_width(const Material& material)
   return visit([](const auto& law) { return band_width(law); }, material);
 }
 
-Material with_grains(const Material& material, Real d50)
+Material with_grain_size(const Material& material, Real d50)
 {
-  return visit([&](const auto& law) { return Material(with_grains(law, d50)); }, material);
+  return visit([&](const auto& law) { return Material(with_grain_size(law, d50)); }, material);
 }
 
-Material in_cells_of(const Material& material, Real size)
+Material regularised_for(const Material& material, Real size)
 {
-  return visit([&](const auto& law) { return Material(in_cells_of(law, size)); }, material);
+  return visit([&](const auto& law) { return Material(regularised_for(law, size)); }, material);
 }
 
 bool dilates(const Material& material)

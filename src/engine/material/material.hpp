@@ -121,12 +121,12 @@ bool yields(const Material& material);
 std::optional<Strength> strength_at_rest(const Material& material);
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state);
 std::optional<Material> with_strength_over(const Material& material, Real factor);
-bool knows_rate(const Material& material);
+bool is_rate_dependent(const Material& material);
 Material with_rate_smoothing(const Material& material, Real time);
 void recover(const Material& material, Real share, Real* state);
 std::optional<Real> band_width(const Material& material);
-Material with_grains(const Material& material, Real d50);
-Material in_cells_of(const Material& material, Real size);
+Material with_grain_size(const Material& material, Real d50);
+Material regularised_for(const Material& material, Real size);
 bool dilates(const Material& material);
 Material without_dilation(const Material& material);
 

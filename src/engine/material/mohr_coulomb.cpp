@@ -38,8 +38,7 @@ void describe(Describe& d, MohrCoulomb& law)
           {.meaning = "cap on the tensile volumetric strain that is stored and must close before the soil carries compression again; 0: "
                       "none is stored; absent: "
                       "0.2 where dilation_angle is above 0, else 0",
-           .range = {0, 1},
-           .formerly = "most_opening"});
+           .range = {0, 1}});
   declare_usual(d, {{"d50", {1e-6, 0.2}}});
   take_surface_strength(law);
 }
@@ -59,14 +58,14 @@ std::optional<Real> band_width(const MohrCoulomb& law)
   return law.band_width;
 }
 
-MohrCoulomb with_grains(MohrCoulomb law, Real d50)
+MohrCoulomb with_grain_size(MohrCoulomb law, Real d50)
 {
   law.band_width.reset();
   law.d50 = d50;
   return law;
 }
 
-MohrCoulomb in_cells_of(MohrCoulomb law, Real size)
+MohrCoulomb regularised_for(MohrCoulomb law, Real size)
 {
   const std::optional<Real> width = band_width(law);
   if (!width || !non_associated(law)) return law;

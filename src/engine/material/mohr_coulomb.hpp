@@ -38,7 +38,7 @@ struct MohrCoulomb {
   Real young_modulus_gradient = 0;     ///< Pa/m, increase with depth
   ProfileOf<MohrCoulomb> profile = {};
   std::optional<Shansep> shansep = {};  ///< instead of the cohesion, where friction_angle is 0
-  Real cohesion_share = 1;              ///< of this law: the cohesion over that which particles keep (in_cells_of)
+  Real cohesion_share = 1;              ///< of this law: the cohesion over that which particles keep (regularised_for)
   std::optional<PoreWater> water = {};
 
   bool operator==(const MohrCoulomb&) const = default;
@@ -79,9 +79,9 @@ inline std::optional<Strength> strength_at_rest(const MohrCoulomb& law)
 }
 /// Of the soil, or 15 d50 [Muehlhaus and Vardoulakis, Geotechnique 37 (1987): 8 to 10 d50 where bands begin, 10 to 20 as they grow].
 std::optional<Real> band_width(const MohrCoulomb& law);
-MohrCoulomb with_grains(MohrCoulomb law, Real d50);
+MohrCoulomb with_grain_size(MohrCoulomb law, Real d50);
 /// Friction and cohesion fall by the same share. [Davis 1968]
-MohrCoulomb in_cells_of(MohrCoulomb law, Real size);
+MohrCoulomb regularised_for(MohrCoulomb law, Real size);
 
 /// Cohesion, tan(friction_angle) and tension cut-off over the factor; the dilation angle stays, but is at most the friction angle.
 std::optional<MohrCoulomb> with_strength_over(MohrCoulomb law, Real factor);

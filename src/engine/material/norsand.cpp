@@ -60,7 +60,7 @@ void describe(Describe& d, NorSand& law)
 void check(Describe& d, const std::string& path, const NorSand& law)
 {
   d.check(law.void_ratio.has_value() != law.state_parameter.has_value(), path + ".void_ratio",
-          law.void_ratio ? "does not go with state_parameter: give one of them" : "is missing: give void_ratio or state_parameter");
+          law.void_ratio ? "cannot be combined with state_parameter: give one of them" : "is missing: give void_ratio or state_parameter");
   d.check(law.dilatancy * law.critical_line_slope < critical_slope(law.critical_friction_angle), path + ".dilatancy",
           "times critical_line_slope must be less than M: no sand dilates so much");
   check_pressures(d, path, law);

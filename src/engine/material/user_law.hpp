@@ -97,7 +97,7 @@ bool yields(const UserLaw<interface>& law)
 
 /// It may: nobody knows what a law of the user's own depends on.
 template <Interface interface>
-bool knows_rate(const UserLaw<interface>&)
+bool is_rate_dependent(const UserLaw<interface>&)
 {
   return true;
 }

@@ -134,7 +134,7 @@ void join_doubled_nodes(Mesh<dim>& mesh, const std::optional<Real>& tolerance, c
   for (Index i = 0; i < mesh.node_count(); ++i) {
     if (!used[static_cast<std::size_t>(i)] || boxes.find_or_add(i) == none) continue;
     throw InputError(fmt::format(
-        "{}: two nodes lie at ({:.6g}) m: parts of the mesh that share no nodes do not hold together; let them share these (Gmsh: "
+        "{}: two nodes lie at ({:.6g}) m: parts of the mesh that share no nodes are not connected; let them share these (Gmsh: "
         "Coherence or BooleanFragments before meshing, Coherence Mesh after), or join them by mesh.merge_tolerance = \"{:.1g} m\"",
         file, fmt::join(mesh.position[i], ", "), shortest / 10));
   }

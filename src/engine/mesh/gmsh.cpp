@@ -3,7 +3,7 @@
 
 #include "mesh/doubled_nodes.hpp"
 #include "mesh/line_reader.hpp"
-#include "mesh/loose_borders.hpp"
+#include "mesh/unconnected_faces.hpp"
 #include "os/error.hpp"
 
 #include <algorithm>
@@ -382,7 +382,7 @@ private:
     } catch (const RunError& error) {
       throw InputError(fmt::format("{}: {}", name_, error.what()));
     }
-    if (is_of_user) refuse_loose_borders(mesh_, name_);
+    if (is_of_user) refuse_unconnected_faces(mesh_, name_);
     return std::move(mesh_);
   }
 
@@ -414,7 +414,7 @@ void describe(Describe& d, GmshFile& mesh)
                       "[\"x\", \"z\", \"-y\"] of a mesh with z up; left out, they stay"});
   d.value("shift", mesh.shift, {.meaning = "added to the coordinates, after axes and scale", .unit = "m"});
   d.value("merge_tolerance", mesh.merge_tolerance,
-          {.meaning = "nodes no farther apart become one, of meshes whose parts share none; left out, nodes at one place are refused",
+          {.meaning = "nodes no farther apart become one, of meshes whose parts share none; left out, nodes at one position are refused",
            .unit = "m",
            .range = positive});
 }

@@ -276,7 +276,7 @@ void check_ground(const SeabedMesh& bed)
   fits(std::isfinite(bed.slope) && std::abs(bed.slope) <= steepest_slope, "slope",
        fmt::format("is {:.4g} deg; it must lie between -45 and 45 deg: is the unit missing? A plain number is in radians, write \"10 deg\"",
                    bed.slope / degree));
-  fits(!bed.trench || !bed.step, "step", "does not go with a trench: leave one of them out, or draw both in a geometry of Gmsh");
+  fits(!bed.trench || !bed.step, "step", "cannot be combined with a trench: leave one of them out, or draw both in a geometry of Gmsh");
   if (bed.trench) check_trench(bed);
   if (bed.step) check_step(bed);
   if (!bed.trench && !bed.step) return;

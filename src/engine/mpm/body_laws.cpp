@@ -58,7 +58,7 @@ std::shared_ptr<const BodyLaws> laws_of(const problem::BodySoil& soil, const pro
   CellClasses classes = classes_of(soil, mesh);
   for (const Real size : classes.sizes)
     for (const material::Material& material : soil.materials) {
-      const material::Material here = in_cells_of(material, size);
+      const material::Material here = regularised_for(material, size);
       all->prepared.push_back(prepare(here));
       all->prepared.push_back(prepare(without_dilation(here)));
     }

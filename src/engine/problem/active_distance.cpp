@@ -13,7 +13,7 @@ void check_active_distance(Describe& d, const Case& c)
   const std::string key = "mpm.active_distance";
   const auto bounded = [](const bodies::RigidShapeSettings& shape) { return bodies::is_bounded(bodies::make_shape<2>(shape)); };
   d.check(c.method == Method::mpm, key, "is for method = \"mpm\"");
-  d.check(c.geometry != Geometry::axisymmetric, key, "is for a body that travels along the ground: it does not go with axisymmetry");
+  d.check(c.geometry != Geometry::axisymmetric, key, "is for a body that travels along the ground: it cannot be combined with axisymmetry");
   d.check(std::any_of(c.rigid.begin(), c.rigid.end(), [&](const auto& rigid) { return bounded(rigid.second.shape); }), key,
           "needs a rigid body with bounds, from which soil can be far");
   for (const StageSettings& stage : c.stage) {
@@ -21,18 +21,20 @@ void check_active_distance(Describe& d, const Case& c)
     d.check(!drives(stage.kind) || rigid == none || c.rigid.empty() || bounded(c.rigid[static_cast<std::size_t>(rigid)].second.shape), key,
             fmt::format("stage \"{}\" drives a half-plane, from which no soil is far", stage.name));
   }
-  d.check(c.gravity_ramp == 0, key, "does not go with gravity_ramp: soil that rests would not get its weight");
-  d.check(c.traction.empty(), key, "does not go with tractions, which load soil that rests");
+  d.check(c.gravity_ramp == 0, key, "cannot be combined with gravity_ramp: soil that rests would not get its weight");
+  d.check(c.traction.empty(), key, "cannot be combined with tractions, which load soil that rests");
   for (const auto& [name, contact] : c.contact) {
-    d.check(contact.other_body.empty(), key, fmt::format("does not go with [contact.{}] between two deformable bodies", name));
-    d.check(!rules_of(contact.scheme).stress_first, key, fmt::format("does not go with scheme = \"{}\"", rules_of(contact.scheme).word));
+    d.check(contact.other_body.empty(), key, fmt::format("cannot be combined with [contact.{}] between two deformable bodies", name));
+    d.check(!rules_of(contact.scheme).stress_first, key,
+            fmt::format("cannot be combined with scheme = \"{}\"", rules_of(contact.scheme).word));
   }
   for (const auto& [name, body] : c.body)
     d.check(body.initial_velocity.empty() && body.initial_angular_velocity == 0, key,
-            fmt::format("does not go with a velocity of [body.{}] at the start", name));
+            fmt::format("cannot be combined with a velocity of [body.{}] at the start", name));
   for (const auto& [name, material] : c.material)
     d.check(!hydraulics(material), key,
-            fmt::format("does not go with water that flows in [material.{}]: excess pore pressure spreads far from the body, too", name));
+            fmt::format("cannot be combined with water that flows in [material.{}]: excess pore pressure spreads far from the body, too",
+                        name));
 }
 
 }  // namespace berm::problem

@@ -225,7 +225,7 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
                         "kg/m^3\" in [material.{}] gives that of [material.{}]",
                         density(second) / ratio, name, body.material));
   };
-  d.check(body.soil_layer.empty() || body.region_material.empty(), path + ".region_material", "does not go with soil_layer");
+  d.check(body.soil_layer.empty() || body.region_material.empty(), path + ".region_material", "cannot be combined with soil_layer");
   for (std::size_t k = 0; k < body.soil_layer.size(); ++k) {
     const std::string item = fmt::format("{}.soil_layer[{}]", path, k);
     check_material(item + ".material", body.soil_layer[k].material);
@@ -284,7 +284,7 @@ void find_k0(Describe& d, const Case& c, const std::string& path, bodies::BodySe
              layer.material, layer.sin_friction);
   }
   d.check(!body.at_rest().by_history() || body.region_material.empty(), path + ".region_material",
-          "does not go with k0_ocr and k0_pop, which follow layers: give the soils by soil_layer, or k0");
+          "cannot be combined with k0_ocr and k0_pop, which follow layers: give the soils by soil_layer, or k0");
 }
 
 void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body)

@@ -349,7 +349,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     state.numbered.push_back(state.particles.back().size());
     if (state.particles.back().size() == 0)
       throw KeyError(
-          fmt::format("body.{}: has no particles: all cells of its regions lie within the rigid bodies; check their place and size, "
+          fmt::format("body.{}: has no particles: all cells of its regions lie within the rigid bodies; check their position and size, "
                       "or fill other regions",
                       name));
     state.particles.back().visit([&](Index, Index b, int l) {

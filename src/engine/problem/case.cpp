@@ -35,11 +35,12 @@ void check_bodies(Describe& d, const Case& c)
     const std::string path = "body." + name;
     check_name(d, path + ".material", body.material, "material", names_of(c.material));
     check_soil(d, c, path, body);
-    d.check(!body.has_k0() || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
+    d.check(!body.has_k0() || c.gravity_ramp == 0, path + ".k0",
+            "the stress of a bed under full gravity cannot be combined with gravity_ramp");
     d.check(!body.has_k0() || c.gravity.size() < 2 || upwards(c), path + ".k0", "the bed's stress at rest is for gravity along -y");
     d.check(!body.regions.empty() + body.block.has_value() + body.disk.has_value() == 1, path,
             fmt::format("needs one of regions = [...], [body.{0}.block] and [body.{0}.disk]", name));
-    d.check(body.initial_stress.empty() || !body.has_k0(), path + ".initial_stress", "does not go with k0");
+    d.check(body.initial_stress.empty() || !body.has_k0(), path + ".initial_stress", "cannot be combined with k0");
     d.check(body.initial_stress.empty() || body.initial_stress.size() == 3, path + ".initial_stress",
             fmt::format("needs 3 numbers, xx, yy and zz, and has {}", body.initial_stress.size()));
     const char* counts =
@@ -131,7 +132,7 @@ void check_consolidation(Describe& d, const Case& c)
             fmt::format("needs inertia_density, that of the saturated soil, where its water flows: more than {:g} kg/m^3",
                         material::water_density));
     d.check(c.contact.empty() || !rules_of(c.contact.front().second.scheme).stress_first, path,
-            "\"consolidation\" does not go with scheme = \"usf\"");
+            "\"consolidation\" cannot be combined with scheme = \"usf\"");
   }
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
     if (!c.stage[k].until.consolidation) continue;
@@ -167,7 +168,7 @@ void find_real_times(Describe& d, Case& c)
     d.check(has_flowing_water(c), path,
             "no soil has water that flows: give it water.drainage = \"consolidation\", or end the stage otherwise");
     d.check(!has_flowing_water(c) || part, path,
-            "needs water.real_permeability of each material whose water flows, the same part of its permeability in all");
+            "needs water.real_permeability of each material whose water flows, the same fraction of its permeability in all");
     d.check(!moves_body(stage), path, "is for a body at rest or under a force: what moves takes its time in the run");
     d.check(part.value_or(0) <= 1, path,
             "is for a run that is shortened: water.real_permeability is larger than permeability, are the two the other way round?");
@@ -231,7 +232,7 @@ void check_support_reactions(Describe& d, const Case& c)
   if (!c.output.support_reactions) return;
   const std::string key = "output.support_reactions";
   d.check(!c.support.empty(), key, "there is no support: add a [support.NAME] that holds a boundary, or leave this out");
-  d.check(!c.mpm.active_distance, key, "does not go with mpm.active_distance: soil that rests hands no force to its supports");
+  d.check(!c.mpm.active_distance, key, "cannot be combined with mpm.active_distance: soil that rests hands no force to its supports");
   for (const auto& entry : c.support) {
     const std::string& name = entry.first;
     const Index contact = index_of(c.contact, name);
@@ -332,18 +333,14 @@ void describe(Describe& d, MpmSettings& mpm)
            "its particles'; each particle over its own everywhere, as published; or as the first, but of a cell that a rigid body cuts "
            "over the volume that this leaves, and the adhesion on each face of a rigid body is that of the particles beside it: for "
            "shaft friction and for soil that settles along a structure (docs/how_to/penetrate.md)"});
-  d.value("min_volume_ratio", mpm.min_volume_ratio,
-          {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}, .formerly = "least_volume_ratio"});
+  d.value("min_volume_ratio", mpm.min_volume_ratio, {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
   d.value("max_volume_ratio", mpm.max_volume_ratio,
-          {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more",
-           .range = {1, 10},
-           .formerly = "most_volume_ratio"});
-  d.value(
-      "velocity_filter", mpm.velocity_filter,
-      {.meaning =
-           "in soil that can yield: the part of a particle's velocity which the nodes cannot carry that is taken out while a wave crosses "
-           "its cell; keeps noise from taking strength from soil without cohesion",
-       .range = {0, 1}});
+          {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
+  d.value("velocity_filter", mpm.velocity_filter,
+          {.meaning =
+               "in soil that can yield: fraction of the particle velocity not resolved by the nodes that is removed while a wave crosses "
+               "its cell; keeps noise from taking strength from soil without cohesion",
+           .range = {0, 1}});
   d.value("bulk_viscosity", mpm.bulk_viscosity,
           {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
                       "damps the pressure waves that take strength from soil without cohesion",
@@ -439,8 +436,7 @@ void describe(Describe& d, Case& c)
            {.meaning = "material point method, or small-strain finite elements around a rigid body wished in place"});
   d.choice(
       "geometry", c.geometry, {"plane_strain", "axisymmetric", "space"},
-      {.meaning = "a section of which all is per metre run; all around the axis x = 0, with x the radius and gravity along y; or space",
-       .formerly = "dimension"});
+      {.meaning = "a section of which all is per metre run; all around the axis x = 0, with x the radius and gravity along y; or space"});
   d.value("symmetry", c.symmetry,
           {.meaning = "in space: axes across which the mesh ends at a plane of symmetry, at its lowest x or z: [\"z\"] for a half, [\"x\", "
                       "\"z\"] for a quarter. Input and results are those of the whole"});

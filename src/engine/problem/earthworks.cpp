@@ -295,7 +295,7 @@ void check_earthworks(Describe& d, const Case& c)
       d.check(!body.fill[k].k0 || upright, item + ".k0", "the stress of a fill at rest is for gravity along -y");
     }
     d.check(!c.mpm.active_distance || (body.fill.empty() && body.excavation.empty()), "mpm.active_distance",
-            fmt::format("does not go with the fills and excavations of [body.{}]: soil that rests would not take their load", name));
+            fmt::format("cannot be combined with the fills and excavations of [body.{}]: soil that rests would not take their load", name));
   }
 }
 

@@ -114,7 +114,7 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   needs_particles(!contact.soil.empty(), ".soil");
   needs_particles(contact.particle_rim == contact::ParticleRim::worn, ".particle_rim");
   d.check(contact.adhesion_factor == 0 || contact.adhesion == 0, path + ".adhesion_factor",
-          "does not go with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
+          "cannot be combined with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
   d.check(!softens(contact) || contact.adhesion > 0 || contact.adhesion_factor > 0, path + ".adhesion_sensitivity",
           "needs an adhesion that falls: adhesion or adhesion_factor");
   d.check(softens(contact) == (contact.adhesion_ductility > 0), path,
@@ -142,7 +142,7 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
             fmt::format("[body.{}] has no such material, or one that equals another", contact.body), soil.names);
     d.check(soil.materials.size() > 1, item, fmt::format("[body.{}] has one material: say it in [contact] itself", contact.body));
     d.check(beside.adhesion == 0 || beside.adhesion_factor == 0, item + ".adhesion_factor",
-            "does not go with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
+            "cannot be combined with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
     for (std::size_t other = 0; other < k; ++other)
       d.check(contact.soil[other].material != beside.material, item + ".material", "is said twice");
   }

@@ -142,7 +142,7 @@ std::string fault_of_column(const Case& c, const StageSettings& s, std::size_t k
   if (s.loads.columns[k].size() != s.load_times.size()) return key + "needs as many values as load_times has times";
   for (std::size_t other = k + 1; other < load_columns.size(); ++other)
     if (load_columns[other].along == column.along && !s.loads.columns[other].empty())
-      return key + fmt::format("does not go with {}: a freedom is driven in one way only", load_columns[other].key);
+      return key + fmt::format("cannot be combined with {}: a freedom is driven in one way only", load_columns[other].key);
   if (is_driven_otherwise(s, column)) return key + "drives what another key of the stage drives: leave one of them out";
   if (c.method == Method::fem && column.quantity != LoadQuantity::force)
     return key + "the finite element method knows no time: it takes a load history of forces, not of velocities or displacements";
@@ -227,7 +227,7 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
 {
   if (s.load_times.empty() && s.load_factors.empty() && s.loads.empty()) return "";
   if (const std::string fault = fault_of_times(s); !fault.empty()) return fault;
-  if (!s.loads.empty() && !s.load_factors.empty()) return "load_factors: does not go with loads, which are no factors";
+  if (!s.loads.empty() && !s.load_factors.empty()) return "load_factors: cannot be combined with loads, which are no factors";
   if (s.loads.empty() && (s.kind == StageKind::drive || s.kind == StageKind::pipeline))
     return fmt::format("load_factors: multiply what a push or a drag drives; a {} has a load history with columns, such as {}",
                        s.kind == StageKind::drive ? "drive" : "stage of kind pipeline",

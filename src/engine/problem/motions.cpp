@@ -66,8 +66,8 @@ void check_motions(Describe& d, const Case& c)
             "is for method = \"mpm\": finite elements have no inertia, and go from one equilibrium to the next; drive a rigid body, or "
             "load the "
             "soil by a traction");
-    d.check(!c.mpm.active_distance, path, "does not go with mpm.active_distance: soil that rests feels no motion of its supports");
-    d.check(!c.safety, path, "does not go with a trial of the factor of safety, in which the soil is to rest");
+    d.check(!c.mpm.active_distance, path, "cannot be combined with mpm.active_distance: soil that rests feels no motion of its supports");
+    d.check(!c.safety, path, "cannot be combined with a trial of the factor of safety, in which the soil is to rest");
     const auto free_of = [&, &name = name](bool taken, const char* table) {
       d.check(!taken, "support." + name,
               fmt::format("a [{}.{}] has this name, which columns of the history begin with: give the support another", table, name));
@@ -78,7 +78,7 @@ void check_motions(Describe& d, const Case& c)
     check_stages_of(d, c, path + ".stages", support);
     const bool inline_rows = !motion.times.empty() || std::any_of(motion.velocity.begin(), motion.velocity.end(),
                                                                   [](const std::vector<Real>& column) { return !column.empty(); });
-    d.check(motion.table.empty() || !inline_rows, path + ".times", "does not go with table, which is a file of all of it");
+    d.check(motion.table.empty() || !inline_rows, path + ".times", "cannot be combined with table, which is a file of all of it");
     d.check(!motion.table.empty() || inline_rows, path, "needs a table, or times and velocities");
     if (!motion.table.empty() || !inline_rows) continue;
     const std::string fault = fault_of_motion(c, support);

@@ -34,8 +34,8 @@ void describe(Describe& d, Imperfection& imperfection)
 
 void describe(Describe& d, OtherSoil& soil)
 {
-  d.value("from", soil.from, {.meaning = "place of the first of these slices", .unit = "m", .range = not_negative});
-  d.value("to", soil.to, {.meaning = "place of the last of these slices", .unit = "m", .range = not_negative, .required = true});
+  d.value("from", soil.from, {.meaning = "position of the first of these slices", .unit = "m", .range = not_negative});
+  d.value("to", soil.to, {.meaning = "position of the last of these slices", .unit = "m", .range = not_negative, .required = true});
   d.value(
       "set", soil.set,
       {.meaning = "what is different there, of material and contact, as --set has it: \"material.clay.cohesion=3 kPa\"", .required = true});
@@ -44,7 +44,7 @@ void describe(Describe& d, OtherSoil& soil)
 void describe(Describe& d, Route& route)
 {
   d.value("table", route.table, {.meaning = "CSV file, beside the case file, whose columns x_m and y_m are the route, from x = 0"});
-  d.value("x", route.x, {.meaning = "instead of a file: places along the line, ascending from 0", .unit = "m"});
+  d.value("x", route.x, {.meaning = "instead of a file: positions along the line, ascending from 0", .unit = "m"});
   d.value("y", route.y, {.meaning = "instead of a file: where the line lies there, along x of the slices", .unit = "m"});
 }
 
@@ -70,16 +70,17 @@ void describe(Describe& d, SliceSettings& slices)
 {
   d.value("spacing", slices.spacing, {.meaning = "distance between slices", .unit = "m", .range = positive});
   d.value("to", slices.to,
-          {.meaning = "place of the last slice along the line; the first is at 0. With `count` it may be left out",
+          {.meaning = "position of the last slice along the line; the first is at 0. With `count` it may be left out",
            .unit = "m",
            .range = positive});
-  d.value("at", slices.at, {.meaning = "instead of spacing: the places of all slices, ascending from 0", .unit = "m"});
+  d.value("at", slices.at, {.meaning = "instead of spacing: the positions of all slices, ascending from 0", .unit = "m"});
   d.value(
       "count", slices.count,
       {.meaning = "instead of spacing: how many slices; berm places them where the line on springs needs them", .range = {0, max_slices}});
-  d.choice("asleep", slices.asleep, {"never", "until_it_slides", "always"},
-           {.meaning = "when a slice is no soil but a spring of the far soil: until this spring has 40 % of its resistance sideways, which "
-                       "saves time; always: a line on springs alone"});
+  d.choice("as_spring", slices.as_spring, {"never", "until_sliding", "always"},
+           {.meaning =
+                "replace a slice by a spring of the far soil: until its lateral force reaches 40 % of the resistance, which saves time; "
+                "always: the whole line lies on springs"});
 }
 
 void describe(Describe& d, FarSoil& soil)
@@ -183,7 +184,7 @@ void check_shape(Describe& d, const PipelineSettings& p)
   const Imperfection& shape = p.imperfection;
   check_points(d, p.route, "pipeline.route", "x", "y", 2);
   check_points(d, p.far_soil.lateral, "pipeline.far_soil.lateral", "u", "H", 1);
-  d.check(p.route.empty() || shape.amplitude == 0, "pipeline.route", "does not go with pipeline.imperfection");
+  d.check(p.route.empty() || shape.amplitude == 0, "pipeline.route", "cannot be combined with pipeline.imperfection");
   d.check(p.route.x.empty() || p.route.x.front() == 0, "pipeline.route.x", "must begin at 0");
   d.check(p.half != LineHalf::antisymmetric || p.route.y.empty() || p.route.y.front() == 0, "pipeline.route.y",
           "must begin at 0 where the other half is this one turned around");
@@ -204,20 +205,20 @@ void check_places(Describe& d, const SliceSettings& s, Real length)
   constexpr Real nearest = 1e-3;  // m
   d.check(s.spacing.has_value() + (s.count != 0) + !s.at.empty() == 1, "pipeline.slices",
           "needs one of these: spacing (with to), at, or count");
-  d.check(!s.to || s.at.empty(), "pipeline.slices.to", "is the last place of pipeline.slices.at: leave it out");
-  d.check(!s.spacing || s.to, "pipeline.slices.to", "is needed with spacing: the place of the last slice");
+  d.check(!s.to || s.at.empty(), "pipeline.slices.to", "is the last position of pipeline.slices.at: leave it out");
+  d.check(!s.spacing || s.to, "pipeline.slices.to", "is needed with spacing: the position of the last slice");
   d.check(!s.to || length >= *s.to, "pipeline.length", "must reach to the last slice, pipeline.slices.to");
   d.check(s.count == 0 || s.count >= 4, "pipeline.slices.count", "is less than 4: a line has four slices at least");
   if (s.spacing && s.to) {
     const Real spacings = std::round(*s.to / *s.spacing);
     d.check(spacings >= 3, "pipeline.slices.to",
-            "gives fewer than four slices: it is the place of the last one, at least three spacings from 0");
+            "gives fewer than four slices: it is the position of the last one, at least three spacings from 0");
     d.check(spacings < max_slices, "pipeline.slices.spacing", fmt::format("gives more than {} slices", max_slices));
     d.check(std::abs(spacings * *s.spacing - *s.to) <= 1e-6 * *s.to, "pipeline.slices.to", "must be a multiple of pipeline.slices.spacing");
   }
   if (s.at.empty()) return;
-  d.check(s.at.size() >= 4, "pipeline.slices.at", fmt::format("has {} places: a line has four slices at least", s.at.size()));
-  d.check(s.at.size() <= max_slices, "pipeline.slices.at", fmt::format("has more than {} places", max_slices));
+  d.check(s.at.size() >= 4, "pipeline.slices.at", fmt::format("has {} positions: a line has four slices at least", s.at.size()));
+  d.check(s.at.size() <= max_slices, "pipeline.slices.at", fmt::format("has more than {} positions", max_slices));
   d.check(s.at.front() == 0, "pipeline.slices.at", "must begin at 0");
   for (std::size_t k = 1; k < s.at.size(); ++k)
     d.check(s.at[k] >= s.at[k - 1] + nearest, "pipeline.slices.at",
@@ -264,18 +265,19 @@ void check_line(Describe& d, const PipelineSettings& p)
 void check_soil(Describe& d, const Case& c, const PipelineSettings& p)
 {
   const FarSoil& far = p.far_soil;
-  d.check(far.macro_element.empty() || p.slices.asleep != SliceSleep::until_it_slides, "pipeline.far_soil.macro_element",
-          "does not go with slices.asleep = \"until_it_slides\"");
+  d.check(far.macro_element.empty() || p.slices.as_spring != SliceAsSpring::until_sliding, "pipeline.far_soil.macro_element",
+          "cannot be combined with slices.as_spring = \"until_sliding\"");
   d.check(far.macro_element.empty() || !p.springs, "pipeline.springs", "has springs of a drag everywhere, and not a macro-element");
-  d.check(far.lateral.empty() || far.macro_element.empty(), "pipeline.far_soil.lateral", "does not go with macro_element");
+  d.check(far.lateral.empty() || far.macro_element.empty(), "pipeline.far_soil.lateral", "cannot be combined with macro_element");
   d.check(!(far.axial_angle || far.axial_strength) || far.macro_element.empty(), "pipeline.far_soil",
           "macro_element has its own axial resistance");
-  d.check(p.slices.asleep == SliceSleep::never || far.friction > 0 || !far.lateral.empty() || !far.macro_element.empty(),
-          "pipeline.slices.asleep", "needs a resistance sideways of the springs: pipeline.far_soil.friction");
+  d.check(p.slices.as_spring == SliceAsSpring::never || far.friction > 0 || !far.lateral.empty() || !far.macro_element.empty(),
+          "pipeline.slices.as_spring", "needs a resistance sideways of the springs: pipeline.far_soil.friction");
   d.check(p.soil.empty() || (c.traction.empty() &&
                              std::none_of(c.support.begin(), c.support.end(), [](const auto& s) { return s.second.head.has_value(); })),
-          "pipeline.soil", "does not go with tractions and heads, whose times would be others where laying takes longer");
-  d.check(p.soil.empty() || p.slices.asleep != SliceSleep::always, "pipeline.soil", "does not go with slices that are always asleep");
+          "pipeline.soil", "cannot be combined with tractions and heads, whose times would be others where laying takes longer");
+  d.check(p.soil.empty() || p.slices.as_spring != SliceAsSpring::always, "pipeline.soil",
+          "cannot be combined with slices that are always springs");
   const std::vector<Real> places = places_of(p.slices);
   const Real last = places.empty() ? infinity : places.back() * (1 + 1e-9);
   for (std::size_t k = 0; k < p.soil.size(); ++k) {
@@ -297,7 +299,7 @@ void check_slice(Describe& d, const Case& c, const PipelineSettings& p)
           "has slices in plane strain: it needs method = \"mpm\" and geometry = \"plane_strain\"");
   d.check(c.rigid.size() == 1, "pipeline", "needs one [rigid.NAME], the pipe in each slice");
   d.check(c.gravity.size() == 2 && c.gravity[0] == 0 && c.gravity[1] < 0, "pipeline", "needs gravity along -y");
-  d.check(!c.safety, "pipeline", "does not go with a trial of the factor of safety");
+  d.check(!c.safety, "pipeline", "cannot be combined with a trial of the factor of safety");
   if (c.rigid.size() != 1) return;
   const auto& [name, rigid] = c.rigid.front();
   const bodies::RigidShape<2> shape = bodies::make_shape<2>(rigid.shape);
@@ -305,7 +307,7 @@ void check_slice(Describe& d, const Case& c, const PipelineSettings& p)
           "is the pipe of a line, which is round: shape = \"circle\"");
   d.check(rigid.rotation == bodies::Rotation::fixed, "rigid." + name + ".rotation", "is fixed in the slices of a pipeline");
   for (const auto& [contact, settings] : c.contact)
-    d.check(settings.other_body.empty(), "contact." + contact, "between two soils does not go with [pipeline]");
+    d.check(settings.other_body.empty(), "contact." + contact, "between two soils cannot be combined with [pipeline]");
   d.check(rigid.mass > 0 || p.mass, "pipeline.mass", "is needed: the rigid body has no mass");
   d.check(!p.wall || 2 * *p.wall < bodies::width_of<2>(shape), "pipeline.wall", "is more than half of the diameter");
 }
@@ -326,7 +328,7 @@ void check_pipeline(Describe& d, const Case& c)
     d.check(is_of_line(*stage) || !loads_pipeline(stage->pipeline), path + ".pipeline", "is for kind = \"pipeline\"");
     d.check(!is_of_line(*stage) || c.pipeline, path + ".kind", "loads the line of [pipeline], and there is none");
     d.check(stage < first || is_of_line(*stage), path + ".kind",
-            "comes after a stage of kind \"pipeline\": the slices hang on the line from then on");
+            "comes after a stage of kind \"pipeline\": the slices are coupled to the line from then on");
     d.check(!is_of_line(*stage) || stage->until.time || has_load_history(*stage), path + ".until.time",
             "is needed: a stage of kind \"pipeline\" ends at a time, or with its load history");
     d.check(!is_of_line(*stage) ||
@@ -335,7 +337,7 @@ void check_pipeline(Describe& d, const Case& c)
     d.check(!is_of_line(*stage) || !stage->until.time || stage->ramp <= *stage->until.time, path + ".ramp",
             "of kind \"pipeline\" must end before the stage does, at until.time");
     d.check(!is_of_line(*stage) || !has_load_history(*stage) || !loads_pipeline(stage->pipeline), path + ".pipeline",
-            "does not go with a load history: give it columns for all loads that change");
+            "cannot be combined with a load history: give it columns for all loads that change");
     d.check(!stage->pipeline.pressure || !c.pipeline || c.pipeline->wall, path + ".pipeline.pressure",
             "needs the wall of the pipe: pipeline.wall and young_modulus");
     d.check(!stage->pipeline.pull || !c.pipeline || c.pipeline->end != LineEnd::anchored, path + ".pipeline.pull",

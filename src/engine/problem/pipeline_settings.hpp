@@ -24,10 +24,10 @@ enum class LineEnd {
 };
 
 /// When a slice is a spring, of the far soil, in place of soil.
-enum class SliceSleep {
+enum class SliceAsSpring {
   never,
-  until_it_slides,  ///< it is soil from when its spring has 40 % of its resistance sideways
-  always            ///< the line lies on springs alone
+  until_sliding,  ///< it is soil from when its spring has 40 % of its resistance sideways
+  always          ///< the line lies on springs alone
 };
 
 /// Points of a curve: of a file beside the case file, or as numbers.
@@ -56,7 +56,7 @@ struct SliceSettings {
   std::optional<Real> to;       ///< m, x of the last; the first is at x = 0
   std::vector<Real> at;         ///< m
   int count = 0;                ///< instead of places; 0 once a case is read, which gives them places (slices/place_slices.hpp)
-  SliceSleep asleep = SliceSleep::never;
+  SliceAsSpring as_spring = SliceAsSpring::never;
 };
 
 /// x of the slices, m; empty where they have no places yet.

@@ -71,7 +71,7 @@ void check_rigid_contacts(Describe& d, const Case& c)
     for (const std::string& rigid : {contact.rigid, contact.other_rigid})
       for (std::size_t k = 0; k < c.stage.size(); ++k)
         d.check(c.stage[k].drive.point.empty() || c.stage[k].rigid != rigid, fmt::format("stage[{}].drive.point", k),
-                fmt::format("does not go with [rigid_contact.{}]: drive the body at its centre", name));
+                fmt::format("cannot be combined with [rigid_contact.{}]: drive the body at its centre", name));
   }
 }
 

@@ -44,9 +44,10 @@ void describe(Describe& d, DriveSettings& drive)
   d.table("rotation_y", drive.rotation_y, {.meaning = "rotation about y, in space"});
   d.table("rotation_z", drive.rotation_z, {.meaning = "rotation about z, in space"});
   d.value("point", drive.point,
-          {.meaning = "where x, y and z act, and what until.displacement counts: a point that moves with the body, by its place before the "
-                      "first stage; "
-                      "absent = its centre",
+          {.meaning =
+               "where x, y and z act, and what until.displacement counts: a point that moves with the body, by its position before the "
+               "first stage; "
+               "absent = its centre",
            .unit = "m"});
 }
 

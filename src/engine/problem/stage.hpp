@@ -68,7 +68,7 @@ struct DriveSettings {
   FreedomSettings x, y, z;
   TurnSettings rotation, rotation_x, rotation_y, rotation_z;  ///< about z in the plane; in space about the three axes
   std::vector<Real>
-      point;  ///< m, where x, y and z act: a point that moves with the body, by its place before the first stage; empty: its centre
+      point;  ///< m, where x, y and z act: a point that moves with the body, by its position before the first stage; empty: its centre
 };
 
 /// Loads of the pipeline when the stage's ramp is over; what is absent stays as it was.

@@ -47,7 +47,8 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   };
   const auto spring = [&](const char* key, bool has, bool prescribed, bool there) {
     if (has) freedom(key, 1, there);
-    d.check(!has || !prescribed, path + ".drive." + key + ".spring", "does not go with what is prescribed; a force, hold or free does");
+    d.check(!has || !prescribed, path + ".drive." + key + ".spring",
+            "cannot be combined with what is prescribed; a force, hold or free does");
   };
   const auto shift = [&](const char* key, const FreedomSettings& f, bool there) {
     const int ways = f.velocity.has_value() + f.force.has_value() + f.hold + f.free;
@@ -77,7 +78,7 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   d.check(s.drive.point.empty() || static_cast<int>(s.drive.point.size()) == c.dimension(), point,
           plane ? "needs two coordinates" : "needs three coordinates");
   d.check(s.drive.point.empty() || (!s.drive.x.spring && !s.drive.y.spring && !s.drive.z.spring), point,
-          "does not go with springs along the axes, which hold the centre");
+          "cannot be combined with springs along the axes, which hold the centre");
   const auto no_spring = [&](const char* key, const std::optional<Real>& stiffness) {
     d.check(!stiffness || c.method == Method::mpm, path + ".drive." + key + ".spring", "finite elements have no springs: leave it out");
   };
@@ -110,7 +111,7 @@ void check_load_history(Describe& d, const Case& c, const StageSettings& s, cons
   if (!given && s.load_history.empty()) return;
   d.check(s.kind == StageKind::push || s.kind == StageKind::drag || s.kind == StageKind::drive || s.kind == StageKind::pipeline, path,
           "only a push, a drag, a drive or the loads of a pipeline have a load history");
-  d.check(!given || s.load_history.empty(), path + ".load_times", "does not go with load_history, which is a file of both");
+  d.check(!given || s.load_history.empty(), path + ".load_times", "cannot be combined with load_history, which is a file of both");
   if (const std::string fault = fault_of_loads(c, s); !fault.empty()) {
     const std::size_t colon = fault.find(": ");
     d.check(false, colon == 0 ? path : path + "." + fault.substr(0, colon), fault.substr(colon + 2));
@@ -195,10 +196,11 @@ void check_stages(Describe& d, const Case& c)
     d.check(short_form || !s.velocity, path + ".velocity", "only a push or a drag has a velocity");
     d.check(short_form || !s.force, path + ".force", "only a push or a drag has a force");
     d.check(drag || !s.vertical_force, path + ".vertical_force", "only a drag has a vertical force; a push has `force`");
-    d.check(!s.vertical_force || s.vertical == Vertical::hold, path + ".vertical_force", "does not go with vertical = \"fixed\"");
+    d.check(!s.vertical_force || s.vertical == Vertical::hold, path + ".vertical_force", "cannot be combined with vertical = \"fixed\"");
     d.check(drag || !s.vertical_velocity, path + ".vertical_velocity", "only a drag has a vertical velocity; a push has `velocity`");
-    d.check(!s.vertical_velocity || s.vertical == Vertical::hold, path + ".vertical_velocity", "does not go with vertical = \"fixed\"");
-    d.check(!s.vertical_velocity || !s.vertical_force, path + ".vertical_velocity", "does not go with vertical_force");
+    d.check(!s.vertical_velocity || s.vertical == Vertical::hold, path + ".vertical_velocity",
+            "cannot be combined with vertical = \"fixed\"");
+    d.check(!s.vertical_velocity || !s.vertical_force, path + ".vertical_velocity", "cannot be combined with vertical_force");
     check_role(d, c, s, path);
     check_drive(d, c, s, path);
     check_sweep(d, s, path);

@@ -8,7 +8,7 @@ namespace berm::problem {
 /// Refuses what does not go together in the stages of a case: what drives a body, and what ends a stage.
 void check_stages(Describe& d, const Case& c);
 
-/// What does not go with mpm.active_distance: soil may rest where nothing but bounded rigid bodies moves it.
+/// What cannot be combined with mpm.active_distance: soil may rest where nothing but bounded rigid bodies moves it.
 void check_active_distance(Describe& d, const Case& c);
 
 }  // namespace berm::problem

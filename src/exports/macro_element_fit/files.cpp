@@ -6,7 +6,7 @@
 #include "macro_element/parameters.hpp"
 #include "macro_element_fit/fmu.hpp"
 #include "plot/figure.hpp"
-#include "structures/base/spoiled.hpp"
+#include "structures/base/invalid_answer.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -56,11 +56,11 @@ void draw(const std::filesystem::path& folder, const Comparison& c, std::vector<
 }
 
 /// Why the answers of runs are not to be used, a line each.
-std::vector<std::string> spoiled_lines(const std::vector<Comparison>& comparisons)
+std::vector<std::string> invalid_lines(const std::vector<Comparison>& comparisons)
 {
   std::vector<std::string> lines;
   for (const Comparison& c : comparisons)
-    for (std::string& line : base::spoiled_lines(c.path.name, c.path.spoiled, c.fitted ? "what is fitted to it" : "it as a check"))
+    for (std::string& line : base::invalid_lines(c.path.name, c.path.invalid, c.fitted ? "what is fitted to it" : "it as a check"))
       lines.push_back(std::move(line));
   return lines;
 }
@@ -84,7 +84,7 @@ std::string json_of(const Parameters& p, const std::vector<Comparison>& comparis
     Json run = {{"name", c.path.name},
                 {"folder", c.path.run.string()},
                 {"fitted", c.fitted},
-                {"spoiled", c.path.spoiled},
+                {"invalid", c.path.invalid},
                 {"points", c.path.points.size()}};
     run["rms_H_over_largest"] = number(c.misfit.H);
     run["largest_H_over_largest_of_run"] = number(c.misfit.largest);
@@ -98,14 +98,14 @@ std::string json_of(const Parameters& p, const std::vector<Comparison>& comparis
 
 std::string code_of(const Parameters& p, const std::vector<Comparison>& comparisons)
 {
-  std::string text(code_c), spoiled;
-  for (std::string line : spoiled_lines(comparisons)) {
+  std::string text(code_c), invalid;
+  for (std::string line : invalid_lines(comparisons)) {
     std::erase(line, '*');  // nothing may end the comment
-    spoiled += "\n   " + line;
+    invalid += "\n   " + line;
   }
   text +=
       fmt::format("\n/* Fitted by berm {}.{} */\nconst berm_macro_element_parameters berm_macro_element_fitted = {{\n  .version = {},\n",
-                  io::version_words(), spoiled, p.version);
+                  io::version_words(), invalid, p.version);
   for (const berm_macro_element_member& m : berm_macro_element_members)
     text += fmt::format("  .{} = {:.17g},\n", m.name, macro_element::value_of(p, m));
   text += fmt::format("  .backbone_points = {},\n", p.backbone_points);
@@ -129,7 +129,7 @@ std::string table_of(const std::vector<Comparison>& comparisons)
     text += fmt::format("{:<{}}  {:<10}  {:>12}  {:>12}  {:>10}  {:>12}  {:>12} D\n", c.path.name, width,
                         c.fitted ? "fitted" : "not fitted", percent(c.misfit.H), percent(c.misfit.largest - 1), percent(c.misfit.w),
                         percent(c.misfit.V), fmt::format("{:+.3f}", c.misfit.end));
-  for (const std::string& line : spoiled_lines(comparisons)) text += line + "\n";
+  for (const std::string& line : invalid_lines(comparisons)) text += line + "\n";
   return text;
 }
 

@@ -66,7 +66,7 @@ Path path_of(const record::RunRecord& run)
   path.run = run.folder;
   path.diameter = base::body_scale(run).width;
   if (const contact::ContactSettings* contact = base::contact_of_body(run.settings)) path.friction = std::tan(contact->friction_angle);
-  if (run.summary) path.spoiled = run.summary->spoiled;
+  if (run.summary) path.invalid = run.summary->invalid;
   Index moving = 0;
   for (Index row = 0; row < history.rows(); ++row) moving += history["w_m"][row] > 0;
   const Index block = std::max<Index>(1, moving / path_points);

@@ -18,7 +18,7 @@ struct Path {
   std::filesystem::path run;
   Real diameter = nan;               ///< m
   Real friction = 0;                 ///< coefficient of the interface between pipe and soil
-  std::vector<std::string> spoiled;  ///< why its answer is not to be used; empty where nothing says so
+  std::vector<std::string> invalid;  ///< why its answer is not to be used; empty where nothing says so
   std::vector<PathPoint> points;
   std::vector<PathPoint> push;  ///< those of the first push that is driven by velocity, where V is the resistance of fresh soil
 

@@ -5,7 +5,7 @@
 
 #include "io/revision.hpp"
 #include "os/error.hpp"
-#include "structures/base/spoiled.hpp"
+#include "structures/base/invalid_answer.hpp"
 #include "structures/structures.hpp"
 #include "study/estimates.hpp"
 #include "study/sample.hpp"
@@ -144,9 +144,9 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
 }
 
 /// Why the numbers of a run are not to be used.
-std::vector<std::string> spoiled_lines(const record::RunRecord& run)
+std::vector<std::string> invalid_lines(const record::RunRecord& run)
 {
-  return run.summary ? base::spoiled_lines(run.name, run.summary->spoiled) : std::vector<std::string>{};
+  return run.summary ? base::invalid_lines(run.name, run.summary->invalid) : std::vector<std::string>{};
 }
 
 std::vector<std::string> provenance_of(const record::RunRecord& run)
@@ -161,7 +161,7 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
     for (const char* entry : {"version", "build", "date"})
       if (const auto found = run.summary->text.find(entry); found != run.summary->text.end())
         lines.push_back(fmt::format("{} of the run: {}", entry, found->second));
-  for (const std::string& line : spoiled_lines(run)) lines.push_back(line);
+  for (const std::string& line : invalid_lines(run)) lines.push_back(line);
   return lines;
 }
 
@@ -180,7 +180,7 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
 {
   std::optional<Springs> best;
   std::vector<Springs> draws;
-  std::vector<std::string> provenance, spoiled;
+  std::vector<std::string> provenance, invalid;
   std::size_t failed = 0;
   for (const study::SavedRow* row : rows) {
     const bool draw = row->kind == study::RowKind::draw;
@@ -192,7 +192,7 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
     try {
       const record::RunRecord run = structures::read_run(row->run);
       Springs springs = springs_of(run, selection);
-      for (const std::string& line : spoiled_lines(run)) spoiled.push_back(line);
+      for (const std::string& line : invalid_lines(run)) invalid.push_back(line);
       if (provenance.empty() || !draw) provenance = provenance_of(run);
       if (draw)
         draws.push_back(std::move(springs));
@@ -210,7 +210,7 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
   Design design = design_of_sample(name, best, std::move(draws));
   design.failed = failed;
   design.provenance = std::move(provenance);
-  for (const std::string& line : spoiled) {
+  for (const std::string& line : invalid) {
     if (std::find(design.provenance.begin(), design.provenance.end(), line) == design.provenance.end()) design.provenance.push_back(line);
     spdlog::warn("{}", line);
   }
@@ -228,7 +228,7 @@ std::vector<std::string> head_of(const record::RunRecord& run)
 {
   std::vector<std::string> lines = provenance_of(run);
   for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
-  for (const std::string& line : spoiled_lines(run)) spdlog::warn("{}", line);
+  for (const std::string& line : invalid_lines(run)) spdlog::warn("{}", line);
   if (run.end != record::RunEnd::finished) {
     spdlog::warn("{}: the run has not come to its end; what is not known of it is left out", run.folder.string());
     lines.emplace_back("the run has not come to its end");

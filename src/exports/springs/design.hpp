@@ -36,7 +36,7 @@ std::vector<std::string> refused_stiffnesses(const Springs& springs);
 struct Design {
   std::string name;  ///< of the run, or of the combination of a study
   std::vector<std::string>
-      provenance;  ///< lines: from what, by which program; those that begin with base::spoiled_line_begin say why the numbers are not to be used
+      provenance;  ///< lines: from what, by which program; those that begin with base::invalid_line_begin say why the numbers are not to be used
   Springs best;  ///< of the best run; of a sample without one, the middle of all numbers
   /// Of a sample: forces at 5 and at 95 %, at the displacements of `best`.
   std::optional<Springs> low, high;

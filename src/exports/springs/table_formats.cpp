@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/springs/formats_test.cpp
 #include "springs/formats.hpp"
-#include "structures/base/spoiled.hpp"
+#include "structures/base/invalid_answer.hpp"
 #include "study/study_report.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +79,7 @@ std::string curves_csv(const Design& design)
 {
   std::string text;
   for (const std::string& line : design.provenance)
-    if (line.starts_with(base::spoiled_line_begin)) text += "# " + line + "\n";
+    if (line.starts_with(base::invalid_line_begin)) text += "# " + line + "\n";
   text += study::csv_line({"spring", "estimate", "displacement (m)", "resistance (N/m)", "run", "state", "travel", "source"});
   const auto add = [&](const std::string& spring, const std::string& estimate, const Points& points, const Springs& s,
                        const std::string& travel) {

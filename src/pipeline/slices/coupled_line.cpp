@@ -61,7 +61,7 @@ CoupledLine::CoupledLine(const problem::Case& c, const problem::Model<2>& model)
       on_springs_(of_case_.length_beyond),
       along_(static_cast<std::size_t>(of_case_.line.nodes()))
 {
-  put_to_sleep();
+  begin_as_springs();
 }
 
 void CoupledLine::make_others(const problem::State<2>& first)
@@ -89,9 +89,9 @@ void CoupledLine::begin_soils()
   }
 }
 
-void CoupledLine::hang(const problem::State<2>& laid)
+void CoupledLine::couple(const problem::State<2>& laid)
 {
-  hangs_ = true;
+  coupled_ = true;
   laid_embedment_ = travel_of(model_of(0), laid, 0).w;
   make_others(laid);
   begin_soils();
@@ -126,7 +126,7 @@ void CoupledLine::load_line(const LineLoads& now, Real dt)
   std::fill(loads_.impedance.begin(), loads_.impedance.end(), 0.0);
   loads_.velocity_then = state_.velocity;
   for (std::size_t k = 0; k < count(); ++k) {
-    const SliceForce soil = asleep(k) ? SliceForce() : forces_[k];
+    const SliceForce soil = is_spring(k) ? SliceForce() : forces_[k];
     sideways_[k] = soil.force[0], upwards_[k] = soil.force[1];
     impedances_[k] = std::max(Real(0), 3 * soil.contact_mass - of_case_.mass) / dt;
   }
@@ -150,12 +150,12 @@ void CoupledLine::for_slice(Index k, const Act& act) const
 
 void CoupledLine::find_time_steps(problem::State<2>& first, mpm::Workspace<2>& workspace)
 {
-  if (first.stable_dt_holds || asleep(0)) return;
-  wake();
+  if (first.stable_dt_holds || is_spring(0)) return;
+  resolve();
   std::string fault;
   noting(fault, [&] {
     for_each_task("time steps of slices", static_cast<Index>(count()), [&](Index k) {
-      if (!own(k) || (k > 0 && asleep(static_cast<std::size_t>(k)))) return;  // the first one's is the clock of all
+      if (!own(k) || (k > 0 && is_spring(static_cast<std::size_t>(k)))) return;  // the first one's is the clock of all
       for_slice(k, [&] {
         if (k == 0)
           find_stable_time_step(model_of(0), first, workspace);
@@ -191,10 +191,10 @@ Real CoupledLine::step_line(const problem::State<2>& first, Real dt)
 Real CoupledLine::time_step(const problem::State<2>& first) const
 {
   constexpr Real longest = 0.01, parts = 500;  // s
-  if (asleep(0)) return std::min(longest, *model_of(0).stages[first.stage.index].until.time / parts);
+  if (is_spring(0)) return std::min(longest, *model_of(0).stages[first.stage.index].until.time / parts);
   Real stable = first.stable_dt;
   for (std::size_t k = 1; k < count(); ++k)
-    if (!asleep(k)) stable = std::min(stable, others_[k - 1]->stable_dt);
+    if (!is_spring(k)) stable = std::min(stable, others_[k - 1]->stable_dt);
   return stable;
 }
 
@@ -203,13 +203,13 @@ void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, c
   find_time_steps(first, workspace);
   scale_springs(first);
   const Real dt = step_line(first, std::min(time_step(first), first.max_dt));
-  slice_steps_ += std::count(asleep_.begin(), asleep_.end(), 0);
-  if (of_case_.may_sleep()) find_reactions_of_springs();
+  slice_steps_ += std::count(is_spring_.begin(), is_spring_.end(), 0);
+  if (of_case_.may_be_springs()) find_reactions_of_springs();
   std::string fault;
   noting(fault, [&] {
     for_each_task("slices", static_cast<Index>(count()), [&](Index k) {
       problem::State<2>& state = k == 0 ? first : *others_[k - 1];
-      if (asleep(static_cast<std::size_t>(k))) return let_sleep(k, dt, state);
+      if (is_spring(static_cast<std::size_t>(k))) return step_as_spring(k, dt, state);
       if (!own(k)) return let_time_pass(dt, state);
       const mpm::Workspace<2>& work = k == 0 ? workspace : *workspaces_[k - 1];
       const Real limit = std::exchange(state.max_dt, dt);
@@ -228,14 +228,14 @@ void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, c
 
 void CoupledLine::archive(Archive& k, const problem::State<2>& first)
 {
-  k("hangs", hangs_);
-  if (!hangs_) return;
+  k("coupled", coupled_);
+  if (!coupled_) return;
   if (k.reads()) {
     make_others(first);
     begin_stage(first);
   }
   k.table("line", [&] { beam::archive(k, state_); });
-  k.fixed("asleep", asleep_);
+  k.fixed("is_spring", is_spring_);
   k("slice_steps", slice_steps_);
   k("laid_embedment", laid_embedment_);
   for (std::size_t s = 0; s < count(); ++s)

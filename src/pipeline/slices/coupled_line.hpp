@@ -30,8 +30,8 @@ public:
   /// Gives slice k > 0 a soil of its own, in which the pipe is laid before the slices are hung. Both must outlive this.
   void give_soil(std::size_t k, const problem::Model<2>& model, const problem::State<2>& laid) { soils_[k] = {&model, &laid}; }
   /// Hangs the slices on the line: copies the first one, laid.
-  void hang(const problem::State<2>& laid);
-  bool hangs() const { return hangs_; }
+  void couple(const problem::State<2>& laid);
+  bool is_coupled() const { return coupled_; }
   /// In a new stage of loads: where they go from. The first slice has begun the stage already.
   void begin_stage(const problem::State<2>& first);
   /// Finds the stable time steps of all slices where they do not hold any more.
@@ -45,7 +45,7 @@ public:
   /// At a time (s) in the stage that the first slice is in.
   LineLoads loads_at(const problem::State<2>& first, Real time) const;
   /// Whether a slice is springs of the far soil, and its own soil waits as the pipe was laid in it.
-  bool asleep(std::size_t k) const { return asleep_[k] != 0; }
+  bool is_spring(std::size_t k) const { return is_spring_[k] != 0; }
   /// Slice k > 0.
   const problem::State<2>& slice(std::size_t k) const { return *others_[k - 1]; }
   /// Steps of soil, of all slices together.
@@ -60,12 +60,12 @@ public:
   void archive_of_rank(Archive& k, int rank);
 
 private:
-  void put_to_sleep();
-  void wake();
+  void begin_as_springs();
+  void resolve();
   void scale_springs(const problem::State<2>& first);
   void find_reactions_of_springs();
   void let_time_pass(Real dt, problem::State<2>& state) const;
-  void let_sleep(Index k, Real dt, problem::State<2>& state) const;
+  void step_as_spring(Index k, Real dt, problem::State<2>& state) const;
   void load_line(const LineLoads& now, Real dt);
   Real time_step(const problem::State<2>& first) const;
   Real step_line(const problem::State<2>& first, Real dt);
@@ -92,8 +92,8 @@ private:
   beam::Work work_;
   beam::Loads loads_;
   LineLoads from_;  ///< when the stage began
-  bool hangs_ = false;
-  std::vector<Index> asleep_;  ///< by slice
+  bool coupled_ = false;
+  std::vector<Index> is_spring_;  ///< by slice
   BigIndex slice_steps_ = 0;
   Real laid_embedment_ = 0;  ///< m, of the pipe
   std::vector<SliceForce> forces_;

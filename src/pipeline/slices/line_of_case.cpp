@@ -237,13 +237,13 @@ void add_macro_elements(beam::Line& line, const problem::Case& c, const std::vec
                       beam::friction(p.far_soil.axial_friction * p.submerged_weight, p.far_soil.axial_mobilisation), on_slices);
 }
 
-/// Springs: along the line everywhere, across it beyond the slices and where these may be asleep.
+/// Springs: along the line everywhere, across it beyond the slices and where these may be springs.
 void add_soil(beam::Line& line, const problem::Case& c, Real last_slice)
 {
   const problem::PipelineSettings& p = *c.pipeline;
   const problem::FarSoil& soil = p.far_soil;
   const std::vector<Real> all = beam::lengths_of_nodes(line),
-                          across = p.slices.asleep == problem::SliceSleep::never ? beam::lengths_of_nodes(line, last_slice) : all;
+                          across = p.slices.as_spring == problem::SliceAsSpring::never ? beam::lengths_of_nodes(line, last_slice) : all;
   if (p.end_stiffness) {
     std::vector<Real> end(static_cast<std::size_t>(line.nodes()), 0);
     end.back() = 1;

@@ -42,7 +42,7 @@ struct LineOfCase {
   /// As it was laid.
   LineLoads laid() const;
   /// Whether slices can be springs: these are then at the nodes under them, too.
-  bool may_sleep() const { return settings.slices.asleep != problem::SliceSleep::never; }
+  bool may_be_springs() const { return settings.slices.as_spring != problem::SliceAsSpring::never; }
   /// The share of its largest resistance that the far soil has at a displacement sideways from where the line was laid, m; 1 where it has none.
   Real mobilised(Real displacement) const;
   /// Whether the resistance along the line is that of an interface, which follows the force and embedment in each slice.

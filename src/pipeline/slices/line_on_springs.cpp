@@ -10,7 +10,7 @@ namespace {
 
 problem::Case without_soil(problem::Case c)
 {
-  c.pipeline->slices.asleep = problem::SliceSleep::always;
+  c.pipeline->slices.as_spring = problem::SliceAsSpring::always;
   return c;
 }
 

@@ -12,21 +12,21 @@ namespace berm::slices {
 namespace {
 
 /// What the line, the rows and the stages need of a slice after a step.
-struct Told {
+struct RankMessage {
   Vec<2> displacement, velocity, reaction, impulse;
   bodies::RecentReaction<2> recent;
   Real contact_mass, failed;  ///< on its rank: 0 or 1
 };
-constexpr std::size_t numbers = sizeof(Told) / sizeof(Real);
+constexpr std::size_t numbers = sizeof(RankMessage) / sizeof(Real);
 
-Told told_by(const problem::State<2>& slice, Real contact_mass, bool failed)
+RankMessage told_by(const problem::State<2>& slice, Real contact_mass, bool failed)
 {
   const bodies::RigidState<2>& pipe = slice.rigid_bodies[0];
   return {pipe.displacement,         pipe.velocity, pipe.reaction, slice.contact_sums[0].impulse, pipe.recent, contact_mass,
           failed ? Real(1) : Real(0)};
 }
 
-void hear(const Told& told, problem::State<2>& slice, SliceForce& force)
+void hear(const RankMessage& told, problem::State<2>& slice, SliceForce& force)
 {
   bodies::RigidState<2>& pipe = slice.rigid_bodies[0];
   pipe.displacement = told.displacement;
@@ -66,7 +66,7 @@ void CoupledLine::share_time_steps(problem::State<2>& first, const std::string& 
   constexpr Real failed = -1;
   Real smallest = fault.empty() ? infinity : failed;
   for (std::size_t k = 0; k < count(); ++k)
-    if (fault.empty() && own(static_cast<Index>(k)) && (k == 0 || !asleep(k)))
+    if (fault.empty() && own(static_cast<Index>(k)) && (k == 0 || !is_spring(k)))
       smallest = std::min(smallest, (k == 0 ? first : *others_[k - 1]).stable_dt);
   smallest = -ranks.messenger()->largest(-smallest);
   if (smallest == failed) throw_first_of(fault);
@@ -86,23 +86,24 @@ void CoupledLine::share_slices(problem::State<2>& first, const std::string& faul
   const std::size_t many = static_cast<std::size_t>(ranks.count());
   told_.clear();
   for (std::size_t k = static_cast<std::size_t>(ranks.rank()); k < count(); k += many) {
-    const Told told = told_by(k == 0 ? first : *others_[k - 1], forces_[k].contact_mass, !fault.empty());
+    const RankMessage told = told_by(k == 0 ? first : *others_[k - 1], forces_[k].contact_mass, !fault.empty());
     const Real* values = reinterpret_cast<const Real*>(&told);
     told_.insert(told_.end(), values, values + numbers);
   }
   first_of_rank_.assign(many + 1, 0);
-  for (std::size_t k = 0; k < count(); ++k) first_of_rank_[k % many + 1] += sizeof(Told);
+  for (std::size_t k = 0; k < count(); ++k) first_of_rank_[k % many + 1] += sizeof(RankMessage);
   for (std::size_t r = 0; r < many; ++r) first_of_rank_[r + 1] += first_of_rank_[r];
   told_by_all_.resize(count() * numbers);
   ranks.messenger()->gather(reinterpret_cast<const std::byte*>(told_.data()), reinterpret_cast<std::byte*>(told_by_all_.data()),
                             first_of_rank_);
   bool failed = false;
   for (std::size_t k = 0; k < count(); ++k) {
-    Told told;
+    RankMessage told;
     std::memcpy(static_cast<void*>(&told),
-                reinterpret_cast<const std::byte*>(told_by_all_.data()) + first_of_rank_[k % many] + k / many * sizeof(Told), sizeof(Told));
+                reinterpret_cast<const std::byte*>(told_by_all_.data()) + first_of_rank_[k % many] + k / many * sizeof(RankMessage),
+                sizeof(RankMessage));
     failed = failed || told.failed != 0;
-    if (!own(static_cast<Index>(k)) && !asleep(k)) hear(told, k == 0 ? first : *others_[k - 1], forces_[k]);
+    if (!own(static_cast<Index>(k)) && !is_spring(k)) hear(told, k == 0 ? first : *others_[k - 1], forces_[k]);
   }
   if (failed) throw_first_of(fault);
 }

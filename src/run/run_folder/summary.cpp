@@ -130,7 +130,7 @@ std::string Summary::json() const
   for (const auto& [name, check] : checks) std::visit([&, &key = name](auto value) { root["checks"][key] = value; }, check);
   root["text"] = Json::object();
   for (const auto& [name, words] : text) root["text"][name] = one_line(words);
-  for (const auto& [name, list] : {std::pair{"warnings", &warnings}, {"spoiled", &spoiled}}) {
+  for (const auto& [name, list] : {std::pair{"warnings", &warnings}, {"invalid", &invalid}}) {
     root[name] = Json::array();
     for (const std::string& words : *list) root[name].push_back(one_line(words));
   }

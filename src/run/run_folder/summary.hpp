@@ -80,9 +80,9 @@ public:
   Checks checks;                                          ///< e.g. energy balance, reached the end
   std::vector<std::pair<std::string, std::string>> text;  ///< e.g. title, version
   std::vector<std::string> warnings;                      ///< what was doubtful of the case before it ran: "FILE:LINE: KEY: MESSAGE"
-  std::vector<std::string> spoiled;                       ///< why its numbers are not to be used, a sentence each
+  std::vector<std::string> invalid;                       ///< why its numbers are not to be used, a sentence each
 
-  /// {"quantities": {NAME: {"value", "unit", "meaning", "kind", "of"}}, "force_measure": {"name", "value", "unit", "meaning"}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}, "warnings": [words], "spoiled": [words]}, in the order in which
+  /// {"quantities": {NAME: {"value", "unit", "meaning", "kind", "of"}}, "force_measure": {"name", "value", "unit", "meaning"}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}, "warnings": [words], "invalid": [words]}, in the order in which
   /// they were added. Timing has wall_s, threads, cells, steps and loops; in MPM also particle_steps_per_s, particles and seconds_per_step (wall
   /// time over steps), in FEM nodes and iterations; processors_s, steps_s, rows_s, frames_s, checkpoints_s and beside_s (TimeOfParts). A number that is not finite becomes null.
   std::string json() const;

@@ -71,7 +71,7 @@ RunSummary summary_of(const Json& json)
     if (name != "loops") summary.timing[name] = number(entry, "timing");
   for (const auto& [name, entry] : table(json, "checks").items()) summary.checks[name] = number(entry, "checks");
   for (const auto& [name, entry] : table(json, "text").items()) summary.text[name] = words(entry, "text");
-  for (const auto& [name, list] : {std::pair{"warnings", &summary.warnings}, {"spoiled", &summary.spoiled}})
+  for (const auto& [name, list] : {std::pair{"warnings", &summary.warnings}, {"invalid", &summary.invalid}})
     if (const auto found = json.find(name); found != json.end()) {
       if (!found->is_array()) refuse(fmt::format("\"{}\" is no list", name));
       for (const Json& entry : *found) list->push_back(words(entry, name));

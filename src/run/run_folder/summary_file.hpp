@@ -17,7 +17,7 @@ struct RunSummary {
   std::map<std::string, std::string> text;
   std::vector<std::string> warnings;         ///< what was doubtful of the case before it ran
   std::optional<Uncertainty> uncertainty{};  ///< where it was asked for
-  std::vector<std::string> spoiled{};        ///< why its numbers are not to be used; empty in one of an earlier version
+  std::vector<std::string> invalid{};        ///< why its numbers are not to be used; empty in one of an earlier version
 
   /// All of its stages were run.
   bool finished() const;

@@ -32,7 +32,7 @@ struct Answers {
   std::vector<run_folder::Quantity> quantities;
   std::optional<run_folder::Quantity> force_measure;
   std::vector<std::pair<std::string, std::string>> text;  ///< further entries of Summary::text
-  std::vector<std::string> spoiled;                       ///< Summary::spoiled
+  std::vector<std::string> invalid;                       ///< Summary::invalid
   std::string key_results;                                ///< as a table of the log; "" where there is none
 };
 

@@ -24,16 +24,16 @@ fs::path warnings_in(const fs::path& run_folder)
 
 }  // namespace
 
-Doubts doubts_of(const sanity::Scene& scene)
+Diagnostics diagnose(const sanity::Scene& scene)
 {
-  Doubts doubts;
+  Diagnostics doubts;
   for (const sanity::Finding& finding : sanity::ask(scene))
     (finding.severity == sanity::Severity::refuse ? doubts.refusals : doubts.warnings)
         .push_back(scene.places.located(finding.key, finding.message));
   return doubts;
 }
 
-void throw_refusals(const Doubts& doubts)
+void throw_refusals(const Diagnostics& doubts)
 {
   for (std::size_t k = 1; k < doubts.refusals.size(); ++k) io::tell("berm: {}\n", doubts.refusals[k].text());
   if (!doubts.refusals.empty()) throw input::LocatedError(doubts.refusals.front());
@@ -41,7 +41,7 @@ void throw_refusals(const Doubts& doubts)
 
 std::vector<std::string> warnings_of(const sanity::Scene& scene)
 {
-  const Doubts doubts = doubts_of(scene);
+  const Diagnostics doubts = diagnose(scene);
   throw_refusals(doubts);
   std::vector<std::string> warnings;
   for (const input::Located& warning : doubts.warnings) warnings.push_back(warning.text());

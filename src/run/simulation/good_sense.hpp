@@ -7,13 +7,13 @@
 namespace berm::simulation {
 
 /// Whether what a case asks for makes sense.
-struct Doubts {
+struct Diagnostics {
   std::vector<input::Located> refusals, warnings;
 };
-Doubts doubts_of(const sanity::Scene& scene);
+Diagnostics diagnose(const sanity::Scene& scene);
 
 /// Throws LocatedError with the first refusal; others go to stderr before it.
-void throw_refusals(const Doubts& doubts);
+void throw_refusals(const Diagnostics& doubts);
 
 /// The warnings, "FILE:LINE: KEY: MESSAGE" each, of a case without refusals; others are thrown.
 std::vector<std::string> warnings_of(const sanity::Scene& scene);

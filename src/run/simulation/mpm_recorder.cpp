@@ -207,7 +207,7 @@ void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const 
       row_.of(model.contacts[k].name);
       if (bonds) {
         row_("contact", surface.area, run_folder::surface<dim>, "surface in contact");
-        row_("in_tension", surface.in_tension, run_folder::bare, "part of the surface in contact that is in tension");
+        row_("in_tension", surface.in_tension, run_folder::bare, "fraction of the contact surface in tension");
       }
       if (differs) row_("adhesion", surface.adhesion, run_folder::pascals, "mean adhesion of the surface in contact");
     }

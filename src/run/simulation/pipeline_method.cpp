@@ -68,7 +68,7 @@ void add_shape(run_folder::Row& row, const slices::LineOfCase& of, const beam::S
 {
   const Index crown = crown_of(of, now);
   row("P", -beam::effective_force(of.line, now, 0), run_folder::whole_newtons, "effective compression at x = 0");
-  row("x", of.line.x[crown], run_folder::metres, "place of the largest lateral displacement");
+  row("x", of.line.x[crown], run_folder::metres, "position of the largest lateral displacement");
   row("y", sideways(of, now, crown), run_folder::metres,
       "largest lateral displacement of the line, from its straight axis, or from its route");
   row("M", beam::largest_moment(of.line, now), run_folder::whole_newton_metres, "largest lateral bending moment");
@@ -86,11 +86,11 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
       level_(columns_.heights(state()))
 {
   if (line_.of_case().settings.springs) springs_.emplace(case_of_run());
-  if (!model().earthworks.empty()) throw KeyError("pipeline: does not go with fills and excavations");
+  if (!model().earthworks.empty()) throw KeyError("pipeline: cannot be combined with fills and excavations");
   make_soils(request, scratch);
   refuse_without_memory(memory_of_others(), memory_in_use(), fmt::format("{} slices", line_.count()),
                         "take larger cells, fewer particles or fewer slices");
-  const bool springs = line_.of_case().settings.slices.asleep == problem::SliceSleep::always;
+  const bool springs = line_.of_case().settings.slices.as_spring == problem::SliceAsSpring::always;
   expect_slices(springs ? 0 : line_.count(), memory_of_others());
 }
 
@@ -140,9 +140,9 @@ Estimate PipelineMethod::estimate(const Context& context)
   e.lines.insert(e.lines.begin(),
                  fmt::format("pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice",
                              slices_in_words(of),
-                             of.settings.slices.asleep == problem::SliceSleep::always ? ", asleep"
-                             : of.may_sleep()                                         ? ", asleep until they slide"
-                                                                                      : "",
+                             of.settings.slices.as_spring == problem::SliceAsSpring::always ? ", as springs"
+                             : of.may_be_springs()                                          ? ", as springs until they slide"
+                                                                                            : "",
                              of.line.nodes(), of.line.x.back()));
   return e;
 }
@@ -173,13 +173,13 @@ bool PipelineMethod::next_stage()
 {
   if (!MpmMethod<2>::next_stage()) return false;
   if (!on_line()) return true;
-  if (!line_.hangs()) {
+  if (!line_.is_coupled()) {
     for (std::size_t j = 0; j < soils_.size(); ++j) try {
         soils_[j]->step_to(problem::StageKind::pipeline);
       } catch (const RunError& error) {
         throw RunError(fmt::format("pipeline.soil[{}], while the pipe is laid there: {}", j, error.what()));
       }
-    line_.hang(state());
+    line_.couple(state());
     for (std::size_t k = 1; k < line_.count(); ++k) last_impulses_[k] = -line_.slice(k).contact_sums[0].impulse;
     hung_at_ = state().step;
     const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
@@ -195,7 +195,7 @@ bool PipelineMethod::next_stage()
 
 void PipelineMethod::come_to_checkpoint_boundary()
 {
-  if (line_.hangs()) return line_.find_time_steps(state_now(), workspace());
+  if (line_.is_coupled()) return line_.find_time_steps(state_now(), workspace());
   MpmMethod<2>::come_to_checkpoint_boundary();
 }
 
@@ -262,7 +262,7 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row("P0", of.constrained_force(loads, 0), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
   add_shape(row, of, now);
   row("z", across(of, now, Plane::vertical, crown), run_folder::metres, "height of the line there, from where it was laid");
-  row("crossing", crossing_of(of, now), run_folder::metres, "place beyond it where the line crosses its axis");
+  row("crossing", crossing_of(of, now), run_folder::metres, "position beyond it where the line crosses its axis");
   row("strain_max", stretched, run_folder::bare, "largest longitudinal strain");
   row("strain_min", compressed, run_folder::bare, "smallest longitudinal strain: the largest in compression");
   row("feed_in", -now.displacement[of.line.axial(last_of_slices)], run_folder::metres,
@@ -278,7 +278,7 @@ Real PipelineMethod::energy_error_of_slices()
 {
   Real largest = energy_error_of_slices_;
   for (std::size_t k = 1; k < line_.count(); ++k) {
-    if (!line_.hangs() || line_.asleep(k) || slices::CoupledLine::rank_of(k) != Ranks::of_run().rank()) continue;
+    if (!line_.is_coupled() || line_.is_spring(k) || slices::CoupledLine::rank_of(k) != Ranks::of_run().rank()) continue;
     const problem::State<2>& slice = line_.slice(k);
     const problem::Totals<2>& t = slice.totals;
     Real kinetic = 0;
@@ -295,7 +295,7 @@ void PipelineMethod::add_slices(run_folder::Row& row)
   energy_error_of_slices_ = energy_error_of_slices();
   const Real time = state().time - last_row_;
   for (std::size_t k = 0; k < line_.count(); ++k) {
-    const problem::State<2>& slice = k == 0 || !line_.hangs() ? state() : line_.slice(k);
+    const problem::State<2>& slice = k == 0 || !line_.is_coupled() ? state() : line_.slice(k);
     const Vec<2> impulse = -slice.contact_sums[0].impulse;
     const Vec<2> reaction = time > 0 ? Vec<2>((impulse - last_impulses_[k]) / time) : Vec<2>(Vec<2>::Zero());
     last_impulses_[k] = impulse;
@@ -334,7 +334,7 @@ run_folder::Frame<2> PipelineMethod::make_frame(run_folder::Frame<2> old)
 /// Of the slices that this rank has; the first has all then.
 void PipelineMethod::note_berms()
 {
-  if (!line_.hangs()) {
+  if (!line_.is_coupled()) {
     first_frame_of_berms_ = static_cast<Index>(stages_.size());
     return;
   }
@@ -393,7 +393,7 @@ void PipelineMethod::write_springs() const
 
 mpm::WholeState<2> PipelineMethod::whole_state()
 {
-  if (line_.hangs()) gather_on_first_rank([&](Archive& k, int rank) { line_.archive_of_rank(k, rank); });
+  if (line_.is_coupled()) gather_on_first_rank([&](Archive& k, int rank) { line_.archive_of_rank(k, rank); });
   return MpmMethod<2>::whole_state();
 }
 
@@ -411,7 +411,7 @@ run_folder::Summary::Checks PipelineMethod::checks() const
 
 Real PipelineMethod::particle_steps() const
 {
-  const BigIndex before = line_.hangs() ? hung_at_ : state().step;
+  const BigIndex before = line_.is_coupled() ? hung_at_ : state().step;
   return static_cast<Real>(counts().particles * (before + line_.slice_steps()));
 }
 

@@ -8,7 +8,7 @@
 
 namespace berm::simulation {
 
-/// A pipeline on slices of soil as a Run needs it: the first slice is a run of the material point method, which lays the pipe; in stages of kind pipeline all slices hang on the line.
+/// A pipeline on slices of soil as a Run needs it: the first slice is a run of the material point method, which lays the pipe; in stages of kind pipeline all slices are coupled to the line.
 class PipelineMethod : public MpmMethod<2> {
 public:
   PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch);
@@ -61,7 +61,7 @@ private:
   std::vector<Index> stages_;                         ///< by frame
   slices::SoilColumns columns_;                       ///< of the soil of a slice
   std::vector<Real> level_, berms_;  ///< m: their heights before the first step, and how far they have risen, by frame, slice and column
-  Index first_frame_of_berms_ = 0;   ///< once the slices hang
+  Index first_frame_of_berms_ = 0;   ///< once the slices are coupled
 };
 
 }  // namespace berm::simulation

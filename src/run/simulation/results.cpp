@@ -79,7 +79,7 @@ std::string write_results(const RunRequest& request, EndedRun ended, const After
   for (auto& entry : answers.text) summary.text.push_back(std::move(entry));
   summary.checks = ended.checks;
   summary.warnings = warnings;
-  summary.spoiled = std::move(answers.spoiled);
+  summary.invalid = std::move(answers.invalid);
   summary.write(folder.file("summary.json"));
   for (const std::filesystem::path& names : {folder.path(), folder.file("frames")}) io::sync_file(names);  // before the checkpoints go
 

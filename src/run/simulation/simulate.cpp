@@ -31,7 +31,7 @@ Checked check_case(const RunRequest& to_check, Context& context)
     const io::ScratchFolder scratch;
     typename decltype(of)::type method(request, scratch);
     const sanity::Scene scene = method.scene(request, context.threads());
-    Doubts doubts = doubts_of(scene);
+    Diagnostics doubts = diagnose(scene);
     Checked checked{std::move(doubts.refusals), std::move(doubts.warnings), {}, {}, {}};
     if (!checked.refusals.empty()) return checked;
     checked.notes = motion_words(scene);

@@ -127,8 +127,9 @@ void check_start(Describe& d, const std::string& path, const StartStress& start)
 {
   d.check(start.confining_stress.has_value() || start.vertical_stress.has_value(), path,
           "needs the stress at the start: confining_stress, or vertical_stress and k0");
-  d.check(!start.confining_stress || !start.vertical_stress, path + ".vertical_stress", "does not go with confining_stress");
-  d.check(!start.confining_stress || !start.k0, path + ".k0", "does not go with confining_stress, which is the same in all directions");
+  d.check(!start.confining_stress || !start.vertical_stress, path + ".vertical_stress", "cannot be combined with confining_stress");
+  d.check(!start.confining_stress || !start.k0, path + ".k0",
+          "cannot be combined with confining_stress, which is the same in all directions");
   d.check(!start.vertical_stress || start.k0, path + ".vertical_stress", "needs k0, which gives the horizontal stress");
 }
 
@@ -152,7 +153,7 @@ void check_path(Describe& d, const std::string& path, const TestSettings& test)
   const bool by_stress = oedometer != nullptr && !oedometer->stress_path.empty();
   d.check(by_stress || !test.strain_path.empty(), path,
           oedometer != nullptr ? "needs strain_path = [...] or stress_path = [...]" : "needs strain_path = [...], the strains to reach");
-  d.check(!by_stress || test.strain_path.empty(), path + ".strain_path", "does not go with stress_path");
+  d.check(!by_stress || test.strain_path.empty(), path + ".strain_path", "cannot be combined with stress_path");
   const std::vector<Real>& points = by_stress ? oedometer->stress_path : test.strain_path;
   const std::string key = path + (by_stress ? ".stress_path" : ".strain_path");
   Real before = by_stress ? oedometer->start.vertical() : 0;

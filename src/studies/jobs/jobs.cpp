@@ -47,9 +47,9 @@ bool hand_over(Queue& queue, Scheduler& scheduler)
 }
 
 /// Tells of jobs as they end, each once.
-class Teller {
+class ProgressPrinter {
 public:
-  Teller(const Queue& queue, std::size_t count, const Ended& ended) : queue_(queue), told_(count, false), ended_(ended) {}
+  ProgressPrinter(const Queue& queue, std::size_t count, const Ended& ended) : queue_(queue), told_(count, false), ended_(ended) {}
 
   /// Whether all have been told of.
   bool tell()
@@ -86,12 +86,12 @@ private:
 void run_by(Scheduler& scheduler, const std::vector<Job>& jobs, bool wait, const fs::path& folder, const Ended& ended)
 {
   Queue queue(folder, jobs);
-  Teller teller(queue, jobs.size(), ended);
+  ProgressPrinter printer(queue, jobs.size(), ended);
   bool at_work = hand_over(queue, scheduler), all_told = false;
   for (Real waited = 0; true;) {
     // Asked before the folders are looked at, so that what ends in between is not missed.
     at_work = at_work && scheduler.works_on(queue.handle());
-    all_told = teller.tell();
+    all_told = printer.tell();
     if (all_told || !at_work || !wait || interrupted()) break;
     const Real pause = scheduler.pause(waited);
     wait_for(pause);
@@ -105,7 +105,7 @@ void run_by(Scheduler& scheduler, const std::vector<Job>& jobs, bool wait, const
     queue.close();
     throw RunError(why);
   }
-  if (teller.tell_rest(at_work))
+  if (printer.tell_rest(at_work))
     queue.close();
   else if (!at_work)
     queue.hand_to("");

@@ -72,12 +72,12 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
 
 run_folder::Uncertainty bands_from(const VariantPlan& plan, const fs::path& folder, const record::RunRecord& run)
 {
-  std::vector<VariantRecord> variants, with_grains;
+  std::vector<VariantRecord> variants, with_grain_size;
   for (const Variant& variant : plan.variants)
-    (variant.d50 ? with_grains : variants)
+    (variant.d50 ? with_grain_size : variants)
         .push_back({variant.size, variant.speed, structures::read_run(folder / variant.name), variant.d50});
   run_folder::Uncertainty found = bands_of(run, variants);
-  variants.insert(variants.end(), with_grains.begin(), with_grains.end());
+  variants.insert(variants.end(), with_grain_size.begin(), with_grain_size.end());
   found.grains = grains_of(run, variants);
   for (const VariantRecord& variant : variants)
     found.runs.push_back({variant.run.name, variant.size, variant.speed, variant.run.timing("wall_s")});

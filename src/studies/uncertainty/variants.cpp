@@ -70,16 +70,16 @@ void make_faster(problem::StageSettings& stage)
 
 bool knows_speed(const problem::Case& c)
 {
-  return std::any_of(c.material.begin(), c.material.end(), [](const auto& entry) { return knows_rate(entry.second); });
+  return std::any_of(c.material.begin(), c.material.end(), [](const auto& entry) { return is_rate_dependent(entry.second); });
 }
 
 /// The case with grains in all soil whose shear bands cells would make narrower; empty where they would in none.
-std::optional<problem::Case> with_grains(problem::Case c, Real d50)
+std::optional<problem::Case> with_grain_size(problem::Case c, Real d50)
 {
   bool changed = false;
   for (auto& [name, soil] : c.material) {
     if (!non_associated(soil) || band_width(soil)) continue;
-    material::Material with = material::with_grains(soil, d50);
+    material::Material with = material::with_grain_size(soil, d50);
     const std::optional<Real> width = band_width(with);
     if (!width || *width >= material::cells_of_band * base::near_cell_size(c)) continue;
     soil = std::move(with);
@@ -172,7 +172,7 @@ VariantPlan choose_variants(const problem::Case& c)
     plan.variants.push_back({last.name + "_fast", last.size, 2, at_twice_the_speed(last.settings)});
   }
   for (const Real d50 : grains)
-    if (std::optional<problem::Case> settings = with_grains(last.settings, d50))
+    if (std::optional<problem::Case> settings = with_grain_size(last.settings, d50))
       plan.variants.push_back({fmt::format("{}_d50_{:g}_mm", last.name, 1000 * d50), last.size, 1, *std::move(settings), d50});
   return plan;
 }

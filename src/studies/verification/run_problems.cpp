@@ -64,9 +64,9 @@ void remove_result(jobs::Job& job)
 }
 
 /// Tells how far the jobs are.
-class Teller {
+class ProgressPrinter {
 public:
-  Teller(const std::vector<jobs::Job>& jobs, const jobs::Runner& runner, fs::path output)
+  ProgressPrinter(const std::vector<jobs::Job>& jobs, const jobs::Runner& runner, fs::path output)
       : jobs_(jobs),
         output_(std::move(output)),
         begin_(Clock::now())
@@ -161,10 +161,10 @@ std::vector<ProblemResult> run_problems(std::vector<jobs::Job> all, const fs::pa
   tell_of_results(there, all.size());
   if (jobs.empty()) return results;
   estimate_times(jobs);
-  Teller teller(jobs, runner, output);
+  ProgressPrinter printer(jobs, runner, output);
   run_jobs(jobs, runner, output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     results[result_of_job[job]].end = end;
-    teller.tell(job, end);
+    printer.tell(job, end);
   });
   return results;
 }

@@ -321,29 +321,29 @@ TEST(Run, that_fails_ends_with_status_1_and_says_where_when_and_what_to_do)
   EXPECT_NE(place.text("results/run.log").find("left the mesh"), std::string::npos);
 }
 
-TEST(Run, whose_answer_is_spoiled_says_so_beside_its_numbers_and_with_strict_ends_with_status_1)
+TEST(Run, whose_answer_is_invalid_says_so_beside_its_numbers_and_with_strict_ends_with_status_1)
 {
   const Place place;
   const Words run = {
       "run", "small.toml", "--threads", "1", "--set", "mpm.max_volume_ratio=1.0001", "--set", "material.sand.dilation_angle=0.26"};
   const Ended ended = place.berm(run);
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.err.find("berm: warning: the answer is spoiled: soil at its largest volume"), std::string::npos) << ended.err;
-  EXPECT_EQ(ended.out.find("key results; (!) the answer is spoiled: soil at its largest volume"), 0u) << ended.out;
+  EXPECT_NE(ended.err.find("berm: warning: the answer is invalid: soil at its largest volume"), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.out.find("key results; (!) the answer is invalid: soil at its largest volume"), 0u) << ended.out;
   std::istringstream lines(ended.out);
   for (std::string line; std::getline(lines, line) && !line.empty();) EXPECT_NE(line.find("(!)"), std::string::npos) << line;
-  EXPECT_EQ(place.json("out/small/summary.json")["spoiled"].size(), 1u);
-  EXPECT_NE(place.text("out/small/run.log").find("the answer is spoiled"), std::string::npos);
+  EXPECT_EQ(place.json("out/small/summary.json")["invalid"].size(), 1u);
+  EXPECT_NE(place.text("out/small/run.log").find("the answer is invalid"), std::string::npos);
   Words strict = run;
   strict.insert(strict.end(), {"--strict", "--force"});
   const Ended failed = place.berm(strict);
   EXPECT_EQ(failed.status, 1);
-  EXPECT_NE(failed.err.find("berm: out/small: the answer is spoiled: "), std::string::npos) << failed.err;
+  EXPECT_NE(failed.err.find("berm: out/small: the answer is invalid: "), std::string::npos) << failed.err;
   EXPECT_EQ(place.berm({"run", "small.toml", "--threads", "1", "--strict", "-o", "sound"}).status, 0);
-  EXPECT_EQ(place.json("sound/summary.json")["spoiled"].size(), 0u);
+  EXPECT_EQ(place.json("sound/summary.json")["invalid"].size(), 0u);
 }
 
-TEST(Run, of_a_bed_at_rest_is_not_spoiled_by_what_is_left_of_its_stress)
+TEST(Run, of_a_bed_at_rest_is_not_made_invalid_by_what_is_left_of_its_stress)
 {
   constexpr const char* bed = R"(
 gravity = [0, -10]
@@ -381,7 +381,7 @@ damping = 0.7
   folder.write("bed.toml", bed);
   const Ended ended = run_program(folder.path(), {"run", "bed.toml", "-o", "out", "--strict"});
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_EQ(ended.err.find("spoiled"), std::string::npos) << "its work is 1 mJ, its elastic energy 8 J: " << ended.err;
+  EXPECT_EQ(ended.err.find("invalid"), std::string::npos) << "its work is 1 mJ, its elastic energy 8 J: " << ended.err;
 }
 
 TEST(Run, that_is_interrupted_keeps_whole_files_and_ends_with_status_75)

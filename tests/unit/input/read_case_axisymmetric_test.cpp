@@ -41,12 +41,10 @@ std::string with(std::string from, const std::string& to)
 
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
-TEST(Geometry, is_a_closed_list_and_takes_the_place_of_dimension)
+TEST(Geometry, is_a_closed_list)
 {
   EXPECT_SAYS(refusal_of_ball({"geometry=axisymetric"}), "did you mean \"axisymmetric\"");
   EXPECT_SAYS(refusal_of_ball({"geometry=disk"}), "allowed: plane_strain, axisymmetric, space");
-  EXPECT_SAYS(refusal_of_ball({}, with("geometry = \"axisymmetric\"", "dimension = 3")),
-              "case.toml:2: dimension: is now called \"geometry\"");
 }
 
 TEST(Axisymmetric, case_is_taken_with_whole_masses_and_forces)

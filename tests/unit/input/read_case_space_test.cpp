@@ -129,13 +129,13 @@ TEST(DrivesInSpace, are_velocity_force_free_held_or_spring_and_one_of_them)
         "drive.rotation_y.moment = \"3 N m\"", "drive.x.velocity = 1\ndrive.point = [0, \"4 m\", 0]"})
     EXPECT_EQ(refusal_in_space(space_case(box, drive)), "") << drive;
   const std::pair<const char*, const char*> rows[] = {
-      {"drive.x.velocity = 1\ndrive.x.spring = 2", "stage.drive.drive.x.spring: does not go with what is prescribed"},
-      {"drive.rotation_x.fixed = true\ndrive.rotation_x.spring = 2", "does not go with what is prescribed"},
+      {"drive.x.velocity = 1\ndrive.x.spring = 2", "stage.drive.drive.x.spring: cannot be combined with what is prescribed"},
+      {"drive.rotation_x.fixed = true\ndrive.rotation_x.spring = 2", "cannot be combined with what is prescribed"},
       {"drive.x.free = true\ndrive.x.force = 2", "is driven in one way only"},
       {"drive.rotation.spring = 2", "is no freedom in space"},
       {"drive.x.spring = -1", "drive.x.spring"},
       {"drive.x.velocity = 1\ndrive.point = [0, 4]", "stage.drive.drive.point: needs three coordinates"},
-      {"drive.x.spring = 1\ndrive.point = [0, 4, 0]", "does not go with springs"},
+      {"drive.x.spring = 1\ndrive.point = [0, 4, 0]", "cannot be combined with springs"},
       {"drive.x.spring = \"1 kN\"", "wrong dimension"}};
   for (const auto& [drive, says] : rows)
     EXPECT_NE(refusal_in_space(space_case(box, drive)).find(says), std::string::npos) << refusal_in_space(space_case(box, drive));

@@ -58,7 +58,7 @@ TEST(Interface, names_the_words_that_stand_for_a_number)
 
 TEST(Interface, has_one_adhesion)
 {
-  EXPECT_SAYS(refusal({"adhesion=1 kPa", "adhesion_factor=0.5"}), "contact.pipe_on_bed.adhesion_factor: does not go with adhesion");
+  EXPECT_SAYS(refusal({"adhesion=1 kPa", "adhesion_factor=0.5"}), "contact.pipe_on_bed.adhesion_factor: cannot be combined with adhesion");
 }
 
 TEST(Interface, has_a_share_of_an_undrained_strength_only)

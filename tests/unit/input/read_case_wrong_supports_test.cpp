@@ -52,7 +52,7 @@ TEST(Motion, that_is_wrong_says_what_is_allowed)
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1]"), "needs velocities at these times");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0], x=[0]"), "needs two times at least");
   EXPECT_SAYS(refusal_of_motion("stages=[\"drag\"]"), "needs a table, or times and velocities");
-  EXPECT_SAYS(refusal_of_motion(drag + "table=\"quake.csv\", " + rows), "does not go with table");
+  EXPECT_SAYS(refusal_of_motion(drag + "table=\"quake.csv\", " + rows), "cannot be combined with table");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"mpm.active_distance=1"}), "soil that rests feels no motion");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"method=fem", "stage.push={name=\"push\", kind=\"push\", force=1, until={time=1}}"}),
               "support.base.motion: is for method = \"mpm\"");

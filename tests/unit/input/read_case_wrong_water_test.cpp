@@ -56,7 +56,7 @@ TEST(Water, that_flows_needs_porosity_and_permeability)
   EXPECT_WATER_SAYS(refusal_with({in_water + "kozeny_carman=true"}), "water.kozeny_carman: is a law of the permeability, which is missing");
   EXPECT_WATER_SAYS(refusal_with({flows, n, in_water + "permeability=0"}), "water.permeability");
   EXPECT_EQ(refusal_with({flows, k, n, "method=fem"}), "");
-  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "contact.pipe_on_bed.scheme=usf"}), "does not go with scheme = \"usf\"");
+  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "contact.pipe_on_bed.scheme=usf"}), "cannot be combined with scheme = \"usf\"");
   EXPECT_EQ(refusal_with({flows, k, n, "support.base.drained=true"}), "");
   EXPECT_WATER_SAYS(refusal_with({"support.base.drained=true"}), "support.base.drained: no soil has water that flows");
 }
@@ -101,7 +101,7 @@ TEST(Water, under_soil_that_dilates_needs_the_pressure_of_cavitation)
   EXPECT_EQ(refusal_with({"material.sand.dilation_angle=5 deg", in_water + "min_pressure=-100 kPa"}), "");
   EXPECT_WATER_SAYS(refusal_with({in_water + "min_pressure=10 kPa"}), "water.min_pressure");
   EXPECT_WATER_SAYS(refusal_with({in_water + "min_pressure=-1 MPa", in_water + "water_depth=100 m"}),
-                    "min_pressure: does not go with water_depth");
+                    "min_pressure: cannot be combined with water_depth");
 }
 
 TEST(Water, at_a_rough_contact_needs_particles)

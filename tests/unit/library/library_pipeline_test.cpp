@@ -70,8 +70,8 @@ protected:
 
 TEST_F(PipelineRun, goes_on_to_the_same_bytes_after_it_was_stopped_and_as_a_clone)
 {
-  // One slice wakes after the stop, and another has a soil of its own.
-  const std::vector<std::string> more = {"pipeline.slices.asleep=\"until_it_slides\"",
+  // One slice is resolved after the stop, and another has a soil of its own.
+  const std::vector<std::string> more = {"pipeline.slices.as_spring=\"until_sliding\"",
                                          "pipeline.far_soil={friction=0.9, axial_angle=\"20 deg\"}",
                                          "pipeline.soil=[{from=\"2 m\", to=\"2 m\", set=[\"material.clay.cohesion=3 kPa\"]}]"};
   run_of("whole", more).finish();
@@ -101,7 +101,8 @@ TEST_F(PipelineRun, goes_on_to_the_same_bytes_after_it_was_stopped_and_as_a_clon
 
 TEST_F(PipelineRun, goes_on_to_the_same_bytes_while_all_its_slices_sleep)
 {
-  const std::vector<std::string> more = {"pipeline.slices.asleep=\"always\"", "pipeline.far_soil={friction=0.9, axial_angle=\"20 deg\"}"};
+  const std::vector<std::string> more = {"pipeline.slices.as_spring=\"always\"",
+                                         "pipeline.far_soil={friction=0.9, axial_angle=\"20 deg\"}"};
   run_of("whole", more).finish();
   {
     OneRun parts = run_of("parts", more);
@@ -142,7 +143,7 @@ TEST_F(PipelineRun, lays_its_pipe_in_each_soil)
   EXPECT_NEAR(deep("slice_3_w_m"), deep("slice_2_w_m"), 1e-3) << "the same soil; the line hardly bends";
 }
 
-TEST_F(PipelineRun, counts_forces_of_each_soil_from_when_the_line_hangs)
+TEST_F(PipelineRun, counts_forces_of_each_soil_from_when_the_slices_are_coupled)
 {
   OneRun run = run_of("soils", {"pipeline.soil=[{from=\"2 m\", to=\"3 m\", set=[\"material.clay.cohesion=4 kPa\"]}]",
                                 "stage.lay.until={embedment=\"10 mm\", time=\"1 s\"}"});

@@ -86,19 +86,19 @@ TEST(MacroElementFiles, json_has_each_parameter_with_its_unit_and_each_run_with_
   EXPECT_GT(all["runs"][0]["rms_V_over_largest"], 0);
 }
 
-TEST(MacroElementFiles, say_that_the_answer_of_a_run_is_spoiled)
+TEST(MacroElementFiles, say_that_the_answer_of_a_run_is_invalid)
 {
   Path path;
   path.name = "a";
   path.diameter = 0.5;
-  path.spoiled = {"11 % of the work */ is not balanced"};
+  path.invalid = {"11 % of the work */ is not balanced"};
   for (int k = 1; k < 20; ++k) path.points.push_back({0, 0.005 * k, 0, 100. * k, false});
   const Parameters p = with_points();
   const std::vector<Comparison> fitted{compare(p, path, true)};
-  const std::string line = "(!) the answer of a is spoiled, do not use what is fitted to it: 11 % of the work ";
+  const std::string line = "(!) the answer of a is invalid, do not use what is fitted to it: 11 % of the work ";
   EXPECT_NE(table_of(fitted).find(line), std::string::npos);
   EXPECT_NE(code_of(p, fitted).find(line + "/ is"), std::string::npos) << "nothing ends the comment";
-  EXPECT_EQ(nlohmann::json::parse(json_of(p, fitted))["runs"][0]["spoiled"].size(), 1U);
+  EXPECT_EQ(nlohmann::json::parse(json_of(p, fitted))["runs"][0]["invalid"].size(), 1U);
   EXPECT_NE(table_of({compare(p, path, false)}).find("do not use it as a check"), std::string::npos);
 }
 

@@ -321,8 +321,8 @@ TEST(Clay, answers_what_a_soil_without_friction_answers)
   EXPECT_TRUE(yields(soil));
   EXPECT_FALSE(dilates(soil));
   EXPECT_FALSE(non_associated(soil));
-  EXPECT_TRUE(knows_rate(soil));
-  EXPECT_FALSE(knows_rate(Material(softening_clay())));
+  EXPECT_TRUE(is_rate_dependent(soil));
+  EXPECT_FALSE(is_rate_dependent(Material(softening_clay())));
   ASSERT_TRUE(strength_at_rest(soil));
   EXPECT_EQ(strength_at_rest(soil)->cohesion, clay_strength);
   EXPECT_EQ(strength_at_rest(soil)->friction_angle, 0);

@@ -51,14 +51,14 @@ TEST(ShearBand, lowers_friction_and_cohesion_of_a_law_by_the_same_share)
   MohrCoulomb law = soil(2e3, 35, 5);
   law.cohesion_gradient = 1e3;
   law.d50 = 2e-3;
-  const MohrCoulomb here = in_cells_of(law, 0.06);  // w = 30 mm
+  const MohrCoulomb here = regularised_for(law, 0.06);  // w = 30 mm
   const Real share = std::tan(here.friction_angle) / std::tan(law.friction_angle);
   EXPECT_LT(here.friction_angle, law.friction_angle);
   EXPECT_NEAR(here.friction_angle, friction_angle_in_cells(*strength_at_rest(law), 0.03, 0.06), 1e-15);
   EXPECT_NEAR(here.cohesion, share * law.cohesion, 1e-9);
   EXPECT_NEAR(here.cohesion_gradient, share * law.cohesion_gradient, 1e-9);
   EXPECT_EQ(here.dilation_angle, law.dilation_angle);
-  EXPECT_EQ(in_cells_of(here, 0.6), here) << "once";
+  EXPECT_EQ(regularised_for(here, 0.6), here) << "once";
   const Real own[2] = {5e3, law.young_modulus};
   const PreparedMohrCoulomb prepared = prepare(here), by_own = with_local(prepared, own);
   EXPECT_NEAR(by_own.strength, share * 5e3 * std::cos(here.friction_angle), 1e-9);
@@ -66,10 +66,10 @@ TEST(ShearBand, lowers_friction_and_cohesion_of_a_law_by_the_same_share)
 
 TEST(ShearBand, changes_no_law_without_a_width_or_with_associated_flow)
 {
-  EXPECT_EQ(in_cells_of(soil(1e3, 35, 0), 1), soil(1e3, 35, 0));
+  EXPECT_EQ(regularised_for(soil(1e3, 35, 0), 1), soil(1e3, 35, 0));
   MohrCoulomb associated = soil(1e3, 35, 35);
   associated.band_width = 1e-3;
-  EXPECT_EQ(in_cells_of(associated, 1), associated);
+  EXPECT_EQ(regularised_for(associated, 1), associated);
 }
 
 }  // namespace

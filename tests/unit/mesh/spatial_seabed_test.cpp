@@ -161,20 +161,20 @@ TEST(SpatialSeabed, layer_at_the_base_has_one_thickness_below_trench_and_step)
 
 TEST(SpatialSeabed, refuses_what_is_inconsistent_by_one_clear_message)
 {
-  const auto spoiled = [](const auto& spoil) {
+  const auto message_of = [](const auto& change) {
     SeabedMesh bed = sample_bed();
-    spoil(bed);
+    change(bed);
     return refusal_of(bed);
   };
   EXPECT_EQ(refusal_of(sample_bed()), "");
-  EXPECT_SAYS(spoiled([](SeabedMesh& b) { b.near_front.reset(); }), "mesh.near_front: is missing");
-  EXPECT_SAYS(spoiled([](SeabedMesh& b) { b.near_front = 0.95; }), "mesh.near_front: 0.95 m must be 0.15 m or more from the front wall");
-  EXPECT_SAYS(spoiled([](SeabedMesh& b) { b.near_back = -0.1; }), "mesh.near_back: -0.1 m must be");
-  EXPECT_SAYS(spoiled([](SeabedMesh& b) { b.near_front = 0.02; }), "narrower than near_size");
-  EXPECT_SAYS(spoiled([](SeabedMesh& b) { b.near_size = 1e-3; }), "mesh.near_size: about");
-  EXPECT_SAYS(spoiled([](SeabedMesh& b) { b.trench = Trench{.depth = 0.1, .width = 0.2, .side_slope = 80 * degree, .center = 0.1}; }),
+  EXPECT_SAYS(message_of([](SeabedMesh& b) { b.near_front.reset(); }), "mesh.near_front: is missing");
+  EXPECT_SAYS(message_of([](SeabedMesh& b) { b.near_front = 0.95; }), "mesh.near_front: 0.95 m must be 0.15 m or more from the front wall");
+  EXPECT_SAYS(message_of([](SeabedMesh& b) { b.near_back = -0.1; }), "mesh.near_back: -0.1 m must be");
+  EXPECT_SAYS(message_of([](SeabedMesh& b) { b.near_front = 0.02; }), "narrower than near_size");
+  EXPECT_SAYS(message_of([](SeabedMesh& b) { b.near_size = 1e-3; }), "mesh.near_size: about");
+  EXPECT_SAYS(message_of([](SeabedMesh& b) { b.trench = Trench{.depth = 0.1, .width = 0.2, .side_slope = 80 * degree, .center = 0.1}; }),
               "mesh.trench.side_slope: is 80 deg");
-  EXPECT_SAYS(spoiled([](SeabedMesh& b) { b.step = Step{.height = 0.2, .position = 0.5, .face_slope = 45 * degree}; }),
+  EXPECT_SAYS(message_of([](SeabedMesh& b) { b.step = Step{.height = 0.2, .position = 0.5, .face_slope = 45 * degree}; }),
               "mesh.headroom: the surface goes up by 0.2 m");
 }
 

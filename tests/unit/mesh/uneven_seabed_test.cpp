@@ -169,7 +169,7 @@ TEST(UnevenSeabed, refuses_what_does_not_fit_with_key_and_advice)
   refused("step.face_slope", "at most 89 deg", step(0.02, 0, 90));
   refused("step.position", "mesh.length larger", step(0.02, 0.34, 45));
   refused("headroom", "at least 0.063 m", step(0.045, 0, 45));
-  refused("step: does not go with a trench", "Gmsh", [&](SeabedMesh& bed) { trench(0.03, 0.04, 45)(bed), step(0.02, 0, 45)(bed); });
+  refused("step: cannot be combined with a trench", "Gmsh", [&](SeabedMesh& bed) { trench(0.03, 0.04, 45)(bed), step(0.02, 0, 45)(bed); });
 }
 
 }  // namespace

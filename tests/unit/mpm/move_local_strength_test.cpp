@@ -135,7 +135,7 @@ TEST(CellFriction, is_that_of_the_cell_in_which_a_particle_is)
     };
     // All particles with the friction of cells of one size.
     const auto all_in_cells_of = [&](Real size) {
-      material::MohrCoulomb here = in_cells_of(sand, size);
+      material::MohrCoulomb here = regularised_for(sand, size);
       here.cohesion_share = 1;  // a soil of its own: its particles keep its cohesion
       problem::Problem<2> alike = body_of(here);
       shear_once(alike);

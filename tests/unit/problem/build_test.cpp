@@ -82,8 +82,9 @@ TEST(Build, fills_no_body_where_a_rigid_body_is_that_it_has_a_contact_with)
   c.contact = {{"skin", skin}};
   EXPECT_GE(min_distance(), 0);
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).diameter = 10;
-  EXPECT_EQ(message_of(c), "body.bed: has no particles: all cells of its regions lie within the rigid bodies; check their place and size, "
-                           "or fill other regions");
+  EXPECT_EQ(message_of(c),
+            "body.bed: has no particles: all cells of its regions lie within the rigid bodies; check their position and size, "
+            "or fill other regions");
 }
 
 TEST(Build, gives_a_rigid_body_that_turns_the_inertia_of_a_solid_or_its_own)

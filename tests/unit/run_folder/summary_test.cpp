@@ -28,7 +28,7 @@ Summary sample_summary()
                     .memory = {4e8, 5e8, 3e8}};
   summary.checks = {{"reached_the_end", true}, {"energy_balance", 0.01}};
   summary.text = {{"title", "a \"pipe\""}, {"berm", "0.1.0"}};
-  summary.spoiled = {"energy does not balance"};
+  summary.invalid = {"energy does not balance"};
   return summary;
 }
 
@@ -63,7 +63,7 @@ TEST(Summary, has_the_form_that_readers_rely_on)
   EXPECT_EQ(json["checks"]["reached_the_end"], true);
   EXPECT_EQ(json["checks"]["energy_balance"].get<double>(), 0.01);
   EXPECT_EQ(json["text"]["title"], "a \"pipe\"");
-  EXPECT_EQ(json["spoiled"], nlohmann::json::parse(R"(["energy does not balance"])"));
+  EXPECT_EQ(json["invalid"], nlohmann::json::parse(R"(["energy does not balance"])"));
 }
 
 bool is_check_or_timing(const std::string& name)

@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(All, Examples, testing::ValuesIn(all_examples()), [](co
   return name;
 });
 
-TEST(Doubts, stand_in_the_log_and_in_the_summary_and_a_resumed_run_keeps_them)
+TEST(Diagnostics, stand_in_the_log_and_in_the_summary_and_a_resumed_run_keeps_them)
 {
   TemporaryFolder folder;
   folder.write("case.toml", test::small_case);

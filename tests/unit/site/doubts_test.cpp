@@ -53,14 +53,14 @@ std::string refusal(const std::function<void()>& act)
   return test::error_of<InputError>(act);
 }
 
-TEST(Doubts, there_are_none_of_soft_clay_and_of_medium_sand)
+TEST(Diagnostics, there_are_none_of_soft_clay_and_of_medium_sand)
 {
   EXPECT_EQ(all(doubts_of_rows(made(soft), 3)), "");
   EXPECT_EQ(of_clay(made(soft, 0.03)), "");
   EXPECT_EQ(of_sand(made([](Real z) { return 3e6 * std::sqrt(z); }, 0.006)), "");
 }
 
-TEST(Doubts, name_rows_left_out_and_gaps_at_the_seabed_between_readings_and_below)
+TEST(Diagnostics, name_rows_left_out_and_gaps_at_the_seabed_between_readings_and_below)
 {
   Sounding many = made(soft);
   many.rows += 10;
@@ -79,7 +79,7 @@ TEST(Doubts, name_rows_left_out_and_gaps_at_the_seabed_between_readings_and_belo
             std::string::npos);
 }
 
-TEST(Doubts, of_clay_name_strength_that_is_that_of_sand_or_of_another_unit)
+TEST(Diagnostics, of_clay_name_strength_that_is_that_of_sand_or_of_another_unit)
 {
   EXPECT_NE(of_clay(made([](Real z) { return 3 * soft(z) + 1.2e6; })).find("this kind is of clay below 100 kPa"), std::string::npos);
   EXPECT_NE(of_clay(made(soft, 0.004)).find("the mean friction ratio is 0.4 %"), std::string::npos);
@@ -92,7 +92,7 @@ TEST(Doubts, of_clay_name_strength_that_is_that_of_sand_or_of_another_unit)
             std::string::npos);
 }
 
-TEST(Doubts, of_clay_name_a_lens_and_layers_without_strength)
+TEST(Diagnostics, of_clay_name_a_lens_and_layers_without_strength)
 {
   const std::string lens = of_clay(made([](Real z) { return z > 1.2 && z < 1.4 ? 1e6 : soft(z); }));
   EXPECT_NE(lens.find("a lens of sand"), std::string::npos) << lens;
@@ -101,7 +101,7 @@ TEST(Doubts, of_clay_name_a_lens_and_layers_without_strength)
   EXPECT_NE(without.find("no more than the weight above at 0.05 m: left out"), std::string::npos) << without;
 }
 
-TEST(Doubts, of_sand_name_clay_another_unit_and_the_end_of_the_correlation)
+TEST(Diagnostics, of_sand_name_clay_another_unit_and_the_end_of_the_correlation)
 {
   EXPECT_NE(of_sand(made([](Real z) { return 3e6 * std::sqrt(z); }, 0.05)).find("is it clay"), std::string::npos);
   EXPECT_NE(of_sand(made([](Real z) { return 20e6 * std::sqrt(z); })).find("written as 45 deg"), std::string::npos);

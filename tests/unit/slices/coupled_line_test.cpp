@@ -20,7 +20,7 @@ struct LineRun {
       mpm::step(problem.model, problem.state, workspace);
       if (stage_ended(problem.model, problem.state)) next_stage();
     }
-    line.hang(problem.state);
+    line.couple(problem.state);
     line.begin_stage(problem.state);
   }
   void next_stage()
@@ -144,25 +144,25 @@ TEST(CoupledLine, replays_each_slice_in_a_single_problem_to_the_bit)
 }
 
 /// Pushed sideways by 300 N/m, on springs that resist to 600.
-problem::Case sleepy_line(problem::SliceSleep asleep)
+problem::Case line_on_springs(problem::SliceAsSpring as_spring)
 {
   problem::Case c = test::line_case();
-  c.pipeline->slices.asleep = asleep;
+  c.pipeline->slices.as_spring = as_spring;
   c.pipeline->far_soil.friction = 0.4;
   c.pipeline->far_soil.mobilisation = 5e-3;
   return c;
 }
 
-TEST(CoupledLine, wakes_slices_before_their_springs_slide)
+TEST(CoupledLine, resolves_slices_before_their_springs_slide)
 {
-  LineRun run(sleepy_line(problem::SliceSleep::until_it_slides));
-  EXPECT_FALSE(run.line.asleep(0)) << "the first is where the crown is";
-  for (std::size_t k = 1; k < run.line.count(); ++k) EXPECT_TRUE(run.line.asleep(k));
+  LineRun run(line_on_springs(problem::SliceAsSpring::until_sliding));
+  EXPECT_FALSE(run.line.is_spring(0)) << "the first is where the crown is";
+  for (std::size_t k = 1; k < run.line.count(); ++k) EXPECT_TRUE(run.line.is_spring(k));
   const BigIndex laid = run.line.slice(1).step;
   const Real internal = run.line.slice(1).totals.internal;
   for (;;) {
     run.step();
-    if (!run.line.asleep(1)) break;
+    if (!run.line.is_spring(1)) break;
     ASSERT_EQ(run.line.slice(1).totals.internal, internal) << "its soil waits";
   }
   const Real lateral = run.line.loads_at(run.problem.state, run.problem.state.time).lateral;
@@ -172,7 +172,7 @@ TEST(CoupledLine, wakes_slices_before_their_springs_slide)
   EXPECT_GT(run.line.slice(1).step, laid);
   while (!stage_ended(run.problem.model, run.problem.state)) run.step();
   // The springs have lost it less than they may move, and what they carried when they gave way.
-  LineRun awake(sleepy_line(problem::SliceSleep::never));
+  LineRun awake(line_on_springs(problem::SliceAsSpring::never));
   while (!stage_ended(awake.problem.model, awake.problem.state)) awake.step();
   EXPECT_GT(awake.pipe(1)[0], 0.1) << "it has broken out";
   EXPECT_NEAR(run.pipe(1)[0], awake.pipe(1)[0], 0.02 * awake.pipe(1)[0] + 5e-3);
@@ -180,7 +180,7 @@ TEST(CoupledLine, wakes_slices_before_their_springs_slide)
 
 TEST(CoupledLine, lies_on_springs_alone_where_no_slice_wakes)
 {
-  problem::Case c = sleepy_line(problem::SliceSleep::always);
+  problem::Case c = line_on_springs(problem::SliceAsSpring::always);
   c.stage.back().pipeline.lateral = 300;
   LineRun run(c);
   const Real internal = run.problem.state.totals.internal, x = run.pipe(0)[0];
@@ -193,7 +193,7 @@ TEST(CoupledLine, lies_on_springs_alone_where_no_slice_wakes)
 // Hot at one end and cold at the other, between a free end and one on a spring: it gets longer by P0 of the middle, less what the spring holds back.
 TEST(CoupledLine, pushes_the_spring_at_its_end_as_it_gets_warm)
 {
-  problem::Case c = sleepy_line(problem::SliceSleep::always);
+  problem::Case c = line_on_springs(problem::SliceAsSpring::always);
   problem::PipelineSettings& p = *c.pipeline;
   p.half = problem::LineHalf::symmetric;
   p.end = problem::LineEnd::spring;
@@ -226,7 +226,7 @@ TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
     ++problem.state.stage.index;
     begin_stage(problem.model, problem.state);
   }
-  line.hang(problem.state);
+  line.couple(problem.state);
   line.begin_stage(problem.state);
   EXPECT_EQ(line.slice(1).rigid_bodies[0].displacement[1], deep);
   EXPECT_EQ(line.slice(2).rigid_bodies[0].displacement[1], shallow);

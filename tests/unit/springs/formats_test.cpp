@@ -5,7 +5,7 @@
 #include "samples/made_run.hpp"
 #include "samples/made_springs.hpp"
 #include "samples/temporary_folder.hpp"
-#include "structures/base/spoiled.hpp"
+#include "structures/base/invalid_answer.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -359,12 +359,12 @@ TEST(Formats, tables_and_json_tell_the_same_numbers)
   EXPECT_EQ(json["provenance"][1], "a pipe");
 }
 
-TEST(Formats, both_tables_of_a_spoiled_run_begin_with_why)
+TEST(Formats, both_tables_of_an_invalid_run_begin_with_why)
 {
   Design design = sample_design();
   const auto begins = [&](const std::string& name) { return file(table_files(design), name).text.starts_with("#"); };
   EXPECT_FALSE(begins("curves.csv"));
-  design.provenance = {fmt::format("{} energy does not balance", base::spoiled_line_begin)};
+  design.provenance = {fmt::format("{} energy does not balance", base::invalid_line_begin)};
   EXPECT_EQ(lines_of(file(table_files(design), "springs.csv").text).front(), "# (!) energy does not balance");
   EXPECT_EQ(lines_of(file(table_files(design), "curves.csv").text).front(), "# (!) energy does not balance");
 }

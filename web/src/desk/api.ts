@@ -63,7 +63,7 @@ export interface Column { name: string; label: string; unit: string | null; mean
 export interface Rows { of: string; columns: Column[]; rows: (number | string | null)[][]; from_row: number; more: boolean }
 export interface RunNow extends RunState, Rows { log_tail: string; why?: string; summary?: Summary }
 export interface Quantity { value: number; unit: string; meaning: string; kind: string; of: string }
-export interface Summary { quantities?: Record<string, Quantity>; checks?: Record<string, unknown>; warnings?: string[]; spoiled?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
+export interface Summary { quantities?: Record<string, Quantity>; checks?: Record<string, unknown>; warnings?: string[]; invalid?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
 export interface Soil2D { frame: number; time_s: number; points: number; x: number[]; y: number[]; z?: number[]; size: number[]; field?: { name: string; label: string; unit: string; values: number[] }; fields: string[]; rigids: [number, number][][] }
 export interface Checked { findings: Finding[]; estimate: { particles: number; time_s: number | null; memory_bytes: number; disk_bytes: number; lines: string[] } | null }
 export interface Shown { address: string; without_scripts: boolean }

@@ -177,7 +177,7 @@ export class RunView implements Place {
   }
 
   /** `cut`: the stage that did not end, of a run that did not. */
-  private show_answer({ quantities, checks, warnings, spoiled, uncertainty }: Summary, cut: string): void {
+  private show_answer({ quantities, checks, warnings, invalid, uncertainty }: Summary, cut: string): void {
     const row = (name: string, each: Quantity) => {
       const term = make("td", "", name), is_cut = cut !== "" && (each.of === cut || name.startsWith(`${cut}.`));
       term.title = each.meaning;
@@ -188,7 +188,7 @@ export class RunView implements Place {
     const rows = Object.entries(quantities ?? {}).filter(([, each]) => typeof each.value === "number").slice(0, 60).map(([name, each]) => row(name, each));
     const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);
     this.answer.replaceChildren(
-      ...(spoiled && JSON.stringify(spoiled) !== "[]" && spoiled !== false ? [make("p", "bad", "Do not use the results of this run: its report says why.")] : []),
+      ...(invalid && JSON.stringify(invalid) !== "[]" && invalid !== false ? [make("p", "bad", "Do not use the results of this run: its report says why.")] : []),
       ...(cut ? [make("p", "fair", `The run did not come to its end. Numbers of ${cut} are of a stage that did not end, and later stages are missing.`)] : []),
       ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)),
       make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...rows))),

@@ -3,10 +3,10 @@
 #include "structures/after_run/after_run.hpp"
 
 #include "problem/cells_at_body.hpp"
-#include "soil_plot/soil_plot.hpp"
 #include "run_folder/summary_file.hpp"
+#include "soil_plot/soil_plot.hpp"
+#include "structures/base/invalid_answer.hpp"
 #include "structures/base/soil_words.hpp"
-#include "structures/base/spoiled.hpp"
 #include "structures/base/still_moving.hpp"
 #include "structures/base/support_reactions.hpp"
 #include "structures/depth/profile_page.hpp"
@@ -29,7 +29,7 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
     const bodies::RigidBody<2>& body = model.rigid_bodies[model.main_rigid];
     const bodies::RigidState<2>& now = rigid_bodies[model.main_rigid];
     view = soil_plot::view_around(center_now<2>(body, now)[0], lowest_level<2>(placed<2>(body, now), model.axes.up_vector()), width,
-                               model.surface, last.points);
+                                  model.surface, last.points);
   }
   if (model.mesh.metric == mesh::Metric::axisymmetric) view.mirror();
   view.show(model.ground.line);
@@ -46,8 +46,9 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
   const bool mirrored = std::find(settings.symmetry.begin(), settings.symmetry.end(), "z") != settings.symmetry.end();
   const Vec<3>&lower = model.mesh.lower, &upper = model.mesh.upper;
   const Real width = base::body_scale(settings).width;
-  const soil_plot::SpaceView view = width > 0 ? soil_plot::view_around(last.rigid_bodies[model.main_rigid].surface, width, lower, upper, mirrored)
-                                           : soil_plot::view_of_all(lower, upper, mirrored);
+  const soil_plot::SpaceView view = width > 0
+                                        ? soil_plot::view_around(last.rigid_bodies[model.main_rigid].surface, width, lower, upper, mirrored)
+                                        : soil_plot::view_of_all(lower, upper, mirrored);
   for (const auto& [name, field] : {std::pair{"soil", "deviatoric_strain"}, {"soil_increment", "incremental_deviatoric_strain"}})
     soil_plot::draw_soil(folder.path(), last, {name, field, view, settings.title});
 }
@@ -59,14 +60,14 @@ void take_checks(const run_folder::Summary::Checks& checks, record::RunRecord& r
   for (const auto& [name, check] : checks) run.summary->checks[name] = std::visit([](auto value) -> Real { return value; }, check);
 }
 
-/// The table under a heading, "" where it is empty; of a run whose answer is spoiled with why, and a mark behind every line.
-std::string key_results(const std::string& table, const std::vector<std::string>& spoiled)
+/// The table under a heading, "" where it is empty; of a run whose answer is invalid with why, and a mark behind every line.
+std::string key_results(const std::string& table, const std::vector<std::string>& invalid)
 {
-  if (table.empty() || spoiled.empty()) return table.empty() ? "" : "key results\n" + table;
-  std::string marked = fmt::format("key results; (!) the answer is spoiled: {}\n", base::spoiled_words(spoiled));
+  if (table.empty() || invalid.empty()) return table.empty() ? "" : "key results\n" + table;
+  std::string marked = fmt::format("key results; (!) the answer is invalid: {}\n", base::invalid_words(invalid));
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);)
-    marked += (marked.back() == '\n' ? "" : "\n") + line + base::spoiled_mark(spoiled) + "\n";
+    marked += (marked.back() == '\n' ? "" : "\n") + line + base::invalid_mark(invalid) + "\n";
   if (table.back() != '\n') marked.pop_back();
   return marked;
 }
@@ -96,10 +97,10 @@ simulation::Answers answers_of(simulation::EndedRun& ended)
   answers.quantities = run.quantities;
   answers.force_measure = base::measure_quantity(base::body_scale(run));
   take_checks(ended.checks, run);
-  answers.spoiled = base::spoiled_by(run);
-  for (const std::string& why : answers.spoiled) spdlog::warn("the answer is spoiled: {}", why);
+  answers.invalid = base::invalid_because(run);
+  for (const std::string& why : answers.invalid) spdlog::warn("the answer is invalid: {}", why);
   for (const std::string& doubt : driven::lower_estimates(run)) spdlog::warn("{}", doubt);
-  answers.key_results = key_results(structure.table_of(run) + base::still_moving_lines(run), answers.spoiled);
+  answers.key_results = key_results(structure.table_of(run) + base::still_moving_lines(run), answers.invalid);
   return answers;
 }
 
@@ -123,7 +124,7 @@ std::string key_results_in(const simulation::RunRequest& request)
   run.summary = run_folder::read_summary(request.folder);
   if (run.summary) run.quantities = run.summary->quantities;
   const std::string table = run.summary ? structures::structure_of(request.settings).table_of(run) : "";
-  return table.empty() ? "" : fmt::format("{}: {}", request.folder.string(), key_results(table, run.summary->spoiled));
+  return table.empty() ? "" : fmt::format("{}: {}", request.folder.string(), key_results(table, run.summary->invalid));
 }
 
 }  // namespace berm::after_run

@@ -110,7 +110,7 @@ std::optional<material::Strength> weakest_in_shear_bands(Run run)
 /// Whether soil of a case can shear in bands: not where all slices of a pipeline are springs, nor around a cavity about the axis, whose wall alone moves along the radius.
 bool can_form_bands(const problem::Case& c)
 {
-  if (c.pipeline && c.pipeline->slices.asleep == problem::SliceSleep::always) return false;
+  if (c.pipeline && c.pipeline->slices.as_spring == problem::SliceAsSpring::always) return false;
   return c.geometry != problem::Geometry::axisymmetric ||
          std::none_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
            return stage.kind == problem::StageKind::drive && (stage.drive.x.velocity || stage.drive.x.force);
@@ -346,7 +346,7 @@ TrustMeasures convergence()
          return fmt::format("{} of the increments did not converge: try a larger fem.relaxation", text::percent_words(value));
        },
        text::percent_words},
-      {"part of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
+      {"fraction of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
        in_percent,
        [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", text::percent_words(value)); },
        text::percent_words},

@@ -48,7 +48,7 @@ Real mobilised_friction(const record::RunRecord& run, const StageEnd& end, const
 }
 
 /// What an answer may be made from.
-struct Told {
+struct ReportedQuantity {
   const record::RunRecord& run;
   const StageEnd& end;
   const Shape* shape;       ///< at that moment; null where line.csv has none
@@ -65,13 +65,13 @@ struct Told {
 struct Answer {
   const char *name, *unit, *meaning;
   const char* column;  ///< null: `of` makes it
-  Real (*of)(const Told&) = nullptr;
+  Real (*of)(const ReportedQuantity&) = nullptr;
   QuantityKind kind = QuantityKind::answer;
 };
 constexpr std::array line_answers = {
     Answer{"y", "m", "largest lateral displacement of the line, from its straight axis", "line_y_m"},
     Answer{"x_of_y", "m", "where it is, along the line", "line_x_m"},
-    Answer{"crossing", "m", "place beyond it where the line crosses its axis", "line_crossing_m"},
+    Answer{"crossing", "m", "position beyond it where the line crosses its axis", "line_crossing_m"},
     Answer{"z", "m", "height of the line there, from where it was laid", "line_z_m"},
     Answer{"P", "N", "effective compression at x = 0", "line_P_N"},
     Answer{"M", "N m", "largest lateral bending moment", "line_M_Nm"},
@@ -81,28 +81,28 @@ constexpr std::array line_answers = {
     Answer{"springs_y", "m", "largest lateral displacement of the same line on springs", "springs_y_m"},
     Answer{"springs_P", "N", "effective compression of the same line on springs, at x = 0", "springs_P_N"},
     Answer{"springs_M", "N m", "largest lateral bending moment of the same line on springs", "springs_M_Nm"},
-    Answer{"lobe_length", "m", "length of the largest lobe", nullptr, [](const Told& t) { return t.buckle.lobe_length; }},
+    Answer{"lobe_length", "m", "length of the largest lobe", nullptr, [](const ReportedQuantity& t) { return t.buckle.lobe_length; }},
     Answer{"lobes", "1", "lobes of the whole buckle", nullptr,
-           [](const Told& t) { return t.shape == nullptr ? nan : static_cast<Real>(t.buckle.lobes); }},
+           [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : static_cast<Real>(t.buckle.lobes); }},
     Answer{"slip_length", "m", "distance from x = 0 to where the line has slipped along its axis", nullptr,
-           [](const Told& t) { return t.buckle.slip_length; }},
+           [](const ReportedQuantity& t) { return t.buckle.slip_length; }},
     Answer{"friction", "1", "mean |H|/V of the slices in the buckle", nullptr,
-           [](const Told& t) { return t.shape == nullptr ? nan : mobilised_friction(t.run, t.end, t.buckle); }},
+           [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : mobilised_friction(t.run, t.end, t.buckle); }},
     Answer{"strain_bending", "1", "largest strain by bending, in both planes together", nullptr,
-           [](const Told& t) { return t.shape == nullptr ? nan : t.buckle.bending; }},
+           [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : t.buckle.bending; }},
     Answer{"strain_compressive", "1", "largest longitudinal strain in compression that makes stress, positive", nullptr,
-           [](const Told& t) { return t.compression(); }},
+           [](const ReportedQuantity& t) { return t.compression(); }},
     Answer{"utilisation", "1", "that strain over the strain at which the wall may buckle", nullptr,
-           [](const Told& t) { return t.compression() / t.limit; }, QuantityKind::ratio},
+           [](const ReportedQuantity& t) { return t.compression() / t.limit; }, QuantityKind::ratio},
     Answer{"ratchet", "m", "growth of |y|", nullptr,
-           [](const Told& t) {
+           [](const ReportedQuantity& t) {
              const auto like = std::find(t.run.history.stage.rbegin(), t.run.history.stage.rend(), t.end.like);
              if (t.end.like.empty() || !t.run.history.has("line_y_m")) return nan;
              const std::vector<Real>& y = t.run.history["line_y_m"];
              return std::abs(t.at_end("line_y_m")) - std::abs(y[static_cast<std::size_t>(t.run.history.stage.rend() - like - 1)]);
            }},
     Answer{"walking", "m", "mean axial displacement of the line", nullptr,
-           [](const Told& t) {
+           [](const ReportedQuantity& t) {
              return t.shape == nullptr || t.like_shape == nullptr ? nan : mean_axial(*t.shape) - mean_axial(*t.like_shape);
            }},
 };
@@ -177,7 +177,7 @@ std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run)
     const std::string still = moves == moving.end() ? "" : "; " + still_moving_words(*moves);
     const Shape* shape = shape_at(shapes, run.history, end.name);
     const Buckle buckle = shape == nullptr ? Buckle{} : buckle_of(*shape, *run.settings.pipeline);
-    const Told told{run, end, shape, shape_at(shapes, run.history, end.like), buckle, limit};
+    const ReportedQuantity told{run, end, shape, shape_at(shapes, run.history, end.like), buckle, limit};
     for (const Answer& answer : line_answers)
       if (const Real value = answer.column != nullptr ? told.at_end(answer.column) : answer.of(told); std::isfinite(value))
         list.push_back({fmt::format("{}.{}", end.name, answer.name), value, answer.unit,

@@ -15,7 +15,7 @@ bool is_sphere(const RigidShapeSettings& shape)
 
 /// In space only circles and spheres have some.
 template <int dim>
-Feelers<dim> feelers_of(const RigidShapeSettings& settings)
+ContactCandidates<dim> candidates_of(const RigidShapeSettings& settings)
 {
   const RigidShape<dim> shape = make_shape<dim>(settings);
   if (const auto* circle = std::get_if<Circle<dim>>(&shape)) return {{circle->center}, circle->radius};
@@ -49,19 +49,20 @@ void insert(ProximityPoints<dim>& found, const ProximityPoint<dim>& point)
   found.points[at] = point;
 }
 
-/// Adds where the feelers of a body meet the surface of another; `second` is whether this is the second of the two.
+/// Adds where the contact_candidates of a body meet the surface of another; `second` is whether this is the second of the two.
 template <int dim>
-void add_points(const Feelers<dim>& feelers, const RigidBody<dim>& body, const Pose<dim>& pose, const RigidBody<dim>& surface,
-                const Pose<dim>& surface_pose, bool second, Real reach, ProximityPoints<dim>& found)
+void add_points(const ContactCandidates<dim>& contact_candidates, const RigidBody<dim>& body, const Pose<dim>& pose,
+                const RigidBody<dim>& surface, const Pose<dim>& surface_pose, bool second, Real reach, ProximityPoints<dim>& found)
 {
   const Matrix<dim> turned = pose.orientation.matrix(), surface_turned = surface_pose.orientation.matrix();
   const Vec<dim> center = center_of<dim>(body.shape), moved = center + pose.displacement;
-  for (const Vec<dim>& feeler : feelers.points) {
+  for (const Vec<dim>& feeler : contact_candidates.points) {
     const Vec<dim> x = moved + turned * (feeler - center);
     const SurfacePoint<dim> at = surface_at_pose(surface, surface_pose, surface_turned, x);
-    const Real gap = at.distance - feelers.radius;
+    const Real gap = at.distance - contact_candidates.radius;
     if (gap > reach) continue;
-    insert(found, {Vec<dim>(x - (second ? at.distance : feelers.radius) * at.normal), second ? at.normal : Vec<dim>(-at.normal), gap});
+    insert(found,
+           {Vec<dim>(x - (second ? at.distance : contact_candidates.radius) * at.normal), second ? at.normal : Vec<dim>(-at.normal), gap});
   }
 }
 
@@ -75,7 +76,7 @@ std::optional<Proximity<dim>> proximity_of(const RigidShapeSettings& first, cons
     const bool plane = std::holds_alternative<HalfPlaneSettings>(first) || std::holds_alternative<HalfPlaneSettings>(second);
     if (!is_sphere<3>(first) && !is_sphere<3>(second) && !(circle && other) && !((circle || other) && plane)) return {};
   }
-  Proximity<dim> proximity{feelers_of<dim>(first), feelers_of<dim>(second)};
+  Proximity<dim> proximity{candidates_of<dim>(first), candidates_of<dim>(second)};
   // A ball's nearest point of the other surface is that of the whole ball. Of a sphere and a circle in space it is the sphere that has one.
   const bool first_is_ball = proximity.of_first.points.size() == 1 && (is_sphere<dim>(first) || !is_sphere<dim>(second));
   if (first_is_ball)

@@ -17,16 +17,16 @@ struct ProximityPoint {
 
 /// What of a body comes to the surface of another first: points, each in the middle of a ball. The centre of a circle or a sphere, the corners of others in the plane.
 template <int dim>
-struct Feelers {
+struct ContactCandidates {
   std::vector<Vec<dim>> points;  ///< m, at the start
   Real radius = 0;               ///< m, of the balls
 };
 
-/// How two rigid bodies meet: by the feelers of one at the surface of the other, and the other way round where both have corners. Two straight sides that meet
+/// How two rigid bodies meet: by the contact_candidates of one at the surface of the other, and the other way round where both have corners. Two straight sides that meet
 /// do so at the corners of either.
 template <int dim>
 struct Proximity {
-  Feelers<dim> of_first, of_second;
+  ContactCandidates<dim> of_first, of_second;
 };
 
 /// Empty where berm cannot tell how they meet: in space each pair of bodies but a sphere and any other, two circles, and a circle and a half-plane; in the plane two

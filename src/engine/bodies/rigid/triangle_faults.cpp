@@ -12,7 +12,7 @@
 namespace berm::bodies {
 namespace {
 
-/// Triangles that hang together by edges, as sets.
+/// Connected sets of triangles, by shared edges.
 class Surfaces {
 public:
   explicit Surfaces(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0); }

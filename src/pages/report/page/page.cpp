@@ -8,7 +8,7 @@
 #include "report/quality/quality_section.hpp"
 #include "report/results/results_section.hpp"
 #include "report/setup/setup_section.hpp"
-#include "structures/base/spoiled.hpp"
+#include "structures/base/invalid_answer.hpp"
 #include "text/html.hpp"
 
 #include <algorithm>
@@ -103,8 +103,8 @@ std::string faults_of(const std::vector<record::RunRecord>& runs, const std::vec
       said.emplace_back("did not come to its end: it was killed, crashed or still runs. Shown is what it wrote until then.");
     if (run.end == record::RunEnd::stopped)
       said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_log_line.empty() ? "nothing" : run.last_log_line));
-    if (run.summary && !run.summary->spoiled.empty())
-      said.push_back(fmt::format("is spoiled, and its numbers are not to be used: {}.", base::spoiled_words(run.summary->spoiled)));
+    if (run.summary && !run.summary->invalid.empty())
+      said.push_back(fmt::format("is invalid, and its numbers are not to be used: {}.", base::invalid_words(run.summary->invalid)));
     said.insert(said.end(), run.faults.begin(), run.faults.end());
     for (const std::string& words : said)
       items += fmt::format("<li class=\"warning\"><strong>{}</strong> {}</li>\n", text::html_text(run.name), text::html_text(words));

@@ -6,7 +6,7 @@
 #include "os/error.hpp"
 #include "report/page/page.hpp"
 #include "report/results/results_section.hpp"
-#include "structures/base/spoiled.hpp"
+#include "structures/base/invalid_answer.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -109,11 +109,11 @@ void tell_apart(std::vector<record::RunRecord>& runs)
     if (count[run.name] > 1) run.name = fmt::format("{}/{}", run.folder.parent_path().filename().string(), run.name);
 }
 
-/// A run whose answer is spoiled has a mark behind its name, and so beside each of its numbers, curves and pictures.
-void mark_spoiled(std::vector<record::RunRecord>& runs)
+/// A run whose answer is invalid has a mark behind its name, and so beside each of its numbers, curves and pictures.
+void mark_invalid(std::vector<record::RunRecord>& runs)
 {
   for (record::RunRecord& run : runs)
-    if (run.summary) run.name += base::spoiled_mark(run.summary->spoiled);
+    if (run.summary) run.name += base::invalid_mark(run.summary->invalid);
 }
 
 /// Reads what can be read; of several runs one that cannot is left out, with a word in `left_out`. Throws InputError where none is left.
@@ -131,7 +131,7 @@ std::vector<record::RunRecord> read_runs(const std::vector<fs::path>& folders, s
   if (runs.empty()) throw InputError("none of the run folders can be read");
   std::stable_sort(runs.begin(), runs.end(), finer);
   tell_apart(runs);
-  mark_spoiled(runs);
+  mark_invalid(runs);
   return runs;
 }
 

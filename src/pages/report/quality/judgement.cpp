@@ -54,8 +54,8 @@ std::string opposite_words(const std::vector<JudgedMeasure>& measures)
                      fmt::join(large, "; "), fmt::join(small, "; "));
 }
 
-/// Why the measures of a run are not good, except what has spoiled it; a measure that is bad makes the run bad.
-void add_measures(Judgement& all, const record::RunRecord& run, const Words& spoiled)
+/// Why the measures of a run are not good, except what makes it invalid; a measure that is bad makes the run bad.
+void add_measures(Judgement& all, const record::RunRecord& run, const Words& invalid)
 {
   Words not_known;
   for (const auto& [measure, value, standing] : all.measures) {
@@ -63,7 +63,7 @@ void add_measures(Judgement& all, const record::RunRecord& run, const Words& spo
     if (standing == Standing::bad) all.standing = Standing::bad;
     if (standing == Standing::unknown || standing == Standing::good) continue;
     const std::string warning = measure.warning(run, value);
-    if (!holds(spoiled, warning)) all.warnings.push_back(warning + ".");
+    if (!holds(invalid, warning)) all.warnings.push_back(warning + ".");
   }
   if (const std::string opposite = opposite_words(all.measures); !opposite.empty()) all.warnings.push_back(opposite);
   if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
@@ -81,7 +81,7 @@ void add_warnings(Judgement& all, const record::RunRecord& run)
   for (const std::string& warning : of_the_case) all.warnings.push_back("the case is doubtful: " + warning);
   std::size_t in_log = 0;
   for (const std::string& warning : run.warnings)
-    if (!warning.starts_with("the answer is spoiled: ") && !holds(of_the_case, warning) && ++in_log <= max_log_warnings)
+    if (!warning.starts_with("the answer is invalid: ") && !holds(of_the_case, warning) && ++in_log <= max_log_warnings)
       all.warnings.push_back("run.log: " + warning);
   if (in_log > max_log_warnings) all.warnings.push_back(fmt::format("run.log has {} more warnings.", in_log - max_log_warnings));
 }
@@ -90,11 +90,11 @@ void add_warnings(Judgement& all, const record::RunRecord& run)
 
 Judgement judgement_of(const record::RunRecord& run)
 {
-  const Words spoiled = run.summary ? run.summary->spoiled : Words();
-  Judgement all{spoiled.empty() ? Standing::good : Standing::bad, judged_measures(run), {}};
-  for (const std::string& why : spoiled)
-    all.warnings.push_back("the answer is spoiled, and its numbers, which have the mark (!), are not to be used: " + why + ".");
-  add_measures(all, run, spoiled);
+  const Words invalid = run.summary ? run.summary->invalid : Words();
+  Judgement all{invalid.empty() ? Standing::good : Standing::bad, judged_measures(run), {}};
+  for (const std::string& why : invalid)
+    all.warnings.push_back("the answer is invalid, and its numbers, which have the mark (!), are not to be used: " + why + ".");
+  add_measures(all, run, invalid);
   add_warnings(all, run);
   if (all.standing == Standing::good && !all.warnings.empty()) all.standing = Standing::fair;
   return all;

@@ -15,7 +15,7 @@ struct JudgedMeasure {
 
 /// What the page of a run says of it, all measures together.
 struct Judgement {
-  text::Standing standing;              ///< bad: the answer is spoiled, or a measure is bad; fair: any other warning; good: none
+  text::Standing standing;              ///< bad: the answer is invalid, or a measure is bad; fair: any other warning; good: none
   std::vector<JudgedMeasure> measures;  ///< those of the run's structure that apply
   std::vector<std::string> warnings;    ///< what is wrong with the run or not known of it, in sentences
 };

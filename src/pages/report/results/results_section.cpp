@@ -24,9 +24,9 @@ std::string doubts_in_words(const record::RunRecord& run, const Judgement& judge
                      : fmt::format("Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
 }
 
-bool is_spoiled(const record::RunRecord& run)
+bool is_invalid(const record::RunRecord& run)
 {
-  return run.summary && !run.summary->spoiled.empty();
+  return run.summary && !run.summary->invalid.empty();
 }
 
 std::string words_of(const record::RunRecord& run, const Judgement& judgement, const base::DisplayUnits& shown, bool several)
@@ -37,7 +37,7 @@ std::string words_of(const record::RunRecord& run, const Judgement& judgement, c
   for (const base::StillMoving& moving : base::still_moving(run))
     doubts += fmt::format("{}\"{}\" was {}.", doubts.empty() ? "" : " ", text::html_text(moving.stage), still_moving_words(moving));
   return fmt::format("<p>{}{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ",
-                     is_spoiled(run) ? "(!) <strong>The answer is spoiled; do not use these numbers.</strong> " : "", results,
+                     is_invalid(run) ? "(!) <strong>The answer is invalid; do not use these numbers.</strong> " : "", results,
                      doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
 }
 
@@ -83,7 +83,7 @@ std::string results_section(const Runs& runs, const std::vector<Judgement>& judg
   }
   html = words_of(runs, judgements, shown, first_look) + text::html_beside(html);
   // Tables of several runs name the run, with its mark, in each row; of one run the style of the class puts the mark behind each number.
-  if (runs.size() == 1 && is_spoiled(runs.front())) html = "<div class=\"spoiled\">\n" + html + "</div>\n";
+  if (runs.size() == 1 && is_invalid(runs.front())) html = "<div class=\"invalid\">\n" + html + "</div>\n";
   return text::html_section("answer", "Answer", html);
 }
 

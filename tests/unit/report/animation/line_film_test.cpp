@@ -84,7 +84,7 @@ TEST(line_film, of_a_long_line_leaves_out_nodes_that_a_page_cannot_tell_apart)
   for (const Real near : {0., 1., 2., 3., 4.}) EXPECT_TRUE(std::count(x.begin(), x.end(), near)) << "where the line moves, x = " << near;
 }
 
-TEST(line_film, has_the_bed_of_the_slices_from_the_frame_in_which_the_line_hangs)
+TEST(line_film, has_the_bed_of_the_slices_from_the_frame_in_which_the_slices_are_coupled)
 {
   const MadeLine made(4, 4);
   made.folder.write("berms.csv", "frame,slice,x_m,rise_m_at_0.0_m,rise_m_at_0.1_m\n2,0,0,0,0.5\n2,1,3,0,0\n3,0,0,-0.5,1\n3,1,3,0,0.25\n");

@@ -126,7 +126,7 @@ TEST(trust, shear_bands_are_not_warned_of_around_a_cavity_or_below_slices_that_a
   record::RunRecord run = sample_record(sample_case({"material.sand.dilation_angle=0"}));
   EXPECT_TRUE(contains(trust_of({run}), words));
   record::RunRecord slices = run;
-  slices.settings.pipeline.emplace().slices.asleep = problem::SliceSleep::always;
+  slices.settings.pipeline.emplace().slices.as_spring = problem::SliceAsSpring::always;
   EXPECT_FALSE(contains(trust_of({slices}), words));
   run.settings.geometry = problem::Geometry::axisymmetric;
   EXPECT_TRUE(contains(trust_of({run}), words));
@@ -294,7 +294,7 @@ TEST(trust, finite_elements_have_rows_of_their_own_only)
   record::RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
   run.settings.method = problem::Method::fem;
   const std::string html = trust_of({run});
-  EXPECT_TRUE(contains(html, "part of the stress beyond the strength"));
+  EXPECT_TRUE(contains(html, "fraction of the stress beyond the strength"));
   EXPECT_TRUE(contains(row_of(html, "strength that lags behind the pressure"), "badge good"));
   EXPECT_TRUE(contains(html, "0 of 1\u00a0000"));
   for (const char* words : {"noise of V", "contact gap", "momentum", "particles per cell", "kinetic", "V that the drag holds"})
@@ -333,7 +333,7 @@ TEST(trust, cells_that_grow_along_the_path_are_a_warning_with_both_sizes)
   const std::string html = trust_of({run}), row = row_of(html, "cells at the pipe");
   EXPECT_TRUE(contains(row, "D/20 at the start, D/3.17 where they are largest")) << row;
   EXPECT_TRUE(contains(row, "badge bad")) << row;
-  EXPECT_TRUE(contains(html, "cells at the pipe are D/3.17 on a part of its way, D/20 at the start")) << html;
+  EXPECT_TRUE(contains(html, "cells at the pipe are D/3.17 over part of its travel, D/20 at the start")) << html;
 }
 
 TEST(trust, a_push_that_ends_within_its_first_cell_is_a_warning)

@@ -76,7 +76,7 @@ TEST(Lateral, load_has_no_results_but_those_that_are_known_before_a_run)
   EXPECT_FALSE(knows(run.settings, "q_b_end"));
 }
 
-TEST(Lateral, load_acts_where_its_line_cuts_the_leaning_axis_whatever_hangs_there)
+TEST(Lateral, load_acts_where_its_line_cuts_the_leaning_axis_whatever_weight_is_there)
 {
   const record::RunRecord run = pile(1, 2e6);
   EXPECT_NEAR(base::quantity_value(run, "lateral_height_end"), height, 1e-9);

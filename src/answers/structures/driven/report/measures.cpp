@@ -40,8 +40,8 @@ inline constexpr Limit second_impulse{0.01, 0.05, Effect::contact,
                                       "the second contact correction is no force; it stays small with every contact scheme "
                                       "(examples/contact_schemes)"};
 inline constexpr Limit push_in_cells{
-    2, 0.5, Effect::cells, "what happens within a part of a cell is not resolved: a push that ends there has the embedment of its cells",
-    true};
+    2, 0.5, Effect::cells,
+    "what happens within a fraction of a cell is not resolved: a push that ends there has the embedment of its cells", true};
 inline constexpr Limit cells =
     too_large({20, 10, Effect::cells, "V of a push falls with the size of the cells (examples/mesh_study)", true});
 inline constexpr Limit dilating_cells{80, 40, Effect::cells,
@@ -253,7 +253,7 @@ TrustMeasure size_of(const std::string& what, const Limit& limit)
           },
           [what](Run run, Real value) {
             return fmt::format("{} are D/{:.3g}{}: resistance on a coarse mesh is too large", what, value,
-                               grew(run) ? fmt::format(" on a part of its way, D/{:.3g} at the start",
+                               grew(run) ? fmt::format(" over part of its travel, D/{:.3g} at the start",
                                                        body_scale(run.settings).width / near_cells(run).first)
                                          : "");
           },
@@ -270,7 +270,7 @@ TrustMeasure depth_of_push(const std::string& body)
           as_number,
           [body](Run, Real value) {
             return fmt::format(
-                "the push ends {:.2g} cells deep: take cells of a few parts of the embedment at the {}, or read it as not known", value,
+                "the push ends {:.2g} cells deep: take cells of a fraction of the embedment at the {}, or read it as not known", value,
                 body);
           },
           cells_limit};

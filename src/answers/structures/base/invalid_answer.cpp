@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/structures/base/spoiled_test.cpp
-#include "structures/base/spoiled.hpp"
+// Tests: tests/unit/structures/base/invalid_answer_test.cpp
+#include "structures/base/invalid_answer.hpp"
 
 #include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
@@ -72,7 +72,7 @@ void add_lost_soil(Run run, std::vector<std::string>& found)
 
 }  // namespace
 
-std::vector<std::string> spoiled_by(Run run)
+std::vector<std::string> invalid_because(Run run)
 {
   std::vector<std::string> found;
   add_no_numbers(run, found);
@@ -85,22 +85,22 @@ std::vector<std::string> spoiled_by(Run run)
   return found;
 }
 
-std::string spoiled_words(const std::vector<std::string>& spoiled)
+std::string invalid_words(const std::vector<std::string>& invalid)
 {
-  return fmt::format("{}", fmt::join(spoiled, "; "));
+  return fmt::format("{}", fmt::join(invalid, "; "));
 }
 
-std::vector<std::string> spoiled_lines(const std::string& run, const std::vector<std::string>& spoiled, const char* numbers)
+std::vector<std::string> invalid_lines(const std::string& run, const std::vector<std::string>& invalid, const char* numbers)
 {
   std::vector<std::string> lines;
-  for (const std::string& why : spoiled)
-    lines.push_back(fmt::format("{} the answer of {} is spoiled, do not use {}: {}", spoiled_line_begin, run, numbers, why));
+  for (const std::string& why : invalid)
+    lines.push_back(fmt::format("{} the answer of {} is invalid, do not use {}: {}", invalid_line_begin, run, numbers, why));
   return lines;
 }
 
-const char* spoiled_mark(const std::vector<std::string>& spoiled)
+const char* invalid_mark(const std::vector<std::string>& invalid)
 {
-  return spoiled.empty() ? "" : " (!)";
+  return invalid.empty() ? "" : " (!)";
 }
 
 }  // namespace berm::base

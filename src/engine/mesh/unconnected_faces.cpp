@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/mesh/gmsh_of_others_test.cpp
-#include "mesh/loose_borders.hpp"
+#include "mesh/unconnected_faces.hpp"
 
 #include "os/error.hpp"
 
@@ -14,18 +14,18 @@ namespace {
 
 /// A point behind a face that belongs to one cell alone.
 template <int dim>
-struct Behind {
+struct PointBehindFace {
   Vec<dim> on_face, point;  ///< m
   Index cell;
 };
 
 /// Behind the middle of each such face, and near each of its corners: parts may lie at each other along a part of their faces.
 template <int dim>
-std::vector<Behind<dim>> points_behind_borders(const Mesh<dim>& mesh)
+std::vector<PointBehindFace<dim>> points_behind_faces(const Mesh<dim>& mesh)
 {
   constexpr Real depth = 0.01;        // of the height of the cell, or of the shortest side of the face
   constexpr Real near_corner = 0.15;  // of the way to the middle
-  std::vector<Behind<dim>> points;
+  std::vector<PointBehindFace<dim>> points;
   for (Index c = 0; c < mesh.cell_count(); ++c)
     for (int k = 0; k <= dim; ++k) {
       if (mesh.neighbor(c, k) != none) continue;
@@ -47,12 +47,12 @@ std::vector<Behind<dim>> points_behind_borders(const Mesh<dim>& mesh)
 }  // namespace
 
 template <int dim>
-void refuse_loose_borders(const Mesh<dim>& mesh, const std::string& file)
+void refuse_unconnected_faces(const Mesh<dim>& mesh, const std::string& file)
 {
   using Box = Eigen::AlignedBox<Real, dim>;
-  const std::vector<Behind<dim>> points = points_behind_borders(mesh);
+  const std::vector<PointBehindFace<dim>> points = points_behind_faces(mesh);
   std::vector<char> at_border(static_cast<std::size_t>(mesh.node_count()), 0);
-  for (const Behind<dim>& behind : points)
+  for (const PointBehindFace<dim>& behind : points)
     for (const Index i : mesh.nodes[behind.cell]) at_border[static_cast<std::size_t>(i)] = 1;
   std::vector<Index> cells;
   std::vector<Box> boxes;
@@ -77,12 +77,12 @@ void refuse_loose_borders(const Mesh<dim>& mesh, const std::string& file)
       return found;
     }
   };
-  for (const Behind<dim>& behind : points) {
+  for (const PointBehindFace<dim>& behind : points) {
     Search search{mesh, behind.point};
     Eigen::BVIntersect(tree, search);
     if (search.found)
       throw InputError(fmt::format(
-          "{}: parts of the mesh lie at each other at ({:.6g}) m and share no nodes there: they do not hold together; let them share "
+          "{}: parts of the mesh touch at ({:.6g}) m and share no nodes there: they are not connected; let them share "
           "these (Gmsh: Coherence or BooleanFragments before meshing), or, where there is a gap between nodes that should be one, join "
           "them by "
           "mesh.merge_tolerance",
@@ -90,7 +90,7 @@ void refuse_loose_borders(const Mesh<dim>& mesh, const std::string& file)
   }
 }
 
-template void refuse_loose_borders(const Mesh<2>&, const std::string&);
-template void refuse_loose_borders(const Mesh<3>&, const std::string&);
+template void refuse_unconnected_faces(const Mesh<2>&, const std::string&);
+template void refuse_unconnected_faces(const Mesh<3>&, const std::string&);
 
 }  // namespace berm::mesh

@@ -9,6 +9,6 @@ namespace berm::mesh {
 /// hold together. Throws InputError with `file` and a place where another cell lies behind a face of one cell alone, by a hundredth of the cell's height. After
 /// Mesh::complete().
 template <int dim>
-void refuse_loose_borders(const Mesh<dim>& mesh, const std::string& file);
+void refuse_unconnected_faces(const Mesh<dim>& mesh, const std::string& file);
 
 }  // namespace berm::mesh

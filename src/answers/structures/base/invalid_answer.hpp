@@ -13,19 +13,19 @@ namespace berm::base {
 /// - soil at its largest volume, more than a hundredth of all: it no longer follows its law;
 /// - forces, displacements or energies that are no numbers;
 /// - a driven body that touched soil, and touches none in the last tenth of a push or a drag that soil resisted: what it drags through is water.
-std::vector<std::string> spoiled_by(const record::RunRecord& run);
+std::vector<std::string> invalid_because(const record::RunRecord& run);
 
 /// Why, as one text; "" where nothing is.
-std::string spoiled_words(const std::vector<std::string>& spoiled);
+std::string invalid_words(const std::vector<std::string>& invalid);
 
-/// Marks a name or a line of numbers of a run that is spoiled; "" of one that is not.
-const char* spoiled_mark(const std::vector<std::string>& spoiled);
+/// Marks a name or a line of numbers of a run that is invalid; "" of one that is not.
+const char* invalid_mark(const std::vector<std::string>& invalid);
 
 /// Begins the lines that say why numbers are not to be used.
-inline constexpr const char* spoiled_line_begin = "(!)";
+inline constexpr const char* invalid_line_begin = "(!)";
 
-/// These lines of a run, one for each reason: "(!) the answer of RUN is spoiled, do not use NUMBERS: WHY".
-std::vector<std::string> spoiled_lines(const std::string& run, const std::vector<std::string>& spoiled,
+/// These lines of a run, one for each reason: "(!) the answer of RUN is invalid, do not use NUMBERS: WHY".
+std::vector<std::string> invalid_lines(const std::string& run, const std::vector<std::string>& invalid,
                                        const char* numbers = "these numbers");
 
 }  // namespace berm::base
