@@ -71,30 +71,29 @@ std::vector<Trial> earlier_trials(const SafetyRequest& request, const problem::C
 /// The trials of a round, and how they ended together.
 struct Round {
   std::vector<Trial> trials;
-  bool interrupted = false, queued = false;
+  jobs::Batch batch;
+
+  bool interrupted() const { return batch.count(jobs::JobEnd::Kind::interrupted) > 0; }
+  bool queued() const { return batch.count(jobs::JobEnd::Kind::queued) > 0; }
 };
 
 Round run_round(const SafetyRequest& request, const problem::Case& settings, const std::vector<Real>& factors)
 {
   Round round;
-  std::vector<jobs::Job> jobs;
-  for (const Real factor : factors) {
-    jobs.push_back(job_of(request, settings, factor));
-    jobs.back().resume = goes_on(jobs.back());
-  }
-  run_jobs(jobs, request.runner, request.folder / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
-    round.queued = round.queued || end.kind == jobs::JobEnd::Kind::queued;
-    round.interrupted = round.interrupted || end.kind == jobs::JobEnd::Kind::interrupted;
+  for (const Real factor : factors) round.batch.jobs.push_back(job_of(request, settings, factor));
+  round.batch.ended = [&](std::size_t job, const jobs::JobEnd& end) {
     if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     Trial trial{factors[job]};
     if (end.kind == jobs::JobEnd::Kind::finished)
-      trial = result_of(factors[job], jobs[job].folder);
+      trial = result_of(factors[job], round.batch.jobs[job].folder);
     else
       trial.why = "the run failed: " + end.reason;
     io::tell("{}: {}{}\n", trial_name(trial.factor), trial.why.empty() ? word_of(trial.end) : trial.why,
              std::isfinite(trial.wall_s) ? ", " + io::duration_text(trial.wall_s) : "");
     round.trials.push_back(trial);
-  });
+  };
+  run_batch(round.batch, request.runner, request.folder / "queue");
+  round.batch.ended = {};  // it refers to this round
   return round;
 }
 
@@ -130,20 +129,20 @@ jobs::Outcome find_safety(const SafetyRequest& request)
   std::vector<Trial> trials = earlier_trials(request, settings);
   if (!trials.empty()) io::tell("{} trials have their result already and are not run again\n", trials.size());
   Round last;
-  while (!last.interrupted && !last.queued) {
+  while (!last.interrupted() && !last.queued()) {
     const std::vector<Real> factors = next_factors(trials, request.how);
     if (factors.empty()) break;
     last = run_round(request, settings, factors);
     trials.insert(trials.end(), last.trials.begin(), last.trials.end());
   }
   sort(trials);
-  write_safety_report(settings, trials, request.folder, !last.interrupted && !last.queued);
+  write_safety_report(settings, trials, request.folder, !last.interrupted() && !last.queued());
   fmt::print("{}", safety_words(trials));
   for (const std::string& doubt : doubts_of(trials, settings.method)) io::tell("warning: {}\n", doubt);
-  if (last.interrupted) io::tell("interrupted: the same command goes on from there\n");
-  if (last.queued) io::tell("queued: the same command collects the trials and goes on\n");
+  if (last.interrupted()) io::tell("interrupted: the same command goes on from there\n");
+  if (last.queued()) io::tell("queued: the same command collects the trials and goes on\n");
   io::tell("the factor of safety is in {}\n", (request.folder / "safety.html").string());
-  if (last.interrupted || last.queued) return jobs::Outcome::unfinished;
+  if (last.interrupted() || last.queued()) return jobs::Outcome::unfinished;
   return tells(trials, request.how) ? jobs::Outcome::done : jobs::Outcome::failed;
 }
 

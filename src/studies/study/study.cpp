@@ -166,30 +166,15 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
     io::make_folder(output);
     io::write_atomically(output / "samples.csv", samples_csv(*sample_of(plan.study)));
   }
-  std::vector<jobs::Job> jobs;
-  std::vector<std::size_t> row_of_job;
-  for (std::size_t k = 0; k < plan.rows.size(); ++k) {
-    plan.rows[k].end.kind = jobs::JobEnd::Kind::finished;
-    if (has_ended_with_result(plan.rows[k].job)) continue;
-    const fs::path& run = plan.rows[k].job.folder;
-    io::make_inner_folder(io::make_inner_folder(output, "runs"), run.filename());
-    jobs.push_back(plan.rows[k].job);
-    jobs.back().resume = goes_on(jobs.back());
-    row_of_job.push_back(k);
+  const fs::path runs = io::make_inner_folder(output, "runs");
+  jobs::Batch batch;
+  for (const StudyRow& row : plan.rows) {
+    io::make_inner_folder(runs, row.job.folder.filename());
+    batch.jobs.push_back(row.job);
+    batch.names.push_back(name_of(row.names));
   }
-  if (const std::size_t there = plan.rows.size() - jobs.size(); there > 0)
-    io::tell("{} of {} runs have their result already and are not run again\n", there, plan.rows.size());
-  std::size_t done = 0, failed = 0, interrupted = 0, queued = 0;
-  run_jobs(jobs, runner, output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
-    StudyRow& row = plan.rows[row_of_job[job]];
-    row.end = end;
-    interrupted += end.kind == jobs::JobEnd::Kind::interrupted;
-    queued += end.kind == jobs::JobEnd::Kind::queued;
-    if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
-    failed += end.kind == jobs::JobEnd::Kind::failed;
-    io::tell("{}/{} {}: {}\n", ++done, jobs.size(), name_of(row.names),
-             end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(row.job.folder)));
-  });
+  run_batch(batch, runner, output / "queue");
+  for (std::size_t k = 0; k < plan.rows.size(); ++k) plan.rows[k].end = batch.ends[k];
   std::vector<std::string> told;
   for (StudyRow& row : plan.rows) take_numbers(row, plan.study, told);
   write_study_report(plan, output);
@@ -197,12 +182,11 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
   for (const StudyRow& row : plan.rows)
     if (row.end.kind == jobs::JobEnd::Kind::finished) finished.push_back(row.job.folder);
   if (const std::string units = jobs::mixed_vector_units(finished); !units.empty()) spdlog::warn("{}", units);
-  if (failed > 0) io::tell("berm: {} of {} runs failed; the table says why\n", failed, plan.rows.size());
-  const std::size_t ended = plan.rows.size() - interrupted - queued;
-  if (interrupted > 0) io::tell("interrupted: {} of {} runs are done; the same command goes on from there\n", ended, plan.rows.size());
-  if (queued > 0) io::tell("queued: {} of {} runs are done; the same command collects the others\n", ended, plan.rows.size());
+  if (const std::size_t failed = batch.count(jobs::JobEnd::Kind::failed); failed > 0)
+    io::tell("berm: {} of {} runs failed; the table says why\n", failed, plan.rows.size());
+  tell_of_rest(batch);
   io::tell("the results are {}\n", (output / "results.md").string());
-  return interrupted + queued > 0 ? jobs::Outcome::unfinished : failed > 0 ? jobs::Outcome::failed : jobs::Outcome::done;
+  return batch.outcome();
 }
 
 }  // namespace berm::study

@@ -4,9 +4,8 @@
 
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
-#include "io/duration_text.hpp"
 #include "io/tell.hpp"
-#include "jobs/jobs.hpp"
+#include "jobs/batch.hpp"
 #include "structures/structures.hpp"
 #include "uncertainty/bands.hpp"
 #include "uncertainty/variants.hpp"
@@ -31,43 +30,33 @@ VariantPlan plan_of(const simulation::RunRequest& request)
   }
 }
 
-/// How the variants ended.
-struct Ends {
-  std::string failure;  ///< of the first that failed, "" without
-  bool interrupted = false;
-};
-
 /// Runs the variants that have no result of this case yet.
-Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
+jobs::Batch run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
 {
   io::make_folder(folder);
-  std::vector<jobs::Job> jobs;
+  jobs::Batch batch;
   for (const Variant& variant : plan.variants) {
-    jobs::Job job{folder / (variant.name + ".toml"), {}, io::make_inner_folder(folder, variant.name)};
+    const jobs::Job job{folder / (variant.name + ".toml"), {}, io::make_inner_folder(folder, variant.name)};
     io::write_atomically(job.case_file, input::resolved_toml(variant.settings));
-    if (has_ended_with_result(job)) continue;
-    job.resume = goes_on(job);
-    jobs.push_back(job);
+    batch.jobs.push_back(job);
+    batch.names.push_back(variant.name);
   }
-  const std::size_t done_already = plan.variants.size() - jobs.size();
-  const auto resumed = std::count_if(jobs.begin(), jobs.end(), [](const jobs::Job& job) { return job.resume; });
-  io::tell("uncertainty: {} runs with coarser cells{}{}\n", plan.variants.size(),
-           done_already == 0 ? "" : fmt::format(", of which {} have their result already", done_already),
-           resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
-  Ends ends;
-  std::size_t done = 0;
-  run_jobs(jobs, {jobs::LocalProcesses{at_once}}, folder / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
-    const std::string name = jobs[job].folder.filename().string();
-    if (end.kind == jobs::JobEnd::Kind::interrupted) {
-      ends.interrupted = true;
-      return;
-    }
-    const bool failed = end.kind == jobs::JobEnd::Kind::failed;
-    if (failed && ends.failure.empty()) ends.failure = fmt::format("the run {} failed: {}", name, end.reason);
-    io::tell("{}/{} {}: {}\n", ++done, jobs.size(), name,
-             failed ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(jobs[job].folder)));
-  });
-  return ends;
+  batch.before = [&](const std::vector<jobs::Job>& there, const std::vector<jobs::Job>& to_run) {
+    const auto resumed = std::ranges::count_if(to_run, &jobs::Job::resume);
+    io::tell("uncertainty: {} runs with coarser cells{}{}\n", plan.variants.size(),
+             there.empty() ? "" : fmt::format(", of which {} have their result already", there.size()),
+             resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
+  };
+  run_batch(batch, {jobs::LocalProcesses{at_once}}, folder / "queue");
+  return batch;
+}
+
+/// What failed first, "" where nothing did.
+std::string failure_of(const jobs::Batch& batch)
+{
+  const auto failed = std::ranges::find(batch.ends, jobs::JobEnd::Kind::failed, &jobs::JobEnd::kind);
+  if (failed == batch.ends.end()) return "";
+  return fmt::format("the run {} failed: {}", batch.names[failed - batch.ends.begin()], failed->reason);
 }
 
 run_folder::Uncertainty bands_from(const VariantPlan& plan, const fs::path& folder, const record::RunRecord& run)
@@ -120,20 +109,21 @@ jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once)
   const fs::path folder = request.folder / variants_folder;
   const run_folder::RunFolder run_folder =
       run_folder::RunFolder::of_earlier_run(request.folder);  // and nobody else's until the bands are there
-  const Ends ends = run_variants(plan, folder, at_once);
+  const jobs::Batch batch = run_variants(plan, folder, at_once);
   const record::RunRecord run = structures::read_run(request.folder);
   run_folder::Uncertainty found;
-  if (ends.interrupted) {
+  const bool interrupted = batch.count(jobs::JobEnd::Kind::interrupted) > 0;
+  if (interrupted) {
     io::tell("berm: stopped: there is no band yet; berm run --resume {} --uncertainty goes on from there\n", request.folder.string());
     found.missing = "stopped before all runs that it is made of were done";
-  } else if (!ends.failure.empty()) {
-    io::tell("berm: there is no band: {}\n", ends.failure);
-    found.missing = ends.failure;
+  } else if (const std::string failure = failure_of(batch); !failure.empty()) {
+    io::tell("berm: there is no band: {}\n", failure);
+    found.missing = failure;
   } else {
     found = bands_from(plan, folder, run);
   }
   add_to_summary(request.folder, found);
-  if (ends.interrupted) return jobs::Outcome::unfinished;
+  if (interrupted) return jobs::Outcome::unfinished;
   if (!found.missing.empty()) return jobs::Outcome::failed;
   structures::structure_of(run.settings).draw_curves(run_folder, run, found.curves);
   const std::string words = words_of(found, run.settings.method);

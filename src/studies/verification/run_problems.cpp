@@ -109,13 +109,13 @@ private:
 };
 
 /// Says which results are there already; those of runs that another build of the program recorded are not the newest that can be had.
-void tell_of_results(const std::vector<fs::path>& folders, std::size_t jobs)
+void tell_of_results(const std::vector<jobs::Job>& there, std::size_t jobs)
 {
-  if (folders.empty()) return;
+  if (there.empty()) return;
   std::size_t earlier = 0;
-  for (const fs::path& folder : folders) earlier += !run_folder::recorded_by_this_program(*run_folder::read_summary(folder));
+  for (const jobs::Job& job : there) earlier += !run_folder::recorded_by_this_program(*run_folder::read_summary(job.folder));
   fmt::print(
-      stderr, "{} of {} problems have their result already and are not run again{}\n", folders.size(), jobs,
+      stderr, "{} of {} problems have their result already and are not run again{}\n", there.size(), jobs,
       earlier == 0 ? "" : fmt::format("; {} of them by the same engine in another build of the program (--force runs them anew)", earlier));
 }
 
@@ -143,29 +143,20 @@ std::vector<jobs::Job> jobs_of(const std::vector<Example>& examples, const fs::p
 
 std::vector<ProblemResult> run_problems(std::vector<jobs::Job> all, const fs::path& output, const jobs::Runner& runner, bool anew)
 {
+  if (anew)
+    for (jobs::Job& job : all) remove_result(job);
+  std::optional<ProgressPrinter> printer;
+  jobs::Batch batch{.jobs = std::move(all), .has_result = holds};
+  batch.before = [&](const std::vector<jobs::Job>& there, std::vector<jobs::Job>& to_run) {
+    tell_of_results(there, batch.jobs.size());
+    if (to_run.empty()) return;
+    estimate_times(to_run);
+    printer.emplace(to_run, runner, output);
+  };
+  batch.ended = [&](std::size_t job, const jobs::JobEnd& end) { printer->tell(job, end); };
+  run_batch(batch, runner, output / "queue");
   std::vector<ProblemResult> results;
-  std::vector<jobs::Job> jobs;
-  std::vector<std::size_t> result_of_job;
-  std::vector<fs::path> there;
-  for (jobs::Job& job : all) {
-    if (anew) remove_result(job);
-    results.push_back({job.folder, {Kind::finished, ""}});
-    if (holds(job)) {
-      there.push_back(job.folder);
-      continue;
-    }
-    job.resume = goes_on(job);
-    jobs.push_back(job);
-    result_of_job.push_back(results.size() - 1);
-  }
-  tell_of_results(there, all.size());
-  if (jobs.empty()) return results;
-  estimate_times(jobs);
-  ProgressPrinter printer(jobs, runner, output);
-  run_jobs(jobs, runner, output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
-    results[result_of_job[job]].end = end;
-    printer.tell(job, end);
-  });
+  for (std::size_t k = 0; k < batch.jobs.size(); ++k) results.push_back({batch.jobs[k].folder, batch.ends[k]});
   return results;
 }
 
