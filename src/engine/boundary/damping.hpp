@@ -6,7 +6,7 @@
 namespace berm::boundary {
 
 /// Local damping force, N/m or N: `factor` times the magnitude of the unbalanced force in one direction, opposed to the
-/// velocity there. T: Real, or Components for all directions (Cundall 1987; docs/theory.md, section 6).
+/// velocity there. T: Real, or Components for all directions (Cundall 1987; docs/theory/method.md, Damping and time step).
 template <class T>
 [[gnu::always_inline]] inline T local_damping(Real factor, const T& force, const T& velocity)
 {

@@ -7,7 +7,7 @@
 
 namespace berm::contact {
 
-/// Algorithm of contact within a step (docs/theory.md, section 4); steps as in the paper, section 2.
+/// Algorithm of contact within a step (docs/theory/soil_and_contact.md, Contact); steps as in the paper, section 2.
 enum class Scheme {
   musl_coupled,  ///< modified update stress last, one impulse over both corrections: step 8 completes that of step 4
   musl_double,   ///< two independent corrections, as published: accelerations in step 4, re-mapped velocities in step 8

@@ -15,7 +15,7 @@ namespace berm::material {
 ///
 /// d = 1/sensitivity; xi the plastic shear strain, the sum of the plastic parts of d(e1 - e3), so that `ductility` is the xi at which 95 % of the strength
 /// that remoulding takes is lost; rate = rate_scale d(xi)/dt, smoothed over rate_smoothing. Strain of elastic soil, such as vibration, neither softens nor
-/// strengthens it. [Einav and Randolph 2005; Zhou and Randolph 2009] (docs/theory.md, section 7)
+/// strengthens it. [Einav and Randolph 2005; Zhou and Randolph 2009] (docs/theory/soil_and_contact.md, Clay)
 ///
 /// State: xi, what the rate adds to the strength over it, and s_u/s_u0 - 1.
 struct Clay {

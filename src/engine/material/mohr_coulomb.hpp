@@ -17,7 +17,7 @@ namespace berm::material {
 /// 8.2.
 ///
 /// State: the `opening` >= 0, the volumetric strain by which the soil has come apart and which must close before it carries
-/// load again (docs/theory.md, section 7).
+/// load again (docs/theory/soil_and_contact.md, Opening and bounds of volume).
 struct MohrCoulomb {
   static constexpr const char* word = "mohr_coulomb";
   static constexpr const char* strength_key = "cohesion";

@@ -20,7 +20,7 @@ inline Real friction_angle_in_shear_bands(const Strength& strength)
 constexpr Real cells_of_band = 4;
 
 /// The friction angle, rad, with which cells of a size, m, carry as much as soil whose shear bands have a width, m: bands are as wide as some four cells, and the
-/// narrower they are beside the mechanism, the more of the loss they make (docs/theory.md, section 7). phi where the cells are as fine as the bands.
+/// narrower they are beside the mechanism, the more of the loss they make (docs/theory/soil_and_contact.md, Shear bands). phi where the cells are as fine as the bands.
 inline Real friction_angle_in_cells(const Strength& strength, Real band_width, Real size)
 {
   const Real in_bands = friction_angle_in_shear_bands(strength);

@@ -322,7 +322,7 @@ void describe(Describe& d, MpmSettings& mpm)
   d.value("courant", mpm.courant,
           {.meaning =
                "time step over the time that a wave needs across the smallest height of a cell; without it, in soil that can yield, three "
-               "quarters of the longest one for which the mesh as a whole is stable (docs/theory.md)",
+               "quarters of the longest one for which the mesh as a whole is stable (docs/theory/method.md)",
            .range = {1e-6, 1}});
   d.value("volumetric_projection", mpm.volumetric_projection,
           {.meaning = "average volume changes over patches of two triangles (six tetrahedra), the cure against locking"});

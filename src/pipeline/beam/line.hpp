@@ -97,7 +97,7 @@ void add_springs(Line& line, Direction direction, SpringLaw law, const std::vect
 void add_macro_elements(Line& line, const berm_macro_element_parameters& parameters, const std::vector<Real>& lengths,
                         const berm_macro_element_state& laid);
 
-/// The largest slope of the line that von Karman's strain is meant for: at it the compression of a buckled column is 0.5 % too low and its amplitude 0.3 % too large (docs/theory.md, section 16).
+/// The largest slope of the line that von Karman's strain is meant for: at it the compression of a buckled column is 0.5 % too low and its amplitude 0.3 % too large (docs/theory/fem_safety_pipelines.md, Pipeline as a beam).
 constexpr Real largest_valid_slope = 0.2;
 
 }  // namespace berm::beam

@@ -10,7 +10,7 @@
 
 namespace berm::run_folder {
 
-/// How sure a number is: the answer lies in converged +- half_width, nineteen times in twenty (docs/theory.md, section 12). All in the unit of the number.
+/// How sure a number is: the answer lies in converged +- half_width, nineteen times in twenty (docs/theory/method.md, Discretisation uncertainty). All in the unit of the number.
 struct Band {
   Real value = 0;          ///< of the run
   Real converged = 0;      ///< for cells without size

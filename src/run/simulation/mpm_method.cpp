@@ -156,8 +156,8 @@ void MpmMethod<d>::begin(bool)
   if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
   workspace_.emplace(model(), state());
   if (model().update_stress_first)
-    spdlog::warn(
-        "scheme = \"usf\" is there to compare with: a body that rests on soil under a load gains energy (docs/theory.md, section 4)");
+    spdlog::warn("scheme = \"usf\" is there to compare with: a body that rests on soil under a load gains energy "
+                 "(docs/theory/soil_and_contact.md, Schemes)");
 }
 
 template <int d>

@@ -404,7 +404,7 @@ run_folder::Summary::Checks PipelineMethod::checks() const
   checks.push_back({"line_slope", largest_slope_});
   checks.push_back({"contact_mass_over_mass", largest_contact_mass_});
   if (largest_slope_ > beam::largest_valid_slope)
-    spdlog::warn("the line has a slope of {:.2g}; its strain is meant for {} at most (docs/theory.md)", largest_slope_,
+    spdlog::warn("the line has a slope of {:.2g}; its strain is meant for {} at most (docs/theory/fem_safety_pipelines.md)", largest_slope_,
                  beam::largest_valid_slope);
   return checks;
 }

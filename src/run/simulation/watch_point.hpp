@@ -20,7 +20,7 @@ struct Watched {
 };
 
 /// A point of the soil that is watched. Displacement and velocity are linear fits through the particles that were around it at the start, stress and pore
-/// pressure through the means of the patches around the place where it is now: the volumetric strain, and so the pressure, is one for a patch (docs/theory.md, section 5).
+/// pressure through the means of the patches around the place where it is now: the volumetric strain, and so the pressure, is one for a patch (docs/theory/method.md, Volumetric locking).
 template <int dim>
 class WatchPoint {
 public:

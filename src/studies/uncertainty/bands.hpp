@@ -46,7 +46,7 @@ struct Estimate {
 };
 
 /// The least-squares line number = converged + slope size, each weighted by 1 / size^2: numbers scatter from mesh to mesh in proportion to the cells. Needs three
-/// numbers of two sizes at least; NaN where one of them is NaN. Source: docs/theory.md, section 12.
+/// numbers of two sizes at least; NaN where one of them is NaN. Source: docs/theory/method.md, Discretisation uncertainty.
 Estimate extrapolate(const std::vector<SizedNumber>& numbers);
 
 /// The half width of a band of 95 % in standard deviations that were found from so many numbers more than were fitted.

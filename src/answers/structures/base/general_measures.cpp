@@ -34,10 +34,12 @@ inline constexpr Limit damping =
     too_large({0.05, 0.15, Effect::energy,
                "what it takes is resistance that the soil does not have; a sphere pressed on an elastic block, with 5 % of "
                "the work taken, sinks to 1 % as deep as it should (examples/hertz)"});
-inline constexpr Limit out_of_balance{0.01, 0.05, Effect::balance,
-                                      "a bed that has not settled is far above, a settled one far below (docs/theory.md, section 5)"};
-inline constexpr Limit at_bounds{0.001, 0.01, Effect::volume_bounds,
-                                 "soil at a bound of its volume no longer follows its law (docs/theory.md, section 7)"};
+inline constexpr Limit out_of_balance{
+    0.01, 0.05, Effect::balance,
+    "a bed that has not settled is far above, a settled one far below (docs/theory/method.md, Volumetric locking)"};
+inline constexpr Limit at_bounds{
+    0.001, 0.01, Effect::volume_bounds,
+    "soil at a bound of its volume no longer follows its law (docs/theory/soil_and_contact.md, Opening and bounds of volume)"};
 inline constexpr Limit in_the_air{0.001, 0.01, Effect::volume_bounds, "grains that fly carry nothing"};
 inline constexpr Limit momentum{1e-9, 1e-6, Effect::energy,
                                 "impulses add up to the change of momentum to round-off, or the program is wrong"};

@@ -174,7 +174,8 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
                      "along (<code>far_soil.axial_friction</code>): rigid, with V = W everywhere, and against the displacement. Real "
                      "friction is against the motion: "
                      "under that the same line has, with three lobes and at the same P, a sixth less amplitude and a quarter more moment "
-                     "(docs/theory.md, section 16). His theory has no berms, no embedment, no time and no cycles.</p>\n",
+                     "(docs/theory/fem_safety_pipelines.md, Pipeline as a beam). His theory has no berms, no embedment, no time and no "
+                     "cycles.</p>\n",
                      far, run.settings.pipeline->far_soil.axial_friction);
 }
 

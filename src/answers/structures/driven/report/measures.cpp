@@ -48,8 +48,8 @@ inline constexpr Limit dilating_cells{80, 40, Effect::cells,
                                       "sand with psi = phi: K_p of a wall is +27 % with 17 cells over its height and +10 % with 33, K_a "
                                       "-11 and -8 % (examples/embedded_wall)",
                                       true};
-inline constexpr Limit particles{9, 4, Effect::cells,
-                                 "use nine or more near the body: with four stresses scatter more (docs/theory.md, section 9)", true};
+inline constexpr Limit particles{
+    9, 4, Effect::cells, "use nine or more near the body: with four stresses scatter more (docs/theory/method.md, Checks of a run)", true};
 inline constexpr Limit elements =
     too_large({40, 20, Effect::cells,
                "D/40 is what berm's own studies use (examples/wip_study); half the size should change little where psi = phi", true});
