@@ -4,7 +4,7 @@
 import re
 from pathlib import Path
 
-SECTIONS = {"": "Start", "docs": "Reference", "docs/theory": "Reference", "docs/how_to": "How to", "docs/for_users_of": "For users of", "examples": "Examples", "docs/decisions": "Decisions"}
+SECTIONS = {"": "Start", "docs": "Reference", "docs/theory": "Reference", "docs/how_to": "How to", "docs/for_users_of": "For users of", "examples": "Examples", "docs/decisions": "Decisions", "docs/decisions/annex": "Decisions"}
 
 
 def plain(markdown: str) -> str:

@@ -446,11 +446,15 @@ def prose(tree):
 
 
 def decisions(tree):
-    """Each decision has one line in the table of decisions, and no change stands twice in the list of changes."""
+    """Each decision has one line in the table of decisions and links its annex, and no change stands twice in the list of changes."""
     table = re.findall(r"^\| \[\d+\]\((.+?)\)", tree.read("docs/decisions/README.md"), re.MULTILINE)
     for path in tree.ending(".md"):
         name = path.removeprefix("docs/decisions/")
-        if name != path and name != "README.md" and table.count(name) != 1:
+        if name.startswith("annex/"):
+            number = os.path.basename(name).removesuffix(".md")
+            if not any(f"](annex/{number}.md" in tree.read(page) for page in tree.ending(".md", f"docs/decisions/{number}-")):
+                yield f"{path}: decision {number} has no link to it"
+        elif name != path and name != "README.md" and table.count(name) != 1:
             yield f"{path}: has {table.count(name)} lines in docs/decisions/README.md, not one"
     lines = [line for line in tree.read("CHANGELOG.md").splitlines() if line.startswith("- ")]
     yield from (f"CHANGELOG.md: says twice '{line[:60]}'" for line in sorted(set(lines)) if lines.count(line) > 1)
