@@ -428,7 +428,7 @@ PROSE = {
     r"larger by a part of": "larger by a fraction of",
     r"(?:is|are) told (?:as|with|in|for|velocities|beside)": "is given, is reported",
 }
-PAGE_LINES = 60  # of README.md and of an example's; measurements stand in results.md beside
+PAGE_LINES = 60  # of README.md, of an example's and of a decision; measurements stand in results.md or in the annex beside
 
 
 def prose(tree):
@@ -446,7 +446,7 @@ def prose(tree):
 
 
 def decisions(tree):
-    """Each decision has one line in the table of decisions and links its annex, and no change stands twice in the list of changes."""
+    """Each decision has 60 lines at most, one line in the table of decisions and a link to its annex, and no change stands twice in the list of changes."""
     table = re.findall(r"^\| \[\d+\]\((.+?)\)", tree.read("docs/decisions/README.md"), re.MULTILINE)
     for path in tree.ending(".md"):
         name = path.removeprefix("docs/decisions/")
@@ -454,8 +454,11 @@ def decisions(tree):
             number = os.path.basename(name).removesuffix(".md")
             if not any(f"](annex/{number}.md" in tree.read(page) for page in tree.ending(".md", f"docs/decisions/{number}-")):
                 yield f"{path}: decision {number} has no link to it"
-        elif name != path and name != "README.md" and table.count(name) != 1:
-            yield f"{path}: has {table.count(name)} lines in docs/decisions/README.md, not one"
+        elif name != path and name != "README.md":
+            if table.count(name) != 1:
+                yield f"{path}: has {table.count(name)} lines in docs/decisions/README.md, not one"
+            if (count := len(tree.read(path).splitlines())) > PAGE_LINES:
+                yield f"{path}: has {count} lines, {PAGE_LINES} at most; tables go to docs/decisions/annex/"
     lines = [line for line in tree.read("CHANGELOG.md").splitlines() if line.startswith("- ")]
     yield from (f"CHANGELOG.md: says twice '{line[:60]}'" for line in sorted(set(lines)) if lines.count(line) > 1)
 

@@ -130,9 +130,10 @@ SAMPLES = {
             {"CHANGELOG.md": "", "docs/decisions/README.md": "| [1](1-a.md) | a |\n| [1](1-a.md) | b |\n", "docs/decisions/1-a.md": ""},
             {"CHANGELOG.md": "", "docs/decisions/README.md": "", "docs/decisions/1-a.md": ""},
             {"CHANGELOG.md": "- A.\n- B.\n- A.\n", "docs/decisions/README.md": ""},
+            {"CHANGELOG.md": "", "docs/decisions/README.md": "| [1](1-a.md) | a |\n", "docs/decisions/1-a.md": "a\n" * 61},
             {"CHANGELOG.md": "", "docs/decisions/README.md": "| [1](1-a.md) | a |\n", "docs/decisions/1-a.md": "[b](annex/2.md)", "docs/decisions/annex/1.md": ""},
         ],
-        [{"CHANGELOG.md": "- A.\n\n", "docs/decisions/README.md": "| [1](1-a.md) | a |\n", "docs/decisions/1-a.md": "[b](annex/1.md)", "docs/decisions/annex/1.md": ""}],
+        [{"CHANGELOG.md": "- A.\n\n", "docs/decisions/README.md": "| [1](1-a.md) | a |\n", "docs/decisions/1-a.md": "[b](annex/1.md)\n" * 60, "docs/decisions/annex/1.md": "a\n" * 61}],
     ),
     "links": (
         [{"docs/a.md": "[b](b.md)"}, {"docs/a.md": "[b](../b.md#other)", "b.md": "# Part\n"}, {"a.md": "[b](#b)\n```\n# b\n```\n"}],
