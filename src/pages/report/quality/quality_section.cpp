@@ -91,7 +91,7 @@ std::string quality_section(const Runs& runs, const Judgements& judgements)
   std::string content = warning_list(runs, judgements);
   content += table_of(runs, judgements, problem::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
   content += table_of(runs, judgements, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
-  content += "<p class=\"quiet\">See: sections of <cite>What will catch you</cite> in the documentation of berm "
+  content += "<p class=\"quiet\">See: sections of <cite>Common pitfalls</cite> in the documentation of berm "
              "(docs/how_to/what_will_catch_you.md), which say how large each effect is and what to do.</p>\n";
   for (const base::Structure* structure : structures::all_structures())
     content += structure->quality_note(structures::runs_of(*structure, runs));
