@@ -10,7 +10,7 @@ import time
 SAMPLED_EVERY = 0.02  # s
 PROBE_TEST = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "examples", "probe_test", "case.toml")
 
-COLUMN = """# A column of sand, 1 m wide and 2 m high, that falls in a mesh of 6 m x 2.25 m, as in `berm bench`.
+COLUMN = """# A column of sand, 1 m wide and 2 m high, that falls in a mesh of 6 m x 2.25 m, as in `bench_steps`.
 gravity = [0, "-1 gravity"]
 
 [mesh]

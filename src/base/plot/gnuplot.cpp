@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/record/soil_plot_test.cpp
+// Tests: tests/unit/soil_plot/soil_plot_test.cpp
 #include "plot/gnuplot.hpp"
 
 #include "io/atomic_file.hpp"

@@ -4,8 +4,8 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
-#include "soil_plot/panels.hpp"
 #include "record/travel_curve.hpp"
+#include "soil_plot/panels.hpp"
 #include "structures/base/display_units.hpp"
 
 #include <algorithm>

@@ -155,7 +155,8 @@ bool draw_lateral_curves(const run_folder::RunFolder& folder, const LateralRun& 
     mean += fmt::format("{:.6g} {:.6g}\n", smooth.travel()[k] * length.per_si, smooth.value()[k] * force.per_si);
   io::write_atomically(folder.file("plots/lateral.dat"), rows);
   io::write_atomically(folder.file("plots/lateral_mean.dat"), mean);
-  std::string script = soil_plot::begin_panels(run.record.settings.title) + "set format '%g'\n" + soil_plot::margins({0.09, 0.48, 0.17, 0.88});
+  std::string script =
+      soil_plot::begin_panels(run.record.settings.title) + "set format '%g'\n" + soil_plot::margins({0.09, 0.48, 0.17, 0.88});
   script +=
       fmt::format("set key bottom right\nset xlabel 'displacement u ({})'\nset ylabel 'lateral load H ({})'\n", length.name, force.name);
   script += "plot 'lateral.dat' using 1:3 with lines lw 0.5 lc rgb push notitle, \\\n     'lateral_mean.dat' using 1:2 with lines lw 2.5 "
