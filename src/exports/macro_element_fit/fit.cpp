@@ -2,6 +2,7 @@
 #include "macro_element_fit/fit.hpp"
 
 #include "core/for_each_task.hpp"
+#include "fit/least_squares.hpp"
 #include "formulas/axial.hpp"
 #include "macro_element/under_force.hpp"
 #include "os/error.hpp"
@@ -10,8 +11,6 @@
 #include <array>
 #include <fmt/format.h>
 #include <limits>
-#include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 
 namespace berm::macro_element_fit {
 namespace {
@@ -136,15 +135,9 @@ public:
     return x;
   }
 
-  // What Eigen's algorithms ask of a function.
-  using Scalar = Real;
-  using InputType = Vector;
-  using ValueType = Vector;
-  using JacobianType = Eigen::MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-  int inputs() const { return static_cast<int>(unknowns_.size()); }
+  int unknowns() const { return static_cast<int>(unknowns_.size()); }
   int values() const { return static_cast<int>(values_); }
-  int operator()(const Vector& x, Vector& f) const
+  void operator()(const Vector& x, Vector& f) const
   {
     constexpr Real refused = 1;  // a misfit of all points as large as the run's own numbers
     const Parameters p = parameters(x);
@@ -166,7 +159,6 @@ public:
       }
       at += 2 * n;
     }
-    return 0;
   }
 
 private:
@@ -240,18 +232,13 @@ Parameters fit(const std::vector<Path>& paths)
   if (std::none_of(paths.begin(), paths.end(), is_dragged))
     throw RunError("no run drags its pipe, which gives the resistance to lateral motion: add one");
   const Problem problem(paths);
-  const Eigen::NumericalDiff<Problem> with_slopes(problem, 1e-6);
   constexpr std::array<std::array<Real, 2>, 4> begins = {{{0.25, 0.3}, {0.25, 2}, {0.6, 0.3}, {0.6, 2}}};
   std::array<Vector, begins.size()> found;
   std::array<Real, begins.size()> left{};
   for_each_task("fit", begins.size(), [&](Index k) {
-    found[k] = problem.begin(begins[k][0], begins[k][1]);
-    Eigen::NumericalDiff<Problem> function = with_slopes;
-    Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Problem>> search(function);
-    search.parameters.maxfev = 80 * problem.inputs();
-    search.parameters.ftol = search.parameters.xtol = 1e-5;
-    search.minimize(found[k]);
-    left[k] = search.fnorm;
+    const fit::LeastSquares least = fit::least_squares(problem, problem.begin(begins[k][0], begins[k][1]), problem.values(),
+                                                       {.difference = 1e-6, .evaluations = 80 * problem.unknowns(), .tolerance = 1e-5});
+    found[k] = least.unknowns, left[k] = least.norm;
   });
   return problem.parameters(found[std::min_element(left.begin(), left.end()) - left.begin()]);
 }

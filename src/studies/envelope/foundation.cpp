@@ -2,14 +2,13 @@
 // Tests: tests/unit/envelope/foundation_test.cpp
 #include "envelope/foundation.hpp"
 
+#include "fit/least_squares.hpp"
 #include "io/revision.hpp"
 #include "os/error.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 
 namespace berm::envelope {
 namespace {
@@ -38,26 +37,6 @@ Real distance(const Foundation& f, const EnvelopePoint& load)
   return std::sqrt(std::max<Real>(0, h * h + m * m - 2 * f.cross * h * m)) -
          std::pow(s / peak, f.b1) * std::pow((1 - s) / (1 - peak), f.b2);
 }
-
-struct Distances {
-  using Scalar = Real;
-  using InputType = Unknowns;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
-  Foundation start;
-  std::vector<EnvelopePoint> ends;
-
-  int inputs() const { return unknowns; }
-  int values() const { return static_cast<int>(ends.size()); }
-  int operator()(const Unknowns& x, ValueType& left) const
-  {
-    const Foundation f = with(start, x);
-    for (std::size_t k = 0; k < ends.size(); ++k) left[static_cast<Eigen::Index>(k)] = distance(f, ends[k]);
-    return 0;
-  }
-};
 
 [[noreturn]] void refuse(const char* why)
 {
@@ -100,23 +79,23 @@ Foundation fit_foundation(const std::vector<EnvelopeRow>& rows, Real width)
   Foundation f;
   f.V_max = extremes.V_max;
   fit_stiffness(f, rows, width);
-  Distances problem;
+  std::vector<EnvelopePoint> ends;
   for (const EnvelopeRow& row : rows) {
-    problem.ends.push_back(row.result.end);
+    ends.push_back(row.result.end);
     f.tension = std::max(f.tension, -row.result.end.V / f.V_max);
     if (row.probe.angle == 90 && row.result.first && row.result.growth > 0) {
       const Real slope = row.result.growth * f.V_max / (last_part * row.result.travel);
       if (slope < f.k_v) f.hardening = slope / (1 - slope / f.k_v);
     }
   }
-  problem.start = f;
+  const auto distances = [&](const Unknowns& x, Eigen::VectorXd& left) {
+    const Foundation tried = with(f, x);
+    for (std::size_t k = 0; k < ends.size(); ++k) left[static_cast<Eigen::Index>(k)] = distance(tried, ends[k]);
+  };
   Unknowns x(unknowns);
   x << std::log(extremes.H_max), std::log(extremes.M_max), 0, 0, 0;
-  Eigen::NumericalDiff<Distances> with_slopes(problem, 1e-9);
-  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Distances>> search(with_slopes);
-  search.minimize(x);
-  f = with(f, x);
-  f.ends = problem.values();
+  f.ends = static_cast<int>(ends.size());
+  f = with(f, fit::least_squares(distances, x, f.ends).unknowns);
   for (const EnvelopeRow& row : rows) {
     const Real d = distance(f, row.result.end);
     f.rms += d * d / f.ends;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/commands/study_test.cpp
+// Tests: tests/unit/study/study_test.cpp
 #include "jobs/batch.hpp"
 
 #include "io/duration_text.hpp"
