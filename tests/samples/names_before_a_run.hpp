@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/driven/results/known_names.hpp"
+#include "structures/driven/known_names.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>

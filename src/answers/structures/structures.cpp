@@ -2,26 +2,26 @@
 #include "structures/structures.hpp"
 
 #include "structures/anchor/anchor.hpp"
-#include "structures/ball/ball.hpp"
-#include "structures/cone/cone.hpp"
-#include "structures/footing/footing.hpp"
 #include "structures/generic/generic.hpp"
+#include "structures/lateral/pile.hpp"
 #include "structures/lateral/shaft.hpp"
+#include "structures/lateral/skirt.hpp"
 #include "structures/line/line.hpp"
-#include "structures/pile/pile.hpp"
+#include "structures/penetration/footing.hpp"
+#include "structures/penetration/readings.hpp"
 #include "structures/pipe/pipe.hpp"
-#include "structures/skirt/skirt.hpp"
-#include "structures/t_bar/t_bar.hpp"
 
 #include <algorithm>
 
 namespace berm::structures {
+
 const std::vector<const base::Structure*>& all_structures()
 {
-  static const penetration::Penetration cone(cone::reading()), ball(ball::reading()), t_bar(t_bar::reading());
-  static const lateral::Shaft pile(pile::reading());
-  static const skirt::Skirt skirt;
-  static const footing::Footing footing;
+  static const penetration::Penetration cone(penetration::cone_reading()), ball(penetration::ball_reading()),
+      t_bar(penetration::t_bar_reading());
+  static const lateral::Shaft pile(lateral::pile_reading());
+  static const lateral::Skirt skirt;
+  static const penetration::Footing footing;
   static const anchor::Anchor anchor;
   static const pipe::Pipe pipe;
   static const line::Line line;

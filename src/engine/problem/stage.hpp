@@ -25,7 +25,7 @@ enum class Vertical {
 
 /// What a stage is in the life of a pipe. The pipe is called by it where the stage ends: touched down, laid, flooded, emptied, in operation.
 enum class StageRole {
-  automatic,  ///< found from the stages (structures/driven/results/states.hpp)
+  automatic,  ///< found from the stages (structures/driven/states.hpp)
   touchdown,
   lay,  ///< the small drags of a pipe that is laid, and all else before it lies
   flooded,

@@ -4,7 +4,7 @@
 #include "os/error.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/soil_words.hpp"
-#include "structures/driven/results/states.hpp"
+#include "structures/driven/states.hpp"
 #include "structures/structures.hpp"
 #include "study/study_rows.hpp"
 

@@ -6,8 +6,8 @@
 #include "material/clay.hpp"
 #include "os/error.hpp"
 #include "structures/base/soil_words.hpp"
-#include "structures/driven/results/resistance.hpp"
-#include "structures/driven/results/run_points.hpp"
+#include "structures/driven/resistance.hpp"
+#include "structures/driven/run_points.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

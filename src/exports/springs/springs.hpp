@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/driven/results/driven_run.hpp"
-#include "structures/driven/results/states.hpp"
+#include "structures/driven/driven_run.hpp"
+#include "structures/driven/states.hpp"
 
 #include <array>
 
@@ -85,7 +85,7 @@ std::string axial_breakout_source();
 /// What the bed does to the pipe of a run, as it is in a state: what pushes and drags found before a fill or an excavation at the pipe is no spring of it. In the size of the prototype where the run is a centrifuge's.
 struct Springs {
   std::string run;           ///< name of its folder
-  std::string state;         ///< of the pipe (structures/driven/results/states.hpp)
+  std::string state;         ///< of the pipe (structures/driven/states.hpp)
   std::string state_origin;  ///< how that was found
   Real V = nan;              ///< N/m, in that state
   Real diameter = nan;       ///< m

@@ -8,7 +8,7 @@
 #include "io/tell.hpp"
 #include "os/error.hpp"
 #include "run_folder/summary.hpp"
-#include "structures/driven/results/known_names.hpp"
+#include "structures/driven/known_names.hpp"
 #include "structures/structures.hpp"
 #include "study/estimates.hpp"
 #include "study/study_report.hpp"

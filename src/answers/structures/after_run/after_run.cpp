@@ -10,7 +10,7 @@
 #include "structures/base/still_moving.hpp"
 #include "structures/base/support_reactions.hpp"
 #include "structures/depth/profile_page.hpp"
-#include "structures/driven/results/displacements.hpp"
+#include "structures/driven/displacements.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "plot/figure.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/driven/results/quantities.hpp"
+#include "structures/driven/quantities.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 

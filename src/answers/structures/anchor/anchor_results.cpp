@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/anchor/anchor_test.cpp
 #include "structures/anchor/anchor.hpp"
 
-#include "structures/driven/results/path.hpp"
+#include "structures/driven/path.hpp"
 
 #include <algorithm>
 

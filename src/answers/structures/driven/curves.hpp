@@ -3,7 +3,7 @@
 
 #include "run_folder/run_folder.hpp"
 #include "run_folder/uncertainty.hpp"
-#include "structures/driven/results/quantities.hpp"
+#include "structures/driven/quantities.hpp"
 
 namespace berm::driven {
 

@@ -6,14 +6,14 @@
 #include "plot/figure.hpp"
 #include "structures/base/still_moving.hpp"
 #include "structures/driven/curves.hpp"
-#include "structures/driven/report/report.hpp"
-#include "structures/driven/results/details.hpp"
-#include "structures/driven/results/displacements.hpp"
-#include "structures/driven/results/known_names.hpp"
-#include "structures/driven/results/mechanism.hpp"
-#include "structures/driven/results/quantities.hpp"
-#include "structures/driven/results/states.hpp"
-#include "structures/driven/results/uplift.hpp"
+#include "structures/driven/details.hpp"
+#include "structures/driven/displacements.hpp"
+#include "structures/driven/known_names.hpp"
+#include "structures/driven/mechanism.hpp"
+#include "structures/driven/quantities.hpp"
+#include "structures/driven/report.hpp"
+#include "structures/driven/states.hpp"
+#include "structures/driven/uplift.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "structures/lateral/shaft.hpp"
 
 #include "io/atomic_file.hpp"
-#include "structures/driven/report/report.hpp"
+#include "structures/driven/report.hpp"
 #include "structures/lateral/lateral_page.hpp"
 #include "structures/lateral/lateral_results.hpp"
 #include "structures/lateral/p_y.hpp"

@@ -3,7 +3,7 @@
 #include "structures/penetration/penetration_page.hpp"
 
 #include "structures/base/general_measures.hpp"
-#include "structures/driven/report/report.hpp"
+#include "structures/driven/report.hpp"
 #include "structures/penetration/penetration_run.hpp"
 #include "structures/penetration/soil_profile.hpp"
 #include "text/quantity_words.hpp"

@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_page.hpp"
 
-#include "structures/driven/report/report.hpp"
+#include "structures/driven/report.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
 #include "structures/penetration/soil_on_body.hpp"

@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_results.hpp"
 
-#include "structures/driven/results/path.hpp"
+#include "structures/driven/path.hpp"
 #include "structures/penetration/soil_on_body.hpp"
 #include "text/quantity_words.hpp"
 

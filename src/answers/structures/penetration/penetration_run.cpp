@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/penetration_run.hpp"
 
-#include "structures/driven/results/path.hpp"
+#include "structures/driven/path.hpp"
 #include "structures/penetration/soil_profile.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "structures/penetration/soil_on_body.hpp"
 
 #include "os/error.hpp"
-#include "structures/driven/results/path.hpp"
+#include "structures/driven/path.hpp"
 
 #include <algorithm>
 #include <set>

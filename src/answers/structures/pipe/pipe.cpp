@@ -2,9 +2,9 @@
 // Tests: tests/unit/structures/structures_test.cpp
 #include "structures/pipe/pipe.hpp"
 
-#include "structures/pipe/published/published.hpp"
-#include "structures/pipe/report/pipe_report.hpp"
-#include "structures/pipe/results/axial_results.hpp"
+#include "structures/pipe/axial_results.hpp"
+#include "structures/pipe/pipe_report.hpp"
+#include "structures/pipe/published.hpp"
 
 namespace berm::pipe {
 std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const

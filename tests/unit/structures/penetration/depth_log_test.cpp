@@ -3,8 +3,8 @@
 
 #include "samples/drawn_run.hpp"
 #include "samples/made_push.hpp"
-#include "structures/cone/cone.hpp"
 #include "structures/penetration/penetration.hpp"
+#include "structures/penetration/readings.hpp"
 
 namespace berm::penetration::this_file {
 namespace {
@@ -24,7 +24,7 @@ record::RunRecord noisy(Real gradient)
 DepthLog log_of(const record::RunRecord& record)
 {
   PenetrationRuns runs;
-  runs.emplace_back(record, cone::reading());
+  runs.emplace_back(record, cone_reading());
   return depth_log(runs, "a log");
 }
 
@@ -79,7 +79,7 @@ TEST(DepthLog, as_svg_has_depth_downwards_and_axes_on_top)
 TEST_F(DepthLogPicture, is_curves_png_of_a_run)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
-  const Penetration cone(cone::reading());
+  const Penetration cone(cone_reading());
   ASSERT_TRUE(cone.draw_curves(folder, noisy(1e3), {}));
   EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
   EXPECT_TRUE(fs::exists(folder.file("plots/log_0.dat")));

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
+#include "structures/driven/report.hpp"
+
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::driven {
+namespace {
+
+const run_folder::Uncertainty* uncertainty_of(const DrivenRun& run)
+{
+  return run.record.summary && run.record.summary->uncertainty ? &*run.record.summary->uncertainty : nullptr;
+}
+
+/// "0.68 ± 0.05", or "" without a band.
+std::string with_half_width(const DrivenRun& run, const std::string& quantity, const base::DisplayUnits& shown)
+{
+  const run_folder::Uncertainty* uncertainty = uncertainty_of(run);
+  const run_folder::Band* band = uncertainty == nullptr ? nullptr : uncertainty->find(quantity);
+  return band == nullptr ? "" : text::with_half_width(shown.in_force_unit(band->converged), shown.in_force_unit(band->half_width));
+}
+
+bool some_have_bands(const DrivenRuns& runs)
+{
+  return std::any_of(runs.begin(), runs.end(), [](const DrivenRun& run) {
+    const run_folder::Uncertainty* uncertainty = uncertainty_of(run);
+    return uncertainty != nullptr && !uncertainty->quantities.empty();
+  });
+}
+
+/// Numbers with grains beside those without, forces and lengths in the page's units.
+std::string grains_table(const DrivenRun& run, const run_folder::Grains& grains)
+{
+  text::HtmlTable table(
+      fmt::format("grains-{}", run.number),
+      fmt::format("{}: its sand has no d50. On cells {} times as large, with grains", run.name, text::short_number(grains.size)));
+  std::vector<text::HtmlCell> columns = {{"result"}, {"without", true}};
+  for (const Real d50 : grains.d50) columns.push_back({fmt::format("d<sub>50</sub> = {}", text::length_words(d50)), true});
+  table.columns(std::move(columns));
+  for (const auto& [name, unit, without, with] : grains.numbers) {
+    const Real per_si = unit == "m" ? 1000 : 1;
+    const std::string shown = unit == "m" ? ", mm" : unit == "1" ? "" : ", " + unit;
+    std::vector<text::HtmlCell> row = {{text::html_text(name + shown)}, {text::table_number(without * per_si), true}};
+    for (const Real number : with) row.push_back({text::table_number(number * per_si), true});
+    table.row(std::move(row));
+  }
+  return table.html();
+}
+
+}  // namespace
+
+std::string converged_words(const DrivenRun& run, const std::string& quantity, const base::DisplayUnits& shown)
+{
+  const std::string words = with_half_width(run, quantity, shown);
+  return words.empty() ? "" : fmt::format(", converged {} {}", words, shown.force_unit(run.scale));
+}
+
+std::vector<text::HtmlCell> converged_column(const DrivenRuns& runs, const std::string& symbol, const base::DisplayUnits& shown)
+{
+  return some_have_bands(runs) ? std::vector<text::HtmlCell>{shown.force_columns(symbol + " converged").front()}
+                               : std::vector<text::HtmlCell>{};
+}
+
+std::vector<text::HtmlCell> converged_cell(const DrivenRuns& runs, const DrivenRun& run, const std::string& quantity,
+                                           const base::DisplayUnits& shown)
+{
+  return some_have_bands(runs) ? std::vector<text::HtmlCell>{{with_half_width(run, quantity, shown), true}} : std::vector<text::HtmlCell>{};
+}
+
+std::string converged_notes(const DrivenRuns& runs)
+{
+  std::string notes;
+  if (some_have_bands(runs))
+    notes += text::html_paragraph("Converged: for cells without size, from the run and coarser ones, with the half width of a band that is "
+                                  "meant to hold the answer of this soil law and this "
+                                  "case nineteen times in twenty. It holds what cells, meshes, noise and speed do to the numbers, not what "
+                                  "the soil law or its parameters do.",
+                                  "quiet");
+  for (const DrivenRun& run : runs)
+    if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->grains.numbers.empty())
+      notes +=
+          text::html_paragraph("Sand with psi below phi that has no d50 forms shear bands as wide as cells make them. The narrower those "
+                               "of the sand are, the less it carries: name its d50, and the band is that of its answer.",
+                               "quiet") +
+          grains_table(run, uncertainty->grains);
+  for (const DrivenRun& run : runs)
+    if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->missing.empty())
+      notes += text::html_paragraph(
+          fmt::format("{} was asked how sure its results are, and has no bands: {}.", run.name, uncertainty->missing), "quiet");
+  return notes;
+}
+
+}  // namespace berm::driven

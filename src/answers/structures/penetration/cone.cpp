@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/penetration/penetration_test.cpp
+#include "structures/penetration/readings.hpp"
+
+#include "formulas/penetrometer.hpp"
+#include "structures/penetration/penetration_run.hpp"
+
+namespace berm::penetration {
+namespace {
+
+constexpr base::Limit cone_cells = base::too_large(
+    {32, 10, base::Effect::contact_width,
+     "soil beside the edge moves with the cone up to a cell beyond it, so that N_kt is too large (examples/cone_in_clay)", true});
+
+std::vector<penetration::Comparison> published_of_cone(const penetration::PenetrationRun& run)
+{
+  if (run.measure() != penetration::Measure::strength) return {};
+  const penetration::SoilAt soil = run.soil.at(run.z_end());
+  const Real N = run.last().factor;
+  const formulas::DeepInClay cone{soil.rigidity_index, soil.interface_ratio, soil.anisotropy};
+  const char *symbol = "N<sub>kt</sub>", *cavity = "N<sub>kt</sub>, beside (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity";
+  return {{symbol, N, formulas::cone_factor_strain_path(cone), "", true},
+          {symbol, N, formulas::cone_factor_remeshed(cone), "", true},
+          {symbol, N, formulas::cone_factor_steady(cone), "", true},
+          {cavity, N, formulas::sphere_limit(soil.rigidity_index), "a cone meets more: soil moves away from a point"},
+          {cavity, N, formulas::cylinder_limit(soil.rigidity_index), "a cone meets more: soil moves away from an axis"}};
+}
+
+}  // namespace
+
+const penetration::Reading& cone_reading()
+{
+  static const penetration::Reading cone{.word = "cone",
+                                         .level = "shoulder of the cone",
+                                         .resistance = {"q_t", "q<sub>t</sub>"},
+                                         .in_clay = {"N_kt", "N<sub>kt</sub>"},
+                                         .in_sand = {"Q_t", "Q<sub>t</sub>"},
+                                         .sand_measure = penetration::SandMeasure::overburden,
+                                         .flows_around = false,
+                                         .averaging = 0.2,
+                                         .last_travel = 2,
+                                         .depths = {0.5, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 25, 30, 40, 50},
+                                         .keeps_push = false,
+                                         .cells = &cone_cells,
+                                         .published = published_of_cone,
+                                         .remark = "Published formulas of the cone factor (strain path, finite elements) are known to berm "
+                                                   "from memory alone and not shown: docs/formulas.md. "
+                                                   "The cavities are exact, and lower ends.",
+                                         .pushes_aside = true};
+  return cone;
+}
+
+}  // namespace berm::penetration
