@@ -40,122 +40,178 @@ struct NodalSums {
   }
 };
 
+/// What is the same for all nodes of a body in a step.
+template <int dim>
+struct BodyBalance {
+  const problem::Model<dim>& model;
+  problem::State<dim>& state;
+  const Workspace<dim>& workspace;
+  BodyGrid<dim>& grid;
+  Index body;
+  const problem::StageSettings& stage = model.stages[state.stage.index];
+  Real dt = state.dt;                                                                       // s
+  Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);  // m/s2
+  Components<dim> gravity_components = components(gravity);
+  const NodeField<std::uint8_t>& fixed = grid.supports(model);
+  bool flows = grid.water.flows(), loaded = !model.load_points.empty(), reported = !grid.support_force.empty();
+  bool absorbing = !model.dashpots.empty() && model.dashpots[body].any();
+  bool holding = stage.kind == problem::StageKind::geostatic;  // also the boundaries that absorb in other stages
+  bool moving = !model.moved.empty() && !model.moved[state.stage.index].empty();
+  std::optional<Real> stage_damping = stage.damping;
+  // Damping, against the velocity before the step, would drive a light node.
+  Real least_damped = light_node_part * model.bodies[body].waves.min_density / (dim + 1);  // kg/m3
+
+  Index dashpot_of(Index node) const { return absorbing ? model.dashpots[body].of_node[node] : none; }
+  /// Calls act(d, motion) for the directions in which a node follows a motion.
+  template <class Act>
+  [[gnu::always_inline]] void for_each_motion(Index node, const Act& act) const
+  {
+    if (!moving) return;
+    const boundary::Holders<dim>& motions = model.moved[state.stage.index][node];
+    for (int d = 0; d < dim; ++d)
+      if (motions[d] != none) act(d, motions[d]);
+  }
+};
+
+/// The equation of a node: inertia a = force + damping + support.
+template <int dim>
+struct NodeBalance {
+  Index i;
+  Real m;                                           // kg
+  Components<dim> v;                                // before the step, m/s
+  std::uint8_t held;                                // bit d: direction d
+  Index dashpot;                                    // or none
+  bool gives_way;                                   // to waves, at its dashpot
+  Components<dim> force;                            // first of stress, then of all but damping and support, N
+  Components<dim> inertia = m - Components<dim>{};  // kg, by direction
+  Components<dim> damping{}, unbalanced{};          // N; this where nothing holds the node
+  Components<dim> a{};                              // m/s2
+
+  bool holds(int d) const { return held >> d & 1; }
+};
+
+/// (2), (3) and tractions. The water takes a part of the force, and gives way by a flux that the acceleration makes.
+template <int dim>
+[[gnu::always_inline]] inline void add_forces(const BodyBalance<dim>& all, NodeBalance<dim>& node)
+{
+  node.force += node.m * all.gravity_components;
+  if (all.loaded) node.force += components(all.grid.traction[node.i]);
+  if (!all.flows) return;
+  const WaterAtNode<dim>& water = all.grid.water.nodes[node.i];
+  for (int d = 0; d < dim; ++d) node.inertia[d] = all.grid.water.soil_inertia[node.i][d];
+  for (int d = 0; d < dim; ++d)
+    if (node.inertia[d] < node.m)
+      node.force[d] -= water.mass / water.inertia * (water.force[d] - water.drag * all.state.flux[all.body][node.i][d]);
+}
+
+/// Local damping, against the force that nothing holds; none near a contact.
+template <int dim>
+[[gnu::always_inline]] inline void damp(const BodyBalance<dim>& all, NodeBalance<dim>& node)
+{
+  node.unbalanced = node.force;
+  if (node.gives_way) node.unbalanced += components(all.state.held_forces[all.body][node.i]);
+  for (int d = 0; d < dim && node.held != 0; ++d)
+    if (node.holds(d)) node.unbalanced[d] = 0;
+  if (all.grid.touching[node.i]) return;
+  const Real factor = all.stage_damping ? *all.stage_damping : all.model.bodies[all.body].damping[node.i];
+  if (factor == 0 || node.m < all.least_damped * all.grid.volume_around[node.i]) return;
+  node.damping = boundary::local_damping(factor, node.unbalanced, node.v);
+}
+
+/// (4); of a node that gives way with its dashpot, F_rest and the wave that comes in at the middle of the step.
+template <int dim>
+[[gnu::always_inline]] inline void accelerate(const BodyBalance<dim>& all, NodeBalance<dim>& node)
+{
+  const Components<dim> total = node.force + node.damping;
+  node.a = total / node.inertia;
+  if (!node.gives_way) return;
+  const boundary::Dashpots<dim>& dashpots = all.model.dashpots[all.body];
+  const Workspace<dim>& w = all.workspace;
+  Vec<dim> from_outside = all.state.held_forces[all.body][node.i];
+  if (!dashpots.incoming.empty())
+    from_outside += (dashpots.incoming_force(node.dashpot, w.motion_before) + dashpots.incoming_force(node.dashpot, w.motion_after)) / 2;
+  node.a =
+      components(boundary::acceleration_with<dim>(dashpots.resistance[node.dashpot], vector_of<dim>(node.inertia),
+                                                  vector_of<dim>(total + components(from_outside)), all.grid.velocity[node.i], all.dt));
+}
+
+/// Supports take the velocity in the directions that they hold, or give it that of their motion.
+template <int dim>
+[[gnu::always_inline]] inline void hold(const BodyBalance<dim>& all, NodeBalance<dim>& node)
+{
+  for (int d = 0; d < dim && node.held != 0; ++d)
+    if (node.holds(d)) node.a[d] = -node.v[d] / all.dt;
+  all.for_each_motion(node.i, [&](int d, Index motion) { node.a[d] += all.workspace.motion_after[motion][d] / all.dt; });
+}
+
+/// The node's part of the totals, and what its supports give it.
+template <int dim>
+[[gnu::always_inline]] inline void book(const BodyBalance<dim>& all, const NodeBalance<dim>& node, NodalSums<dim>& to)
+{
+  const Components<dim> mid_velocity = node.v + 0.5 * all.dt * node.a;
+  to.mass += node.m;
+  to.momentum += node.m * mid_velocity;
+  if (!all.grid.touching[node.i]) to.unbalanced += magnitude(node.unbalanced);
+  to.damping += node.damping;
+  to.damping_power += sum_of_components<dim>(node.damping * mid_velocity);
+  if (all.loaded) {
+    const Components<dim> traction = components(all.grid.traction[node.i]);
+    to.traction += traction;
+    to.traction_size += all.grid.traction[node.i].norm();
+    to.traction_power += sum_of_components<dim>(traction * mid_velocity);
+  }
+  const bool supported = node.held != 0 || node.dashpot != none;
+  const Components<dim> support = supported ? node.inertia * node.a - (node.force + node.damping) : Components<dim>{};
+  if (all.reported) store<dim>(support, all.grid.support_force[node.i]);
+  if (!supported) return;
+  to.support += support;
+  all.for_each_motion(node.i, [&](int d, Index motion) {
+    to.support_power += support[d] * (all.workspace.motion_before[motion][d] + all.workspace.motion_after[motion][d]) / 2;
+  });
+  for (int d = 0; d < dim && node.gives_way; ++d)
+    if (!node.holds(d)) to.support_power += support[d] * mid_velocity[d];
+  for (int d = 0; d < dim && all.holding && node.dashpot != none; ++d)
+    if (all.model.dashpots[all.body].directions[node.dashpot] >> d & 1) all.state.held_forces[all.body][node.i][d] = support[d];
+}
+
 }  // namespace
 
 template <int dim>
 void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
-  const mesh::Mesh<dim>& mesh = model.mesh;
   BodyGrid<dim>& grid = workspace.grids[body];
-  const Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);
-  const Components<dim> gravity_components = components(gravity);
-  const NodeField<std::uint8_t>& fixed = grid.supports(model);
-  const Real dt = state.dt;
-  const bool flows = grid.water.flows();
-  const bool reported = !grid.support_force.empty();
-  const bool absorbing = !model.dashpots.empty() && model.dashpots[body].any();
-  const Index stage = state.stage.index;
-  const bool moving = !model.moved.empty() && !model.moved[stage].empty();
-  const bool holding = model.stages[state.stage.index].kind == problem::StageKind::geostatic;
-  const bool loaded = !model.load_points.empty();
-  // F_rest and the wave that comes in, this at the middle of the step.
-  const auto from_outside = [&](Index node, Index dashpot) {
-    const boundary::Dashpots<dim>& dashpots = model.dashpots[body];
-    Vec<dim> force = state.held_forces[body][node];
-    if (!dashpots.incoming.empty())
-      force += (dashpots.incoming_force(dashpot, workspace.motion_before) + dashpots.incoming_force(dashpot, workspace.motion_after)) / 2;
-    return force;
-  };
-  // Damping, against the velocity before the step, would drive a light node.
-  const Real least_damped = light_node_part * model.bodies[body].waves.min_density / (dim + 1);
-  const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
+  const BodyBalance<dim> all{model, state, workspace, grid, body};
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n, NodalSums<dim>& to) {
-    const Index i = grid.nodes[n];
-    const Real m = grid.mass[i];
-    Vec<dim>& acceleration = grid.acceleration[i];
-    Components<dim> force = gathered(mesh, grid, i);
-    const Components<dim> v = components(grid.velocity[i]);
-    to.all += force + v;
-    if (!(m > 0)) {
-      acceleration.setZero();
-      return;
+    const Index i = grid.nodes[n], dashpot = all.dashpot_of(i);
+    NodeBalance<dim> node{.i = i,
+                          .m = grid.mass[i],
+                          .v = components(grid.velocity[i]),
+                          .held = all.fixed[i],
+                          .dashpot = dashpot,
+                          .gives_way = dashpot != none && !all.holding,
+                          .force = gathered(model.mesh, grid, i)};
+    to.all += node.force + node.v;
+    if (node.m > 0) {
+      add_forces(all, node);
+      damp(all, node);
+      accelerate(all, node);
+      hold(all, node);
+      book(all, node, to);
     }
-    force += m * gravity_components;
-    if (loaded) force += components(grid.traction[i]);
-    // The water takes a part of the force, and gives way by a flux that the acceleration makes.
-    Components<dim> inertia = m - Components<dim>{};
-    if (flows) {
-      const WaterAtNode<dim>& water = grid.water.nodes[i];
-      for (int d = 0; d < dim; ++d) inertia[d] = grid.water.soil_inertia[i][d];
-      for (int d = 0; d < dim; ++d)
-        if (inertia[d] < m) force[d] -= water.mass / water.inertia * (water.force[d] - water.drag * state.flux[body][i][d]);
-    }
-    const Index dashpot = absorbing ? model.dashpots[body].of_node[i] : none;
-    const bool gives_way = dashpot != none && !holding;
-    Components<dim> unbalanced = force;
-    if (gives_way) unbalanced += components(state.held_forces[body][i]);
-    const std::uint8_t held = fixed[i];
-    Components<dim> free = 1 - Components<dim>{};  // 0 where held
-    for (int d = 0; d < dim && held != 0; ++d)
-      if (held >> d & 1) free[d] = 0;
-    Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
-    if (factor != 0 && m < least_damped * grid.volume_around[i]) factor = 0;
-    if (!grid.touching[i]) to.unbalanced += magnitude(free * unbalanced);
-    Components<dim> damping{};
-    if (factor != 0) damping = free * boundary::local_damping(factor, unbalanced, v);
-    const Components<dim> total = force + damping;
-    Components<dim> a = total / inertia;
-    if (gives_way) {
-      const Vec<dim> from = from_outside(i, dashpot);
-      a = components(boundary::acceleration_with<dim>(model.dashpots[body].resistance[dashpot], vector_of<dim>(inertia),
-                                                      vector_of<dim>(total + components(from)), grid.velocity[i], dt));
-    }
-    for (int d = 0; d < dim && held != 0; ++d)
-      if (held >> d & 1) a[d] = -v[d] / dt;
-    const boundary::Holders<dim>* motions = moving ? &model.moved[stage][i] : nullptr;
-    for (int d = 0; d < dim && moving; ++d)
-      if (const Index motion = (*motions)[d]; motion != none) a[d] += workspace.motion_after[motion][d] / dt;
-    store<dim>(a, acceleration);
-    const Components<dim> mid_velocity = v + 0.5 * dt * a;
-    to.mass += m;
-    to.momentum += m * mid_velocity;
-    if (factor != 0) {
-      to.damping += damping;
-      to.damping_power += sum_of_components<dim>(damping * mid_velocity);
-    }
-    if (loaded) {
-      to.traction += components(grid.traction[i]);
-      to.traction_size += grid.traction[i].norm();
-      to.traction_power += sum_of_components<dim>(components(grid.traction[i]) * mid_velocity);
-    }
-    if (held == 0 && dashpot == none) {
-      if (reported) grid.support_force[i].setZero();
-      return;
-    }
-    const Components<dim> support = inertia * a - total;
-    to.support += support;
-    if (reported) store<dim>(support, grid.support_force[i]);
-    for (int d = 0; d < dim && moving; ++d)
-      if (const Index motion = (*motions)[d]; motion != none)
-        to.support_power += support[d] * (workspace.motion_before[motion][d] + workspace.motion_after[motion][d]) / 2;
-    if (dashpot != none) {
-      for (int d = 0; d < dim && holding; ++d)
-        if (model.dashpots[body].directions[dashpot] >> d & 1) state.held_forces[body][i][d] = support[d];
-      for (int d = 0; d < dim && !holding; ++d)
-        if (!(held >> d & 1)) to.support_power += support[d] * mid_velocity[d];
-    }
+    store<dim>(node.a, grid.acceleration[i]);
   });
 
   if (!std::isfinite(sum_of_components<dim>(sums.all) + state.totals.internal)) throw_not_finite(model, state, body);
+  const Real dt = state.dt;
   problem::Totals<dim>& totals = state.totals;
-  totals.gravity_impulse += dt * sums.mass * gravity;
+  totals.gravity_impulse += dt * sums.mass * all.gravity;
   totals.traction_impulse += dt * vector_of<dim>(sums.traction);
   totals.damping_impulse += dt * vector_of<dim>(sums.damping);
   totals.support_impulse += dt * vector_of<dim>(sums.support);
-  totals.external += dt * (gravity.dot(vector_of<dim>(sums.momentum)) + sums.traction_power + sums.support_power);
+  totals.external += dt * (all.gravity.dot(vector_of<dim>(sums.momentum)) + sums.traction_power + sums.support_power);
   totals.damping -= dt * sums.damping_power;
   workspace.unbalanced = (body == 0 ? 0 : workspace.unbalanced) + sum_of_components<dim>(sums.unbalanced);
-  workspace.weight = (body == 0 ? 0 : workspace.weight) + sums.mass * gravity.norm() + sums.traction_size;
+  workspace.weight = (body == 0 ? 0 : workspace.weight) + sums.mass * all.gravity.norm() + sums.traction_size;
 }
 
 template void solve_momentum_balance(const problem::Model<2>&, problem::State<2>&, Workspace<2>&, Index);
