@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference/slow_step.hpp"
+
+#include "mpm/step.hpp"
+#include "samples/sample_meshes.hpp"
+#include "unit/mpm/sample_problem.hpp"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+namespace berm::reference::this_file {
+namespace {
+
+using mesh::Metric;
+
+/// Sand that yields at random stresses and opens where it is pulled.
+material::MohrCoulomb weak_sand()
+{
+  material::MohrCoulomb law = mpm::sample_sand();
+  law.cohesion = 1e3;
+  return law;
+}
+
+/// A body at random, for the fast step and for the slow one: in some inner cells of a mesh, which no particle leaves in a few steps, particles with random places,
+/// masses, volumes, velocities and stresses; supports and damping of random nodes.
+template <int dim, class Law>
+struct DrawnBody {
+  std::mt19937 random;
+  problem::Problem<dim> fast;
+  SlowStep<dim, decltype(prepare(Law()))> slow;
+
+  DrawnBody(unsigned seed, Metric metric, const Law& material)
+      : random(seed),
+        fast(mpm::problem_on<dim>(drawn_mesh(metric), material, 0)),
+        slow{fast.model.mesh, prepare(material), 0.8 / material.density, 1.2 / material.density, {}, {}, {}, {}}
+  {
+    problem::Model<dim>& model = fast.model;
+    model.mpm.volumetric_projection = false;  // what berm adds to the paper's step
+    model.mpm.velocity_filter = model.mpm.bulk_viscosity = 0;
+    model.gravity = slow.gravity = random_point<dim>(random, Vec<dim>::Constant(-20), Vec<dim>::Constant(20));
+    slow.damping_factor = NodeField<Real>(model.mesh.node_count(), 0);
+    for (Real& factor : slow.damping_factor) factor = number(0, 0.5);
+    model.bodies[0].damping = slow.damping_factor;
+    for (std::uint8_t& held : model.fixed[0]) held = static_cast<std::uint8_t>(number(0, 1) < 0.3 ? number(1, 1 << dim) : 0);
+    fill(material);
+    model.fixed[0][model.mesh.nodes[slow.particles[0].cell][0]] = (1 << dim) - 1;  // some node of the body at least
+    slow.held = model.fixed[0];
+  }
+
+  Real number(Real from, Real to) { return std::uniform_real_distribution<Real>(from, to)(random); }
+
+  mesh::Mesh<dim> drawn_mesh(Metric metric)
+  {
+    mesh::Mesh<dim> mesh = shaken_box<dim>(static_cast<unsigned>(random()));
+    mesh.metric = metric;
+    if (metric == Metric::axisymmetric)
+      for (Vec<dim>& x : mesh.position) x[0] += 0.3;
+    mesh.complete();
+    return mesh;
+  }
+  void fill(const material::Material& material)
+  {
+    const mesh::Mesh<dim>& mesh = fast.model.mesh;
+    const NodeField<char> at_boundary = mpm::boundary_flags(mesh);
+    const Real speed = std::pow(10, number(-1, 1.5)), stress = std::pow(10, number(2, 4)), filled = number(0.5, 1);
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+      const auto& nodes = mesh.nodes[cell];
+      if (std::any_of(nodes.begin(), nodes.end(), [&](Index i) { return at_boundary[i] != 0; }) || number(0, 1) > filled) continue;
+      for (int n = static_cast<int>(number(1, 7)); n > 0; --n) {
+        Particle<dim> p{};
+        p.cell = cell;
+        p.x = place_in(nodes);
+        p.v = random_point<dim>(random, Vec<dim>::Constant(-speed), Vec<dim>::Constant(speed));
+        for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k] = number(-stress, k < 3 ? 0 : stress);
+        p.mass = number(1, 3);
+        p.volume = p.mass / density(material) * number(0.95, 1.05);
+        slow.particles.push_back(p);
+      }
+    }
+    bodies::Particles<dim> particles(mesh, static_cast<Index>(slow.particles.size()), state_fields(material));
+    for (std::size_t n = 0; n < slow.particles.size(); ++n) {
+      const Particle<dim>& p = slow.particles[n];
+      particles.insert(p.cell, {.x = p.x, .v = p.v, .stress = p.stress, .volume = p.volume, .mass = p.mass, .id = static_cast<Index>(n)});
+    }
+    particles.sort_occupied();
+    fast.state.particles[0] = std::move(particles);
+  }
+  Vec<dim> place_in(const std::array<Index, dim + 1>& nodes)
+  {
+    Real weight[dim + 1], sum = 0;
+    for (Real& w : weight) sum += w = number(0.1, 1);
+    Vec<dim> x = Vec<dim>::Zero();
+    for (int k = 0; k <= dim; ++k) x += weight[k] / sum * fast.model.mesh.position[nodes[k]];
+    return x;
+  }
+};
+
+/// The largest differences between the steps, each over the largest magnitude of what is compared: of position, velocity and stress.
+struct Difference {
+  Real x = 0, v = 0, stress = 0, least_share = infinity;
+  int changed_cells = 0;
+
+  Real largest() const { return std::max({x, v, stress}); }
+};
+
+/// What some steps of both make of a body.
+template <int dim, class Law>
+Difference difference_of(unsigned seed, Metric metric, const Law& law, Term without)
+{
+  DrawnBody<dim, Law> body(seed, metric, law);
+  mpm::Workspace<dim> workspace(body.fast.model, body.fast.state);
+  const auto before = body.slow.particles;
+  for (int n = static_cast<int>(body.number(3, 9)); n > 0; --n) {
+    mpm::step(body.fast.model, body.fast.state, workspace);
+    body.slow.step(body.fast.state.dt, without);
+  }
+  Difference difference{.least_share = body.slow.least_share};
+  Real v = 0, stress = 0;
+  const bodies::Particles<dim>& fast = body.fast.state.particles[0];
+  fast.visit([&](Index cell, Index b, int l) {
+    const bodies::Particle<dim> p = fast.read(b, l);
+    const Particle<dim>& q = body.slow.particles[p.id];
+    difference.x = std::max(difference.x, (p.x - q.x).norm());
+    difference.v = std::max(difference.v, (p.v - q.v).norm());
+    for (int k = 0; k < tensor_size<dim>; ++k) difference.stress = std::max(difference.stress, std::abs(p.stress[k] - q.stress[k]));
+    for (int k = 0; k < tensor_size<dim>; ++k) stress = std::max(stress, std::abs(p.stress[k]));
+    v = std::max(v, p.v.norm());
+    difference.changed_cells += cell != before[p.id].cell;
+  });
+  difference.v /= v, difference.stress /= stress;
+  return difference;
+}
+
+/// Rounding makes errors of some 1e-16 in a shape function and in a sum, by which the velocity of a node and the strains of its cells err as much over the share
+/// of its mass in that of its particles. Sums of different order, of up to a hundred particles over up to eight steps, err by ten times that.
+Real tolerance(const Difference& found)
+{
+  return 1e-12 * std::max(Real(1), 1e-3 / found.least_share);
+}
+
+template <int dim, class Law>
+void compare(Metric metric, const Law& law)
+{
+  constexpr int bodies = 200, bodies_without_terms = 20;
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);  // bodies are small: threads would wait for each other all the time
+  int changed_cells = 0;
+  for (unsigned seed = 0; seed < bodies; ++seed) {
+    const Difference found = difference_of<dim>(seed, metric, law, Term::none);
+    EXPECT_LT(found.largest(), tolerance(found))
+        << seed << ": " << found.x << " " << found.v << " " << found.stress << " share " << found.least_share;
+    changed_cells += found.changed_cells;
+  }
+  EXPECT_GT(changed_cells, 10);
+  std::vector<Term> terms{Term::internal_force, Term::gravity,  Term::damping, Term::supports,
+                          Term::remapping,      Term::rotation, Term::volume,  Term::law};
+  if (metric == Metric::axisymmetric) terms.insert(terms.end(), {Term::hoop_stress, Term::hoop_strain});
+  for (const Term term : terms)
+    for (unsigned seed = 0; seed < bodies_without_terms; ++seed) {
+      const Difference found = difference_of<dim>(seed, metric, law, term);
+      EXPECT_GT(found.largest(), 1e4 * tolerance(found)) << "without term " << static_cast<int>(term) << ", body " << seed;
+    }
+  omp_set_num_threads(threads);
+}
+
+TEST(SlowStep, is_the_fast_one_in_the_plane)
+{
+  compare<2>(Metric::cartesian, mpm::sample_solid());
+  compare<2>(Metric::cartesian, weak_sand());
+}
+
+TEST(SlowStep, is_the_fast_one_around_an_axis)
+{
+  compare<2>(Metric::axisymmetric, mpm::sample_solid());
+  compare<2>(Metric::axisymmetric, weak_sand());
+}
+
+TEST(SlowStep, is_the_fast_one_in_space)
+{
+  compare<3>(Metric::cartesian, mpm::sample_solid());
+  compare<3>(Metric::cartesian, weak_sand());
+}
+
+}  // namespace
+}  // namespace berm::reference::this_file
