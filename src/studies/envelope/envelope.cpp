@@ -5,6 +5,7 @@
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
+#include "jobs/batch.hpp"
 #include "simulation/simulate.hpp"
 #include "user_law/load.hpp"
 

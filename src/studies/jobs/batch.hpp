@@ -7,9 +7,9 @@ namespace berm::jobs {
 
 /// Runs that belong together, those of a study, say, and how each ended. A batch that is run again does what is left of it.
 struct Batch {
-  std::vector<Job> jobs;
-  std::vector<std::string> names;  ///< of the jobs, for messages
-  const char* what = "runs";       ///< the jobs in messages
+  std::vector<Job> jobs = {};
+  std::vector<std::string> names = {};  ///< of the jobs, for messages
+  const char* what = "runs";            ///< the jobs in messages
   /// Whether a job has its result already.
   std::function<bool(const Job&)> has_result = has_ended_with_result;
   /// Called before the first run with the jobs that have their result and those to run; by default it tells how many have theirs.

@@ -7,6 +7,7 @@
 #include "io/atomic_file.hpp"
 #include "io/duration_text.hpp"
 #include "io/tell.hpp"
+#include "jobs/batch.hpp"
 #include "os/error.hpp"
 #include "run_folder/summary_file.hpp"
 #include "safety/safety_report.hpp"

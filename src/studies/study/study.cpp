@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "io/duration_text.hpp"
 #include "io/tell.hpp"
+#include "jobs/batch.hpp"
 #include "os/error.hpp"
 #include "run_folder/summary.hpp"
 #include "structures/driven/known_names.hpp"

@@ -6,6 +6,7 @@
 #include "input/read_case.hpp"
 #include "io/duration_text.hpp"
 #include "io/tell.hpp"
+#include "jobs/batch.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "run_folder/build.hpp"

@@ -20,7 +20,7 @@ namespace {
 using base::PublishedCurve, base::PublishedEnvelope;
 using formulas::Base, formulas::Formula;
 
-constexpr Real round_off = 1e-6;  // of D
+constexpr Real base_tolerance = 1e-6;  // of D
 constexpr int curve_points = 60;
 
 /// The footing in the plane of the load, or in space, before the first stage.
@@ -56,13 +56,13 @@ base::EmbeddedBody embedded_in(const problem::Case& c)
   const std::optional<base::BodyProfile> body = base::body_profile(rigid.shape);
   const Lying<dim> lying(c);
   if (lying.axes.up != 1 || lying.axes.sign < 0) throw KeyError("gravity: the envelope of a footing needs gravity along -y");
-  if (!body || body->disk || body->shoulder > round_off * body->width)
+  if (!body || body->disk || body->shoulder > base_tolerance * body->width)
     throw KeyError(fmt::format("rigid.{}.shape: the envelope of a footing needs a flat, level base", name));
-  if (std::abs((body->left + body->right) / 2 - lying.center[0]) > round_off * body->width)
+  if (std::abs((body->left + body->right) / 2 - lying.center[0]) > base_tolerance * body->width)
     throw KeyError(fmt::format("rigid.{}.shape: the envelope of a footing needs its centre above the middle of its base", name));
   base::EmbeddedBody footing{body->width, problem::ground_of(c).level_at(lying.center[0], c.surface) - lying.lowest,
                              lying.center[1] - lying.lowest};
-  if (footing.embedment < -round_off * footing.width)
+  if (footing.embedment < -base_tolerance * footing.width)
     throw KeyError(
         fmt::format("rigid.{}.center: the base of the footing lies {:g} m above the bed; an envelope needs it on the bed or in it", name,
                     -footing.embedment));
@@ -105,7 +105,7 @@ Real area_of(const problem::Case& c, Real width)
 Real largest_h(Real v)
 {
   Real low = 0, high = 1;
-  if (v <= formulas::n_c_inclined(1).value * (1 + round_off)) return 1;
+  if (v <= formulas::n_c_inclined(1).value * (1 + base_tolerance)) return 1;
   for (int k = 0; k < 60; ++k) {
     const Real middle = (low + high) / 2;
     (formulas::n_c_inclined(middle).value > v ? low : high) = middle;
@@ -225,7 +225,7 @@ PublishedEnvelope footing_envelope(const problem::Case& c)
             base::contact_of_body(c)};
   on.area = area_of(c, on.footing.width);
   on.round = !on.strip && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape);
-  on.at_surface = problem::ground_of(c).line.level() && std::abs(on.footing.embedment) <= round_off * on.footing.width;
+  on.at_surface = problem::ground_of(c).line.level() && std::abs(on.footing.embedment) <= base_tolerance * on.footing.width;
   if (std::isnan(on.area)) return unknown;
   const Real unit_weight = base::body_scale(c).unit_weight;
   if (strength->friction_angle == 0 && strength->cohesion > 0) return for_clay(on);
