@@ -26,9 +26,10 @@ std::vector<run_folder::Quantity> Anchor::quantities(const record::RunRecord& ru
 {
   std::vector<run_folder::Quantity> list = Driven::quantities(run, held_forces);
   if (list.empty()) return list;
-  const std::vector<run_folder::Quantity> own =
-      quantities_of(tow_results(tow_path(run), base::body_scale(run)), run.settings.force_dimension());
-  list.insert(list.begin(), own.begin(), own.end());
+  base::AnswerList own(run.settings.force_dimension());
+  own.of("drags", "");
+  own.add(tow_answers, tow_results(tow_path(run), base::body_scale(run)));
+  list.insert(list.begin(), own.list().begin(), own.list().end());
   return list;
 }
 
@@ -36,18 +37,7 @@ std::vector<std::string> Anchor::quantity_names(const problem::Case& c) const
 {
   std::vector<std::string> names = Driven::quantity_names(c);
   if (names.empty()) return names;
-  const TowResults whole{.travel = 1,
-                         .first_depth = 1,
-                         .depth = 1,
-                         .max_depth = 1,
-                         .at_depth = 1,
-                         .max_force = 1,
-                         .at_force = 1,
-                         .force = 1,
-                         .vertical = 1,
-                         .depth_change = 1,
-                         .work = 1};
-  for (const run_folder::Quantity& q : quantities_of(whole, c.force_dimension())) names.push_back(q.name);
+  for (const auto& row : tow_answers) names.emplace_back(row.name);
   return names;
 }
 

@@ -3,8 +3,11 @@
 
 #include "record/run_record.hpp"
 #include "record/travel_curve.hpp"
+#include "structures/base/answer.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/driven/driven.hpp"
+
+#include <array>
 
 namespace berm::anchor {
 
@@ -46,8 +49,27 @@ struct TowResults {
 
 TowResults tow_results(const TowPath& path, const base::BodyScale& scale);
 
-/// The same as quantities: tow_travel, tow_depth_begin, tow_depth_end, tow_depth_max, u_at_tow_depth_max, tow_force_max, u_at_tow_force_max, tow_force_end, tow_V_end,
-/// tow_depth_change, tow_work.
-std::vector<run_folder::Quantity> quantities_of(const TowResults& results, int force_dimension);
+template <auto Number>
+constexpr base::Access<TowResults> of_tow = base::finite_number<TowResults, Number>;
+
+inline constexpr std::array tow_answers = {
+    base::Answer<TowResults>{"tow_travel", base::AnswerUnit::length, "travel of all drags", of_tow<&TowResults::travel>},
+    base::Answer<TowResults>{"tow_depth_begin", base::AnswerUnit::length, "depth of the lowest point where the first drag begins",
+                             of_tow<&TowResults::first_depth>},
+    base::Answer<TowResults>{"tow_depth_end", base::AnswerUnit::length, "depth of the lowest point at the end of the drags",
+                             of_tow<&TowResults::depth>},
+    base::Answer<TowResults>{"tow_depth_max", base::AnswerUnit::length, "largest depth of the lowest point in the drags",
+                             of_tow<&TowResults::max_depth>},
+    base::Answer<TowResults>{"u_at_tow_depth_max", base::AnswerUnit::length, "travel to that depth", of_tow<&TowResults::at_depth>},
+    base::Answer<TowResults>{"tow_force_max", base::AnswerUnit::force, "largest tow force, averaged", of_tow<&TowResults::max_force>},
+    base::Answer<TowResults>{"u_at_tow_force_max", base::AnswerUnit::length, "travel to that force", of_tow<&TowResults::at_force>},
+    base::Answer<TowResults>{"tow_force_end", base::AnswerUnit::force, "mean tow force over the end of the drags",
+                             of_tow<&TowResults::force>},
+    base::Answer<TowResults>{"tow_V_end", base::AnswerUnit::force, "mean vertical reaction over the end of the drags",
+                             of_tow<&TowResults::vertical>},
+    base::Answer<TowResults>{"tow_depth_change", base::AnswerUnit::length, "how much deeper the body goes over the end of the drags",
+                             of_tow<&TowResults::depth_change>},
+    base::Answer<TowResults>{"tow_work", base::AnswerUnit::work, "work of the tow force", of_tow<&TowResults::work>},
+};
 
 }  // namespace berm::anchor

@@ -67,25 +67,4 @@ TowResults tow_results(const TowPath& path, const base::BodyScale& scale)
   return results;
 }
 
-std::vector<run_folder::Quantity> quantities_of(const TowResults& r, int force_dimension)
-{
-  std::vector<run_folder::Quantity> list;
-  const char *force = force_dimension == 2 ? "N/m" : "N", *work = force_dimension == 2 ? "J/m" : "J";
-  const auto add = [&](const char* name, Real value, const char* unit, const char* meaning) {
-    if (std::isfinite(value)) list.push_back({name, value, unit, meaning, run_folder::QuantityKind::answer, "drags"});
-  };
-  add("tow_travel", r.travel, "m", "travel of all drags");
-  add("tow_depth_begin", r.first_depth, "m", "depth of the lowest point where the first drag begins");
-  add("tow_depth_end", r.depth, "m", "depth of the lowest point at the end of the drags");
-  add("tow_depth_max", r.max_depth, "m", "largest depth of the lowest point in the drags");
-  add("u_at_tow_depth_max", r.at_depth, "m", "travel to that depth");
-  add("tow_force_max", r.max_force, force, "largest tow force, averaged");
-  add("u_at_tow_force_max", r.at_force, "m", "travel to that force");
-  add("tow_force_end", r.force, force, "mean tow force over the end of the drags");
-  add("tow_V_end", r.vertical, force, "mean vertical reaction over the end of the drags");
-  add("tow_depth_change", r.depth_change, "m", "how much deeper the body goes over the end of the drags");
-  add("tow_work", r.work, work, "work of the tow force");
-  return list;
-}
-
 }  // namespace berm::anchor

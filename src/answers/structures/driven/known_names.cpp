@@ -3,8 +3,8 @@
 #include "structures/driven/known_names.hpp"
 
 #include "structures/base/support_reactions.hpp"
+#include "structures/driven/answers.hpp"
 #include "structures/driven/details.hpp"
-#include "structures/driven/results.hpp"
 #include "structures/driven/states.hpp"
 
 #include <algorithm>
@@ -16,37 +16,6 @@ namespace berm::driven {
 namespace {
 
 using problem::StageRole;
-
-/// A drag that has all that a drag of this stage may have: a force that is given has no peak and no plateau, and one that varies no resistance.
-DragResults whole_drag(const Stage& stage, Real D)
-{
-  DragResults drag{.stage = stage.name};
-  drag.end = DragPoint{D, D, 1, 1};
-  for (std::optional<Real>* number : {&drag.V, &drag.berm_height, &drag.berm_distance, &drag.remoulded_depth, &drag.remoulded_area})
-    *number = 1;
-  if (stage.holds_V) drag.V_rms_error = 1;
-  if (stage.by_force) drag.moved = Displacements{.time_half_D = 1, .time_D = 1};
-  if (stage.varies) {
-    drag.moved->time_scale = 1;
-    return drag;
-  }
-  for (const Real point : drag_points) drag.points.push_back({point * D, D, 1, 1});
-  drag.largest = DragPeak{D, 1};
-  drag.over_penetration = drag.H_noise = 1;
-  if (stage.by_force) return drag;
-  drag.breakout = DragPeak{D, 1};
-  drag.onset = drag.residual = drag.berm = 1;
-  return drag;
-}
-
-/// All that a way down may have.
-void take_whole_push(Results& all, Real D)
-{
-  all.push = {{D, 1}};
-  all.push_end = PushPoint{D, 1};
-  for (const Real point : travel_points) all.travel.push_back({point * D, 1});
-  all.V_noise = all.second_impulse_over_V = 1;
-}
 
 /// Whether a run of these stages may come to a state.
 bool may_come_to(const std::string& state, const problem::Case& c, const Stages& stages)
@@ -61,24 +30,20 @@ bool may_come_to(const std::string& state, const problem::Case& c, const Stages&
   return true;
 }
 
-/// A run that has all that one of these stages may have.
-Results whole_results(const problem::Case& c, const Stages& stages, Real D)
+void add_push_names(base::AnswerList& list)
 {
-  Results all;
-  all.overlap_max = all.gap_mean = 1;
-  for (const char* state : state_names)
-    if (may_come_to(state, c, stages)) all.states.push_back({state, D, 1});
-  for (const Stage& stage : stages) {
-    const bool dragged = !all.drags.empty();
-    if (stage.kind == problem::StageKind::drag) {
-      all.drags.push_back(whole_drag(stage, D));
-      continue;
-    }
-    if (!dragged && !stage.upwards && !all.push_end) take_whole_push(all, D);
-    if (dragged || stage.upwards || stage.force) all.other_pushes.push_back({stage.name, D, 1});
-    if (stage.upwards) all.uplifts.push_back({.stage = stage.name, .end = DragPoint{D, D, 1, 1}});
-  }
-  return all;
+  list.of("push", "");
+  for (const auto& row : depth_answers) list.add(name_at(row.name, push_spacing), row.unit, nan, row.meaning);  // without_number
+  list.add_names(push_answers, {});
+  for (const Real point : travel_points) list.add(name_at(travel_answers[0].name, point), travel_answers[0].unit, nan, "");
+}
+
+void add_drag_names(base::AnswerList& list, const Stage& stage)
+{
+  if (resists(stage))
+    for (const Real point : drag_points)
+      for (const auto& row : point_answers) list.add(name_at(row.name, point), row.unit, nan, row.meaning);
+  list.add_names(drag_answers, stage);
 }
 
 }  // namespace
@@ -100,9 +65,30 @@ std::vector<std::string> known_names(const problem::Case& c)
 {
   const base::BodyScale scale = base::body_scale(c);
   if (!(scale.width > 0)) return {};
+  const Stages stages = stages_of(c);
+  base::AnswerList list(scale.dimension);
+  list.twins(scale.unit_weight * scale.width * scale.width, scale.width);
+  bool dragged = false, went_down = false;
+  for (const Stage& stage : stages) {
+    const std::string prefix = stage.name + ".";
+    if (stage.kind == problem::StageKind::drag) {
+      list.of(stage.name, dragged ? prefix : "");
+      add_drag_names(list, stage);
+      dragged = true;
+      continue;
+    }
+    if (!dragged && !stage.upwards && !went_down) add_push_names(list), went_down = true;
+    list.of(stage.name, prefix);
+    if (dragged || stage.upwards || stage.force) list.add_names(other_push_answers, stage);
+    if (stage.upwards) list.add_names(uplift_answers, stage);
+  }
+  for (const char* state : state_names)
+    if (may_come_to(state, c, stages)) list.of(state, std::string(state) + "."), list.add_names(state_answers, {});
+  list.of("", "");
+  for (const auto& row : run_answers)
+    if (went_down || std::string_view(row.name) != "second_impulse_over_V") list.add(row.name, row.unit, nan, row.meaning);
   std::vector<std::string> names;
-  for (const run_folder::Quantity& q : quantities_of(whole_results(c, stages_of(c), scale.width), scale))
-    names.push_back(without_number(q.name));
+  for (const run_folder::Quantity& q : list.list()) names.push_back(without_number(q.name));
   if (c.geometry == problem::Geometry::space)
     for (const char* axis : {"Mx", "My", "Mz"})
       for (const char* end : {"_end_of_push", "_end_of_drag"}) names.push_back(std::string(axis) + end);

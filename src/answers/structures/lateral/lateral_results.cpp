@@ -2,15 +2,45 @@
 // Tests: tests/unit/structures/lateral/lateral_run_test.cpp
 #include "structures/lateral/lateral_results.hpp"
 
+#include "structures/base/answer.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace berm::lateral {
 namespace {
 
 constexpr Real reached = 1e-3;  // of D: a stage that ends at a displacement may stop this much short of it
+
+template <auto Number>
+constexpr base::Access<LateralRun> at_end = {[](const LateralRun& run) { return std::isfinite(run.results().*Number); },
+                                             [](const LateralRun& run) { return run.results().*Number; }};
+
+using enum base::AnswerUnit;
+using run_folder::QuantityKind;
+using Row = base::Answer<LateralRun>;
+
+constexpr std::array lateral_answers = {
+    Row{"lateral_H_max", force, "largest lateral load", at_end<&LateralResults::max_H>},
+    Row{"u_at_lateral_H_max", length, "displacement at the bed there", at_end<&LateralResults::u_at_max>},
+    Row{"lateral_H_end", force, "lateral load at the end", at_end<&LateralResults::H>},
+    Row{"lateral_M_end", moment, "its moment about the axis at the bed", at_end<&LateralResults::M>},
+    Row{"lateral_u_end", length, "displacement at the bed at the end", at_end<&LateralResults::u>, QuantityKind::prescribed},
+    Row{"lateral_u_load_end", length, "displacement at the height of the load at the end", at_end<&LateralResults::u_load>,
+        QuantityKind::prescribed},
+    Row{"lateral_tilt_end", angle, "tilt at the end", at_end<&LateralResults::tilt>},
+    Row{"lateral_height_end", length, "height above the bed at which the load acts", at_end<&LateralResults::height>,
+        QuantityKind::prescribed},
+    Row{"lateral_pivot_end", length, "depth below the bed of the point of the axis that stayed", at_end<&LateralResults::pivot>},
+    Row{"lateral_H_end_over_DLsu",
+        base::AnswerUnit::ratio,
+        "lateral load at the end over D, length in the bed and mean strength",
+        {[](const LateralRun& run) { return std::isfinite(run.over_strength(run.results().H)); },
+         [](const LateralRun& run) { return run.over_strength(run.results().H); }},
+        QuantityKind::ratio},
+};
 
 }  // namespace
 
@@ -21,35 +51,21 @@ std::string name_at(Real over_D)
 
 std::vector<run_folder::Quantity> lateral_quantities(const LateralRun& run)
 {
-  std::vector<run_folder::Quantity> list;
-  if (run.empty() || run.H_curve().empty()) return list;
-  using enum run_folder::QuantityKind;
-  const auto add = [&](const std::string& name, Real value, const char* unit, const std::string& meaning,
-                       run_folder::QuantityKind kind = answer) {
-    if (std::isfinite(value)) list.push_back({name, value, unit, meaning, kind, "lateral load"});
-  };
-  const LateralResults& r = run.results();
+  if (run.empty() || run.H_curve().empty()) return {};
+  base::AnswerList list(3);
+  list.of("lateral load", "");
+  const Real end = run.H_curve().end();
   for (const Real part : told_at)
-    if (part * run.width <= run.H_curve().end() + reached * run.width)
-      add(name_at(part), run.H_at(std::min(part * run.width, run.H_curve().end())), "N", "lateral load; u is the displacement at the bed");
-  add("lateral_H_max", r.max_H, "N", "largest lateral load");
-  add("u_at_lateral_H_max", r.u_at_max, "m", "displacement at the bed there");
-  add("lateral_H_end", r.H, "N", "lateral load at the end");
-  add("lateral_M_end", r.M, "N m", "its moment about the axis at the bed");
-  add("lateral_u_end", r.u, "m", "displacement at the bed at the end", prescribed);
-  add("lateral_u_load_end", r.u_load, "m", "displacement at the height of the load at the end", prescribed);
-  add("lateral_tilt_end", r.tilt, "rad", "tilt at the end");
-  add("lateral_height_end", r.height, "m", "height above the bed at which the load acts", prescribed);
-  add("lateral_pivot_end", r.pivot, "m", "depth below the bed of the point of the axis that stayed");
-  add("lateral_H_end_over_DLsu", run.over_strength(r.H), "1", "lateral load at the end over D, length in the bed and mean strength", ratio);
-  return list;
+    if (const Real u = std::min(part * run.width, end); part * run.width <= end + reached * run.width && std::isfinite(run.H_at(u)))
+      list.add(name_at(part), force, run.H_at(u), "lateral load; u is the displacement at the bed");
+  list.add(lateral_answers, run);
+  return list.list();
 }
 
 std::vector<std::string> lateral_names()
 {
-  std::vector<std::string> names = {"lateral_H_max",     "u_at_lateral_H_max",     "lateral_H_end",    "lateral_M_end",
-                                    "lateral_u_end",     "lateral_u_load_end",     "lateral_tilt_end", "lateral_height_end",
-                                    "lateral_pivot_end", "lateral_H_end_over_DLsu"};
+  std::vector<std::string> names;
+  for (const auto& row : lateral_answers) names.emplace_back(row.name);
   for (const Real part : told_at) names.push_back(name_at(part));
   return names;
 }

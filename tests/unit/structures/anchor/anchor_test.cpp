@@ -71,7 +71,9 @@ TEST(Anchor, that_was_not_dragged_has_no_tow)
   made.dragged = 0;
   const record::RunRecord run = made.record();
   EXPECT_TRUE(tow_path(run).travel.empty());
-  EXPECT_TRUE(quantities_of(tow_results(tow_path(run), base::body_scale(run)), 2).empty());
+  base::AnswerList list(2);
+  list.add(tow_answers, tow_results(tow_path(run), base::body_scale(run)));
+  EXPECT_TRUE(list.list().empty());
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
   const std::string words = Anchor().in_words(run, shown);
   EXPECT_EQ(words.find("ragged"), std::string::npos) << words;
