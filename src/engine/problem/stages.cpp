@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 namespace berm::problem {
+
 template <int dim>
 RigidTravel travel_of(const Model<dim>& model, const State<dim>& state, Index rigid)
 {

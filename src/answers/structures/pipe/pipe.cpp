@@ -7,6 +7,7 @@
 #include "structures/pipe/published.hpp"
 
 namespace berm::pipe {
+
 std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   std::vector<run_folder::Quantity> list = Driven::quantities(run, held_forces);

@@ -3,6 +3,7 @@
 #include "bodies/rigid/rigid_settings.hpp"
 
 namespace berm::bodies {
+
 void describe(Describe& d, RigidSettings& rigid)
 {
   describe_shape(d, rigid.shape);
