@@ -6,6 +6,7 @@
 #include "io/revision.hpp"
 #include "os/error.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
