@@ -65,12 +65,15 @@ Real momentum_error(const problem::State<dim>& state, mesh::Metric metric)
     moving += std::sqrt(2 * sums.mass * sums.kinetic);
   }
   now += taken_out(state).momentum;
-  const problem::Totals<dim>& t = state.totals;
-  const Vec<dim> given =
-      t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse + t.flow_impulse;
-  const Real size = moving + size_of(t.first_momentum) + size_of(t.gravity_impulse) + size_of(t.traction_impulse) +
-                    size_of(t.contact_impulse) + size_of(t.support_impulse) + size_of(t.damping_impulse) + size_of(t.flow_impulse);
-  return size > 0 ? size_of(now - t.first_momentum - given) / size : 0;
+  const Vec<dim>& first = state.totals.first_momentum;
+  Vec<dim> given = Vec<dim>::Zero();
+  Real size = moving + size_of(first);
+  for_each_row(problem::rows_of_run<dim>, [&](const auto& row) {
+    const auto& sum = state.totals.*row.member;
+    if constexpr (std::is_same_v<decltype(sum), const Vec<dim>&>)
+      if (row.balance == problem::Balance::momentum) given += sum, size += size_of(sum);
+  });
+  return size > 0 ? size_of(now - first - given) / size : 0;
 }
 
 template <int dim>

@@ -76,39 +76,26 @@ void archive(Archive& k, bodies::RigidState<dim>& rigid)
 
 }  // namespace
 
+// The sizes reveal a sum that has no row yet.
 template <int dim>
-void archive(Archive& k, contact::ContactSums<dim>& sums)
+void archive(Archive& k, Ledger<dim>& ledger)
 {
-  static_assert(sizeof(sums) == (dim == 2 ? 2 * 2 + 5 : 3 * 3 + 4) * sizeof(Real));
-  k("impulse", sums.impulse);
-  k("torque_impulse", sums.torque_impulse);
-  k("second_impulse", sums.second_impulse);
-  k("impulse_sum", sums.impulse_sum);
-  k("impulse_times_gap", sums.impulse_times_gap);
-  k("shaft_impulse", sums.shaft_impulse);
-  k("effective_impulse", sums.effective_impulse);
+  static_assert(sizeof(ledger) == sizeof(Totals<dim>) + 6 * sizeof(std::vector<Real>));
+  static_assert(sizeof(Totals<dim>) == (6 + 7 * dim) * sizeof(Real));
+  static_assert(sizeof(contact::ContactSums<dim>) == (dim == 2 ? 2 * 2 + 5 : 3 * 3 + 4) * sizeof(Real));
+  for_each_sum<dim>(
+      [&](const auto& row, std::size_t owner, auto& sum) {
+        k.table(fmt::format("{}_{}", words_of_owners[static_cast<int>(row.owner)], owner), [&] {
+          if constexpr (std::is_same_v<decltype(sum), std::vector<Real>&>)
+            k.fixed(row.name, sum);
+          else
+            k(row.name, sum);
+        });
+      },
+      ledger);
 }
 
 namespace {
-
-template <int dim>
-void archive(Archive& k, Totals<dim>& totals)
-{
-  static_assert(sizeof(totals) == (6 + 7 * dim) * sizeof(Real));
-  k("internal", totals.internal);
-  k("viscosity", totals.viscosity);
-  k("external", totals.external);
-  k("damping", totals.damping);
-  k("filter", totals.filter);
-  k("friction", totals.friction);
-  k("first_momentum", totals.first_momentum);
-  k("gravity_impulse", totals.gravity_impulse);
-  k("traction_impulse", totals.traction_impulse);
-  k("contact_impulse", totals.contact_impulse);
-  k("support_impulse", totals.support_impulse);
-  k("damping_impulse", totals.damping_impulse);
-  k("flow_impulse", totals.flow_impulse);
-}
 
 void archive(Archive& k, PressureMeans& means)
 {
@@ -223,21 +210,11 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   k("max_dt", state.max_dt);
   k.table("stage", [&] { archive(k, model, state.stage); });
   if (model.mpm.active_distance) k.table("active_soil", [&] { archive(k, state.active_soil, state.rigid_bodies.size()); });
-  k.table("totals", [&] { archive(k, state.totals); });
+  k.table("ledger", [&] { archive(k, static_cast<Ledger<dim>&>(state)); });
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r)
     k.table(fmt::format("rigid_{}", r), [&] { archive(k, state.rigid_bodies[r]); });
-  for (std::size_t r = 0; r < state.contact_sums.size(); ++r)
-    k.table(fmt::format("contact_sums_{}", r), [&] { archive(k, state.contact_sums[r]); });
-  for (std::size_t r = 0; r < state.slice_impulses.size(); ++r)
-    if (!state.slice_impulses[r].empty()) {
-      k.fixed(fmt::format("slice_impulses_{}", r), state.slice_impulses[r]);
-      k.fixed(fmt::format("slice_shaft_impulses_{}", r), state.slice_shaft_impulses[r]);
-    }
   for (std::size_t r = 0; r < state.listed_poses.size(); ++r)
     k.table(fmt::format("listed_pose_{}", r), [&] { archive(k, state.listed_poses[r]); });
-  for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
-  for (std::size_t c = 0; c < state.rigid_impulses.size(); ++c) k(fmt::format("rigid_impulse_{}", c), state.rigid_impulses[c]);
-  for (std::size_t s = 0; s < state.support_impulses.size(); ++s) k(fmt::format("support_impulse_{}", s), state.support_impulses[s]);
   for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
   for (std::size_t h = 0; h < state.heads.size(); ++h) k.table(fmt::format("head_{}", h), [&] { archive(k, state.heads[h]); });
   if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
@@ -253,8 +230,8 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
 
 template void archive(Archive&, bodies::Pose<2>&);
 template void archive(Archive&, bodies::Pose<3>&);
-template void archive(Archive&, contact::ContactSums<2>&);
-template void archive(Archive&, contact::ContactSums<3>&);
+template void archive(Archive&, Ledger<2>&);
+template void archive(Archive&, Ledger<3>&);
 template void archive(Archive&, const Model<2>&, State<2>&);
 template void archive(Archive&, const Model<3>&, State<3>&);
 

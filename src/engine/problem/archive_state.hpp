@@ -15,8 +15,4 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state);
 template <int dim>
 void archive(Archive& k, bodies::Pose<dim>& pose);
 
-/// What the contacts of one rigid body have added up to.
-template <int dim>
-void archive(Archive& k, contact::ContactSums<dim>& sums);
-
 }  // namespace berm::problem

@@ -198,6 +198,23 @@ DepthSlices depth_slices_of(int count, const Model<dim>& model, const bodies::Ri
   return {count, bed - model.axes.height(center), depth / count};
 }
 
+/// A sum of zero for each owner.
+template <int dim>
+void open_ledger(const Model<dim>& model, Ledger<dim>& ledger)
+{
+  ledger.contact_sums.resize(model.rigid_bodies.size());
+  for_each_row(rows_of_others<dim>, [&](const auto& row) {
+    auto& sums = ledger.*row.member;
+    if constexpr (std::is_same_v<decltype(sums), std::vector<std::vector<Real>>&>)
+      for (const DepthSlices& slices : model.depth_slices) sums.emplace_back(slices.count, 0);
+    else
+      sums.assign(row.owner == Owner::contact         ? model.contacts.size()
+                  : row.owner == Owner::rigid_contact ? model.rigid_contacts.size()
+                                                      : model.supports.size(),
+                  Vec<dim>::Zero());
+  });
+}
+
 }  // namespace
 
 template <int dim>
@@ -313,12 +330,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   set_critical_lengths(c, model);
   set_fading(model);
   state.rigid_bodies.resize(model.rigid_bodies.size());
-  state.contact_sums.resize(model.rigid_bodies.size());
-  for (const DepthSlices& slices : model.depth_slices) {
-    state.slice_impulses.emplace_back(slices.count, 0);
-    state.slice_shaft_impulses.emplace_back(slices.count, 0);
-  }
-  state.support_impulses.assign(model.supports.size(), Vec<dim>::Zero());
+  open_ledger(model, state);
   state.listed_poses.assign(model.rigid_bodies.size(), bodies::Pose<dim>::nowhere());
   const bool by_gravity = loads_by_gravity(c, model.ground);
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model);
@@ -361,8 +373,6 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   for (std::size_t b = 0; b < model.bodies.size(); ++b) set_law_state(model, model.bodies[b].soil, state.particles[b]);
   limit_equilibrium(c, model, state.particles);
   model.pressure_window = 2 * longest_pressure_period(model, state.particles);
-  state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
-  state.rigid_impulses.assign(c.rigid_contact.size(), Vec<dim>::Zero());
   state.earthworks.resize(model.earthworks.size());
   state.tractions.resize(model.tractions.size());
   state.heads.resize(model.heads.size());

@@ -5,7 +5,6 @@
 #include "bodies/rigid/dynamics.hpp"
 #include "boundary/dashpots.hpp"
 #include "boundary/support.hpp"
-#include "contact/contact_sums.hpp"
 #include "mesh/patches.hpp"
 #include "problem/axes.hpp"
 #include "problem/body_soil.hpp"
@@ -14,6 +13,7 @@
 #include "problem/earthworks.hpp"
 #include "problem/ground.hpp"
 #include "problem/interface.hpp"
+#include "problem/ledger.hpp"
 #include "problem/pressure_means.hpp"
 #include "problem/rigid_contact.hpp"
 
@@ -161,26 +161,6 @@ struct Model {
   }
 };
 
-/// What has been given and taken since the start, per metre run (in space: in all).
-template <int dim>
-struct Totals {
-  // Work, J/m. kinetic + internal + damping + filter + friction = external + what the method itself adds or loses.
-  Real internal = 0;   ///< stored and dissipated by the material
-  Real viscosity = 0;  ///< of it dissipated by the bulk viscosity
-  Real external = 0;   ///< of gravity, of tractions and of the driven rigid bodies
-  Real damping = 0;    ///< taken out by local damping
-  Real filter = 0;     ///< taken out of particle velocities that the nodes cannot carry
-  Real friction = 0;   ///< taken out at the contacts
-  // Momentum of the deformable bodies at the start, and the impulses given to them since, N s/m.
-  Vec<dim> first_momentum = Vec<dim>::Zero();
-  Vec<dim> gravity_impulse = Vec<dim>::Zero();
-  Vec<dim> traction_impulse = Vec<dim>::Zero();
-  Vec<dim> contact_impulse = Vec<dim>::Zero();
-  Vec<dim> support_impulse = Vec<dim>::Zero();
-  Vec<dim> damping_impulse = Vec<dim>::Zero();
-  Vec<dim> flow_impulse = Vec<dim>::Zero();  ///< of water whose flux changes
-};
-
 /// How a traction or a head grows or falls: the part of it that acts goes from one value to another since `begin_time`.
 struct TractionState {
   Real begin_time = 0;  ///< s
@@ -234,9 +214,9 @@ struct ActiveSoil {
   Real stopped = 0;  ///< J/m or J, kinetic energy of soil that still moved when it came to rest: a part of Totals::damping
 };
 
-/// Everything that changes during a run; a checkpoint is exactly this.
+/// Everything that changes during a run; a checkpoint is exactly this. What has been given and taken since the start stands in the ledger.
 template <int dim>
-struct State {
+struct State : Ledger<dim> {
   Real time = 0;
   BigIndex step = 0;
   Real dt = 0;                                    ///< s, the time step in force
@@ -251,16 +231,8 @@ struct State {
   std::vector<CellField<Real>>
       pressure_sums;  ///< by body: weighted excess pore pressures of the window in hand, Pa; empty where none flows
   std::vector<bodies::RigidState<dim>> rigid_bodies;
-  std::vector<contact::ContactSums<dim>> contact_sums;  ///< by rigid body
-  std::vector<std::vector<Real>> slice_impulses;  ///< by rigid body and slice (DepthSlices): given to the soil along the bed, N s/m or N s
-  std::vector<std::vector<Real>> slice_shaft_impulses;  ///< the same: given to the soil upwards by sides that are upright
   /// By rigid body: its pose when the cells near it were last listed (contact/detect.hpp), on which the order of sums depends.
   std::vector<bodies::Pose<dim>> listed_poses;
-  std::vector<Vec<dim>>
-      pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
-  std::vector<Vec<dim>>
-      rigid_impulses;  ///< by contact of rigid bodies: what the other body gave to the first since the start, N s/m or N s
-  std::vector<Vec<dim>> support_impulses;  ///< by Model::supports: given to the soil since the start, N s/m or N s
   std::vector<NodeField<Vec<dim>>>
       held_forces;  ///< by body, at the nodes of boundaries that absorb: what held them when they last did, N; empty where none does
   std::vector<TractionState> tractions;
@@ -268,7 +240,6 @@ struct State {
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;
   ActiveSoil<dim> active_soil;
-  Totals<dim> totals;
 };
 
 /// The problem that a case asks for.

@@ -54,12 +54,7 @@ template <int dim>
 MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
     : Recorder<dim>(model),
       last_time_(start.time),
-      last_sums_(start.contact_sums),
-      last_slice_impulses_(start.slice_impulses),
-      last_slice_shaft_impulses_(start.slice_shaft_impulses),
-      last_pair_impulses_(start.pair_impulses),
-      last_rigid_impulses_(start.rigid_impulses),
-      last_support_impulses_(start.support_impulses)
+      last_(start)
 {
   row_.count_parts(model.parts);
   for (const bodies::Particles<dim>& particles : start.particles) {
@@ -92,16 +87,7 @@ void MpmRecorder<dim>::archive(Archive& k)
 {
   Recorder<dim>::archive(k);
   k("last_time", last_time_);
-  for (std::size_t r = 0; r < last_sums_.size(); ++r)
-    k.table(fmt::format("contact_sums_{}", r), [&] { problem::archive(k, last_sums_[r]); });
-  for (std::size_t r = 0; r < last_slice_impulses_.size(); ++r)
-    if (!last_slice_impulses_[r].empty()) {
-      k.fixed(fmt::format("slice_impulses_{}", r), last_slice_impulses_[r]);
-      k.fixed(fmt::format("slice_shaft_impulses_{}", r), last_slice_shaft_impulses_[r]);
-    }
-  for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
-  for (std::size_t c = 0; c < last_rigid_impulses_.size(); ++c) k(fmt::format("rigid_impulse_{}", c), last_rigid_impulses_[c]);
-  for (std::size_t s = 0; s < last_support_impulses_.size(); ++s) k(fmt::format("support_impulse_{}", s), last_support_impulses_[s]);
+  k.table("ledger", [&] { problem::archive(k, last_); });
   k("out_of_balance", out_of_balance_);
   k("shaking", shaking_);
   k("shaken_rows", shaken_rows_);
@@ -126,7 +112,7 @@ template <int dim>
 void MpmRecorder<dim>::observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid)
 {
   const Real time = state.time - last_time_;
-  const Vec<dim> impulse = state.contact_sums[rigid].impulse - last_sums_[rigid].impulse;
+  const Vec<dim>& impulse = since_.contact_sums[rigid].impulse;
   const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
   Recorder<dim>::observe_rigid(model, state, rigid, reaction);
   if constexpr (dim == 3) {
@@ -139,7 +125,7 @@ template <int dim>
 void MpmRecorder<dim>::observe_rotation_of(const problem::State<dim>& state, Index rigid)
 {
   const Real time = state.time - last_time_;
-  const bodies::Angular<dim> impulse = state.contact_sums[rigid].torque_impulse - last_sums_[rigid].torque_impulse;
+  const bodies::Angular<dim>& impulse = since_.contact_sums[rigid].torque_impulse;
   const auto moment_of = [&](Real component) { return time > 0 ? -component / time + 0. : 0; };
   bodies::Angular<dim> moment;
   if constexpr (dim == 2)
@@ -155,7 +141,14 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (model.rigid_bodies[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigid_bodies[r], state.rigid_bodies[r]);
   const problem::Totals<dim>& t = state.totals;
-  const Real error = kinetic + taken_out(state).kinetic - first_kinetic_ + t.internal + t.damping + t.filter + t.friction - t.external;
+  Real error = kinetic + taken_out(state).kinetic - first_kinetic_;
+  for_each_row(problem::rows_of_run<dim>, [&](const auto& row) {
+    const auto& sum = t.*row.member;
+    if constexpr (std::is_same_v<decltype(sum), const Real&>) {
+      if (row.balance == problem::Balance::energy) error += sum;
+      if (row.balance == problem::Balance::energy_given) error -= sum;
+    }
+  });
   if (!std::isfinite(error))
     throw RunError(
         fmt::format("energies are not finite at t = {} s (step {}); try {}", state.time, state.step, mpm::smaller_step(model.mpm)));
@@ -166,16 +159,15 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
 template <int dim>
 void MpmRecorder<dim>::observe_contact_of_main(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
-  const contact::ContactSums<dim>&now = state.contact_sums[model.main_rigid], &last = last_sums_[model.main_rigid];
-  const Real pressed = now.impulse_sum - last.impulse_sum, time = state.time - last_time_;
+  const contact::ContactSums<dim>& since = since_.contact_sums[model.main_rigid];
+  const Real time = state.time - last_time_;
   row_.of_main(model.rigid_bodies[model.main_rigid].name);
   if (model.mesh.metric == mesh::Metric::axisymmetric && has_corners<dim>(model.rigid_bodies[model.main_rigid].shape))
-    row_("V_shaft", time > 0 ? -(now.shaft_impulse - last.shaft_impulse) / time : 0, run_folder::newtons<dim>,
+    row_("V_shaft", time > 0 ? -since.shaft_impulse / time : 0, run_folder::newtons<dim>,
          "vertical reaction of sides parallel to the axis");
-  row_("gap", pressed > 0 ? (now.impulse_times_gap - last.impulse_times_gap) / pressed : nan, run_folder::metres, "gap");
+  row_("gap", since.impulse_sum > 0 ? since.impulse_times_gap / since.impulse_sum : nan, run_folder::metres, "gap");
   Recorder<dim>::observe_overlap();
-  row_("second_impulse", time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0, run_folder::newtons<dim>,
-       "second contact correction");
+  row_("second_impulse", time > 0 ? since.second_impulse.norm() / time : 0, run_folder::newtons<dim>, "second contact correction");
   observe_rotation_of(state, model.main_rigid);
 }
 
@@ -213,13 +205,13 @@ void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const 
     }
     if (model.contacts[k].other_body == none) continue;
     row_.of(model.contacts[k].name);
-    const Vec<dim> impulse = state.pair_impulses[k] - last_pair_impulses_[k];
+    const Vec<dim>& impulse = since_.pair_impulses[k];
     row_("F", time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()), run_folder::newtons<dim>,
          "force of the other body on the body");
   }
   for (std::size_t k = 0; k < model.rigid_contacts.size(); ++k) {
     row_.of(model.rigid_contacts[k].name);
-    const Vec<dim> impulse = state.rigid_impulses[k] - last_rigid_impulses_[k];
+    const Vec<dim>& impulse = since_.rigid_impulses[k];
     row_("F", time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()), run_folder::newtons<dim>,
          "force of the other rigid body on the rigid body");
   }
@@ -275,7 +267,7 @@ void MpmRecorder<dim>::observe_effective_normals(const problem::Model<dim>& mode
       row_.of_main(model.rigid_bodies[r].name);
     else
       row_.of(model.rigid_bodies[r].name);
-    const Real impulse = state.contact_sums[r].effective_impulse - last_sums_[r].effective_impulse;
+    const Real impulse = since_.contact_sums[r].effective_impulse;
     observe_effective_normal<dim>(row_, time > 0 ? std::max(Real(0), impulse / time) : 0);
   }
 }
@@ -285,7 +277,7 @@ void MpmRecorder<dim>::observe_supports(const problem::Model<dim>& model, const 
 {
   const Real time = state.time - last_time_;
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
-    const Vec<dim> impulse = state.support_impulses[s] - last_support_impulses_[s];
+    const Vec<dim>& impulse = since_.support_impulses[s];
     row_.of(model.supports[s].name);
     observe_reaction<dim>(row_, time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()));
   }
@@ -336,12 +328,11 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
         row_(fmt::format("{}{}", symbol, k + 1), time > 0 ? impulse / time + 0. : 0, run_folder::newtons<dim>,
              fmt::format("{} from {:.4g} to {:.4g} m below the bed", what, k * slices.thickness, (k + 1) * slices.thickness));
       };
-      if (model.mesh.metric != mesh::Metric::axisymmetric)
-        of_slice("H", state.slice_impulses[r][k] - last_slice_impulses_[r][k], "horizontal force on the soil");
-      of_slice("V_shaft", last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k], "upward force on upright sides");
-      of_shaft += last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k];
+      if (model.mesh.metric != mesh::Metric::axisymmetric) of_slice("H", since_.slice_impulses[r][k], "horizontal force on the soil");
+      of_slice("V_shaft", -since_.slice_shaft_impulses[r][k], "upward force on upright sides");
+      of_shaft -= since_.slice_shaft_impulses[r][k];
     }
-    const Real in_all = model.axes.height(last_sums_[r].impulse) - model.axes.height(state.contact_sums[r].impulse);
+    const Real in_all = -model.axes.height(since_.contact_sums[r].impulse);
     row_("V_base", time > 0 ? (in_all - of_shaft) / time + 0. : 0, run_folder::newtons<dim>,
          "upward force on all other sides: a base or a tip");
   }
@@ -357,6 +348,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
     sums.push_back(mpm::sums_over(particles));
     kinetic += sums.back().kinetic;
   }
+  since_ = difference<dim>(last_, state);
   row_.begin(state.time, model.stages[state.stage.index].name);
   if (model.main_rigid != none) {
     row_.of_main(model.rigid_bodies[model.main_rigid].name);
@@ -394,12 +386,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, workspace); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
-  last_sums_ = state.contact_sums;
-  last_slice_impulses_ = state.slice_impulses;
-  last_slice_shaft_impulses_ = state.slice_shaft_impulses;
-  last_pair_impulses_ = state.pair_impulses;
-  last_rigid_impulses_ = state.rigid_impulses;
-  last_support_impulses_ = state.support_impulses;
+  last_ = state;
 }
 
 template class MpmRecorder<2>;

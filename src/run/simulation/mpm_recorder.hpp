@@ -53,9 +53,7 @@ private:
   void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
 
   Real last_time_ = 0;
-  std::vector<contact::ContactSums<dim>> last_sums_;
-  std::vector<std::vector<Real>> last_slice_impulses_, last_slice_shaft_impulses_;  ///< by rigid body
-  std::vector<Vec<dim>> last_pair_impulses_, last_rigid_impulses_, last_support_impulses_;
+  problem::Ledger<dim> last_, since_;    ///< at the last row, and since then while a row is made
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<WatchPoint<dim>> watch_points_;
   std::vector<std::vector<Vec<dim>>> head_areas_;  ///< m (per metre run) or m2, by head and its nodes, along the normal into the soil
