@@ -10,7 +10,22 @@
 namespace berm::reference {
 
 /// A term of the step, which it may leave out.
-enum class Term { none, internal_force, gravity, damping, supports, remapping, rotation, volume, hoop_stress, hoop_strain, law };
+enum class Term {
+  none,
+  internal_force,
+  gravity,
+  damping,
+  supports,
+  remapping,
+  rotation,
+  volume,
+  law,
+  hoop_stress,
+  hoop_strain,
+  first_contact,
+  second_contact,
+  friction
+};
 
 /// A particle with the state variables of its law.
 template <int dim>
@@ -22,7 +37,15 @@ struct Particle {
   Index cell;
 };
 
-/// One deformable body, and the step that takes it further: modified update stress last without contact and water. T: a prepared law (material/law_list.hpp).
+/// A rigid half-space at rest, which soil touches at the nodes of the cells that it cuts.
+template <int dim>
+struct HalfSpace {
+  Vec<dim> point, normal;  ///< m, on its surface; unit vector out of it
+  Real friction;           ///< coefficient
+};
+
+/// One deformable body, and the step that takes it further: modified update stress last without water, by one prepared law
+/// (material/law_list.hpp).
 template <int dim, class Law>
 struct SlowStep {
   const mesh::Mesh<dim>& mesh;
@@ -32,6 +55,7 @@ struct SlowStep {
   NodeField<Real> damping_factor;  ///< of local damping
   NodeField<std::uint8_t> held;    ///< bit d: the support of the node holds direction d
   std::vector<Particle<dim>> particles;
+  std::optional<HalfSpace<dim>> rigid;
   Real time = 0;                ///< s
   Real least_share = infinity;  ///< smallest mass of a node so far over the mass that its particles have in all
 
@@ -43,6 +67,7 @@ struct SlowStep {
     NodeField<Real> M(nodes, 0), all(nodes, 0);
     NodeField<Vec<dim>> q(nodes, Vec<dim>::Zero()), f(q), a(q), new_q(q), v(q);
     const Hoop hoop(*this);
+    const NodeField<char> touches = nodes_in_contact();
 
     // 1: particles to nodes
     for (const Particle<dim>& p : particles)
@@ -62,18 +87,28 @@ struct SlowStep {
       for (int d = 0; d < dim; ++d) {
         const bool holds = with(Term::supports) && (held[i] >> d & 1) != 0;
         const Real before = q[i][d] / M[i];
-        const Real damping = with(Term::damping) ? boundary::local_damping(damping_factor[i], f[i][d], before) : 0;
+        const Real damping = with(Term::damping) && !touches[i] ? boundary::local_damping(damping_factor[i], f[i][d], before) : 0;
         a[i][d] = holds ? -before / dt : (f[i][d] + damping) / M[i];  // (4)
         v[i][d] = before + dt * a[i][d];                              // (6)
       }
     }
 
-    // 5 to 8: velocities of the particles, mapped to the nodes again
+    // 4: contact, first time
+    for (Index i = 0; i < nodes; ++i)
+      if (touches[i] && with(Term::first_contact)) {
+        const Vec<dim> corrected = corrected_at_contact(v[i], with(Term::friction));
+        a[i] += (corrected - v[i]) / dt;  // (14)
+        v[i] = corrected;
+      }
+
+    // 5 to 8: velocities of the particles, mapped to the nodes again; contact, second time
     for (Particle<dim>& p : particles) p.v += dt * at(p, a);  // (14)
     for (const Particle<dim>& p : particles) for_each_corner(p, [&](Index i, Real N, const Vec<dim>&) { new_q[i] += N * p.mass * p.v; });
-    for (Index i = 0; i < nodes && with(Term::remapping); ++i)
-      for (int d = 0; d < dim; ++d)
-        if (M[i] > 0) v[i][d] = with(Term::supports) && (held[i] >> d & 1) != 0 ? 0 : new_q[i][d] / M[i];  // (15)-(18)
+    for (Index i = 0; i < nodes && with(Term::remapping); ++i) {
+      if (M[i] == 0) continue;
+      for (int d = 0; d < dim; ++d) v[i][d] = with(Term::supports) && (held[i] >> d & 1) != 0 ? 0 : new_q[i][d] / M[i];  // (15)-(18)
+      if (touches[i] && with(Term::second_contact)) v[i] = corrected_at_contact(v[i], with(Term::friction));
+    }
 
     // 9 to 11: positions, strains, stresses
     const CellField<Real> hoop_rate = hoop.rate(*this, v);
@@ -110,6 +145,24 @@ private:
     for_each_corner(p, [&](Index i, Real N, const Vec<dim>&) { value += N * u[i]; });
     return value;
   }
+  NodeField<char> nodes_in_contact() const
+  {
+    NodeField<char> found(mesh.node_count(), false);
+    for (const auto& nodes : mesh.nodes) {
+      const auto is_inside = [&](Index i) { return rigid && rigid->normal.dot(mesh.position[i] - rigid->point) < 0; };
+      if (std::any_of(nodes.begin(), nodes.end(), is_inside))
+        for (const Index i : nodes) found[i] = true;
+    }
+    return found;
+  }
+  /// A velocity that does not enter the rigid body, and along it is reduced by friction (8)-(13).
+  Vec<dim> corrected_at_contact(const Vec<dim>& v, bool with_friction) const
+  {
+    const Real approach = -rigid->normal.dot(v);
+    if (approach <= 0) return v;
+    const Vec<dim> slip = v + approach * rigid->normal;
+    return std::max(Real(0), 1 - (with_friction ? rigid->friction : 0) * approach / slip.norm()) * slip;
+  }
   void find_cell(Particle<dim>& p) const
   {
     const auto contains = [&](Index cell) {
@@ -123,8 +176,8 @@ private:
       if (p.cell + 1 == mesh.cell_count()) throw std::logic_error("a particle has left the mesh");
   }
 
-  /// Around an axis the particles of a cell have one hoop stress and one rate of hoop strain: the means over their volume of their stress and of v_r / r, which
-  /// has no bound at single particles near the axis.
+  /// Around an axis the particles of a cell have one hoop stress and one rate of hoop strain: the means over their volume of their stress and
+  /// of v_r / r, which has no bound at single particles near the axis.
   struct Hoop {
     CellField<Real> volume, stress;
 
