@@ -264,7 +264,7 @@ inline const std::vector<SenselessInput>& senseless_inputs()
       {"pipe_larger_than_the_bed",
        "bed",
        refused,
-       {"body.sand", "has no particles", "place and size"},
+       {"body.sand", "has no particles", "position and size"},
        {"rigid.pipe.diameter=20 m", "rigid.pipe.center=[0, 0]"},
        "",
        ""},

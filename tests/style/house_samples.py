@@ -38,7 +38,7 @@ SAMPLES = {
     "floors": (
         [
             {"CMakeLists.txt": "berm_room(pages/report)\nberm_room(engine/core USES report)\n"},
-            {"CMakeLists.txt": "berm_room(structures/pipe)\nberm_room(pipeline/beam USES structures/pipe)\n"},
+            {"CMakeLists.txt": "berm_room(answers/structures/pipe)\nberm_room(pipeline/beam USES structures/pipe)\n"},
             {"CMakeLists.txt": "berm_room(attic/core)\n"},
         ],
         [{"CMakeLists.txt": "berm_room(base/os)\nberm_room(engine/core USES os)\nberm_room(fem USES core)\nberm_room(commands USES fem)\n"}],

@@ -179,7 +179,7 @@ std::string triangles(const std::vector<Vec<3>>& points, const std::vector<std::
   return text + "$EndElements\n";
 }
 
-constexpr const char* loose = "parts of the mesh lie at each other at ";
+constexpr const char* loose = "parts of the mesh touch at ";
 
 // Two surfaces of one body that meet along a line, which each has meshed by itself.
 TEST(LooseBorders, of_surfaces_that_meet_at_a_line_with_nodes_of_each_are_refused_with_a_place)

@@ -6,10 +6,6 @@
 #include <cmath>
 #include <map>
 
-namespace berm::driven {
-struct Stage;
-}
-
 namespace berm::base {
 
 /// What an answer is measured in.
@@ -26,17 +22,20 @@ struct Access {
   void (*store)(Of&, Real) = nullptr;  ///< of what is read back from summary.json
 };
 
+/// Of readings that do not ask which stages a run has.
+struct AnyStage {};
+
 /// A row of the answers of a reading: one number that a run may have, wherever it is told.
-template <class Of>
+template <class Of, class Stage = AnyStage>
 struct Answer {
   const char* name;
   AnswerUnit unit;
   const char* meaning;
   Access<Of> number;
   run_folder::QuantityKind kind = run_folder::QuantityKind::answer;
-  bool (*given)(const Of&) = nullptr;             ///< whether the input prescribes it; null: it never does
-  bool (*known)(const driven::Stage&) = nullptr;  ///< whether a run of such a stage may have it; null: of any
-  bool at_end = false;                            ///< it is of the end of its travel or state, at which the body may still move
+  bool (*given)(const Of&) = nullptr;     ///< whether the input prescribes it; null: it never does
+  bool (*known)(const Stage&) = nullptr;  ///< whether a run of such a stage may have it; null: of any
+  bool at_end = false;                    ///< it is of the end of its travel or state, at which the body may still move
 };
 
 /// The number that these members lead to, one within the other; each may be optional.
@@ -112,7 +111,7 @@ public:
   template <class Of, class Rows>
   void add(const Rows& rows, const Of& reading)
   {
-    for (const Answer<Of>& row : rows)
+    for (const auto& row : rows)
       if (row.number.there(reading))
         add(row.name, row.unit, row.number.value(reading), row.meaning,
             row.given != nullptr && row.given(reading) ? run_folder::QuantityKind::prescribed : row.kind, row.at_end);
@@ -120,8 +119,8 @@ public:
   void add(const std::string& name, AnswerUnit unit, Real value, const std::string& meaning,
            run_folder::QuantityKind kind = run_folder::QuantityKind::answer, bool at_end = false);
   /// Names alone, of all rows that a run of such a stage may have.
-  template <class Rows>
-  void add_names(const Rows& rows, const driven::Stage& stage)
+  template <class Rows, class Stage>
+  void add_names(const Rows& rows, const Stage& stage)
   {
     for (const auto& row : rows)
       if (row.known == nullptr || row.known(stage)) add(row.name, row.unit, nan, row.meaning, row.kind);
@@ -141,7 +140,7 @@ private:
 template <class Of, class Rows>
 void take_answers(const Rows& rows, const std::map<std::string, Real>& values, const std::string& prefix, Of& reading)
 {
-  for (const Answer<Of>& row : rows)
+  for (const auto& row : rows)
     if (const auto found = values.find(prefix + row.name); found != values.end()) row.number.store(reading, found->second);
 }
 

@@ -11,7 +11,8 @@
 
 namespace berm::driven {
 
-using base::Answer;
+template <class Of>
+using Answer = base::Answer<Of, Stage>;
 using base::number;
 using run_folder::QuantityKind;
 using enum base::AnswerUnit;

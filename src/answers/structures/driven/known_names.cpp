@@ -34,7 +34,7 @@ void add_push_names(base::AnswerList& list)
 {
   list.of("push", "");
   for (const auto& row : depth_answers) list.add(name_at(row.name, push_spacing), row.unit, nan, row.meaning);  // without_number
-  list.add_names(push_answers, {});
+  list.add_names(push_answers, Stage{});
   for (const Real point : travel_points) list.add(name_at(travel_answers[0].name, point), travel_answers[0].unit, nan, "");
 }
 
@@ -83,7 +83,7 @@ std::vector<std::string> known_names(const problem::Case& c)
     if (stage.upwards) list.add_names(uplift_answers, stage);
   }
   for (const char* state : state_names)
-    if (may_come_to(state, c, stages)) list.of(state, std::string(state) + "."), list.add_names(state_answers, {});
+    if (may_come_to(state, c, stages)) list.of(state, std::string(state) + "."), list.add_names(state_answers, Stage{});
   list.of("", "");
   for (const auto& row : run_answers)
     if (went_down || std::string_view(row.name) != "second_impulse_over_V") list.add(row.name, row.unit, nan, row.meaning);
