@@ -73,7 +73,7 @@ void read_load_history(problem::Case& c, std::size_t stage_number, const std::fi
   if (stage.time_scale == problem::automatic_time_scale) {
     const std::optional<problem::TimeScale> found = problem::time_scale_of(c, stage);
     if (!found)
-      throw KeyError(fmt::format("{}: is found for a record of forces in which a body of a width touches soil: give a number here",
+      throw KeyError(fmt::format("{}: is chosen for a record of forces only where a body with a width touches soil: give a number here",
                                  key(".time_scale")));
     stage.time_scale = found->scale;
   }

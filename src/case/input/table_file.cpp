@@ -138,7 +138,7 @@ private:
     if (first != name || !factors) scales_.push_back(scale_of(first, first == name ? "" : first.substr(name.size() + 1), form_.first.unit));
     headers_ = names;
     if (factors) return scales_.resize(1, 1);
-    if (names.size() < 2) refuse(fmt::format("names no column behind {}, such as {}", form_.over, form_.header));
+    if (names.size() < 2) refuse(fmt::format("names no column after {}, such as {}", form_.over, form_.header));
     for (std::size_t n = 1; n < names.size(); ++n) read_name(names[n]);
   }
 
@@ -158,7 +158,8 @@ private:
   [[noreturn]] void refuse_name(const std::string& header) const
   {
     if (form_.factors && header == "factor")
-      refuse("\"factor\" stands alone behind the time, and multiplies what the stage drives: leave it out, or the other columns");
+      refuse("\"factor\" must be the only column after the time, since it multiplies what the stage drives: leave out \"factor\", or the "
+             "other columns");
     std::vector<std::string> known;
     if (form_.factors) known.emplace_back("factor");
     for (const TableColumn& column : form_.columns) known.push_back(header_of(column));
@@ -198,7 +199,7 @@ private:
                   ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "
                     "names: time_s,H_N_m,V_N_m"
                   : fmt::format("needs {} numbers, one for each column, and has {}", count, fields.size())) +
-             (separator_ == ',' && fields.size() > count ? "; a comma stands between numbers: write decimals with a point" : ""));
+             (separator_ == ',' && fields.size() > count ? "; a comma separates numbers: write decimals with a point" : ""));
     std::vector<Real> numbers;
     for (std::size_t n = 0; n < count; ++n) {
       const std::optional<Real> number = number_in(fields[n]);

@@ -114,8 +114,8 @@ std::string fault_of_commas(const std::string& text)
   };
   const bool commas = groups_thousands(text, ',');
   if (const std::string decimal = pointed(text); !decimal.empty() && commas)
-    return fmt::format("is {} if its comma stands between thousands, and {} if it is a decimal comma: write one of them",
-                       without(text, ','), decimal);
+    return fmt::format("is {} if its comma separates thousands, and {} if it is a decimal comma: write one of them", without(text, ','),
+                       decimal);
   else if (!decimal.empty())
     return fmt::format("has a decimal comma: write {}", decimal);
   if (commas) return write(without(text, ','), "commas between thousands");

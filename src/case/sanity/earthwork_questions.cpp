@@ -98,17 +98,16 @@ void do_excavations_find_soil(const Scene& s, Findings& found)
     const std::vector<Place> places = places_in(s, work);
     const auto digs = [&](const Place& at) { return s.soil_at(body, at) || is_filled(at); };
     if (std::none_of(places.begin(), places.end(), digs))
-      return found.warn(key,
-                        fmt::format("digs nothing: it lies at {} < y < {}, {} < x < {}, where [body.{}] has no soil, which reaches from "
-                                    "y = {} to {}; give its corners where the soil is, y less than 0 below a seabed",
-                                    place_words(space[1].from), place_words(space[1].to), place_words(space[0].from),
-                                    place_words(space[0].to), s.c.body[body].first, place_words(soil.from), place_words(soil.to)));
+      return found.warn(key, fmt::format("digs nothing: it is at {} < y < {}, {} < x < {}, where [body.{}] has no soil; its soil is from y "
+                                         "= {} to {}; give its corners where the soil is, y less than 0 below a seabed",
+                                         place_words(space[1].from), place_words(space[1].to), place_words(space[0].from),
+                                         place_words(space[0].to), s.c.body[body].first, place_words(soil.from), place_words(soil.to)));
     Span bare;  // x where no soil is left
     for (const Place& at : places)
       if (const Place base = {at[0], soil.from + round_off * soil.length(), at[2]}; contains(work, base) && s.soil_at(body, base))
         bare.add(at[0]);
     if (bare.length() >= 0)
-      found.warn(key, fmt::format("digs through the base of the soil, at y = {}: from x = {} to {} none is left to carry anything; end it "
+      found.warn(key, fmt::format("digs through the base of the soil, at y = {}: from x = {} to {} none no soil is left there; end it "
                                   "above the base, or make the mesh deeper",
                                   place_words(soil.from), place_words(bare.from), place_words(bare.to)));
     const Span& mesh = s.mesh[0];
@@ -116,10 +115,9 @@ void do_excavations_find_soil(const Scene& s, Findings& found)
     const Real wall = left ? mesh.from : mesh.to, middle = (space[0].from + space[0].to) / 2;
     const bool half = std::abs(middle - wall) < round_off * mesh.length();  // of a trench with its middle on the wall
     if (left != right && !half)
-      found.warn(key,
-                 fmt::format("reaches x = {}, beyond the mesh, which ends at {}: all soil up to that wall is dug; let it end where the "
-                             "trench does, or make the mesh longer",
-                             place_words(left ? space[0].from : space[0].to), place_words(wall)));
+      found.warn(key, fmt::format("reaches x = {}, beyond the mesh, which ends at {}: all soil up to that wall is excavated; end it where "
+                                  "the trench ends, or make the mesh longer",
+                                  place_words(left ? space[0].from : space[0].to), place_words(wall)));
   });
 }
 
@@ -138,14 +136,13 @@ void do_fills_lie_in_the_mesh(const Scene& s, Findings& found)
     const bool on_another = std::any_of(s.c.body[body].second.fill.begin(), s.c.body[body].second.fill.end(),
                                         [&](const auto& other) { return other.name != work.name && has_begun(s, other, stage); });
     if (!places.empty() && std::none_of(places.begin(), places.end(), rests) && !on_another)
-      found.warn(
-          key, fmt::format("hangs in the air: below its lowest point, y = {}, there is no soil of [body.{}]: it falls as it is placed; let "
-                           "it begin at the soil, or in it",
-                           place_words(space_of(work)[1].from), s.c.body[body].first));
+      found.warn(key, fmt::format("is above the soil: below its lowest point, y = {}, there is no soil of [body.{}], so it falls when it "
+                                  "is placed; start it at the surface of the soil, or below it",
+                                  place_words(space_of(work)[1].from), s.c.body[body].first));
     if (std::none_of(places.begin(), places.end(), is_free))
       found.warn(key,
-                 fmt::format("places nothing: there is soil of [body.{}] in all of it when stage \"{}\" begins, or it lies outside the "
-                             "mesh; dig first, or give its corners where it is free",
+                 fmt::format("places no soil: there is soil of [body.{}] in all of it when stage \"{}\" begins, or it lies outside the "
+                             "mesh; excavate first, or put its corners where there is no soil",
                              s.c.body[body].first, work.stage));
   });
 }
@@ -167,10 +164,11 @@ void do_bodies_fit_into_trenches(const Scene& s, Findings& found)
         if (const Real open = opening_at(work, x, std::lerp(bottom, top, (k + 0.5) / levels), s.mesh[0]); open > 0)
           narrowest = std::min(narrowest, open);
       if (!(narrowest < width * (1 - round_off)) || !(top - bottom > round_off * width)) continue;
-      found.warn(key,
-                 fmt::format("is {} wide below \"{}\", which is {} wide: it stays on the shoulders of the trench; make it wider than the "
-                             "body",
-                             words_of(narrowest, "m"), s.c.rigid[r].first, words_of(width, "m")));
+      found.warn(
+          key,
+          fmt::format(
+              "is {} wide below \"{}\", which is {} wide: it rests on the shoulders of the trench; make the trench wider than the body",
+              words_of(narrowest, "m"), s.c.rigid[r].first, words_of(width, "m")));
     }
   });
 }
@@ -186,8 +184,8 @@ void are_earthworks_done_while_the_body_rests(const Scene& s, Findings& found)
     const bool lifts =
         s.up_sign * (move.end - move.begin) > 0 || (stage.kind == problem::StageKind::push && stage.velocity.value_or(0) < 0);
     if (!lifts) return;
-    found.warn(key + ".stage", fmt::format("is \"{}\", in which \"{}\" is lifted: the soil changes while its resistance is found; give the "
-                                           "earthwork a stage of its own before, of kind \"free\"",
+    found.warn(key + ".stage", fmt::format("is \"{}\", in which \"{}\" is lifted: the soil changes while its uplift resistance is "
+                                           "measured; put the earthwork into a stage of its own before, of kind \"free\"",
                                            work.stage, s.c.rigid[way.rigid].first));
   };
   for_each_excavation(s, ask);
@@ -201,11 +199,11 @@ void do_loads_keep_their_soil(const Scene& s, Findings& found)
       const auto dug = std::find_if(load.points.begin(), load.points.end(), [&](const Place& at) { return contains(work, at); });
       if (dug == load.points.end()) continue;
       const bool head = load.key.starts_with("support.");
-      const std::string words =
-          fmt::format("\"{}\" takes away the soil at ({}, {}), on which [{}] {}: {}", work.name, place_words((*dug)[0]),
-                      place_words((*dug)[1]), load.key, head ? "acts as a head of water" : "acts",
-                      head ? "there is no head from then on; dig beside it, or give the new surface its own support"
-                           : "a load needs its soil to the end of the run; leave its part of the boundary out (x_range), or dig beside it");
+      const std::string words = fmt::format(
+          "\"{}\" takes away the soil at ({}, {}), on which [{}] {}: {}", work.name, place_words((*dug)[0]), place_words((*dug)[1]),
+          load.key, head ? "acts as a head of water" : "acts",
+          head ? "the head is lost from then on; excavate beside it, or give the new surface its own support"
+               : "a load needs its soil to the end of the run; leave that length of the boundary out (x_range), or excavate beside it");
       head ? found.warn(key, words) : found.refuse(key, words);
     }
   });

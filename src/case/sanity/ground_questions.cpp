@@ -82,11 +82,9 @@ bool ask_slope(const Scene& s, Findings& found, Index body, const Face& face, Re
   const material::Strength soil = *strength_at_rest(s.material_at(body, depth));
   const std::string key = key_of(s, face), angle = fmt::format("{:.3g} deg", face.angle / degree);
   if (soil.cohesion == 0)
-    found.refuse(
-        key,
-        fmt::format("the ground slopes by {}, more than the friction angle of [body.{}], {:.3g} deg: soil without cohesion slides down it "
-                    "before anything pushes it; make it flatter, or the soil stronger",
-                    angle, s.c.body[body].first, soil.friction_angle / degree));
+    found.refuse(key, fmt::format("the ground slopes by {}, more than the friction angle of [body.{}], {:.3g} deg: soil without cohesion "
+                                  "slides down it under its own weight; make it flatter, or the soil stronger",
+                                  angle, s.c.body[body].first, soil.friction_angle / degree));
   else
     found.warn(
         key, fmt::format(
@@ -113,10 +111,10 @@ bool ask_face(const Scene& s, Findings& found, Index body, const Face& face, Rea
                  angle, s.c.body[body].first, soil->friction_angle / degree));
   else
     found.warn(
-        key,
-        fmt::format("a face of {} that is {} high does not stand: [body.{}] with a cohesion of {:.3g} Pa in its middle carries {} at most "
-                    "(plane of sliding through the foot; 4 su / unit weight of a vertical cut in clay); make it flatter or lower",
-                    angle, words_of(face.rise, "m"), s.c.body[body].first, soil->cohesion, words_of(stands, "m")));
+        key, fmt::format(
+                 "a face of {} that is {} high does not stand: [body.{}] with a cohesion of {:.3g} Pa in its middle stands up to a height "
+                 "of {} (plane of sliding through the toe; 4 su / unit weight for a vertical cut in clay); make it flatter or lower",
+                 angle, words_of(face.rise, "m"), s.c.body[body].first, soil->cohesion, words_of(stands, "m")));
   return true;
 }
 

@@ -59,7 +59,7 @@ void are_depth_slices_thicker_than_cells(const Scene& s, Findings& found)
     const Real height = s.c.surface - s.rigids[r].space[s.up].from, thickness = height / rigid.depth_slices, cell = s.cell_size(r, {});
     if (!(thickness < 0.95 * cell)) continue;
     found.warn(fmt::format("rigid.{}.depth_slices", name),
-               fmt::format("slices are {} thick and cells {}: a slice has the forces of those beside it; take {:.0f} or fewer",
+               fmt::format("slices are {} thick and cells {}: a slice is then loaded by its neighbours; take {:.0f} or fewer",
                            words_of(thickness, "m"), words_of(cell, "m"), std::max(Real(1), std::floor(height / cell))));
   }
 }
@@ -75,11 +75,10 @@ void do_slices_slide_without_jolts(const Scene& s, Findings& found)
       return at.rigid == of && (at.friction_angle > 0 || at.adhesion > 0 || at.adhesion_factor > 0);
     });
     if (rigid.depth_slices > 0 && !driven && rubs)
-      found.warn(
-          fmt::format("rigid.{}.depth_slices", name),
-          fmt::format("no stage drives \"{}\", so that it is soil that moves along it: mpm.quadrature = \"cut_cells\" keeps slow soil at "
-                      "a shaft from trembling, which loses up to a tenth of its friction",
-                      name));
+      found.warn(fmt::format("rigid.{}.depth_slices", name),
+                 fmt::format("no stage drives \"{}\", so the soil moves along it: mpm.quadrature = \"cut_cells\" avoids vibration of slow "
+                             "soil at a shaft, which loses up to a tenth of the shaft friction",
+                             name));
   }
 }
 

@@ -73,33 +73,31 @@ void is_the_motion_resolved(const Scene& s, Findings& found)
     const char* axis = boundary::motion_axes[motion.axis];
     const Real resolved = resolved_along(s, motion);
     if (m.half_wave == 0)
-      found.warn(key_of(s, motion),
-                 fmt::format("begins with a jump along {}: the boundary is at rest before, and no cells resolve the front that "
-                             "this makes; let the first velocity be 0",
-                             axis));
+      found.warn(key_of(s, motion), fmt::format("starts with a velocity jump along {}: the boundary is at rest before, and no mesh "
+                                                "resolves the wave front of a jump; make the first velocity 0",
+                                                axis));
     else if (frequency_of(m) > resolved)
-      found.warn(
-          key_of(s, motion),
-          fmt::format("goes along {} from one turning point to the next in {}, a frequency of {:.3g} Hz, and the cells resolve {:.3g} Hz "
-                      "({:g} cells to a {} wave where they are largest or the soil is softest): what is faster comes late and leaves "
-                      "noise; take cells that are {:.2g} times as small, or filter the record below {:.3g} Hz",
-                      axis, words_of(m.half_wave, "s"), frequency_of(m), resolved, ResolvedWaves::cells,
-                      motion.across ? "pressure" : "shear", resolved / frequency_of(m), rounded_down(resolved)));
+      found.warn(key_of(s, motion),
+                 fmt::format("goes along {} from one peak to the next in {}, a frequency of {:.3g} Hz, and the cells resolve {:.3g} Hz "
+                             "({:g} cells to a {} wave where they are largest or the soil is softest): higher frequencies arrive late and "
+                             "leave noise; take cells that are {:.2g} times as small, or filter the record below {:.3g} Hz",
+                             axis, words_of(m.half_wave, "s"), frequency_of(m), resolved, ResolvedWaves::cells,
+                             motion.across ? "pressure" : "shear", resolved / frequency_of(m), rounded_down(resolved)));
     const Real end = s.c.support[motion.support].second.motion->times.back();
     const std::vector<std::string>& named = s.c.support[motion.support].second.motion->stages;
     const bool goes_on =
         motion.stage + 1 < s.c.stage.size() && std::find(named.begin(), named.end(), s.c.stage[motion.stage + 1].name) != named.end();
     if (std::abs(m.last) > still * m.speed && !(expected_time(s.stages[motion.stage]) > end) && motion.stage + 1 < s.c.stage.size() &&
         !goes_on)
-      found.warn(key_of(s, motion),
-                 fmt::format("has {} along {} where stage \"{}\" ends, and the boundary stops at once: let the stage last "
-                             "until the motion has ended",
-                             words_of(m.last, "m/s"), axis, s.c.stage[motion.stage].name));
+      found.warn(
+          key_of(s, motion),
+          fmt::format("has {} along {} where stage \"{}\" ends, and the boundary stops abruptly: make the stage as long as the motion",
+                      words_of(m.last, "m/s"), axis, s.c.stage[motion.stage].name));
     if (std::abs(m.last) > still * m.speed && expected_time(s.stages[motion.stage]) > end)
-      found.warn(key_of(s, motion),
-                 fmt::format("ends at {} along {}, and the boundary goes on at that to the end of stage \"{}\": let the last "
-                             "velocity be 0",
-                             words_of(m.last, "m/s"), axis, s.c.stage[motion.stage].name));
+      found.warn(
+          key_of(s, motion),
+          fmt::format("ends at {} along {}, and the boundary keeps that velocity to the end of stage \"{}\": make the last velocity 0",
+                      words_of(m.last, "m/s"), axis, s.c.stage[motion.stage].name));
   });
 }
 
@@ -166,8 +164,8 @@ void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found)
     constexpr Real flat = 1e-6;  // of the size of the mesh
     if (!support.absorbs || !along_up || !(s.supports[k].space[s.up].length() < flat * s.mesh[s.up].length())) continue;
     found.warn("support." + name + ".absorbs",
-               fmt::format("absorbs along {}, and {} {} after the soil has come to rest: dashpots give way to a load that stays, and the "
-                           "soil sinks at {} for each kPa of it; leave \"{}\" to a support that holds, or end the run before that counts",
+               fmt::format("absorbs along {}, and {} {} after the soil has come to rest: dashpots yield under a permanent load, and the "
+                           "soil settles at {} for each kPa of it; use a support that holds in \"{}\", or end the run before that matters",
                            up, fmt::join(loads, ", "), loads.size() > 1 ? "come" : "comes",
                            words_of(pressure / (density * wave_speed), "m/s"), up));
   }
@@ -179,7 +177,7 @@ std::vector<std::string> motion_words(const Scene& s)
   for_each_motion(s, [&](const MotionInStage& motion) {
     const boundary::MotionMeasures& m = motion.measures;
     const auto& [name, support] = s.c.support[motion.support];
-    lines.push_back(fmt::format("motion       \"{}\" in stage \"{}\": {} up to {} along {}, {} to either side, {} in the end; {:.3g} Hz, "
+    lines.push_back(fmt::format("motion       \"{}\" in stage \"{}\": {} up to {} along {}, {} to either side, {} at the end; {:.3g} Hz, "
                                 "the cells resolve {:.3g} Hz",
                                 name, s.c.stage[motion.stage].name, support.absorbs ? "a wave comes in with" : "moves with",
                                 words_of(m.speed, "m/s"), boundary::motion_axes[motion.axis], words_of(m.excursion, "m"),

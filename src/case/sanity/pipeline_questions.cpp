@@ -46,13 +46,13 @@ void is_heating_slow(const Scene& s, const Journey& as_it_is, Findings& found)
   }
   const std::string advice = enough ? fmt::format("{:g} times as long would do, until.time = {} here", times.back() / 2,
                                                   words_of(times.back() / 2 * *s.c.stage[k].until.time, "s"))
-                                    : "where a line snaps, some per cent of this are scatter";
-  found.warn(stage_key(k, "ramp"),
-             fmt::format("on the springs of far_soil the line stands {:.3g} m from its axis at the end, with a moment of {:.4g} kN m; with "
-                         "stages of the line {:g} "
-                         "times as long {:.3g} m and {:.4g} kN m: its inertia counts, and real heating takes hours; {}",
-                         as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, fmt::join(times, ", "), fmt::join(ways, ", "),
-                         fmt::join(moments, ", "), advice));
+                                    : "where a line snaps, a few per cent of this is scatter";
+  found.warn(
+      stage_key(k, "ramp"),
+      fmt::format("on the springs of far_soil the line stands {:.3g} m from its axis at the end, with a moment of {:.4g} kN m; with stages "
+                  "of the line {:g} times as long {:.3g} m and {:.4g} kN m: its inertia matters here, while real heating takes hours; {}",
+                  as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, fmt::join(times, ", "), fmt::join(ways, ", "),
+                  fmt::join(moments, ", "), advice));
 }
 
 void are_slices_near_enough(const Scene& s, const Journey& journey, Findings& found)
@@ -90,7 +90,7 @@ void do_fine_cells_reach(const Scene& s, const Journey& journey, bool right, Fin
         key,
         fmt::format(
             "the fine zone is too narrow: expected lateral displacement {} at x = {} of the line (on the springs of the far soil), and "
-            "from {} on cells at the pipe are {}{}; set it to {} or beyond",
+            "from {} on cells at the pipe are {}{}; set it to {} or more",
             place_words(end), place_words(journey.places[static_cast<std::size_t>(slice - journey.sideways.begin())]),
             place_words(at[s.along]), std::isfinite(size) ? words_of(size, "m") : "none, as the mesh ends",
             std::isfinite(size) ? fmt::format(", {} at the start", words_of(first, "m")) : "", place_words(edge)));
@@ -114,7 +114,7 @@ void is_the_laid_pipe_as_heavy_as_the_line(const Scene& s, Findings& found)
   found.warn(
       stage_key(static_cast<std::size_t>(line - s.c.stage.begin()) - 1, push ? "force" : "drive.y.force"),
       fmt::format("is {:.4g} N/m at the end of laying, and differs from the submerged weight of the line, {:.4g} N/m: the slices jump when "
-                  "they take over the load of the line; let the last stage before the line push with that weight",
+                  "they take over the load of the line; set the vertical force of the last stage before the line to that weight",
                   std::abs(*force), weight));
 }
 
@@ -178,12 +178,9 @@ void is_the_line_a_pipe(const Scene& s, Findings& found)
                            words_of(mass, "kg/m"), words_of(weight / s.gravity, "kg/m"), words_of(buoyancy, "kg/m"),
                            words_of(rounded_up(in_air), "kg/m")));
   if (steel && *steel * s.gravity - buoyancy * s.gravity > weight / rounding)
-    found.warn(
-        "pipeline.submerged_weight",
-        fmt::format(
-            "is {:.4g} N/m, and the steel of the wall alone weighs {:.4g} N/m less the water that the pipe displaces, {:.4g} N/m: is "
-            "the wall or the weight another?",
-            weight, *steel * s.gravity, buoyancy * s.gravity));
+    found.warn("pipeline.submerged_weight", fmt::format("is {:.4g} N/m, and the steel of the wall alone weighs {:.4g} N/m less the water "
+                                                        "that the pipe displaces, {:.4g} N/m: is the wall thickness or the weight wrong?",
+                                                        weight, *steel * s.gravity, buoyancy * s.gravity));
 }
 
 void does_the_line_go_beyond_its_slices(const Scene& s, Findings& found)
@@ -194,11 +191,10 @@ void does_the_line_go_beyond_its_slices(const Scene& s, Findings& found)
   if (places.empty()) return;
   const Real beyond = line.length - places.back(), wanted = std::max(line.imperfection.length, places.back());
   if (!(beyond < wanted) || line.half == problem::LineHalf::none) return;
-  found.warn(
-      "pipeline.length",
-      fmt::format("is {}: the end that is held lies {} beyond the last slice, and the buckle gets little line to feed on; let it be where "
-                  "the line does not slip any more, or half way to the next buckle, {} or more",
-                  words_of(line.length, "m"), words_of(beyond, "m"), words_of(rounded_up(places.back() + wanted), "m")));
+  found.warn("pipeline.length",
+             fmt::format("is {}: the held end is {} beyond the last slice, so little line can feed into the buckle; put it where the line "
+                         "no longer slips, or half way to the next buckle, {} or more",
+                         words_of(line.length, "m"), words_of(beyond, "m"), words_of(rounded_up(places.back() + wanted), "m")));
 }
 
 void does_the_case_fit_the_line_on_springs(const Scene& s, Findings& found)

@@ -127,19 +127,19 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
       for (const Way& way : s.ways) meets = meets || (way.rigid == rigid && may_meet(s, way, body));
       const Span &x = soil.space[s.along], &own = s.rigids[rigid].space[s.along];
       above = above && (!s.ground.line.level() || s.rigids[rigid].space[s.up].from >= soil.space[s.up].to);
-      where = fmt::format("it begins at {} < {} < {} with its lowest point {:.4g} m above the surface, and [body.{}] lies at {} < {} < {}",
+      where = fmt::format("it begins at {} < {} < {} with its lowest point {:.4g} m above the surface, and [body.{}] is at {} < {} < {}",
                           place_words(own.from), axis_names[s.along], place_words(own.to), -s.ways[k].begin_embedment, contact.body,
                           place_words(x.from), axis_names[s.along], place_words(x.to));
     }
     if (!meets)
       found.refuse(fmt::format("rigid.{}", name),
-                   fmt::format("touches no soil on all its way: {}; move its centre, or let it travel further", where));
+                   fmt::format("touches no soil on its whole path: {}; move its centre, or make it travel farther", where));
     else if (above && !falls(s, rigid) && s.c.stage[k].kind == problem::StageKind::push &&
              -s.ways[k].begin_embedment > far_above * s.rigids[rigid].width && s.is_mpm()) {
       const Span& y = s.rigids[rigid].space[s.up];
       found.warn(fmt::format("rigid.{}", name),
-                 fmt::format("begins {} above the bed's surface, {:.2g} of its width of {}: it travels through nothing at first; put "
-                             "its lowest point at the surface, as where its middle is at {} (has its size changed since?)",
+                 fmt::format("begins {} above the bed's surface, {:.2g} of its width of {}: it does not touch soil at first; put its "
+                             "lowest point at the surface, with its centre at {} (has its size changed since?)",
                              words_of(-s.ways[k].begin_embedment, "m"), -s.ways[k].begin_embedment / s.rigids[rigid].width,
                              words_of(s.rigids[rigid].width, "m"),
                              place_words((y.from + y.to) / 2 + s.up_sign * s.ways[k].begin_embedment)));
@@ -158,7 +158,7 @@ void do_bodies_at_each_other_touch(const Scene& s, Findings& found)
     };
     if (std::any_of(s.c.contact.begin(), s.c.contact.end(), joins)) continue;
     found.refuse("body." + other,
-                 fmt::format("lies at [body.{0}], and there is no contact between them: bodies without one pass through each other; add "
+                 fmt::format("touches [body.{0}], and there is no contact between them: bodies without one pass through each other; add "
                              "[contact.NAME] with body = \"{0}\" and other_body = \"{1}\" (scheme = \"tied\" for layers of one bed)",
                              one, other));
   }
@@ -182,9 +182,9 @@ void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found)
       asked.emplace_back(rigid, other);
       found.warn(
           stage_key(k, s.c.stage[k].rigid.empty() ? "kind" : "rigid"),
-          fmt::format("\"{0}\" may come to \"{1}\" on its way, and rigid bodies without a contact do not feel each other: the run stops "
-                      "where they overlap; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what "
-                      "shall be pushed aside a mass and motion = \"free\"",
+          fmt::format("\"{0}\" may meet \"{1}\" on its path, and no forces act between rigid bodies without a contact: the run stops "
+                      "where they overlap; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give the body that "
+                      "is to be pushed aside a mass and motion = \"free\"",
                       name, other_name));
     }
 }
@@ -200,10 +200,11 @@ void do_motions_fit_a_half(const Scene& s, Findings& found)
     const Real middle = (body.from + body.to) / 2, slack = round_off * body.length();
     const bool half = std::abs(middle - mesh.from) < slack || std::abs(middle - mesh.to) < slack;
     if (!half || !(way.axis[s.along].moves || way.turns)) continue;
-    found.refuse(stage_key(k, "kind"), fmt::format("{} \"{}\", whose middle lies on a wall of the mesh, {} = {}: a half of it is modelled, "
-                                                   "whose mirror image would go the other way; model the whole, or move it along {} alone",
-                                                   way.axis[s.along].moves ? fmt::format("moves along {}", axis_names[s.along]) : "rotates",
-                                                   s.c.rigid[way.rigid].first, axis_names[s.along], place_words(middle), axis_names[s.up]));
+    found.refuse(stage_key(k, "kind"),
+                 fmt::format("{} \"{}\", whose centre is on a wall of the mesh, {} = {}: one half of it is modelled, and its mirror image "
+                             "would move in the opposite direction; model the whole, or move it along {} alone",
+                             way.axis[s.along].moves ? fmt::format("moves along {}", axis_names[s.along]) : "rotates",
+                             s.c.rigid[way.rigid].first, axis_names[s.along], place_words(middle), axis_names[s.up]));
     return;
   }
 }
@@ -226,11 +227,10 @@ void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
                                   : first.to <= mesh.to && path.to > mesh.to && move.end > move.begin;
       if (!below && !above) continue;
       const std::string& name = s.c.rigid[way.rigid].first;
-      const std::string message =
-          fmt::format("takes \"{}\" out of the mesh: it reaches {} = {}, where the mesh ends at {}; "
-                      "let it go less far, or make the mesh {}",
-                      name, axis_names[d], place_words(below ? path.from : path.to), place_words(below ? mesh.from : mesh.to),
-                      vertical ? (below == (s.up_sign > 0) ? "deeper" : "higher") : "longer there");
+      const std::string message = fmt::format(
+          "takes \"{}\" out of the mesh: it reaches {} = {}, where the mesh ends at {}; make its travel shorter, or the mesh {}", name,
+          axis_names[d], place_words(below ? path.from : path.to), place_words(below ? mesh.from : mesh.to),
+          vertical ? (below == (s.up_sign > 0) ? "deeper" : "higher") : "longer there");
       const std::string key = stage_key(k, "until");
       if (move.at_most)
         found.warn(key, "may leave the mesh: it " + message);
@@ -259,11 +259,11 @@ void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
       const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
       found.warn(stage_key(k, "until"),
                  fmt::format("takes \"{}\" out of the fine zone: after {} of this stage cells at it are {} (D/{:.0f}), and {} (D/{:.0f}) "
-                             "at the start; resistance grows with the cells: {}",
+                             "at the start; resistance grows with the size of the cells: {}",
                              s.c.rigid[way.rigid].first, words_of(std::sqrt(travel), "m"), words_of(size, "m"), width / size,
                              words_of(first, "m"), width / first,
-                             seabed ? "enlarge mesh.near_left, near_right or near_depth, or let it go less far"
-                                    : "refine the mesh there, or let it go less far"));
+                             seabed ? "enlarge mesh.near_left, near_right or near_depth, or make its travel shorter"
+                                    : "refine the mesh there, or make its travel shorter"));
       return;
     }
   }
@@ -281,10 +281,9 @@ void do_fine_cells_reach_the_ends(const Scene& s, Findings& found)
                  fine = front ? *bed->near_front : *bed->near_back;
       if ((front ? end - fine : fine - end) <= bed->near_size) continue;
       const char* key = front ? "mesh.near_front" : "mesh.near_back";
-      found.warn(key,
-                 fmt::format("ends the fine zone at z = {:.4g} m, and \"{}\" reaches {:.4g} m: resistance grows with the cells at its end; "
-                             "let the fine zone reach beyond it",
-                             fine, s.c.rigid[rigid].first, end));
+      found.warn(key, fmt::format("ends the fine zone at z = {:.4g} m, and \"{}\" reaches {:.4g} m: resistance grows with the size of the "
+                                  "cells at its end; make the fine zone reach beyond it",
+                                  fine, s.c.rigid[rigid].first, end));
     }
   });
 }
@@ -316,8 +315,8 @@ void do_walls_cut_a_body(const Scene& s, Findings& found)
       if (std::abs(wall - (body.from + body.to) / 2) < middle * (body.to - body.from)) continue;
       const std::string& name = s.c.rigid[rigid].first;
       found.warn("rigid." + name,
-                 fmt::format("the {0} cuts it: it reaches {1} = {2}, where the mesh ends at {3}, and what is beyond meets no "
-                             "soil; move it, or make the mesh wider, or put its middle onto the wall as a plane of symmetry",
+                 fmt::format("the {0} cuts it: it reaches {1} = {2}, where the mesh ends at {3}, and there is no soil beyond; move it, "
+                             "make the mesh wider, or put its centre on the wall as a plane of symmetry",
                              wall_name(d == s.along, below), axis_names[d], place_words(below ? body.from : body.to), place_words(wall)));
     }
   });
@@ -335,10 +334,10 @@ void are_walls_far_enough(const Scene& s, Findings& found)
     const Real side = around_axis(s) ? right : std::min(along.from - s.mesh[s.along].from, right),
                base = high.from - base_below(s, (along.from + along.to) / 2);
     const auto tell = [&](const char* key, const char* what, Real distance) {
-      found.warn(
-          key, fmt::format("the {} is {} from \"{}\" in stage \"{}\", and that is {} wide: it carries a part of the force; keep {} or more",
-                           what, words_of(distance, "m"), s.c.rigid[way.rigid].first, stage_name(s, k), words_of(width, "m"),
-                           words_of(rounded_up(3 * width), "m")));
+      found.warn(key,
+                 fmt::format("the {} is {} from \"{}\" in stage \"{}\", and that is {} wide: it carries part of the force; keep {} or more",
+                             what, words_of(distance, "m"), s.c.rigid[way.rigid].first, stage_name(s, k), words_of(width, "m"),
+                             words_of(rounded_up(3 * width), "m")));
     };
     if (way.axis[s.along].known && side > 0 && side < clear * width) return tell("mesh.length", "wall", side);
     for (const int d : in_space(s) ? axes_of_walls(s, way.rigid) : std::vector<int>{})
@@ -370,11 +369,10 @@ void is_the_wall_beyond_the_plastic_zone(const Scene& s, Findings& found)
     const Real index = young_poisson(soil).shear_modulus() / strength->cohesion;
     const Real zone = rigid.width / 2 * std::sqrt(index), wall = s.mesh[s.along].to;
     if (!(wall < zone)) continue;
-    found.warn("mesh.length",
-               fmt::format("puts the wall at a radius of {}, and the soil that \"{}\" pushes aside yields up to {} (its radius "
-                           "times the root of G/s_u = {:.3g}): the wall holds it back; make the mesh {} long or longer",
-                           words_of(wall, "m"), s.c.rigid[way.rigid].first, words_of(zone, "m"), index,
-                           words_of(rounded_up(2 * zone), "m")));
+    found.warn("mesh.length", fmt::format("puts the wall at a radius of {}, and the plastic zone around \"{}\" has a radius of {} (its "
+                                          "radius times the root of G/s_u = {:.3g}): the wall confines it; make the mesh {} long or longer",
+                                          words_of(wall, "m"), s.c.rigid[way.rigid].first, words_of(zone, "m"), index,
+                                          words_of(rounded_up(2 * zone), "m")));
     return;
   }
 }
@@ -389,16 +387,17 @@ void is_the_bed_held(const Scene& s, Findings& found)
     });
   };
   if (!holds("base", "y"))
-    found.refuse("support", "nothing holds the base of the bed, which falls out of the mesh; add [support.base] with boundary = \"base\" "
-                            "and fixed = [\"x\", \"y\"]");
+    found.refuse("support",
+                 "no support holds the base of the bed, so the soil falls out of the mesh; add [support.base] with boundary = \"base\" "
+                 "and fixed = [\"x\", \"y\"]");
   const auto mirrors = [&](const char* axis) { return std::count(s.c.symmetry.begin(), s.c.symmetry.end(), axis) > 0; };
   for (const auto& [wall, axis, is_lowest] :
        {std::tuple{"left", "x", true}, {"right", "x", false}, {"back", "z", true}, {"front", "z", false}}) {
     const bool is_axis = around_axis(s) || mirrors(axis);
     if ((is_lowest && is_axis) || (*axis == 'z' && s.c.dimension() == 2) || holds(wall, axis)) continue;
-    const std::string words = fmt::format(
-        "nothing holds the {0} wall of the bed, which flows out there; add [support.{0}] with boundary = \"{0}\" and fixed = [\"{1}\"]",
-        wall, axis);
+    const std::string words = fmt::format("no support holds the {0} wall of the bed, so the soil flows out there; add [support.{0}] with "
+                                          "boundary = \"{0}\" and fixed = [\"{1}\"]",
+                                          wall, axis);
     s.is_mpm() ? found.refuse("support", words) : found.warn("support", words);
   }
 }
@@ -409,17 +408,15 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
     const Span& height = s.bodies[b].space[s.up];
     const bool level = s.c.body[b].second.has_k0() && !loads_by_gravity(s.c, s.ground) && s.up_sign > 0;
     if (!level || height.to - s.c.surface < 0.3 * height.length()) continue;
-    found.refuse("surface", fmt::format("is {}, and [body.{}] reaches up to {:.3g} m: embedment counts from `surface`, and soil above it "
-                                        "has no stress at the start; set it to the level of the "
-                                        "bed's surface",
+    found.refuse("surface", fmt::format("is {}, and [body.{}] reaches up to {:.3g} m: embedment is measured from `surface`, and soil above "
+                                        "it has no stress at the start; set it to the level of the bed's surface",
                                         words_of(s.c.surface, "m"), s.c.body[b].first, height.to));
     return;
   }
   const auto* bed = std::get_if<mesh::SeabedMesh>(&s.c.mesh);
   if (bed != nullptr && bed->slope != 0 && s.c.surface_given && s.c.surface == 0)
-    found.warn("surface",
-               "is the level from which embedment counts, and the bed has a slope (mesh.slope): leave `surface` out to count it from the "
-               "ground below the body");
+    found.warn("surface", "is the level from which embedment is measured, and the bed has a slope (mesh.slope): leave `surface` out to "
+                          "measure it from the ground below the body");
   if (bed == nullptr || s.c.surface == 0) return;
   found.refuse("surface", fmt::format("is {}, and the surface of a mesh of kind \"seabed\" is y = 0: leave `surface` out",
                                       words_of(s.c.surface, "m")));
@@ -439,7 +436,7 @@ void does_soil_fill_the_bed(const Scene& s, Findings& found)
     if ((region != std::string("layer") || bed->layer > 0) && !fills(region))
       found.warn(
           region == std::string("layer") ? "mesh.layer" : "mesh",
-          fmt::format("has a region \"{0}\" that no body fills: the soil beside it hangs over nothing; add \"{0}\" to the regions of a "
+          fmt::format("has a region \"{0}\" that no body fills, so the soil beside it is unsupported; add \"{0}\" to the regions of a "
                       "body",
                       region));
 }
@@ -453,7 +450,7 @@ void is_there_soil_at_a_watch(const Scene& s, Findings& found)
       const Real slack = 0.05 * space.length();
       if (watch.point[d] > space.from - slack && watch.point[d] < space.to + slack) continue;
       found.warn("watch." + name + ".point",
-                 fmt::format("{} = {} is not in [body.{}], which lies at {} < {} < {}: what is nearest there is watched", axis_names[d],
+                 fmt::format("{} = {} is not in [body.{}], which is at {} < {} < {}: the nearest soil is recorded instead", axis_names[d],
                              place_words(watch.point[d]), watch.body, place_words(space.from), axis_names[d], place_words(space.to)));
       break;
     }

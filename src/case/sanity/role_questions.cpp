@@ -68,11 +68,10 @@ void check_role_order(const Scene& s, Findings& found)
     const Index place = place_in_life(s.c.stage[k].role);
     if (place == none) continue;
     if (last != none && place < last)
-      return found.warn(
-          stage_key(k, "role"),
-          fmt::format("is \"{}\", and stage \"{}\" before it is \"{}\": a pipe goes through touchdown, lay, flooded, emptied, "
-                      "operation and breakout in this order; change the role of one of the two",
-                      life[place].second, of_stage, life[last].second));
+      return found.warn(stage_key(k, "role"),
+                        fmt::format("is \"{}\", and stage \"{}\" before it is \"{}\": the order for a pipe is touchdown, lay, flooded, "
+                                    "emptied, operation and breakout; change the role of one of the two",
+                                    life[place].second, of_stage, life[last].second));
     last = place;
     of_stage = s.c.stage[k].name;
   }
@@ -85,11 +84,10 @@ void are_roles_those_of_what_stages_do(const Scene& s, Findings& found)
     const Index place = place_in_life(role);
     const bool only_a_weight = role == StageRole::flooded || role == StageRole::emptied;
     if (place == none || !only_a_weight || !is_drag(s, k)) continue;
-    found.warn(
-        stage_key(k, "role"),
-        fmt::format("is \"{}\", and the stage moves the body along the bed: {} a pipe changes its weight alone; motions of laying have "
-                    "the role \"lay\", later ones \"sweep\" or \"breakout\"",
-                    life[place].second, role == StageRole::flooded ? "flooding" : "emptying"));
+    found.warn(stage_key(k, "role"),
+               fmt::format("is \"{}\", and the stage moves the body along the bed: {} only the weight of a pipe changes; motions during "
+                           "laying have the role \"lay\", later ones \"sweep\" or \"breakout\"",
+                           life[place].second, role == StageRole::flooded ? "flooding" : "emptying"));
   }
 }
 
@@ -112,8 +110,8 @@ void are_weights_those_of_one_pipe(const Scene& s, Findings& found)
     const bool weight = stage.role == StageRole::operation || stage.role == StageRole::emptied || before_drag;
     if (weight && largest > 0 && *V > much * largest)
       found.warn(stage_key(k, key),
-                 fmt::format("is {:.3g} {}, and the largest V before is {:.3g} {} in stage \"{}\": when it touches down a pipe "
-                             "presses on the bed with 1 to 3 times its weight in water; is the unit of either right?",
+                 fmt::format("is {:.3g} {}, and the largest V before is {:.3g} {} in stage \"{}\": at touchdown the contact force of a "
+                             "pipe is 1 to 3 times its submerged weight; is the unit of either right?",
                              *V, unit, largest, unit, of_stage));
     if (*V > largest) largest = *V, of_stage = stage.name;
   }
@@ -128,11 +126,10 @@ void check_result_stage_is_named(const Scene& s, Findings& found)
   const std::optional<std::size_t> answers = drag_of_the_answers(s);
   if (first == stages.end() || !answers || std::any_of(stages.begin(), stages.end(), says)) return;
   if (stages[*answers].role == StageRole::sweep) return;
-  found.warn(
-      stage_key(static_cast<std::size_t>(first - stages.begin()), "role"),
-      fmt::format("is given, so the roles of other stages are not guessed, and none of them is operation or breakout: the answers are "
-                  "those of stage \"{}\"; give it, or the stage that they are to be of, the role \"breakout\"",
-                  stages[*answers].name));
+  found.warn(stage_key(static_cast<std::size_t>(first - stages.begin()), "role"),
+             fmt::format("is given, so the roles of other stages are not guessed, and none of them is operation or breakout: the key "
+                         "results are those of stage \"{}\"; give the role \"breakout\" to it, or to the stage whose results you want",
+                         stages[*answers].name));
 }
 
 }  // namespace berm::sanity

@@ -23,9 +23,10 @@ void does_it_take_days(const Scene& s, Findings& found)
                                     "take larger cells, fewer particles or softer soil",
                                     io::duration_text(seconds), steps, s.cost.time_step, s.cost.particles));
   if (steps < few)
-    found.warn("stage", fmt::format("the whole run is {:.2g} steps of {:.3g} s: nothing is resolved in time; is the soil too soft, are "
-                                    "cells too large, or are the stages too short?",
-                                    steps, s.cost.time_step));
+    found.warn("stage",
+               fmt::format("the whole run is {:.2g} steps of {:.3g} s: too few to resolve anything in time; is the soil too soft, are "
+                           "cells too large, or are the stages too short?",
+                           steps, s.cost.time_step));
 }
 
 void does_it_fit_on_the_disk(const Scene& s, Findings& found)
@@ -33,7 +34,7 @@ void does_it_fit_on_the_disk(const Scene& s, Findings& found)
   constexpr Real much = 20e9, part = 0.95;
   const Real bytes = disk_of(s);
   const char* key = s.c.output.frame_time ? "output.frame_time" : s.c.output.frame_travel ? "output.frame_travel" : "output";
-  const std::string words = fmt::format("frames and history take about {} of the disk", words_of_bytes(bytes));
+  const std::string words = fmt::format("frames and history take about {} of disk space", words_of_bytes(bytes));
   if (bytes > part * s.cost.free_bytes)
     found.refuse(key, fmt::format("{}, and {} are free; write fewer frames, or choose another disk with -o", words,
                                   words_of_bytes(s.cost.free_bytes)));
@@ -49,7 +50,7 @@ void is_the_history_fine_enough(const Scene& s, Findings& found)
   const Real rows = time / *s.c.output.history_time;
   if (rows >= few && rows <= many) return;
   found.warn("output.history_time",
-             fmt::format("makes {:.3g} rows of history in {}; curves want about a thousand: leave it out, or take {}", rows,
+             fmt::format("makes {:.3g} rows of history in {}; a curve needs about a thousand: leave it out, or take {}", rows,
                          words_of(time, "s"), words_of(rounded_up(time / 1000), "s")));
 }
 
@@ -78,10 +79,9 @@ void add_material_keys(const Scene& s, std::vector<Unused>& keys)
     };
     const bool softens = is_given(s, name, "sensitivity", clay->sensitivity > 1);
     const bool is_rate_dependent = is_given(s, name, "rate_parameter", clay->rate_parameter > 0);
-    constexpr const char* no_softening =
-        "without a sensitivity above 1 the clay does not soften; give it (sensitivity = 1 says that it does not)";
+    constexpr const char* no_softening = "without a sensitivity above 1 the clay does not soften; give it (sensitivity = 1 says so)";
     constexpr const char* no_rate =
-        "without a rate_parameter the clay does not know its rate; give it (rate_parameter = 0 says that it does not)";
+        "without a rate_parameter the strength of the clay does not depend on the rate; give it (rate_parameter = 0 says so)";
     add("ductility", !softens && clay->ductility > 0, no_softening);
     add("softening_length", !softens && clay->softening_length, no_softening);
     add("reference_rate", !is_rate_dependent && clay->reference_rate > 0, no_rate);
@@ -101,7 +101,7 @@ void add_stage_keys(const Scene& s, std::vector<Unused>& keys)
     const problem::StageSettings& stage = s.c.stage[k];
     keys.push_back({stage_key(k, "ramp"), s.ways[k].rigid == none, "the stage drives nothing"});
     keys.push_back({stage_key(k, "strength_recovery"), stage.strength_recovery > 0 && !softens,
-                    "no clay softens, which takes a sensitivity above 1; give it"});
+                    "no clay softens: that needs a sensitivity above 1; give it"});
     keys.push_back({stage_key(k, "equilibrium"),
                     stage.kind != problem::StageKind::geostatic && stage.equilibrium != as_left_out.equilibrium,
                     "it is for a geostatic stage, at whose end equilibrium is checked"});
@@ -125,7 +125,7 @@ void add_body_keys(const Scene& s, std::vector<Unused>& keys)
     keys.push_back({fmt::format("contact.{}.gap_closing_steps", name),
                     contact.gap_closing_steps != as_left_out.gap_closing_steps &&
                         (contact.detection == contact::Detection::overlap || contact.detection == contact::Detection::distance),
-                    "detection \"overlap\" and \"distance\" look at no gap"});
+                    "detection \"overlap\" and \"distance\" use no gap"});
 }
 
 }  // namespace

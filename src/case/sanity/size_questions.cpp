@@ -63,12 +63,11 @@ void are_forces_those_of_soil(const Scene& s, Findings& found)
       const std::string key = stage_key(k, force.key),
                         of_soil = fmt::format("the soil that \"{}\" can displace weighs {:.3g} {}", s.c.rigid[rigid].first, weight, unit);
       if (force.presses && force.size < tiny * weight)
-        found.warn(key, fmt::format("is {:.3g} {}, next to nothing: {}, and what lies on a bed weighs a tenth of that to ten times it: is "
-                                    "the unit right? A plain "
-                                    "number is in {}: write \"{:.3g} k{}\" where that is meant",
+        found.warn(key, fmt::format("is {:.3g} {}, almost nothing: {}, and a body on a seabed weighs between a tenth of that and ten times "
+                                    "that: is the unit right? A plain number is in {}: write \"{:.3g} k{}\" where that is meant",
                                     force.size, unit, of_soil, unit, force.size, unit));
       else if (force.size > most)
-        found.warn(key, fmt::format("is {:.3g} {}, more than soil can bear: {}, and it gives way under some hundred times that at most: is "
+        found.warn(key, fmt::format("is {:.3g} {}, more than soil can carry: {}, and it fails under some hundred times that at most: is "
                                     "the unit right (\"k{}\", not \"M{}\")?",
                                     force.size, unit, of_soil, unit, unit));
     }
@@ -85,7 +84,7 @@ void is_the_body_smaller_than_the_mesh(const Scene& s, Findings& found)
     const auto& [name, settings] = s.c.rigid[rigid];
     const Real width = s.rigids[rigid].width, length = s.mesh[s.along].length(), depth = s.depth_of(body);
     if (!bodies::pipe_section(settings.shape) || (width < length && width < depth)) continue;
-    found.warn("rigid." + name, fmt::format("is {} wide, and the bed is {} long and {} deep: there is no room for what moves in the soil "
+    found.warn("rigid." + name, fmt::format("is {} wide, and the bed is {} long and {} deep: there is no room for the failure mechanism "
                                             "around it; make it smaller (is its unit right?), "
                                             "or the mesh 10 times as long and 3 times as deep as it is wide",
                                             words_of(width, "m"), words_of(length, "m"), words_of(depth, "m")));
@@ -108,11 +107,11 @@ void does_a_pushed_pipe_begin_at_the_surface(const Scene& s, Findings& found)
     const bool down = stage.kind == StageKind::push && stage.velocity.value_or(1) > 0 && stage.force.value_or(1) > 0;
     if (!down || !bodies::pipe_section(settings.shape) || !(w > rounding * width && w < half * width) || is_round(w / width)) continue;
     const Span& y = s.rigids[rigid].space[s.up];
-    found.warn(fmt::format("rigid.{}.center", name),
-               fmt::format("puts the lowest point {} ({:.2g} D) below the surface of the bed, where soil is left out, and \"{}\" pushes it "
-                           "down from there: if it is to be "
-                           "pushed in from the surface, put the centre at {} (has the diameter changed since?)",
-                           words_of(w, "m"), w / width, stage.name, place_words((y.from + y.to) / 2 + s.up_sign * w)));
+    found.warn(
+        fmt::format("rigid.{}.center", name),
+        fmt::format("puts the lowest point {} ({:.2g} D) below the surface of the bed, in a cavity without soil, and \"{}\" pushes it down "
+                    "from there: if it is to be pushed in from the surface, put the centre at {} (has the diameter changed since?)",
+                    words_of(w, "m"), w / width, stage.name, place_words((y.from + y.to) / 2 + s.up_sign * w)));
   }
 }
 

@@ -94,15 +94,13 @@ void does_gravity_point_down(const Scene& s, Findings& found)
       if (body.has_k0())
         found.refuse(
             fmt::format("body.{}.k0", name),
-            "without gravity there is no stress at rest, and k0 does nothing; add gravity = [0, \"-9.81 m/s^2\"], or leave k0 out");
+            "without gravity there is no stress at rest, and k0 has no effect; add gravity = [0, \"-9.81 m/s^2\"], or leave k0 out");
     for (const auto& [b, name, material] : yielding(s))
       if (const auto at_rest = problem::strength_under(material, 0, 0);
           !any_k0 && at_rest && *at_rest == 0 && s.c.body[b].second.initial_stress.empty() && s.c.traction.empty())
-        found.warn(
-            "gravity",
-            fmt::format(
-                "is missing: the soil of [body.{}] has friction only, and no strength without weight; add gravity = [0, \"-9.81 m/s^2\"]",
-                s.c.body[b].first));
+        found.warn("gravity", fmt::format("is missing: the soil of [body.{}] has friction only, so it has no strength without weight; add "
+                                          "gravity = [0, \"-9.81 m/s^2\"]",
+                                          s.c.body[b].first));
     return;
   }
   const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
@@ -144,18 +142,17 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
       found.warn(soil.key("friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(strength->friction_angle)));
     const Real weight = density(material) * s.gravity * s.depth_of(soil.body), base = at_base ? at_base->cohesion : 0;
     if (strength->friction_angle == 0 && weight > 0 && base > 0 && base < std::max(1e-3 * weight, slurry))
-      found.warn(soil.key(strength_key(material)), fmt::format("is {0:.3g} Pa, and {1:.3g} Pa at the base, under a weight of {2:.3g} Pa: "
-                                                               "such soil flows; soft clay has 1 to 10 kPa: is the unit "
-                                                               "right? A plain number is in Pa: write \"{0:.3g} kPa\" where that is meant",
-                                                               strength->cohesion, base, weight));
+      found.warn(soil.key(strength_key(material)),
+                 fmt::format("is {0:.3g} Pa, and {1:.3g} Pa at the base, under a weight of {2:.3g} Pa: "
+                             "such soil flows under its own weight; soft clay has 1 to 10 kPa: is the unit "
+                             "right? A plain number is in Pa: write \"{0:.3g} kPa\" where that is meant",
+                             strength->cohesion, base, weight));
     constexpr Real cemented = 3;  // of the weight on it at the base
     if (strength->friction_angle > 20 * degree && weight > 0 && strength->cohesion > cemented * weight)
-      found.warn(
-          soil.key(strength_key(material)),
-          fmt::format(
-              "is {:.3g} kPa beside a friction angle of {:.3g} deg, {:.2g} times the weight above the base of the bed: soil with so much "
-              "of both is rock; sand has 0, silt and clay drained 2 to 20 kPa: is the unit right (\"Pa\")?",
-              strength->cohesion / 1e3, degrees(strength->friction_angle), strength->cohesion / weight));
+      found.warn(soil.key(strength_key(material)),
+                 fmt::format("is {:.3g} kPa beside a friction angle of {:.3g} deg, {:.2g} times the weight above the base of the bed: that "
+                             "is rock; sand has 0, silt and clay drained 2 to 20 kPa: is the unit right (\"Pa\")?",
+                             strength->cohesion / 1e3, degrees(strength->friction_angle), strength->cohesion / weight));
     if (strength->cohesion > 1e7)
       found.warn(soil.key(strength_key(material)),
                  fmt::format("is {:.3g} kPa, that of rock; soil has up to some hundred kPa: is the unit right?", strength->cohesion / 1e3));
@@ -173,7 +170,7 @@ void does_the_strength_grow_as_that_of_clay(const Scene& s, Findings& found)
         soil.key(strength_key(soil.material) + "_gradient"),
         fmt::format(
             "is {:.3g} kPa/m, {:.3g} times the submerged unit weight, {:.3g} kN/m3; normally consolidated clay has 0.2 to 0.35 times, "
-            "an overconsolidated one some times that: is the unit right (\"kPa/m\")?",
+            "overconsolidated clay a few times that: is the unit right (\"kPa/m\")?",
             strength->cohesion_gradient / 1e3, strength->cohesion_gradient / weight, weight / 1e3));
   }
 }
@@ -206,8 +203,8 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
     }
     if (weight == 0 || modulus >= 3 * weight) continue;
     const std::string words =
-        fmt::format("is {:.3g} Pa, too soft to carry the weight of the soil above it, {:.3g} Pa: it would be squeezed to a fraction of "
-                    "its height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
+        fmt::format("is {:.3g} Pa, too soft for the weight of the soil above it, {:.3g} Pa: it would be compressed to a fraction of its "
+                    "height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
                     young_poisson(soil.materials[softest]).young_modulus, weight);
     modulus < weight / 2 ? found.refuse(key(soil.names[softest]), words) : found.warn(key(soil.names[softest]), words);
   }
@@ -221,7 +218,7 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
     if (young > stiff_rock)
       found.warn(
           key(soil.name),
-          fmt::format("is {:.3g} Pa, stiffer than rock: time steps become as small; sand has 5 to 50 MPa: is the unit right?", young));
+          fmt::format("is {:.3g} Pa, stiffer than rock: time steps become very small; sand has 5 to 50 MPa: is the unit right?", young));
     else if (is_clay && (index < least_index || index > most_index))
       found.warn(key(soil.name),
                  fmt::format("{}gives Young's modulus E = {:.3g} Pa at the base, {:.3g} times the strength of the clay there, "
@@ -231,10 +228,10 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
       found.warn(key(soil.name), fmt::format("is {:.3g} Pa, {}; sand has 5 to 50 MPa: is the unit right (\"MPa\")?", young,
                                              E > rock ? "as stiff as rock" : "softer than peat"));
     if (const Real inertia = inertia_density(soil.material); inertia > heaviest && inertia > density(soil.material))
-      found.warn(soil.key("inertia_density"), fmt::format("is {:.3g} kg/m3; soil with its water has 1400 to 2200: more of it makes time "
-                                                          "steps longer, and a drive has to be as much slower; if "
-                                                          "that is not meant, is the unit right (\"kg/m^3\")?",
-                                                          inertia));
+      found.warn(soil.key("inertia_density"),
+                 fmt::format("is {:.3g} kg/m3; soil with its water has 1400 to 2200: a larger one makes time steps longer (mass scaling), "
+                             "and the drive must be slower by the same factor; if that is not intended, is the unit right (\"kg/m^3\")?",
+                             inertia));
   }
 }
 
@@ -246,10 +243,9 @@ void is_the_strain_rate_smooth(const Scene& s, Findings& found)
   for (const Soil& soil : yielding(s)) {
     const auto* clay = soil.material.get_if<material::Clay>();
     if (clay == nullptr || !is_rate_dependent(*clay) || clay->rate_smoothing || !none_by_speed) continue;
-    found.warn(
-        soil.key("rate_parameter"),
-        "no stage drives a body by a velocity, from which the time follows over which the strain rate is averaged: the rate of single "
-        "time steps makes clay stronger by what shakes it; give rate_smoothing, the time in which the body goes a hundredth of its width");
+    found.warn(soil.key("rate_parameter"),
+               "no stage drives a body by a velocity, from which the averaging time of the strain rate follows: with the rate of single "
+               "time steps vibration makes clay stronger; give rate_smoothing, the time in which the body moves a hundredth of its width");
   }
 }
 
@@ -260,10 +256,11 @@ void is_softening_free_of_the_cells(const Scene& s, Findings& found)
     const auto* clay = soil.material.get_if<material::Clay>();
     if (clay == nullptr || clay->sensitivity == 1 || clay->ductility >= brittle || clay->softening_length) continue;
     const Real cell = smallest_cell(s.c);
-    found.warn(soil.key("ductility"),
-               fmt::format("is {:.3g}: such brittle clay fails in bands one or two cells wide, and the answer depends on the cells; give "
-                           "softening_length, the width of real bands{}, or compare runs of several cell sizes (berm study)",
-                           clay->ductility, cell > 0 ? fmt::format(" (the cells here are {})", words_of(cell, "m")) : ""));
+    found.warn(
+        soil.key("ductility"),
+        fmt::format("is {:.3g}: such brittle clay fails in shear bands one or two cells wide, and the result depends on the size of the "
+                    "cells; give softening_length, the width of real bands{}, or compare runs of several cell sizes (berm study)",
+                    clay->ductility, cell > 0 ? fmt::format(" (the cells here are {})", words_of(cell, "m")) : ""));
   }
 }
 
@@ -276,11 +273,11 @@ void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found)
     if (!width) continue;
     const std::string key = soil.material.get<material::MohrCoulomb>().d50 ? "d50" : "band_width";
     if (!non_associated(soil.material))
-      found.warn(soil.key(key), "does nothing: with dilation_angle = friction_angle shear bands lose no friction");
+      found.warn(soil.key(key), "does nothing: with dilation_angle = friction_angle shear bands do not lose friction");
     else if (cells_of_band * cell < *width * (1 - rounding) && cell > 0)
       found.warn(soil.key(key),
-                 fmt::format("makes bands of {}, and the cells are {}: finer than a quarter of that, they localise in bands narrower than "
-                             "the soil's and carry too little; take mesh.near_size = {} or more",
+                 fmt::format("makes bands of {}, and the cells are {}: finer than a quarter of that, deformation localises in bands "
+                             "narrower than those of the soil, and resistance is too small; take mesh.near_size = {} or more",
                              words_of(*width, "m"), words_of(cell, "m"), words_of(*width / cells_of_band, "m")));
   }
 }
@@ -296,11 +293,10 @@ void what_inertia_do_layers_get(const Scene& s, Findings& found)
       const Real taken = inertia_density(soil.materials[k]);
       const bool given = inertia_density(asked) != density(asked);
       if (!given || std::abs(taken / inertia_density(asked) - 1) < worth_a_word) continue;
-      found.warn(
-          fmt::format("material.{}.inertia_density", soil.names[k]),
-          fmt::format("is taken as {:.4g} kg/m^3 instead of {:.4g} kg/m^3: the soils of [body.{}] have one density over inertia_density, "
-                      "that of [material.{}]; what is slow does not depend on it",
-                      taken, inertia_density(asked), name, soil.names.front()));
+      found.warn(fmt::format("material.{}.inertia_density", soil.names[k]),
+                 fmt::format("is taken as {:.4g} kg/m^3 instead of {:.4g} kg/m^3: the soils of [body.{}] need the same ratio of density to "
+                             "inertia_density, that of [material.{}]; slow motion does not depend on it",
+                             taken, inertia_density(asked), name, soil.names.front()));
     }
   }
 }
@@ -317,9 +313,10 @@ void is_all_soil_used(const Scene& s, Findings& found)
       const Real thickness = (k + 1 < body.soil_layer.size() ? std::min(body.soil_layer[k + 1].top, depth) : depth) - top;
       const std::string path = fmt::format("body.{}.soil_layer[{}].top", s.c.body[b].first, k);
       if (top >= depth)
-        found.warn(path,
-                   fmt::format("is {}, and the body ends at a depth of {}: the layer is nowhere; leave it out, or make the mesh deeper",
-                               words_of(top, "m"), words_of(depth, "m")));
+        found.warn(
+            path,
+            fmt::format("is {}, and the body ends at a depth of {}: the layer is below the mesh; leave it out, or make the mesh deeper",
+                        words_of(top, "m"), words_of(depth, "m")));
       else if (thickness < smallest_cell(s.c))
         found.warn(path, fmt::format("is {}, and the layer ends {} below it, less than a cell, {}: it shares each of its cells with its "
                                      "neighbours; take mesh.near_size = {} or less, or leave the layer out",
@@ -345,19 +342,17 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
     if (body.initial_stress.size() == 3) {
       const auto [least, most] = std::minmax_element(body.initial_stress.begin(), body.initial_stress.end());
       if (const auto over = beyond(0, *most, *least))
-        found.warn(
-            path + ".initial_stress",
-            fmt::format(
-                "is beyond the strength of the soil: it shears it by {:.3g} Pa, and it bears {:.3g} Pa; stress is negative in compression",
-                over->first, over->second));
+        found.warn(path + ".initial_stress", fmt::format("exceeds the strength of the soil: the shear stress is {:.3g} Pa, and the "
+                                                         "strength {:.3g} Pa; stress is negative in compression",
+                                                         over->first, over->second));
     }
     for (int k = 1; k <= parts && body.has_k0() && s.gravity > 0; ++k) {
       const Real depth = s.depth_of(b) * k / parts, vertical = -s.weight_above(b, depth), k0 = *body.k0_at(depth, -vertical),
                  across = k0 * vertical;
       const auto over = beyond(depth, std::max(vertical, across), std::min(vertical, across));
       if (!over) continue;
-      found.warn(path + ".k0", fmt::format("is {:.3g}, beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "
-                                           "it bears {:.3g} Pa; the bed moves before anything pushes it",
+      found.warn(path + ".k0", fmt::format("is {:.3g}, beyond the strength of the soil{}: at a depth of {} the shear stress is {:.3g} Pa, "
+                                           "and the strength {:.3g} Pa; the bed fails before any load is applied",
                                            k0, bounds_of_k0(regularised_for(s.material_at(b, depth), largest_cell(s.c))),
                                            words_of(depth, "m"), over->first, over->second));
       break;
@@ -386,7 +381,7 @@ void ask_of_each_soil(const Scene& s, const std::string& name, const contact::Co
                       degrees(angle), soil.names[k], degrees(strength->friction_angle)));
     else
       found.warn(fmt::format("contact.{}.friction_angle", name),
-                 fmt::format("is {:.3g} deg beside [material.{}], too, whose own is {:.3g} deg: the interface of each soil can be said by "
+                 fmt::format("is {:.3g} deg beside [material.{}], too, whose own angle is {:.3g} deg: give the interface of each soil by "
                              "itself, [[contact.{}.soil]] with material = \"{}\", friction_angle and adhesion or adhesion_factor",
                              degrees(angle), soil.names[k], degrees(strength->friction_angle), name, soil.names[k]));
   }
@@ -439,8 +434,8 @@ void is_tension_that_of_clay(const Scene& s, Findings& found)
         material);
     if (effective || (soil && soil->friction_angle > 0))
       found.warn(fmt::format("contact.{}.tension", name),
-                 fmt::format("is suction of undrained soil, and this soil has friction{}: water flows into drained "
-                             "sand, which parts freely; leave tension out",
+                 fmt::format("is suction of undrained soil, and this soil has friction{}: water flows into drained sand, which separates "
+                             "without tension; leave tension out",
                              soil ? fmt::format(", {:.3g} deg", degrees(soil->friction_angle)) : ""));
   }
 }
@@ -450,8 +445,8 @@ void may_the_sand_rest(const Scene& s, Findings& found)
   if (!s.c.mpm.active_distance) return;
   for (const Soil& soil : yielding(s))
     if (const std::optional<material::Strength> strength = strength_at_rest(soil.material); strength && strength->friction_angle > 0)
-      return found.warn("mpm.active_distance", fmt::format("lets sand rest, [material.{}]: with 3 D the sand of a drag shook more and bore "
-                                                           "15 to 23 % less H (docs/how_to/what_will_catch_you.md); leave it "
+      return found.warn("mpm.active_distance", fmt::format("makes some sand rest, [material.{}]: with 3 D the sand in a drag vibrated more "
+                                                           "and H was 15 to 23 % smaller (docs/how_to/what_will_catch_you.md); leave it "
                                                            "out, or compare with a run without it",
                                                            soil.name));
 }
@@ -464,10 +459,10 @@ void do_tractions_press(const Scene& s, Findings& found)
     const bool pulls = traction.pressure && *traction.pressure < 0;
     if (pulls)
       found.warn(fmt::format("traction.{}.pressure", name),
-                 fmt::format("is {:.3g} Pa: it pulls at the soil; a pressure that presses is positive", *traction.pressure));
+                 fmt::format("is {:.3g} Pa: it pulls on the soil; a compressive pressure is positive", *traction.pressure));
     if (up)
       found.warn(fmt::format("traction.{}.stress", name),
-                 fmt::format("points up, {:.3g} Pa: it pulls at the soil; a surcharge is [0, \"-20 kPa\"]", traction.stress[s.up]));
+                 fmt::format("points up, {:.3g} Pa: it pulls on the soil; a surcharge is [0, \"-20 kPa\"]", traction.stress[s.up]));
   }
 }
 

@@ -86,19 +86,19 @@ std::string fault_of_embedment(const Scene& scene, const StageSettings& s, const
   const std::optional<Real> down = downward_velocity(scene, s);
   if (is_there_already(scene, s, way) && is_lifted(scene, s))
     return fmt::format(
-        "{} is never reached: the body moves up (velocity {}) from w = {}; name a smaller one, make the velocity positive, or "
+        "{} is never reached: the body moves up (velocity {}) from w = {}; give a smaller one, make the velocity positive, or "
         "end the stage by a time",
         words_of(wanted, "m"), words_of(*down, "m/s"), words_of(w, "m"));
   if (is_there_already(scene, s, way))
-    return fmt::format("{} is reached before the stage begins, with w = {}: name a larger one", words_of(wanted, "m"), words_of(w, "m"));
+    return fmt::format("{} is reached before the stage begins, with w = {}: give a larger one", words_of(wanted, "m"), words_of(w, "m"));
   if (down && *down == 0)
     return fmt::format(
-        "{} is never reached: the body moves not vertically (velocity {}); make the velocity positive, or end the stage by a "
+        "{} is never reached: the body does not move vertically (velocity {}); make the velocity positive, or end the stage by a "
         "time",
         words_of(wanted, "m"), words_of(*down, "m/s"));
   const Real deepest = s.until.embedment && scene.rigids[way.rigid].bounded ? room_to(scene, way, scene.up, -scene.up_sign) + w : infinity;
   if (way.begin_known && !way.axis[scene.up].known && wanted > deepest)
-    return fmt::format("{} is never reached: the mesh ends at w = {}; name a smaller one, or make the mesh deeper", words_of(wanted, "m"),
+    return fmt::format("{} is never reached: the mesh ends at w = {}; give a smaller one, or make the mesh deeper", words_of(wanted, "m"),
                        words_of(deepest, "m"));
   return "";
 }
@@ -106,14 +106,14 @@ std::string fault_of_embedment(const Scene& scene, const StageSettings& s, const
 std::string fault_of_displacement(const Scene& scene, const StageSettings& s, const Way& way)
 {
   if (!s.until.displacement) return "";
-  if (s.kind == StageKind::push) return "is horizontal, and a push moves down only: end it by embedment, force or time";
+  if (s.kind == StageKind::push) return "is horizontal, and a push is downwards only: end it by embedment, force or time";
   if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "is never reached: velocity is 0";
   if (s.kind == StageKind::drive && !is_by_force(s) && speed_of(s) == 0) return "is never reached: nothing in [stage.drive] moves the body";
   if (const auto way_out = only_force(scene, s); way_out && scene.rigids[way.rigid].bounded && way.axis[way_out->axis].begin_known) {
     const Real room = room_to(scene, way, way_out->axis, way_out->sign);
     if (*s.until.displacement > room)
       return fmt::format(
-          "{} is never reached: the force moves the body towards {}{}, where the mesh ends {} from it; name a smaller one, or "
+          "{} is never reached: the force moves the body towards {}{}, where the mesh ends {} from it; give a smaller one, or "
           "make the mesh larger there",
           words_of(*s.until.displacement, "m"), way_out->sign > 0 ? "+" : "-", problem_axes[way_out->axis], words_of(room, "m"));
   }
@@ -144,11 +144,11 @@ std::optional<Real> force_before(const Scene& s, std::size_t k)
 std::string fault_of_force(const Scene& scene, const StageSettings& s, const std::optional<Real>& before, const char* unit)
 {
   if (!s.until.force || has_load_history(s)) return "";
-  if (s.kind == StageKind::push && s.velocity && *s.velocity == 0) return "is never reached: the body moves not at all (velocity 0 m/s)";
+  if (s.kind == StageKind::push && s.velocity && *s.velocity == 0) return "is never reached: the body does not move (velocity 0 m/s)";
   if (s.kind == StageKind::push && is_lifted(scene, s) && before && *s.until.force >= *before)
     return fmt::format(
         "{0:.3g} {2} is reached before the stage begins: V is {1:.3g} {2} there, and falls while the body moves up (velocity "
-        "{3}); name a smaller one, less than 0 where the soil is to hold the body down; or make the velocity positive",
+        "{3}); give a smaller one, less than 0 where the soil is to hold the body down; or make the velocity positive",
         *s.until.force, *before, unit, words_of(*s.velocity, "m/s"));
   const Real largest = s.force.value_or(0);
   if (s.kind == StageKind::push && s.force && largest < *s.until.force && !(before.value_or(0) > *s.until.force))
@@ -226,14 +226,15 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
     if (const std::optional<Real> travel = stage.until.displacement; travel && *travel < nothing * width && s.is_mpm())
       found.warn(
           stage_key(k, "until.displacement"),
-          fmt::format("is {}, {:.2g} of the width of the body, and a resistance takes hundredths of it to build up: is the unit right?",
-                      words_of(*travel, "m"), *travel / width));
+          fmt::format(
+              "is {}, {:.2g} of the width of the body, and a resistance needs a few hundredths of it to mobilise: is the unit right?",
+              words_of(*travel, "m"), *travel / width));
     const std::optional<Direction> drive = only_force(s, stage);
     const Real force_alone = stage.force.value_or(drive ? along_axis(stage, drive->axis).force.value_or(0) : 0);
     const bool ends_by_itself = has_load_history(stage) || stage.until.time || stage.until.force || stage.until.consolidation;
     if (s.is_mpm() && force_alone != 0 && !ends_by_itself)
       found.warn(stage_key(k, "until"),
-                 fmt::format("may never be reached: a force of {:.3g} {} drives, and the soil may bear it before; add until.time as well",
+                 fmt::format("may never be reached: a force of {:.3g} {} drives, and the soil may carry it before; add until.time as well",
                              force_alone, force_unit(s.c)));
   }
 }
@@ -283,20 +284,19 @@ void is_the_load_history_slow(const Scene& s, Findings& found)
     if (!slow) continue;
     const Real half_wave = slow->half_wave * stage.time_scale;
     if (half_wave < slow->shortest / too_fast)
-      found.warn(
-          stage_key(k, "time_scale"),
-          fmt::format("is {:.3g}: the load goes from one turning point to the next in {}, so fast that {} counts ({} or more is slow "
-                      "enough); take {:.2g}",
-                      stage.time_scale, words_of(half_wave, "s"), words_of(slow->reason), words_of(slow->shortest, "s"),
-                      slow->shortest / slow->half_wave));
+      found.warn(stage_key(k, "time_scale"),
+                 fmt::format("is {:.3g}: the load goes from one peak to the next in {}, so fast that {} matters ({} or more is slow "
+                             "enough); take {:.2g}",
+                             stage.time_scale, words_of(half_wave, "s"), words_of(slow->reason), words_of(slow->shortest, "s"),
+                             slow->shortest / slow->half_wave));
     const Real seconds =
         s.cost.time_step > 0 ? expected_time(stage) / s.cost.time_step * s.cost.particles / s.cost.particle_steps_per_s : 0;
     if (seconds > long_run && slow->scale < 0.7 * stage.time_scale)
-      found.warn(
-          stage_key(k, "time_scale"),
-          fmt::format("is {:.3g}, and the load history takes about {}: {:.2g} is slow enough for a body that the soil holds, with half "
-                      "waves of {} ({} sets it); time_scale = \"automatic\" takes it. One that breaks out needs 1",
-                      stage.time_scale, io::duration_text(seconds), slow->scale, words_of(slow->shortest, "s"), words_of(slow->reason)));
+      found.warn(stage_key(k, "time_scale"),
+                 fmt::format("is {:.3g}, and the load history takes about {}: {:.2g} is slow enough for a body that the soil holds, with "
+                             "half cycles of {} ({} governs); time_scale = \"automatic\" takes it. One that breaks out needs 1",
+                             stage.time_scale, io::duration_text(seconds), slow->scale, words_of(slow->shortest, "s"),
+                             words_of(slow->reason)));
   }
 }
 
@@ -343,12 +343,11 @@ void is_a_breakout_run_in_real_time(const Scene& s, Findings& found)
       const Real pressing = std::max(Real(0), V.empty() ? held.value_or(0) : V[row]),
                  holds = pressing * std::tan(strength->friction_angle) + 2 * strength->cohesion * width;
       if (std::abs(H[row]) <= holds) continue;
-      found.warn(
-          stage_key(k, "time_scale"),
-          fmt::format("is {:.3g}: H of {} at {} of the record is more than about {}, V tan(phi) + 2 c D, by which the soil may hold the "
-                      "body: {}, so that its displacement is a lower estimate; run with time_scale = 1",
-                      stage.time_scale, words_of(std::abs(H[row]), "N/m"), words_of(stage.load_times[row], "s"), words_of(holds, "N/m"),
-                      problem::breakout_takes_time));
+      found.warn(stage_key(k, "time_scale"),
+                 fmt::format("is {:.3g}: H of {} at {} of the record is more than about {}, V tan(phi) + 2 c D, the estimated resistance "
+                             "of the soil: {}, so its displacement is a lower estimate; run with time_scale = 1",
+                             stage.time_scale, words_of(std::abs(H[row]), "N/m"), words_of(stage.load_times[row], "s"),
+                             words_of(holds, "N/m"), problem::breakout_takes_time));
       break;
     }
   }
@@ -368,16 +367,15 @@ void does_the_drive_begin_gently(const Scene& s, Findings& found)
     const std::optional<Real> strength = strength_at_depth_of(s, body, width);
     if (!strength || *strength <= 0 || blow < 3 * *strength || (!has_record && stage.ramp >= cross)) continue;
     if (has_record) {
-      found.warn(stage_key(k, "load_history"),
-                 fmt::format(
-                     "changes the speed by {} at once, at {} of the record: that strikes the soil with {:.3g} times its strength; a change "
-                     "over {} or more is gentle",
-                     words_of(speed, "m/s"), words_of(of_record.time, "s"), blow / *strength, words_of(rounded_up(5 * cross), "s")));
+      found.warn(stage_key(k, "load_history"), fmt::format("changes the speed by {} at once, at {} of the record: that is an impact of "
+                                                           "{:.3g} times the strength of the soil; spread the change over {} or more",
+                                                           words_of(speed, "m/s"), words_of(of_record.time, "s"), blow / *strength,
+                                                           words_of(rounded_up(5 * cross), "s")));
       continue;
     }
     found.warn(stage_key(k, "ramp"),
-               fmt::format("is {}: a drive that begins within the time that a wave takes across the body ({}) strikes the soil with {:.3g} "
-                           "times its strength; {} or more begins gently",
+               fmt::format("is {}: a drive that starts within the travel time of a wave across the body ({}) is an impact of {:.3g} times "
+                           "the strength of the soil; take {} or more",
                            words_of(stage.ramp, "s"), words_of(cross, "s"), blow / *strength, words_of(rounded_up(5 * cross), "s")));
   }
 }
@@ -400,14 +398,15 @@ void is_there_time_for_equilibrium(const Scene& s, Findings& found)
       found.warn(
           stage_key(k, "until.time"),
           fmt::format(
-              "is {}, and a wave takes {} from the base of the bed to its surface{}: too short to find an equilibrium; take {} or more",
-              words_of(time, "s"), words_of(longest, "s"), stressed ? "" : ", where the weight comes at once",
+              "is {}, and a wave takes {} from the base of the bed to its surface{}: too short to reach equilibrium; take {} or more",
+              words_of(time, "s"), words_of(longest, "s"), stressed ? "" : ", where the weight is applied at once",
               words_of(rounded_up(proposed), "s")));
     const bool damped =
         stage.damping.value_or(0) > 0 ||
         (!stage.damping && std::any_of(s.c.body.begin(), s.c.body.end(), [](const auto& b) { return b.second.damping > 0; }));
     if (!damped)
-      found.warn(stage_key(k, "damping"), "there is none: the soil swings and finds no equilibrium; take damping = 0.7 in this stage");
+      found.warn(stage_key(k, "damping"),
+                 "there is none: the soil oscillates and does not reach equilibrium; take damping = 0.7 in this stage");
   }
 }
 
@@ -423,13 +422,13 @@ void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found)
     const Real mass = s.c.rigid[rigid].second.mass, soil = displaced(s, rigid, body);
     const std::string key = fmt::format("rigid.{}.mass", s.c.rigid[rigid].first);
     const char* unit = s.c.force_dimension() == 2 ? "kg/m" : "kg";
-    const std::string rest = fmt::format("the soil that it can displace has {}; stage \"{}\" holds a force with it: take {} or so",
+    const std::string rest = fmt::format("the soil that it can displace has {}; stage \"{}\" holds a force with it: take about {}",
                                          words_of(soil, unit), s.c.stage[k].name, words_of(rounded_up(soil), unit));
     if (mass < no_mass * soil)
       found.refuse(key, fmt::format("is {}, too small for a force to be held: the body would be thrown out of the mesh; {}",
                                     words_of(mass, unit), rest));
     else if (mass < light * soil)
-      found.warn(key, fmt::format("is {}, so small that the body shakes; {}", words_of(mass, unit), rest));
+      found.warn(key, fmt::format("is {}, so small that the body vibrates; {}", words_of(mass, unit), rest));
     else if (mass > heavy * soil)
       found.warn(key,
                  fmt::format("is {}, so large that the force is not held: it moves on by its own inertia; {}", words_of(mass, unit), rest));
@@ -456,7 +455,7 @@ void is_the_mass_that_of_the_weight(const Scene& s, Findings& found)
     const char* unit = s.c.force_dimension() == 2 ? "kg/m" : "kg";
     found.warn(fmt::format("rigid.{}.mass", s.c.rigid[rigid].first),
                fmt::format("is {}, less than its weight in water over g, {}: how it moves in stage \"{}\" depends on its mass; take "
-                           "that, the water that it displaces and the water that goes along, {} or more",
+                           "that, the displaced water and the added mass, {} or more",
                            words_of(mass, unit), words_of(weight / s.gravity, unit), stage.name,
                            words_of(rounded_up(weight / s.gravity), unit)));
     return;
@@ -489,7 +488,7 @@ void do_forces_press_down(const Scene& s, Findings& found)
     const bool drag = stage.kind == StageKind::drag;
     if (drag && stage.vertical_force && *stage.vertical_force < 0)
       found.warn(stage_key(k, "vertical_force"),
-                 fmt::format("is {:.3g} {}: it lifts the body out of the soil; a force that presses is positive", *stage.vertical_force,
+                 fmt::format("is {:.3g} {}: it lifts the body out of the soil; a downward force is positive", *stage.vertical_force,
                              force_unit(s.c)));
     if (stage.kind == StageKind::push && stage.force && *stage.force < 0)
       found.warn(stage_key(k, "force"),
@@ -498,13 +497,14 @@ void do_forces_press_down(const Scene& s, Findings& found)
     const bool bare = s.ways[k].begin_known && s.rigids[s.ways[k].rigid].bounded &&
                       s.ways[k].begin_embedment < s.rigids[s.ways[k].rigid].space[s.up].length();
     if (pull > 0 && bare)
-      found.warn(stage_key(k, fmt::format("drive.{}.force", problem_axes[s.up])),
-                 fmt::format("is {:.3g} {} upwards, and no soil lies above the body: it flies off; a weight is less than 0 along {}", pull,
-                             force_unit(s.c), problem_axes[s.up]));
+      found.warn(
+          stage_key(k, fmt::format("drive.{}.force", problem_axes[s.up])),
+          fmt::format("is {:.3g} {} upwards, and there is no soil above the body: it leaves the soil; a weight is less than 0 along {}",
+                      pull, force_unit(s.c), problem_axes[s.up]));
     const bool varies = stage.loads.drives(problem::LoadAlong::downwards);
     const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity && !varies;
     if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
-      found.warn(stage_key(k, "vertical"), "holds the vertical force of the stage's begin, which is 0: nothing pressed the body down "
+      found.warn(stage_key(k, "vertical"), "holds the vertical force at the start of the stage, which is 0: nothing pushed the body down "
                                            "before; push it first, or give vertical_force");
     pressed = true;
   }

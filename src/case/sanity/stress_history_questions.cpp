@@ -46,16 +46,14 @@ void is_the_strength_by_stress_that_of_clay(const Scene& s, Findings& found)
     if (clay == nullptr) continue;
     const auto key = [&, &own = name](const std::string& word) { return fmt::format("material.{}.{}", own, word); };
     if (clay->ratio > largest_ratio)
-      found.warn(key("shansep.ratio"),
-                 fmt::format("is {:.3g}: normally consolidated clay has 0.2 to 0.35 of the vertical effective stress as strength; is it in "
-                             "percent, or an overconsolidated one?",
-                             clay->ratio));
+      found.warn(key("shansep.ratio"), fmt::format("is {:.3g}: normally consolidated clay has 0.2 to 0.35 of the vertical effective stress "
+                                                   "as strength; is it in per cent, or that of an overconsolidated clay?",
+                                                   clay->ratio));
     if (clay->exponent > largest_exponent) found.warn(key("shansep.exponent"), fmt::format("is {:.3g}; clay has 0.7 to 1", clay->exponent));
     if (const auto [ocr, word] = smallest_ocr(material); ocr < 1)
-      found.warn(key(word),
-                 fmt::format("is {:.3g}: below 1 the clay has never carried the weight that is on it; it still consolidates, and its "
-                             "effective stress is less than the weight above: take 1 at least",
-                             ocr));
+      found.warn(key(word), fmt::format("is {:.3g}: below 1 the clay is underconsolidated: it still consolidates, and its effective stress "
+                                        "is less than the weight above: take 1 at least",
+                                        ocr));
   }
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
@@ -66,7 +64,7 @@ void is_the_strength_by_stress_that_of_clay(const Scene& s, Findings& found)
       if (other != b && has_another_above(s, b, other) && std::abs(density(s.material_of(other)) / density(*clay) - 1) > rounding)
         found.warn(
             "material." + soil.names[static_cast<std::size_t>(clay - soil.materials.begin())] + ".shansep",
-            fmt::format("counts the weight above in [body.{}] alone, and [body.{}] of another density lies above it: give both soils "
+            fmt::format("takes only the weight of [body.{}] above a point, and [body.{}] with another density is above it: give both soils "
                         "as layers of one body",
                         s.c.body[b].first, s.c.body[other].first));
   }

@@ -167,9 +167,8 @@ void is_the_body_two_cells_thick(const Scene& s, Findings& found)
         if (legs[k].known == wanted) thin = thinnest_in_soil(s, rigid, soils, places, legs, k), known = wanted;
     if (thin.soil == none) continue;
     const std::string message = fmt::format(
-        "is {} thick at {} (at the start), {:.2g} cells of {}, {} soil of [body.{}] on both sides: contact moves all of a cell whichever "
-        "face "
-        "touches it, so that what lies behind a body thinner than two cells goes along with it, as by a suction; make cells there {} or "
+        "is {} thick at {} (at the start), {:.2g} cells of {}, {} soil of [body.{}] on both sides: contact moves whole cells whichever "
+        "face touches them, so soil behind a body thinner than two cells moves with it, as if by suction; make cells there {} or "
         "smaller, or the body {} thick or more, or put a body of soil on each side of it, with a contact between the two",
         words_of(thin.place.thickness, "m"), words_of_point(s, thin.place.at), thin.cells(), words_of(thin.cell, "m"),
         known ? "with" : "and may sink in until it has", s.c.body[thin.soil].first,

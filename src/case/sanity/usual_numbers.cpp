@@ -71,8 +71,8 @@ void are_numbers_usual(const Scene& s, Findings& found)
 {
   const auto unusual = [&](const std::string& key, Real number, const std::string& unit, const Range& usual) {
     if (!s.places.has(key)) return;
-    found.warn(key, fmt::format("is {}, and usual is {} to {}: {}", with_prefix(number, unit), with_prefix(usual.min, unit),
-                                with_prefix(usual.max, unit), unit.empty() ? "is that meant?" : "is its unit right?"));
+    found.warn(key, fmt::format("is {}; usual values are {} to {}: {}", with_prefix(number, unit), with_prefix(usual.min, unit),
+                                with_prefix(usual.max, unit), unit.empty() ? "is that intended?" : "is its unit right?"));
   };
   problem::Case copy = s.c;
   UsualNumbers visitor(unusual);

@@ -31,13 +31,13 @@ void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
       if (own < heaviest_in_water || own > 4000) continue;
       const std::optional<material::Strength> strength = strength_at_rest(asked);
       const bool is_clay = strength && strength->friction_angle == 0;  // no undrained strength without water
-      const std::string why =
-          as_weight                  ? "soil weighs 3 to 12 kN/m3 in water, 14 to 22 with it"
-          : has_pore_pressure(asked) ? "its water carries its own weight in the pore pressure, and density gives the rest"
-          : inertia_density(asked) != own && inertia_density(asked) < heaviest_saturated
-              ? "inertia_density is that of the soil with its water, so density is to give the weight in water"
-          : seabed && (own >= heaviest_dry || is_clay) ? "it is that of soil with water in its pores, and a seabed lies in water"
-                                                       : "";
+      const std::string why = as_weight                  ? "soil weighs 3 to 12 kN/m3 in water, 14 to 22 with it"
+                              : has_pore_pressure(asked) ? "the pore pressure carries the weight of its water, and density gives the rest"
+                              : inertia_density(asked) != own && inertia_density(asked) < heaviest_saturated
+                                  ? "inertia_density is that of the soil with its water, so density is to give the weight in water"
+                              : seabed && (own >= heaviest_dry || is_clay)
+                                  ? "it is that of soil with water in its pores, and a seabed lies in water"
+                                  : "";
       if (why.empty()) continue;
       found.warn(
           as_weight ? weight : path + "density",
@@ -115,11 +115,10 @@ void is_the_head_there_when_soil_rests(const Scene& s, Findings& found)
     for (const problem::StageSettings& stage : s.c.stage) {
       const bool acts = problem::acts_in(support.stages, stage.name);
       if (!acts || stage.kind != problem::StageKind::geostatic) continue;
-      found.warn(
-          "support." + name + ".head",
-          fmt::format("acts in the geostatic stage \"{}\", which ends when forces are in balance, and not when the water flows steadily: "
-                      "name the stages after it in `stages`, and hold the boundary in \"{}\" by a support without a head",
-                      stage.name, stage.name));
+      found.warn("support." + name + ".head",
+                 fmt::format("acts in the geostatic stage \"{}\", which ends when forces are in balance, not when the flow of water is "
+                             "steady: name the stages after it in `stages`, and hold the boundary in \"{}\" by a support without a head",
+                             stage.name, stage.name));
       break;
     }
   }
@@ -143,16 +142,16 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found)
     if (stage.number < nothing_drains)
       found.warn(
           stage_key(stage.stage, "until.time"),
-          fmt::format("is T = c_v t/D2 = {:.2g}: next to nothing drains; half of the pressure takes T = 0.1 or so, {}, all of it T = "
-                      "10: take more time or, as time may be scaled, a larger permeability and a larger velocity",
+          fmt::format("is T = c_v t/D2 = {:.2g}: almost nothing drains; half of the pressure has dissipated at about T = 0.1, {}, all of "
+                      "it at T = 10: take more time or, since time may be scaled, a larger permeability and a larger velocity",
                       stage.number, words_of(all / 10, "s")));
     else if (const std::optional<problem::StageInertia> inertia = inertia_in(s.c, stage, soil, width);
              inertia && inertia->is_large() && !(stage.number > drained))
       found.warn(
           "material." + soil.material + ".water.permeability",
           fmt::format(
-              "gives c_v = {:.3g} m2/s: in stage \"{}\" half of the pressure below the body goes within {}, and waves, which take "
-              "{} across it, decide how; up to {} the soil consolidates as it does in nature",
+              "gives c_v = {:.3g} m2/s: in stage \"{}\" half of the pressure below the body dissipates within {}, and waves, which take {} "
+              "across it, affect how; up to {} the soil consolidates as in reality",
               soil.c_v, s.c.stage[stage.stage].name, words_of(all / 10, "s"), words_of(width / wave, "s"),
               words_of(rounded_down(hydraulics(material)->permeability * problem::StageInertia::largest_at_rest / inertia->part), "m/s")));
   }

@@ -103,10 +103,9 @@ Table read_csv(const std::string& file, const std::string& text)
     if (are_units(table, fields))
       take_units(table, fields, number);
     else if (fields.size() > table.columns.size() && separator == ',')
-      throw InputError(
-          fmt::format("{}has {} values, and {} columns were named; a comma stands between columns: write decimals with a point, "
-                      "or semicolons between columns",
-                      at(file, number), fields.size(), table.columns.size()));
+      throw InputError(fmt::format("{}has {} values, and {} columns were named; a comma separates columns: write decimals with a point, or "
+                                   "separate columns by semicolons",
+                                   at(file, number), fields.size(), table.columns.size()));
     else
       table.rows.push_back({number, fields});
   }

@@ -391,8 +391,8 @@ void refuse_overlap(const Model<dim>& model, const State<dim>& state)
     const std::string &first = model.rigid_bodies[pair.first].name, &second = model.rigid_bodies[pair.second].name;
     throw RunError(
         fmt::format("\"{0}\" and \"{1}\" overlap by {2:.3g} m at t = {3:.4g} s: rigid bodies without a contact pass through each "
-                    "other; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give what shall be pushed "
-                    "aside a mass and motion = \"free\"",
+                    "other; add [rigid_contact.NAME] with rigid = \"{0}\" and other_rigid = \"{1}\", and give the body that is to be "
+                    "pushed aside a mass and motion = \"free\"",
                     first, second, overlap, state.time));
   }
 }

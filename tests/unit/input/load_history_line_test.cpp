@@ -77,7 +77,7 @@ TEST_F(LineLoadHistory, is_refused_with_file_and_line_or_key_where_it_makes_no_s
       {"0,0\n1,1\n", {}, "stage.current.load_factors: multiply what a push or a drag drives; a stage of kind pipeline has"},
       {good, {"stage.current.ramp=1"}, "stage.current.ramp: is not for loads of the line"},
       {good, {"stage.current.pipeline.weight=1500"}, "stage.current.pipeline: cannot be combined with a load history"},
-      {good, {"stage.current.time_scale=automatic"}, "stage.current.time_scale: is found for a record of forces"},
+      {good, {"stage.current.time_scale=automatic"}, "stage.current.time_scale: is chosen for a record of forces"},
       {good, {"stage.lay.load_history=heat.csv"}, "heat.csv:1: "},
   };
   for (const Wrong& one : wrong)

@@ -154,8 +154,8 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
   says("time_s,v_N_m", "did you mean \"V_N_m\"?");
   says("time_s,U_mm", "did you mean \"u_m\"?");
   says("time_s,W_N_m", "did you mean \"w_m_s\"?");
-  says("time_s,factor,H_N_m", "\"factor\" stands alone behind the time");
-  says("time_s,H_N_m,factor", "\"factor\" stands alone behind the time");
+  says("time_s,factor,H_N_m", "\"factor\" must be the only column after the time");
+  says("time_s,H_N_m,factor", "\"factor\" must be the only column after the time");
   says("time_s,x_N_m", "no column of the load history of this stage");
   says("t,H_N_m", "the first column is the time, \"time_s\"");
   says("time,H_N_m", "\"time\" has no unit");
@@ -164,7 +164,7 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
   says("time_s,H_N", "write \"H_N_m\"");
   says("time_s,H_m_s", "has no unit of a force per length");
   says("time_s,H_N_m,H_kN_m", "\"H_kN_m\" is a second column of the same");
-  says("time_s", "names no column behind the time");
+  says("time_s", "names no column after the time");
   EXPECT_NE(refusal("time_s,H_N_m,V_N_m\n0,1,2\n1,2\n", false).find("storm.csv:3: needs 3 numbers"), std::string::npos);
 }
 
@@ -227,11 +227,10 @@ TEST_F(LoadHistory, with_commas_that_may_mean_something_else_is_refused_with_wha
   };
   says("time_s;H_N_m\n0;1.5\n0,5;2\n", "storm.csv:3: \"0,5\" in column \"time_s\" has a decimal comma: write 0.5");
   says("time_s;H_N_m\n0;1,000\n1;2\n",
-       "storm.csv:2: \"1,000\" in column \"H_N_m\" is 1000 if its comma stands between thousands, and 1.000 if it is a decimal comma");
+       "storm.csv:2: \"1,000\" in column \"H_N_m\" is 1000 if its comma separates thousands, and 1.000 if it is a decimal comma");
   says("time_s;H_N_m\n0;1,000,000.5\n1;2\n", "has commas between thousands: write 1000000.5");
   says("time_s,H_N_m\n0,0,1,5\n",
-       "storm.csv:2: needs 2 numbers, one for each column, and has 4; a comma stands between numbers: write decimals "
-       "with a point");
+       "storm.csv:2: needs 2 numbers, one for each column, and has 4; a comma separates numbers: write decimals with a point");
   says("time_s;H_N_m\n0;1\n1\n", "storm.csv:3: needs 2 numbers, one for each column, and has 1");
 }
 
@@ -309,7 +308,7 @@ TEST_F(LoadHistory, of_which_the_time_is_scaled_ends_its_stage_earlier)
   EXPECT_EQ(stage.load_times.back(), 20) << "the times stay those of the record";
   EXPECT_EQ(stage.until.time, 2);
   c.stage[0].time_scale = problem::automatic_time_scale;
-  EXPECT_NE(refusal(c, "time_s,H_N_m\n0,0\n20,100\n").find("stage[0].time_scale: is found for a record of forces"), std::string::npos)
+  EXPECT_NE(refusal(c, "time_s,H_N_m\n0,0\n20,100\n").find("stage[0].time_scale: is chosen for a record of forces"), std::string::npos)
       << "the pipe touches no soil here";
 }
 

@@ -29,8 +29,8 @@ TEST(TextTable, numbers_with_commas_say_what_to_write)
       {"-12,34e3", "has a decimal comma: write -12.34e3"},
       {"0,125", "has a decimal comma: write 0.125"},
       {"1234,567", "has a decimal comma: write 1234.567"},
-      {"1,000", "is 1000 if its comma stands between thousands, and 1.000 if it is a decimal comma: write one of them"},
-      {"-12,345", "is -12345 if its comma stands between thousands, and -12.345 if it is a decimal comma: write one of them"},
+      {"1,000", "is 1000 if its comma separates thousands, and 1.000 if it is a decimal comma: write one of them"},
+      {"-12,345", "is -12345 if its comma separates thousands, and -12.345 if it is a decimal comma: write one of them"},
       {"1,000.5", "has commas between thousands: write 1000.5"},
       {"1,000,000", "has commas between thousands: write 1000000"},
       {"1.000,5", "has points between thousands and a decimal comma: write 1000.5"},
@@ -60,7 +60,7 @@ TEST(TextTable, quantities_take_blanks_that_do_not_break_and_doubt_commas)
   for (const char* blank : {"\u00A0", "\u202F", "\u2009"}) EXPECT_EQ(to_si(std::string("5") + blank + "kPa", "Pa"), 5000);
   EXPECT_EQ(to_si("\u22125 kPa", "Pa"), -5000);
   const auto fault = [](const std::string& text) { return test::error_of<UnitError>([&] { to_si(text, "Pa"); }); };
-  EXPECT_NE(fault("4,000 Pa").find("is 4000 if its comma stands between thousands, and 4.000 if it is a decimal comma"), std::string::npos);
+  EXPECT_NE(fault("4,000 Pa").find("is 4000 if its comma separates thousands, and 4.000 if it is a decimal comma"), std::string::npos);
   EXPECT_NE(fault("0,5 kPa").find("has a decimal comma: write 0.5"), std::string::npos);
   EXPECT_NE(fault("12\u202F000 Pa").find("has blanks between thousands: write 12000"), std::string::npos);
   EXPECT_NE(fault("1,,5 Pa").find("has a comma where a point should be"), std::string::npos);

@@ -93,7 +93,7 @@ Judgement judgement_of(const record::RunRecord& run)
   const Words invalid = run.summary ? run.summary->invalid : Words();
   Judgement all{invalid.empty() ? Standing::good : Standing::bad, judged_measures(run), {}};
   for (const std::string& why : invalid)
-    all.warnings.push_back("the answer is invalid, and its numbers, which have the mark (!), are not to be used: " + why + ".");
+    all.warnings.push_back("the answer is invalid, and its numbers, marked (!), must not be used: " + why + ".");
   add_measures(all, run, invalid);
   add_warnings(all, run);
   if (all.standing == Standing::good && !all.warnings.empty()) all.standing = Standing::fair;
