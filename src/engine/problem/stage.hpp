@@ -8,7 +8,7 @@ namespace berm::problem {
 
 /// What a stage does with the rigid body that it drives.
 enum class StageKind {
-  geostatic,  ///< all rigid bodies rest; the soil finds its equilibrium, which is checked at the end
+  geostatic,  ///< all rigid bodies rest; the soil reaches equilibrium, which is checked at the end
   push,       ///< down, by velocity or force; no horizontal motion
   drag,       ///< along x, by velocity or force
   free,       ///< time passes; rigid bodies rest, but for free ones

@@ -251,7 +251,7 @@ Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real widt
     column.entry(stage_words(stages[k], model.settings.force_dimension()),
                  [&](const Vec<2>& c) { number_mark(canvas, c, fmt::format("{}", k + 1), stage_color(stages[k].kind)); });
   if (std::any_of(model.sketch.path.begin(), model.sketch.path.end(), [](const PathStep& step) { return !step.known; }))
-    column.entry("dashed arrow: how far it goes is found by the run", [](const Vec<2>&) {});
+    column.entry("dashed arrow: the travel is a result of the run", [](const Vec<2>&) {});
   if (stages.size() > max_stages) column.entry(fmt::format("and {} more", stages.size() - max_stages), [](const Vec<2>&) {});
   return column.level();
 }

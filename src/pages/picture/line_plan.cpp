@@ -96,7 +96,7 @@ void end_sign(Canvas& canvas, const problem::PipelineSettings& p, const Vec<2>& 
 
 std::string friction_words(const problem::FarSoil& soil)
 {
-  return fmt::format("springs beyond: {:.3g} W sideways, {:.3g} W along", soil.friction, soil.axial_friction);
+  return fmt::format("springs beyond the slices: {:.3g} W lateral, {:.3g} W axial", soil.friction, soil.axial_friction);
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
   canvas.dimension(below(0, 62), below(last_slice, 62), slices::words_of_places(line.places));
   const Real half_length = std::min(p.imperfection.length / 2, reach);
   canvas.dimension(scale(0, 0) - Vec<2>(0, bump + 16), scale(half_length, 0) - Vec<2>(0, bump + 16),
-                   fmt::format("imperfection of {}, {} long in all", text::length_words(size), text::length_words(p.imperfection.length)));
+                   fmt::format("imperfection of {}, {} long", text::length_words(size), text::length_words(p.imperfection.length)));
   canvas.dimension(below(0, 96), far_end + Vec<2>(0, 96), text::length_words(p.length));
   return scale.origin[1] + room_below;
 }

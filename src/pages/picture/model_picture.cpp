@@ -117,7 +117,7 @@ std::string plan_on_page(const problem::Case& c, const std::string& title)
   constexpr Real width = 900;
   Canvas canvas(Canvas::Place::page);
   const Real height = draw_line_plan(canvas, c, {0, 12}, width);
-  return canvas.svg({width, height}, title + ", plan of the line", "the line from above: imperfection, slices, springs beyond, ends",
+  return canvas.svg({width, height}, title + ", plan of the line", "the line from above: imperfection, slices, springs beyond them, ends",
                     page_scale);
 }
 

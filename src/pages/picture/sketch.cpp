@@ -95,7 +95,7 @@ std::string space_note(const problem::Case& c)
   std::string words = "The case is three-dimensional: drawn are the sides of its mesh and bodies in the plane x-y, y up";
   if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh); box != nullptr && box->size.size() == 3) {
     const Real from = box->lower.empty() ? 0 : box->lower[2];
-    words += fmt::format("; along z, towards who looks, the mesh goes from {:.4g} m to {:.4g} m", from, from + box->size[2]);
+    words += fmt::format("; along z, towards the viewer, the mesh extends from {:.4g} m to {:.4g} m", from, from + box->size[2]);
   }
   return words + ".";
 }

@@ -140,9 +140,9 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
 {
   switch (stage.kind) {
   case problem::StageKind::geostatic:
-    return "the soil finds its equilibrium";
+    return "the soil reaches equilibrium";
   case problem::StageKind::free:
-    return "time goes on";
+    return "time passes";
   case problem::StageKind::pipeline:
     return pipeline_words(stage).empty() ? "the pipeline rests under its loads" : "the pipeline is brought " + pipeline_words(stage);
   case problem::StageKind::push:

@@ -240,7 +240,7 @@ void MpmRecorder<dim>::observe_earthworks(const problem::Model<dim>& model, cons
     row_("mass", state.earthworks[k].mass, run_folder::kilograms<dim>, work.fills ? "mass placed so far" : "mass taken out so far");
     if (work.fills)
       row_("expected_mass", mass_of_room(model, work, state.earthworks[k]), run_folder::kilograms<dim>,
-           "mass that its area had room for so far");
+           "mass that would fill its area so far");
   }
 }
 

@@ -261,7 +261,7 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row("p", loads.pressure, run_folder::pascals, "rise of internal pressure since the line was laid");
   row("P0", of.constrained_force(loads, 0), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
   add_shape(row, of, now);
-  row("z", across(of, now, Plane::vertical, crown), run_folder::metres, "height of the line there, from where it was laid");
+  row("z", across(of, now, Plane::vertical, crown), run_folder::metres, "height of the line there, relative to where it was laid");
   row("crossing", crossing_of(of, now), run_folder::metres, "position beyond it where the line crosses its axis");
   row("strain_max", stretched, run_folder::bare, "largest longitudinal strain");
   row("strain_min", compressed, run_folder::bare, "smallest longitudinal strain: the largest in compression");

@@ -183,7 +183,7 @@ export class RunView implements Place {
       term.title = each.meaning;
       const band = uncertainty?.quantities[name];
       return make("tr", is_cut ? "cut" : "", term, make("td", "number", digits(each.value)), ...(uncertainty ? [make("td", "number band", band ? `${digits(band.converged)} ± ${digits(band.half_width)}` : "")] : []),
-        make("td", "quiet unit", each.unit === "1" ? "" : each.unit), make("td", "quiet", `${is_cut ? `(${cut} did not end: as far as it came) ` : ""}${each.meaning}`));
+        make("td", "quiet unit", each.unit === "1" ? "" : each.unit), make("td", "quiet", `${is_cut ? `(${cut} did not end: as far as it got) ` : ""}${each.meaning}`));
     };
     const rows = Object.entries(quantities ?? {}).filter(([, each]) => typeof each.value === "number").slice(0, 60).map(([name, each]) => row(name, each));
     const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);

@@ -60,14 +60,15 @@ std::string Anchor::in_words(const record::RunRecord& run, const base::DisplayUn
   const auto length = [](Real metres) { return text::length_words(metres); };
   const std::string goes_on =
       std::abs(r.depth_change) < 0.05 * std::max(std::abs(r.depth), r.last_travel)
-          ? "there it stays at its depth"
-          : fmt::format("there it still goes {} {}", length(std::abs(r.depth_change)), r.depth_change > 0 ? "deeper" : "up");
-  return fmt::format("Dragged {}, the lowest point of the {} goes from a depth of {} to {}; it was deepest, {}, after {}. The tow force is "
-                     "{} at most, after {}, and {} on average over the last "
-                     "{}, with V = {}; {}.",
-                     length(r.travel), name, length(r.first_depth), length(r.depth), length(r.max_depth), length(r.at_depth),
-                     text::force_words(r.max_force, dimension), length(r.at_force), text::force_words(r.force, dimension),
-                     length(r.last_travel), text::force_words(r.vertical, dimension), goes_on);
+          ? "at a constant depth"
+          : fmt::format("still moving {} {}", length(std::abs(r.depth_change)), r.depth_change > 0 ? "deeper" : "up");
+  return fmt::format(
+      "Dragged {}, the lowest point of the {} moves from a depth of {} to {}; it was deepest, {}, after {}. The tow force is "
+      "{} at most, after {}, and {} on average over the last "
+      "{}, with V = {}; {}.",
+      length(r.travel), name, length(r.first_depth), length(r.depth), length(r.max_depth), length(r.at_depth),
+      text::force_words(r.max_force, dimension), length(r.at_force), text::force_words(r.force, dimension), length(r.last_travel),
+      text::force_words(r.vertical, dimension), goes_on);
 }
 
 std::string Anchor::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const

@@ -16,8 +16,8 @@ namespace berm::base {
 namespace {
 
 inline constexpr Limit limit = too_large({50, 10, Effect::cells,
-                                          "a smooth circle on clay with k D/s_u0 = 6 carries 7 % too much with cells of D/23 below its "
-                                          "middle and D/125 at its edge, and less the finer they are there",
+                                          "the resistance of a smooth circle on clay with k D/s_u0 = 6 is 7 % too large with cells of D/23 "
+                                          "below its centre and D/125 at its edge, and less with finer cells there",
                                           true});
 
 /// Of undisturbed soil below the body, Pa; 0 where none is known.
@@ -63,8 +63,8 @@ TrustMeasure cells_below(const std::string& body)
             return fmt::format("D/{:.3g} ({})", value, text::length_words(largest_cell_below(run.settings)));
           },
           [body](const record::RunRecord&, Real value) {
-            return fmt::format("cells grow to D/{:.3g} below the base of the {}, in soil that is the stronger the deeper it lies: its "
-                               "resistance is too large. Let the fine zone reach below all of the base",
+            return fmt::format("cells grow to D/{:.3g} below the base of the {}, in soil whose strength grows with depth: its resistance "
+                               "is too large. Extend the fine zone below the whole base",
                                value, body);
           },
           [](Real value) { return fmt::format("D/{:g}", value); }};

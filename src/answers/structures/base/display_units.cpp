@@ -120,8 +120,8 @@ std::string DisplayUnits::scale_words() const
     strengths.push_back(fmt::format("{} at a depth of {}", text::stress_words(strength), text::length_words(depth)));
   std::string words;
   if (!strengths.empty())
-    words = text::html_paragraph(fmt::format("Strength varies with depth: s_u is that at the lowest point of the body at the end of "
-                                             "its push, as far as that is known, below the surface at the start ({}).",
+    words = text::html_paragraph(fmt::format("Strength varies with depth: s_u is that at the depth of the lowest point of the body at the "
+                                             "end of its push, below the surface at the start ({}).",
                                              fmt::join(strengths, "; ")),
                                  "quiet");
   if (levels_.empty()) return words;

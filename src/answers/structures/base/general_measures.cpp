@@ -20,36 +20,36 @@ namespace limits {
 inline constexpr Limit energy{
     0.01, 0.05, Effect::energy,
     "a smaller mpm.courant lowers it; finer cells (examples/mesh_study) and another contact scheme (examples/contact_schemes) may, too"};
-inline constexpr Limit energy_of_fem{0.02, 0.15, Effect::energy,
-                                     "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step "
-                                     "lowers it; a footing on sand whose energy is off by 10 % "
-                                     "is right to 2 % (examples/circular_footing)"};
-inline constexpr Limit filter = too_large(
-    {0.02, 0.05, Effect::energy,
-     "a filter that takes 4 % of the work leaves a column of sand 5 % short of where it comes to, one that takes 12 % leaves it 23 % short "
-     "(docs/decisions/0059)"});
+inline constexpr Limit energy_of_fem{
+    0.02, 0.15, Effect::energy,
+    "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step "
+    "lowers it; a footing on sand whose energy has an energy error of 10 % is right to 2 % (examples/circular_footing)"};
+inline constexpr Limit filter = too_large({0.02, 0.05, Effect::energy,
+                                           "a filter that dissipates 4 % of the work makes the run-out of a sand column 5 % too short, one "
+                                           "that dissipates 12 % makes it 23 % too short "
+                                           "(docs/decisions/0059)"});
 inline constexpr Limit viscosity =
-    too_large({0.02, 0.05, Effect::energy, "as of the filter: what it takes is resistance that the soil does not have"});
+    too_large({0.02, 0.05, Effect::energy, "as for the filter: what it dissipates is resistance that the soil does not have"});
 inline constexpr Limit damping =
     too_large({0.05, 0.15, Effect::energy,
-               "what it takes is resistance that the soil does not have; a sphere pressed on an elastic block, with 5 % of "
-               "the work taken, sinks to 1 % as deep as it should (examples/hertz)"});
+               "what it dissipates is resistance that the soil does not have; a sphere pressed on an elastic block, with 5 % of the work "
+               "dissipated, settles to within 1 % of the exact depth (examples/hertz)"});
 inline constexpr Limit out_of_balance{
     0.01, 0.05, Effect::balance,
-    "a bed that has not settled is far above, a settled one far below (docs/theory/method.md, Volumetric locking)"};
+    "a bed that has not reached equilibrium is far above, one in equilibrium far below (docs/theory/method.md, Volumetric locking)"};
 inline constexpr Limit at_bounds{
     0.001, 0.01, Effect::volume_bounds,
     "soil at a bound of its volume no longer follows its law (docs/theory/soil_and_contact.md, Opening and bounds of volume)"};
-inline constexpr Limit in_the_air{0.001, 0.01, Effect::volume_bounds, "grains that fly carry nothing"};
+inline constexpr Limit in_the_air{0.001, 0.01, Effect::volume_bounds, "soil in the air carries no load"};
 inline constexpr Limit momentum{1e-9, 1e-6, Effect::energy,
                                 "impulses add up to the change of momentum to round-off, or the program is wrong"};
 inline constexpr Limit shear_bands =
     too_large({0.05, 0.25, Effect::dilation,
-               "the more strength can be lost in shear bands, the more V falls with the size of the cells (examples/localisation)"});
+               "the more strength can be lost in shear bands, the more V depends on the size of the cells (examples/localisation)"});
 inline constexpr Limit cells_of_band{material::cells_of_band, 2 * material::cells_of_band, Effect::dilation,
                                      "bands are some four cells wide, however fine these are (docs/decisions/0063)"};
-inline constexpr Limit unbalance{1, 10, Effect::balance, "over fem.tolerance: at most one is called equilibrium"};
-inline constexpr Limit loose{0, 0.1, Effect::balance, "increments that did not converge leave forces that nothing carries"};
+inline constexpr Limit unbalance{1, 10, Effect::balance, "over fem.tolerance: up to 1 counts as equilibrium"};
+inline constexpr Limit loose{0, 0.1, Effect::balance, "increments that did not converge leave unbalanced forces"};
 inline constexpr Limit lag =
     too_small({0.01, 0.05, Effect::balance,
                "an increment is solved again until its own lag is 1 %; with the lag of large increments V is too small "
@@ -201,28 +201,29 @@ TrustMeasure energy_balance(problem::Method method)
 
 TrustMeasures energy_that_the_method_takes()
 {
-  return {{"energy that the velocity filter takes, over the work", &limits::filter,
+  return {{"energy dissipated by the velocity filter, over the work", &limits::filter,
            [](Run run) { return has_soil(run) && run.settings.mpm.velocity_filter > 0; },
            [](Run run) { return run.check("filter_over_work"); }, in_percent,
            [](Run, Real value) {
-             return fmt::format("the velocity filter took {} of the work, which slows soil that flows: take finer cells, or a smaller "
+             return fmt::format("the velocity filter dissipated {} of the work, which slows flowing soil: take finer cells, or a smaller "
                                 "mpm.velocity_filter",
                                 text::percent_words(value));
            },
            text::percent_words},
-          {"energy that the bulk viscosity takes, over the work", &limits::viscosity,
+          {"energy dissipated by the bulk viscosity, over the work", &limits::viscosity,
            [](Run run) { return has_soil(run) && run.settings.mpm.bulk_viscosity > 0; },
            [](Run run) { return run.check("viscosity_over_work"); }, in_percent,
            [](Run, Real value) {
-             return fmt::format("the bulk viscosity took {} of the work: drive slower, take finer cells, or a smaller mpm.bulk_viscosity",
-                                text::percent_words(value));
+             return fmt::format(
+                 "the bulk viscosity dissipated {} of the work: drive slower, take finer cells, or a smaller mpm.bulk_viscosity",
+                 text::percent_words(value));
            },
            text::percent_words},
-          {"energy that local damping takes while a body is driven, over the work", &limits::damping,
+          {"energy dissipated by local damping while a body is driven, over the work", &limits::damping,
            [](Run run) { return drives_a_body(run.settings) && !std::isnan(damping_over_work(run)); }, damping_over_work, in_percent,
            [](Run, Real value) {
              return fmt::format(
-                 "local damping took {} of the work while the body was driven: take a smaller damping there, or drive slower",
+                 "local damping dissipated {} of the work while the body was driven: take a smaller damping there, or drive slower",
                  text::percent_words(value));
            },
            text::percent_words}};
@@ -325,10 +326,9 @@ TrustMeasure friction_of_cells()
                 soil.friction_angle(soil.cells.largest), text::length_words(soil.cells.largest), text::length_words(soil.width));
           },
           [](Run, Real value) {
-            return fmt::format(
-                "{:.2g} cells lie across a shear band of the soil: finer than four they localise in narrower bands, and the soil "
-                "carries too little; take cells {:.2g} times as large there",
-                value, value / material::cells_of_band);
+            return fmt::format("there are {:.2g} cells across a shear band of the soil: with fewer than four they localise in narrower "
+                               "bands, and resistance is too small; take cells {:.2g} times as large there",
+                               value, value / material::cells_of_band);
           },
           bare_limit};
 }
@@ -336,7 +336,7 @@ TrustMeasure friction_of_cells()
 TrustMeasures convergence()
 {
   return {
-      {"largest unbalanced force, over what is accepted", &limits::unbalance, always,
+      {"largest unbalanced force, over the accepted one", &limits::unbalance, always,
        [](Run run) { return run.check("largest_unbalance") / run.settings.fem.tolerance; }, as_number,
        [](Run, Real value) { return fmt::format("unbalanced forces are {:.2g} times what fem.tolerance accepts", value); }, bare_limit},
       {"increments that did not converge", &limits::loose, always,
@@ -352,15 +352,16 @@ TrustMeasures convergence()
        in_percent,
        [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", text::percent_words(value)); },
        text::percent_words},
-      {"strength that lags behind the pressure, psi < phi, over what flow dissipates", &limits::lag,
+      {"strength that lags behind the pressure, psi < phi, over plastic dissipation", &limits::lag,
        [](Run run) {
          return std::any_of(run.settings.material.begin(), run.settings.material.end(),
                             [](const auto& material) { return non_associated(material.second); });
        },
        [](Run run) { return run.check("strength_lag"); }, in_percent,
        [](Run, Real value) {
-         return fmt::format("the strength of the soil lags by {} of what its flow dissipates: take a smaller fem.largest_step",
-                            text::percent_words(value));
+         return fmt::format(
+             "the strength of the soil lags behind the pressure by {} of the plastic dissipation: take a smaller fem.largest_step",
+             text::percent_words(value));
        },
        text::percent_words},
   };

@@ -66,7 +66,7 @@ void add_lost_soil(Run run, std::vector<std::string>& found)
     if (stage->kind == problem::StageKind::drag && h.has_label("u") && !is_resisted(h, begin, end)) continue;
     bool at_end = false;
     for (Index row = end - (end - begin) / least_rows; row < end; ++row) at_end = at_end || touches(row);
-    if (!at_end) found.push_back(fmt::format("at the end of stage \"{}\" the body touches no soil: it left it", stage->name));
+    if (!at_end) found.push_back(fmt::format("at the end of stage \"{}\" the body no longer touches soil", stage->name));
   }
 }
 
@@ -94,7 +94,7 @@ std::vector<std::string> invalid_lines(const std::string& run, const std::vector
 {
   std::vector<std::string> lines;
   for (const std::string& why : invalid)
-    lines.push_back(fmt::format("{} the answer of {} is invalid, do not use {}: {}", invalid_line_begin, run, numbers, why));
+    lines.push_back(fmt::format("{} the results of {} are invalid, do not use {}: {}", invalid_line_begin, run, numbers, why));
   return lines;
 }
 

@@ -169,8 +169,8 @@ std::string inertia_words(const problem::StageInertia& inertia)
   const std::string measure = inertia.measure == Measure::strength ? "density v2 is " + part + " of the strength"
                               : inertia.measure == Measure::wave
                                   ? "v is " + part + " of the speed of waves"
-                                  : "a wave crosses the body in " + part + " of the time in which half of the pressure goes";
-  return measure + (inertia.is_small() ? ": inertia is small" : inertia.is_large() ? ": inertia counts" : ": inertia may be seen");
+                                  : "a wave crosses the body in " + part + " of the time in which half of the pressure dissipates";
+  return measure + (inertia.is_small() ? ": inertia is small" : inertia.is_large() ? ": inertia matters" : ": inertia may matter");
 }
 
 std::vector<std::string> drainage_words(const problem::Case& c)
@@ -246,7 +246,8 @@ std::vector<run_folder::Quantity> dissipation_quantities(const record::RunRecord
   for (const Dissipation& d : dissipation_of(run)) {
     quantities.push_back({"U_of_" + d.stage, d.degree, "1", "degree of consolidation at the end of " + d.stage});
     if (std::isnan(d.t50)) continue;
-    quantities.push_back({"t50_of_" + d.stage, d.t50, "s", "time until half of the largest excess pore pressure is gone, of " + d.stage});
+    quantities.push_back(
+        {"t50_of_" + d.stage, d.t50, "s", "time until half of the largest excess pore pressure has dissipated, of " + d.stage});
     if (std::isnan(d.T50)) continue;
     quantities.push_back({"T50_of_" + d.stage, d.T50, "1", "the same as c_v t/D2"});
   }
@@ -259,7 +260,7 @@ std::vector<run_folder::Quantity> fill_quantities(const record::RunRecord& run)
   const bool whole = run.settings.force_dimension() == 3;
   for (const auto& [name, body] : run.settings.body)
     for (const bodies::FillSettings& fill : body.fill)
-      for (const auto& [what, meaning] : {std::pair{"mass", "placed"}, {"expected_mass", "that its area had room for"}}) {
+      for (const auto& [what, meaning] : {std::pair{"mass", "placed"}, {"expected_mass", "that would fill its area"}}) {
         const std::string column = fmt::format("{}_{}_{}", fill.name, what, whole ? "kg" : "kg_m");
         if (run.history.rows() == 0 || !run.history.has(column)) continue;
         quantities.push_back({fmt::format("{}_{}", fill.name, what), run.history[column].back(), whole ? "kg" : "kg/m",

@@ -54,7 +54,7 @@ std::vector<Panel> panels_of(const Profile& p)
   std::vector<Panel> panels;
   if (!p.h.empty()) panels.push_back(steps_of(fmt::format("H on the soil per metre of depth, {}", per_depth(p)), p, p.h));
   panels.push_back(steps_of(fmt::format("V on the shaft per metre of depth, {}", per_depth(p)), p, p.v));
-  Panel axial{fmt::format("axial force from below, {}", of_force(p)), {}, {}};
+  Panel axial{fmt::format("axial force, from the base upwards, {}", of_force(p)), {}, {}};
   for (std::size_t k = 0; k < p.axial.size(); ++k) axial.value.push_back(p.axial[k] / 1e3), axial.depth.push_back(p.level(k));
   panels.push_back(std::move(axial));
   return panels;
@@ -134,7 +134,7 @@ std::string table_of(const Profile& p, const std::string& id)
   std::vector<text::HtmlCell> header{{"depth below the bed, m"}};
   if (!p.h.empty()) header.push_back({fmt::format("H on the soil, {}", per_depth(p)), true});
   header.push_back({fmt::format("V on the shaft, {}", per_depth(p)), true});
-  header.push_back({fmt::format("axial force from below, {}", of_force(p)), true});
+  header.push_back({fmt::format("axial force, from the base upwards, {}", of_force(p)), true});
   table.columns(header);
   const auto number = [](Real value) { return text::HtmlCell{text::table_number(value / 1e3), true}; };
   for (std::size_t k = 0; k < p.v.size(); ++k) {
@@ -214,7 +214,7 @@ std::vector<std::string> draw_profiles(const std::vector<record::RunRecord>& run
         panels.erase(panels.begin());
       }
       figure.x_label = fmt::format("{} (V), {} (axial force)", per_depth(p), of_force(p));
-      draw(fmt::format("depth_profile_{}_{}", body, n), figure, panels, {"V on the shaft", "axial force from below"});
+      draw(fmt::format("depth_profile_{}_{}", body, n), figure, panels, {"V on the shaft", "axial force, from the base upwards"});
     }
   return drawn;
 }

@@ -74,22 +74,21 @@ std::string converged_notes(const DrivenRuns& runs)
 {
   std::string notes;
   if (some_have_bands(runs))
-    notes += text::html_paragraph("Converged: for cells without size, from the run and coarser ones, with the half width of a band that is "
-                                  "meant to hold the answer of this soil law and this "
-                                  "case nineteen times in twenty. It holds what cells, meshes, noise and speed do to the numbers, not what "
-                                  "the soil law or its parameters do.",
+    notes += text::html_paragraph("Converged: extrapolated to zero cell size from this run and coarser ones, with the half width of a 95 % "
+                                  "confidence band for this soil law and this case. The band covers the effects of cell size, mesh, noise "
+                                  "and speed, not those of the soil law or its parameters.",
                                   "quiet");
   for (const DrivenRun& run : runs)
     if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->grains.numbers.empty())
       notes +=
-          text::html_paragraph("Sand with psi below phi that has no d50 forms shear bands as wide as cells make them. The narrower those "
-                               "of the sand are, the less it carries: name its d50, and the band is that of its answer.",
+          text::html_paragraph("Sand with psi below phi that has no d50 forms shear bands whose width is set by the cells. The narrower "
+                               "those of the sand are, the smaller its resistance: give its d50, and the band is that of its own result.",
                                "quiet") +
           grains_table(run, uncertainty->grains);
   for (const DrivenRun& run : runs)
     if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->missing.empty())
-      notes += text::html_paragraph(
-          fmt::format("{} was asked how sure its results are, and has no bands: {}.", run.name, uncertainty->missing), "quiet");
+      notes += text::html_paragraph(fmt::format("{} was run with --uncertainty, and has no bands: {}.", run.name, uncertainty->missing),
+                                    "quiet");
   return notes;
 }
 

@@ -105,9 +105,9 @@ std::string data_of(const Curves& curves)
   const auto& [path, scale, length, force, bands] = curves;
   const Real half = averaging_half(scale);
   const std::string units = fmt::format("({}, {})", length.name, force.name);
-  std::string data = fmt::format("# push {}: w, V, V freed from noise\n", units);
+  std::string data = fmt::format("# push {}: w, V, V averaged\n", units);
   data += curves.has_push() ? block(path.push.w, path.push.w, {path.push.V}, half, length.per_si, {force.per_si}) : "NaN NaN NaN\n";
-  data += fmt::format("\n\n# drags {}: u, H, H freed from noise, w, w freed from noise, V, V freed from noise\n", units);
+  data += fmt::format("\n\n# drags {}: u, H, H freed from noise, w, w freed from noise, V, V averaged\n", units);
   if (!curves.has_drag()) data += "NaN NaN NaN NaN NaN NaN NaN\n";
   for (const DragPath& drag : path.drags) {
     if (&drag != &path.drags.front()) data += '\n';

@@ -100,18 +100,17 @@ std::string moved_words(const DrivenRun& run, const DragResults& drag, const bas
 {
   const Displacements& moved = *drag.moved;
   const auto length = [&](Real metres) { return shown.length_text(run.scale, std::abs(metres)); };
-  std::string words = fmt::format(
-      "Under the force of \"{}\" {} moves {} at most and stays {} from where it began; it is at w = {} at most and at w = {} at the end. ",
-      text::html_text(drag.stage), subject_of(run.settings), length(moved.u_largest), length(moved.u_end), length(moved.w_largest),
-      length(moved.w_end));
+  std::string words = fmt::format("Under the force of \"{}\" {} moves {} at most, with a residual displacement of {}; its embedment is w = "
+                                  "{} at most and w = {} at the end. ",
+                                  text::html_text(drag.stage), subject_of(run.settings), length(moved.u_largest), length(moved.u_end),
+                                  length(moved.w_largest), length(moved.w_end));
   if (moved.half_cycles > 1)
-    words += fmt::format("Its largest way between two turns is {}, of {}. ", length(moved.largest_half_cycle),
-                         text::count_words(moved.half_cycles));
+    words += fmt::format("Its largest half cycle is {}, of {}. ", length(moved.largest_half_cycle), text::count_words(moved.half_cycles));
   if (moved.time_scale) words += inertia_words(run, drag);
   const auto after = [&](Real time) { return "after " + text::time_words(time) + (moved.time_scale ? " of the record" : ""); };
   if (moved.time_D)
     return words + fmt::format("It breaks out: it is 0.5 D away {} and 1 D {}. ", after(*moved.time_half_D), after(*moved.time_D));
-  if (moved.time_half_D) return words + fmt::format("It breaks out: it is 0.5 D away {}, and nowhere 1 D. ", after(*moved.time_half_D));
+  if (moved.time_half_D) return words + fmt::format("It breaks out: it is 0.5 D away {}, and never 1 D. ", after(*moved.time_half_D));
   return words + "It stays within 0.5 D. ";
 }
 
@@ -124,7 +123,7 @@ std::string drained_words(const DrivenRun& run, const UpliftResults& uplift)
     if (stage.name == uplift.stage) return words;
     const auto rest = std::ranges::find(rests, stage.name, &base::Dissipation::stage);
     if (rest != rests.end())
-      words = fmt::format(", when {} of the excess pore pressure of \"{}\" is gone,", text::percent_words(rest->degree),
+      words = fmt::format(", when {} of the excess pore pressure of \"{}\" has dissipated,", text::percent_words(rest->degree),
                           text::html_text(stage.name));
   }
   return "";
@@ -134,7 +133,7 @@ std::string drained_words(const DrivenRun& run, const UpliftResults& uplift)
 std::string stays_words(const DrivenRun& run, const UpliftResults& uplift, const base::DisplayUnits& shown)
 {
   if (!base::circle_of(run.settings) || uplift.w_begin <= run.scale.width) return "";
-  return fmt::format("It stays in the soil as long as what pulls it up, beyond its weight in water, is less than {}. ",
+  return fmt::format("It stays in the soil as long as the upward pull, beyond its submerged weight, is less than {}. ",
                      shown.force_text(run.scale, uplift.largest.H));
 }
 
@@ -170,12 +169,12 @@ std::string slope_words(const DrivenRun& run, const Resistance& resistance, cons
   const Real T = *H * std::cos(angle) - V * std::sin(angle), N = V * std::cos(angle) + *H * std::sin(angle);
   const std::string degrees = text::short_number(std::abs(angle) / degree) + "°";
   const Real by_weight = std::abs(std::tan(angle));
-  return fmt::format("Along the ground, which {} by {} on its way, the soil holds it by T = {} when it {} (H cos {} {} V sin {}): {} times "
-                     "the force N = {} on the ground. Its weight alone pulls it down the slope by {} times N, {}. ",
-                     angle > 0 ? "rises" : "falls", degrees, shown.force_text(run.scale, T),
-                     resistance.breakout ? "breaks out" : "begins to slide", degrees, angle > 0 ? "−" : "+", degrees,
-                     text::short_number(T / N), shown.force_text(run.scale, N), text::short_number(by_weight),
-                     T > by_weight * N ? "less than that: it stays" : "more than that: it slides");
+  return fmt::format(
+      "Along the ground, which {} by {} along its path, the soil resistance is T = {} when it {} (H cos {} {} V sin {}): {} times "
+      "the force N = {} on the ground. Its weight alone pulls it down the slope with {} times N, {}. ",
+      angle > 0 ? "rises" : "falls", degrees, shown.force_text(run.scale, T), resistance.breakout ? "breaks out" : "begins to slide",
+      degrees, angle > 0 ? "−" : "+", degrees, text::short_number(T / N), shown.force_text(run.scale, N), text::short_number(by_weight),
+      T > by_weight * N ? "less than that: it stays" : "more than that: it slides");
 }
 
 /// The state in which the main drag begins; empty where that is not known.
@@ -322,7 +321,7 @@ std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& sho
   const Results results = run.results();
   const bool moved = std::ranges::any_of(results.drags, [](const DragResults& drag) { return drag.moved.has_value(); });
   if (!points.push_end && !resistance.largest && results.uplifts.empty() && !moved)
-    return "Nothing is known of its forces: it did not come as far as a push or a drag.";
+    return "Its forces are not known: the run did not reach a push or a drag.";
   std::string words;
   if (points.push_end && push) words += push_words(run, points, shown);
   words += results.states.empty() ? other_push_words(run, results, true, shown) : states_words(run, results, shown);

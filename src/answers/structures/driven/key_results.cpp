@@ -155,7 +155,7 @@ constexpr StageColumn stage_columns[] = {
 /// A row for each drag and other push of the runs that have more than one push and one drag: the main drag, then the others in the order of time.
 std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
-  text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one; the drag that the numbers above are of stands first");
+  text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one; the drag of the numbers above comes first");
   const bool softens = std::any_of(runs.begin(), runs.end(), [](const DrivenRun& run) {
     const auto& drags = run.results().drags;
     return std::any_of(drags.begin(), drags.end(), [](const DragResults& drag) { return drag.remoulded_depth.has_value(); });
@@ -202,7 +202,8 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
                  "but over a third of it at most; where that is resistance against a berm it is H<sub>berm</sub> and no residual. The berm "
                  "is the highest soil ahead of the pipe at the end of the drag, above the "
                  "surface as it was, and its distance from the axis of the pipe.{}",
-                 softens ? " Clay below the invert counts as remoulded where it has lost half of what remoulding takes." : ""),
+                 softens ? " Clay below the invert counts as remoulded where it has lost half of the strength that full remoulding takes."
+                         : ""),
              "quiet");
 }
 
@@ -210,7 +211,7 @@ std::string residual_words(const Resistance& resistance, const StageEnd& end)
 {
   if (resistance.berm)
     return resistance.residual ? "lowest plateau, before H rises against a berm"
-                               : "not reached: H grows against a berm without a plateau before";
+                               : "not reached: H grows against a berm, without a plateau before";
   const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
   const std::string last = end.reached ? "the end of the drag" : "the last part of the drag, " + end.at;
   return resistance.residual ? fmt::format("mean over {}; H changes by {} % there", last, change)
@@ -221,8 +222,7 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
 {
   PointTable table("key-resistance",
                    fmt::format("Resistance to the drag{}: largest, at breakout or onset, and residual H", main_words(runs)), several);
-  table.columns(
-      "H", side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"how it was found"}}}));
+  table.columns("H", side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"basis"}}}));
   for (const DrivenRun& run : runs) {
     const Resistance resistance = resistance_of(run);
     const StageEnd end = end_of_drag(run);
@@ -240,7 +240,7 @@ std::string resistance_table(const DrivenRuns& runs, const base::DisplayUnits& s
       add(1, "breakout", resistance.breakout->u, resistance.breakout->H, "first peak");
     else
       add(1, "breakout", nan, nan, no_peak_words(resistance, end.to));
-    if (resistance.onset) add(1, "onset", 0, *resistance.onset, "H over u = 0.1 to 0.5 D, led back to u = 0");
+    if (resistance.onset) add(1, "onset", 0, *resistance.onset, "H over u = 0.1 to 0.5 D, extrapolated to u = 0");
     add(2, "residual", nan, resistance.residual.value_or(nan), residual_words(resistance, end));
     if (resistance.berm) add(3, "berm", resistance.travel, *resistance.berm, "mean over the end of the drag");
   }
@@ -291,7 +291,7 @@ States operation_first(States states)
 std::string states_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
   text::HtmlTable table("key-states", "States: embedment w and vertical force V");
-  table.columns(side_by_side({{{"state"}}, shown.length_columns("w"), shown.force_columns("V"), {{"how it was found"}}}));
+  table.columns(side_by_side({{{"state"}}, shown.length_columns("w"), shown.force_columns("V"), {{"basis"}}}));
   for (const DrivenRun& run : runs) {
     const States states = states_of(run.record);
     if (!has_states_between(states)) continue;
@@ -309,13 +309,13 @@ std::string states_table(const DrivenRuns& runs, const base::DisplayUnits& shown
 /// How far forces move the bodies.
 std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
-  text::HtmlTable table("key-displacements", "Displacement under a force that is given");
+  text::HtmlTable table("key-displacements", "Displacement under a given force");
   table.columns(side_by_side({{{"stage"}},
                               shown.length_columns("largest u"),
                               shown.length_columns("u at the end"),
                               shown.length_columns("largest w"),
                               {{"half cycles", true}},
-                              shown.length_columns("largest way between turns"),
+                              shown.length_columns("largest half cycle"),
                               {{"0.5 D away after, s of the record", true}, {"1 D, s of the record", true}}}));
   for (const DrivenRun& run : runs)
     for (const DragResults& drag : run.results().drags) {
@@ -331,12 +331,10 @@ std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits
                               {time(m.time_half_D), time(m.time_D)}}));
     }
   if (table.empty()) return "";
-  return table.html() +
-         text::html_paragraph(
-             "u counts along x from where the stage began; a turn counts where the body goes back by 0.01 D. Times are those of the load "
-             "history, its record, however fast the run went through it. half_cycles.csv of the run folder has each half cycle of a force "
-             "that varies.",
-             "quiet");
+  return table.html() + text::html_paragraph("u is the displacement along x since the start of the stage; a half cycle ends where the body "
+                                             "reverses by 0.01 D. Times are those of the load history (the record), whatever time_scale "
+                                             "was. half_cycles.csv in the run folder lists each half cycle of a varying force.",
+                                             "quiet");
 }
 
 std::string uplift_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
@@ -346,7 +344,7 @@ std::string uplift_table(const DrivenRuns& runs, const base::DisplayUnits& shown
                               shown.length_columns("w at the start"),
                               shown.force_columns("R<sub>max</sub>"),
                               shown.length_columns("after"),
-                              shown.length_columns("half of it after"),
+                              shown.length_columns("half of it at"),
                               shown.force_columns("R at the end")}));
   for (const DrivenRun& run : runs)
     for (const UpliftResults& u : run.results().uplifts)

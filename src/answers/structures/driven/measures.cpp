@@ -24,24 +24,23 @@ namespace limits {
 
 inline constexpr Limit kinetic{
     0.05, 0.10, Effect::drive_speed,
-    "the usual rule for explicit programs: a few per cent of the energy that went into the soil, or inertia is part of the answer"};
+    "the usual rule for explicit programs: a few per cent of the energy that went into the soil, or inertia is part of the result"};
 inline constexpr Limit held{0.05, 0.10, Effect::balance, "the drag is to hold V within 5 % (examples/probe_test)"};
 inline constexpr Limit shaking =
-    too_small({0.07, 0.15, Effect::shaking, "sand that is shaken loses strength, and V comes out too low (docs/decisions/0017)"});
+    too_small({0.07, 0.15, Effect::shaking, "vibrating sand loses strength, and V is too low (docs/decisions/0017)"});
 inline constexpr Limit noise_of_V{0.02, 0.05, Effect::noise, "noise grows with the size of the cells (examples/mesh_study)"};
-inline constexpr Limit noise_of_H{0.09, 0.18, Effect::noise,
-                                  "sand without cohesion slides in jerks, whatever the contact scheme (examples/contact_schemes)"};
-inline constexpr Limit gap =
-    too_large({0.02, 0.05, Effect::contact,
-               "the body is as much larger as the soil is held off; contact at all nodes of cut cells holds it farther off and "
-               "makes V larger (examples/contact_schemes)"});
+inline constexpr Limit noise_of_H{
+    0.09, 0.18, Effect::noise,
+    "sand without cohesion slides intermittently (stick-slip), whatever the contact scheme (examples/contact_schemes)"};
+inline constexpr Limit gap = too_large(
+    {0.02, 0.05, Effect::contact,
+     "the gap makes the body act larger; contact at all nodes of cut cells makes the gap wider and V larger (examples/contact_schemes)"});
 inline constexpr Limit overlap{0.002, 0.01, Effect::contact, "no particle should be deeper than 0.002 D in the body (examples/probe_test)"};
 inline constexpr Limit second_impulse{0.01, 0.05, Effect::contact,
                                       "the second contact correction is no force; it stays small with every contact scheme "
                                       "(examples/contact_schemes)"};
 inline constexpr Limit push_in_cells{
-    2, 0.5, Effect::cells,
-    "what happens within a fraction of a cell is not resolved: a push that ends there has the embedment of its cells", true};
+    2, 0.5, Effect::cells, "a fraction of a cell is not resolved: the result of a push that ends there is set by the cells", true};
 inline constexpr Limit cells =
     too_large({20, 10, Effect::cells, "V of a push falls with the size of the cells (examples/mesh_study)", true});
 inline constexpr Limit dilating_cells{80, 40, Effect::cells,
@@ -151,7 +150,7 @@ TrustMeasure noise(const char* force, const char* stage, const Limit& limit, boo
           std::move(value_of),
           in_percent,
           [force](Run, Real value) {
-            return fmt::format("{} scatters by {} about its mean: take means, not single values", force, text::percent_words(value));
+            return fmt::format("{} scatters by {} about its mean: use means, not single values", force, text::percent_words(value));
           },
           text::percent_words};
 }
@@ -164,7 +163,7 @@ TrustMeasure held(const std::string& body)
           [](Run run) { return worst_of_drags(run, &DragResults::V_rms_error); },
           in_percent,
           [body](Run, Real value) {
-            return fmt::format("V is held within {} only: give the drag a longer ramp, or the {} less mass", text::percent_words(value),
+            return fmt::format("V is held to within {} only: give the drag a longer ramp, or the {} less mass", text::percent_words(value),
                                body);
           },
           text::percent_words};
@@ -178,8 +177,8 @@ TrustMeasure shaking(const std::string& body)
           [](Run run) { return run.check("shaking_at_body"); },
           as_number,
           [body](Run, Real value) {
-            return fmt::format("the soil at the {} shakes by {:.2g} of the pressure p + c cot φ that gives it its strength: it has lost "
-                               "strength, and resistance is too small",
+            return fmt::format("the soil at the {} vibrates with {:.2g} of the pressure p + c cot φ that gives it its strength: it has "
+                               "lost strength, and resistance is too small",
                                body, value);
           },
           bare_limit};
@@ -222,7 +221,8 @@ TrustMeasure second_impulse()
           [](Run run) { return quantity_value(run, "second_impulse_over_V"); },
           in_percent,
           [](Run, Real value) {
-            return fmt::format("the second contact correction is {} of V: contact works against itself", text::percent_words(value));
+            return fmt::format("the second contact correction is {} of V: the two contact corrections oppose each other",
+                               text::percent_words(value));
           },
           text::percent_words};
 }
@@ -270,7 +270,7 @@ TrustMeasure depth_of_push(const std::string& body)
           as_number,
           [body](Run, Real value) {
             return fmt::format(
-                "the push ends {:.2g} cells deep: take cells of a fraction of the embedment at the {}, or read it as not known", value,
+                "the push ends {:.2g} cells deep: take cells of a fraction of the embedment at the {}, or take it as not known", value,
                 body);
           },
           cells_limit};
@@ -308,10 +308,9 @@ TrustMeasure cells_of_dilating_soil(const std::string& body)
           [](Run run) { return worked_length(run) / largest_met(run); },
           words,
           [body, words](Run run, Real value) {
-            return fmt::format(
-                "cells of {} at the {} are too strong in soil that dilates so much: what pushes into it meets too much "
-                "resistance, and what gives way to it too little pressure. Take finer cells, or method = \"fem\" for a limit load",
-                words(run, value), body);
+            return fmt::format("with cells of {} at the {} soil that dilates so much is too strong: passive resistance is too large, and "
+                               "active pressure too small. Take finer cells, or method = \"fem\" for a limit load",
+                               words(run, value), body);
           },
           over_limit};
 }

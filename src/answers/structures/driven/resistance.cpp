@@ -188,9 +188,7 @@ Resistance resistance_of(const DrivenRun& run)
 
 std::string no_peak_words(const Resistance& resistance, const std::string& end)
 {
-  const char* none = resistance.peak_in_noise ? "no peak that stands out of the noise of H"
-                     : resistance.peak_beyond ? "no peak within 1 D"
-                                              : "no peak";
+  const char* none = resistance.peak_in_noise ? "no peak above the noise of H" : resistance.peak_beyond ? "no peak within 1 D" : "no peak";
   if (resistance.residual) return fmt::format("{}: H levels off", none);
   if (resistance.berm) return fmt::format("{}: H grows against a berm", none);
   return resistance.last_change > 0 ? fmt::format("{}: H grows {}", none, end) : none;

@@ -48,7 +48,7 @@ StageEnd end_of(const DrivenRun& run, const char* stage, bool reached)
 {
   if (reached) return {true, fmt::format("to the end of the {}", stage), fmt::format("end of the {}", stage)};
   if (run.end == record::RunEnd::stopped) return {false, "to where it was stopped", "where it was stopped"};
-  return {false, "as far as it came", "as far as it came"};
+  return {false, "as far as it got", "as far as it got"};
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::string end_words(const run_folder::History& h, Index row)
 void take_force(State& state, Real asked)
 {
   if (asked != 0 && std::abs(state.V - asked) > reached * std::abs(asked))
-    state.origin += fmt::format(", which has not come to its force of {:.4g} N/m", asked);
+    state.origin += fmt::format(", which has not reached its force of {:.4g} N/m", asked);
   else
     state.V = asked, state.V_given = true;
 }

@@ -12,7 +12,7 @@ constexpr const char* state_names[] = {"touchdown", "laid", "flooded", "emptied"
 /// The body between two travels: what a spring, an axial resistance or a formula is of.
 struct State {
   std::string name;    ///< one of state_names, or after_TRAVEL
-  std::string origin;  ///< how it was found, in words: "end of stage unload, before sweep_1"
+  std::string origin;  ///< basis, in words: "end of stage unload, before sweep_1"
   std::string stage;   ///< of the case, at whose end it is
   Index row;           ///< of the history
   /// m, N/m: u and w of the row, forces means over the last twentieth of the stage; V where it is given that, at the end of the way down that of V_end_of_push.

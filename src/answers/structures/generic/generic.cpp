@@ -36,7 +36,7 @@ std::string watched_table(const record::RunRecord& run, const std::string& id)
   const run_folder::History& history = run.history;
   if (history.rows() == 0) return "";
   const std::string when = history.has("time_s") ? fmt::format(" after {} s", text::short_number(history["time_s"].back())) : "";
-  text::HtmlTable table(id, fmt::format("{}: what it watches, at its end{}", run.name, when));
+  text::HtmlTable table(id, fmt::format("{}: the watched quantities, at its end{}", run.name, when));
   table.columns({{"column of the history"}, {"meaning"}, {"last value", true}, {"unit"}});
   for (std::size_t c = 0; c < history.columns.size(); ++c)
     if (is_watched(run.settings, history.columns[c]))
@@ -73,14 +73,14 @@ namespace limits {
 
 inline constexpr base::Limit mechanism{
     40, 4, base::Effect::cells,
-    "a vertical cut of clay that is loaded 10 % beyond its limit comes to rest where 7 % too much is carried with 20 cells over its "
-    "height, 6 % with 40 (examples/vertical_cut); a cavity with five cells across the clay that flows is 4 % low (examples/cavity)",
+    "a vertical cut in clay that is loaded 10 % beyond its limit comes to rest with a resistance 7 % too large with 20 cells over its "
+    "height, 6 % with 40 (examples/vertical_cut); a cavity with five cells across the flowing clay is 4 % too low (examples/cavity)",
     true};
 
 inline constexpr base::Limit turned = base::too_large(
     {120, 30, base::Effect::cells,
      "the moment of a strip that sticks to clay is 5 % too large with elements of B/67 (an upper bound gives 0.69 B2 s_u)", true});
-inline constexpr base::Limit moved = base::too_large({40, 20, base::Effect::cells, "as at a body that a push or a drag drives", true});
+inline constexpr base::Limit moved = base::too_large({40, 20, base::Effect::cells, "as for a body driven by a push or a drag", true});
 
 inline constexpr base::Limit radius{16, 5, base::Effect::cells,
                                     "the rim of an elastic disk is straight across a cell: with 16 cells over its radius it rolls 2 % too "
@@ -92,13 +92,13 @@ inline constexpr base::Limit radius{16, 5, base::Effect::cells,
 
 base::TrustMeasure cells_of_mechanism()
 {
-  return {"cells across the soil that has sheared",
+  return {"cells across the sheared soil",
           &limits::mechanism,
           base::has_mechanism_cells,
           [](const record::RunRecord& run) { return base::cells_across_mechanism(run); },
           base::as_number,
           [](const record::RunRecord&, Real value) {
-            return fmt::format("{:.2g} cells lie across the soil that has sheared: what it carries depends on them; take finer cells there",
+            return fmt::format("there are {:.2g} cells across the sheared soil: its resistance depends on them; take finer cells there",
                                value);
           },
           base::bare_limit,
@@ -122,8 +122,8 @@ base::TrustMeasure cells_of_disk()
           [](const record::RunRecord& run) { return cells_over_radius(run.settings); },
           base::as_number,
           [](const record::RunRecord&, Real value) {
-            return fmt::format("{:.2g} cells lie over the radius of a disk: its rim is no circle, so that it turns and rolls too slowly",
-                               value);
+            return fmt::format(
+                "there are {:.2g} cells over the radius of a disk: its rim is not a circle, so it turns and rolls too slowly", value);
           },
           base::bare_limit,
           true};
@@ -181,7 +181,7 @@ bool Generic::draw_curves(const run_folder::RunFolder& folder, const record::Run
 
 std::string Generic::in_words(const record::RunRecord&, const base::DisplayUnits&) const
 {
-  return "This run has no key results: no push or drag drives a body that has a width.";
+  return "This run has no key results: no push or drag drives a body with a width.";
 }
 
 std::string Generic::other_results(const record::RunRecord& run, const std::string& id) const

@@ -76,7 +76,7 @@ base::ChartCurves Shaft::chart_curves(const record::RunRecord& run) const
 std::string Shaft::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
 {
   const std::string down = is_pushed(run) ? Penetration::in_words(run, shown) : "", sideways = lateral_words(LateralRun(run));
-  if (down.empty() && sideways.empty()) return "It was not loaded as far as a result.";
+  if (down.empty() && sideways.empty()) return "It was not loaded far enough for a result.";
   return down + (down.empty() || sideways.empty() ? "" : " ") + sideways;
 }
 

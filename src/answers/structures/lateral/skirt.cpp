@@ -45,7 +45,7 @@ std::vector<penetration::Comparison> published_of_skirt(const PenetrationRun& ru
   std::vector<penetration::Comparison> list;
   if (ratio >= 0)
     list.push_back({"N<sub>c</sub>", run.last().factor, formulas::n_c_strip(0, ratio > 0 ? formulas::Base::rough : formulas::Base::smooth),
-                    "a strip as thick as the wall at the surface: deeper it is more, up to twice that", true});
+                    "a strip as thick as the wall, at the surface: at depth it is larger, up to twice that", true});
   if (run.knows_shaft()) {
     formulas::Formula friction = formulas::skirt_friction(run.body.width, 2 * run.body.bore, depth, strength_of_interface(run, depth));
     friction.value /= 1e3;

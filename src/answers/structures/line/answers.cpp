@@ -72,7 +72,7 @@ constexpr std::array line_answers = {
     Answer{"y", "m", "largest lateral displacement of the line, from its straight axis", "line_y_m"},
     Answer{"x_of_y", "m", "where it is, along the line", "line_x_m"},
     Answer{"crossing", "m", "position beyond it where the line crosses its axis", "line_crossing_m"},
-    Answer{"z", "m", "height of the line there, from where it was laid", "line_z_m"},
+    Answer{"z", "m", "height of the line there, relative to where it was laid", "line_z_m"},
     Answer{"P", "N", "effective compression at x = 0", "line_P_N"},
     Answer{"M", "N m", "largest lateral bending moment", "line_M_Nm"},
     Answer{"strain_max", "1", "largest longitudinal strain", "line_strain_max"},
@@ -90,7 +90,7 @@ constexpr std::array line_answers = {
            [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : mobilised_friction(t.run, t.end, t.buckle); }},
     Answer{"strain_bending", "1", "largest strain by bending, in both planes together", nullptr,
            [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : t.buckle.bending; }},
-    Answer{"strain_compressive", "1", "largest longitudinal strain in compression that makes stress, positive", nullptr,
+    Answer{"strain_compressive", "1", "largest stress-inducing longitudinal strain in compression, positive", nullptr,
            [](const ReportedQuantity& t) { return t.compression(); }},
     Answer{"utilisation", "1", "that strain over the strain at which the wall may buckle", nullptr,
            [](const ReportedQuantity& t) { return t.compression() / t.limit; }, QuantityKind::ratio},
@@ -132,7 +132,7 @@ std::vector<Shape> shapes_of(const record::RunRecord& run)
   try {
     return read_shapes(run.folder);
   } catch (const RunError& error) {
-    spdlog::warn("{}; what is told of the shape of the line is left out", error.what());
+    spdlog::warn("{}; results on the shape of the line are left out", error.what());
     return {};
   }
 }

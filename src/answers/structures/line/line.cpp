@@ -60,7 +60,7 @@ std::string Line::in_words(const record::RunRecord& run, const base::DisplayUnit
                 compression = extreme("strain_min", std::less<>());
   const Real imperfection = run.settings.pipeline ? std::abs(run.settings.pipeline->imperfection.amplitude) : 0;
   return fmt::format(
-      "At the ends of its stages the line lies at most {:.3g} m ({}) from its straight axis{}; its effective compression at x = 0 is at "
+      "At the ends of its stages the line is at most {:.3g} m ({}) from its straight axis{}; its effective compression at x = 0 is at "
       "most "
       "{:.4g} kN ({}), its bending moment at most {:.4g} kN m ({}), and its strains range from {:.2g} % ({}) to {:.2g} % ({}).",
       std::abs(y.value), y.stage, imperfection > 0 ? fmt::format(", {:.3g} m of which is the imperfection", imperfection) : "",
@@ -72,7 +72,7 @@ std::string Line::published_values(const base::Runs& runs, const base::DisplayUn
 {
   std::string tables;
   for (const base::PageRun& run : runs) tables += tables_beside(*run.record, fmt::format("beside-line-{}", run.number));
-  return tables.empty() ? "" : "<h3>Theory and springs beside</h3>\n" + tables;
+  return tables.empty() ? "" : "<h3>For comparison: theory and springs</h3>\n" + tables;
 }
 
 std::string Line::other_results(const record::RunRecord& run, const std::string& id) const

@@ -83,7 +83,7 @@ std::string strain_words(const problem::Case& c)
                                           text::html_text(limit.source.range))
                             : "";
   return fmt::format(
-      "<p>Utilisation is the compressive strain that makes stress, divided by {:.3g} %: the strain at which the wall buckles ({}, as "
+      "<p>Utilisation is the stress-inducing compressive strain divided by {:.3g} %: the strain at which the wall buckles ({}, as "
       "public "
       "programs quote it), over the factors {} (safety class medium) and {} (load). It has the wall of the case, a ratio of yield stress "
       "to "
@@ -162,21 +162,22 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
   }
   if (!any) return "";
   const std::string none =
-      none_at > 0 ? text::html_paragraph(
-                        fmt::format("Hobbs (1984) has no buckle of this line at constrained forces P0 up to {}: his smallest is {}. "
-                                    "The line of the run moves sideways below that from its imperfection.",
-                                    text::force_words(none_at, 3), text::force_words(hobbs.smallest_force(), 3)))
-                  : "";
+      none_at > 0
+          ? text::html_paragraph(fmt::format("Hobbs (1984) gives no buckle of this line at constrained forces P0 up to {}: his smallest is "
+                                             "{}. The line of the run moves sideways below that because of its imperfection.",
+                                             text::force_words(none_at, 3), text::force_words(hobbs.smallest_force(), 3)))
+          : "";
   return table.html() + none +
-         fmt::format("<p>Hobbs (1984) has a straight line without imperfection on the friction that his row names sideways, {:.3g} W in "
-                     "<code>far_soil.friction</code>, where H/V of the slices is what those in the buckle resist with at the end of the "
-                     "stage, and {:.3g} W "
-                     "along (<code>far_soil.axial_friction</code>): rigid, with V = W everywhere, and against the displacement. Real "
-                     "friction is against the motion: "
-                     "under that the same line has, with three lobes and at the same P, a sixth less amplitude and a quarter more moment "
-                     "(docs/theory/fem_safety_pipelines.md, Pipeline as a beam). His theory has no berms, no embedment, no time and no "
-                     "cycles.</p>\n",
-                     far, run.settings.pipeline->far_soil.axial_friction);
+         fmt::format(
+             "<p>Hobbs (1984) assumes a straight line without imperfection on the lateral friction that is named in its row, {:.3g} W in "
+             "<code>far_soil.friction</code>, where H/V of the slices is the mean resistance in the buckle at the end of the stage, and "
+             "{:.3g} W "
+             "axial friction (<code>far_soil.axial_friction</code>): rigid, with V = W everywhere, and opposed to the displacement. Real "
+             "friction opposes the motion: with that the same line has, with three lobes and at the same P, a sixth less amplitude and a "
+             "quarter more moment "
+             "(docs/theory/fem_safety_pipelines.md, Pipeline as a beam). His theory has no berms, no embedment, no time and no "
+             "cycles.</p>\n",
+             far, run.settings.pipeline->far_soil.axial_friction);
 }
 
 }  // namespace berm::line

@@ -10,9 +10,9 @@
 namespace berm::penetration {
 namespace {
 
-constexpr base::Limit ball_cells =
-    base::too_large({40, 10, base::Effect::contact_width,
-                     "a body acts up to a cell larger on each side: (1 + 2 h/D)^2 - 1 of its area (examples/circular_footing)", true});
+constexpr base::Limit ball_cells = base::too_large(
+    {40, 10, base::Effect::contact_width,
+     "a body acts as if up to a cell larger on each side: (1 + 2 h/D)^2 - 1 of its area (examples/circular_footing)", true});
 
 std::vector<penetration::Comparison> published_of_ball(const penetration::PenetrationRun& run)
 {
@@ -25,7 +25,7 @@ std::vector<penetration::Comparison> published_of_ball(const penetration::Penetr
     const Real z = w * run.body.width - run.body.shoulder, factor = run.factor_at(z);
     if (std::isfinite(factor))
       list.push_back({fmt::format("V/(D² s<sub>u</sub>) at w = {:g} D", w), factor * pi / 4, formulas::smooth_sphere(w),
-                      "wished in place: heave adds to it"});
+                      "wished in place: heave increases it"});
   }
   return list;
 }
@@ -34,21 +34,21 @@ std::vector<penetration::Comparison> published_of_ball(const penetration::Penetr
 
 const penetration::Reading& ball_reading()
 {
-  static const penetration::Reading ball{.word = "ball",
-                                         .level = "centre of the ball",
-                                         .resistance = {"q_ball", "q<sub>ball</sub>"},
-                                         .in_clay = {"N_ball", "N<sub>ball</sub>"},
-                                         .in_sand = {"Q_ball", "Q<sub>ball</sub>"},
-                                         .sand_measure = penetration::SandMeasure::overburden,
-                                         .flows_around = true,
-                                         .averaging = 0.05,
-                                         .last_travel = 1,
-                                         .depths = {-0.4, -0.2, 0, 0.25, 0.5, 1, 1.5, 2, 3, 4, 5, 6, 8, 10, 15, 20},
-                                         .keeps_push = false,
-                                         .cells = &ball_cells,
-                                         .published = published_of_ball,
-                                         .remark =
-                                             "Factors of a deep ball are known to berm from memory alone and not shown: docs/formulas.md."};
+  static const penetration::Reading ball{
+      .word = "ball",
+      .level = "centre of the ball",
+      .resistance = {"q_ball", "q<sub>ball</sub>"},
+      .in_clay = {"N_ball", "N<sub>ball</sub>"},
+      .in_sand = {"Q_ball", "Q<sub>ball</sub>"},
+      .sand_measure = penetration::SandMeasure::overburden,
+      .flows_around = true,
+      .averaging = 0.05,
+      .last_travel = 1,
+      .depths = {-0.4, -0.2, 0, 0.25, 0.5, 1, 1.5, 2, 3, 4, 5, 6, 8, 10, 15, 20},
+      .keeps_push = false,
+      .cells = &ball_cells,
+      .published = published_of_ball,
+      .remark = "Factors of a deep ball are not shown: their sources have not been checked (docs/formulas.md)."};
   return ball;
 }
 

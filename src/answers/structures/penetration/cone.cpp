@@ -22,31 +22,31 @@ std::vector<penetration::Comparison> published_of_cone(const penetration::Penetr
   return {{symbol, N, formulas::cone_factor_strain_path(cone), "", true},
           {symbol, N, formulas::cone_factor_remeshed(cone), "", true},
           {symbol, N, formulas::cone_factor_steady(cone), "", true},
-          {cavity, N, formulas::sphere_limit(soil.rigidity_index), "a cone meets more: soil moves away from a point"},
-          {cavity, N, formulas::cylinder_limit(soil.rigidity_index), "a cone meets more: soil moves away from an axis"}};
+          {cavity, N, formulas::sphere_limit(soil.rigidity_index), "a cone meets more: the cavity is spherical around a point"},
+          {cavity, N, formulas::cylinder_limit(soil.rigidity_index), "a cone meets more: the cavity is cylindrical, around an axis"}};
 }
 
 }  // namespace
 
 const penetration::Reading& cone_reading()
 {
-  static const penetration::Reading cone{.word = "cone",
-                                         .level = "shoulder of the cone",
-                                         .resistance = {"q_t", "q<sub>t</sub>"},
-                                         .in_clay = {"N_kt", "N<sub>kt</sub>"},
-                                         .in_sand = {"Q_t", "Q<sub>t</sub>"},
-                                         .sand_measure = penetration::SandMeasure::overburden,
-                                         .flows_around = false,
-                                         .averaging = 0.2,
-                                         .last_travel = 2,
-                                         .depths = {0.5, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 25, 30, 40, 50},
-                                         .keeps_push = false,
-                                         .cells = &cone_cells,
-                                         .published = published_of_cone,
-                                         .remark = "Published formulas of the cone factor (strain path, finite elements) are known to berm "
-                                                   "from memory alone and not shown: docs/formulas.md. "
-                                                   "The cavities are exact, and lower ends.",
-                                         .pushes_aside = true};
+  static const penetration::Reading cone{
+      .word = "cone",
+      .level = "shoulder of the cone",
+      .resistance = {"q_t", "q<sub>t</sub>"},
+      .in_clay = {"N_kt", "N<sub>kt</sub>"},
+      .in_sand = {"Q_t", "Q<sub>t</sub>"},
+      .sand_measure = penetration::SandMeasure::overburden,
+      .flows_around = false,
+      .averaging = 0.2,
+      .last_travel = 2,
+      .depths = {0.5, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 25, 30, 40, 50},
+      .keeps_push = false,
+      .cells = &cone_cells,
+      .published = published_of_cone,
+      .remark = "Published formulas of the cone factor (strain path, finite elements) are not shown: their sources have not been checked "
+                "(docs/formulas.md). The cavity solutions are exact, and lower bounds in practice.",
+      .pushes_aside = true};
   return cone;
 }
 

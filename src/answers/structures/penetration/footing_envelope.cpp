@@ -160,7 +160,7 @@ PublishedEnvelope for_clay(const OnSoil& on)
   published.unit_name = "(A sᵤ)";
   const Real ratio = base::interface_ratio(*on.contact, strength);
   if (std::isnan(ratio)) {
-    published.remark = "the formulas for clay know adhesion to the base, not friction: there is no curve to compare with";
+    published.remark = "the formulas for clay have adhesion to the base, not friction: there is no curve to compare with";
     return published;
   }
   const auto times = [](Formula formula, Real unit) { return formula.value *= unit, formula; };

@@ -107,8 +107,8 @@ std::string Penetration::quality_note(const base::Runs& runs) const
   if (reading_.keeps_push) return Driven::quality_note(runs);
   if (runs.empty()) return "";
   return "<p>The resistance depends on the mesh: the soil beside the edge of a body moves with it up to a cell beyond it, so that a body "
-         "of width D acts as "
-         "one of D + 2 h at most (examples/cone_in_clay); two runs with cells of two sizes on one page show what is left.</p>\n";
+         "of width D acts as one of D + 2 h at most (examples/cone_in_clay); two runs with two cell sizes on one page show the "
+         "effect.</p>\n";
 }
 
 std::vector<std::string> Penetration::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,

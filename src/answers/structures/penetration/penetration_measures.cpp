@@ -19,16 +19,16 @@ using Run = const record::RunRecord&;
 namespace limits {
 
 inline constexpr base::Limit steady{LastTravel::max_change, 0.15, base::Effect::short_travel,
-                                    "what still changes is a value on the way, and no factor of steady penetration"};
+                                    "a value that still changes is not a factor of steady penetration"};
 inline constexpr base::Limit walls{
     2, 1, base::Effect::walls,
-    "around a cylindrical cavity in clay the plastic zone reaches D/2 sqrt(I_r); a wall within it holds the soil back", true};
+    "around a cylindrical cavity in clay the plastic zone reaches D/2 sqrt(I_r); a wall within it confines the soil", true};
 inline constexpr base::Limit below_footing{1, 0.3, base::Effect::walls,
                                            "undrained soil fails down to 0.7 B below a footing; strips and circles on 1 to 1.2 B of soil "
                                            "are right (examples/strip_footing, circular_footing)",
                                            true};
 inline constexpr base::Limit below{3, 1, base::Effect::walls,
-                                   "the soil yields one to two diameters below a body; a base that near carries it", true};
+                                   "the soil yields one to two diameters below a body; a base that near carries part of the load", true};
 
 }  // namespace limits
 

@@ -288,8 +288,7 @@ std::string begin_words(const PenetrationRun& run, const std::string& name, cons
 std::string penetration_words(const PenetrationRun& run, const base::DisplayUnits& shown)
 {
   const std::string name = text::html_text(base::body_word(run.record.settings));
-  if (run.z().empty() || !std::isfinite(run.area()))
-    return fmt::format("The {} did not come into the soil, or its area is not known.", name);
+  if (run.z().empty() || !std::isfinite(run.area())) return fmt::format("The {} did not reach the soil, or its area is not known.", name);
   std::string words = begin_words(run, name, shown);
   if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.reading.resistance.html, text::stress_words(run.q().back()));
   return words + last_words(run, shown) + ". " + steady_words(run) + cavity_words(run) + soil_words(run) + backflow_words(run) +
@@ -310,7 +309,7 @@ std::string penetration_key_results(const PenetrationRuns& runs, const base::Dis
                      : known.front().knows_shaft()
                          ? "V over the area, without the force on sides parallel to the axis: f is that force over the shaft in the soil, "
                            "its mean friction"
-                         : "V over the area, all of it: what the sides of the body carry by friction is part of it";
+                         : "all of V over the area: friction on the sides of the body is included";
   html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", reading.resistance.html, what,
                       half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
                                : "");

@@ -42,7 +42,8 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
     if (!N.empty()) add(name_at(N, part), run.factor_at(z), "1", "factor of the net resistance; " + level);
   }
   add("soil_above", reading.flows_around ? soil_above_at_end(run) : nan, "1",
-      "fraction of the space above the body, D/2 wide and D/2 high, that holds soil at the end of the push: 0 under an open cavity, 1 "
+      "fraction of the space above the body, D/2 wide and D/2 high, that is filled with soil at the end of the push: 0 under an open "
+      "cavity, 1 "
       "where "
       "the soil has closed",
       quality);

@@ -8,8 +8,9 @@
 namespace berm::penetration {
 namespace {
 
-constexpr base::Limit t_bar_cells = base::too_large(
-    {40, 10, base::Effect::contact_width, "a bar acts up to a cell larger on each side, 2 h/D of its resistance (examples/t_bar)", true});
+constexpr base::Limit t_bar_cells =
+    base::too_large({40, 10, base::Effect::contact_width,
+                     "a bar acts as if up to a cell larger on each side, 2 h/D of its resistance (examples/t_bar)", true});
 
 std::vector<penetration::Comparison> published_of_t_bar(const penetration::PenetrationRun& run)
 {

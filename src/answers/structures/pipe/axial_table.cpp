@@ -13,8 +13,7 @@ namespace berm::pipe {
 
 std::string axial_table(const driven::DrivenRuns& runs, const base::DisplayUnits& shown)
 {
-  text::HtmlTable table("axial",
-                        "Axial resistance by friction, as the effective stress on the pipe would give it at the end of each stage");
+  text::HtmlTable table("axial", "Axial friction resistance, from the effective stress on the pipe at the end of each stage");
   std::string source;
   for (const driven::DrivenRun& run : runs)
     for (const AxialState& state : axial_states(run.record)) {
@@ -44,12 +43,12 @@ std::string axial_table(const driven::DrivenRuns& runs, const base::DisplayUnits
                  {wedge.valid ? force(wedge.value * state.mu * state.V) : "–", true}});
     }
   if (table.empty()) return "";
-  const std::string how = fmt::format(
-      "N_eff is the integral of the effective normal stress over the surface in contact, and μ N_eff the friction that it gives "
-      "along the axis at this moment; the motion of the pipe along its axis, which would change the pore pressure again, is not "
-      "modelled, and adhesion is not in it. ζ is the wedging factor of drained soil ({}), whose normal stress falls with the "
-      "cosine of the angle from the invert.",
-      source);
+  const std::string how =
+      fmt::format("N_eff is the integral of the effective normal stress over the surface in contact, and μ N_eff the axial friction that "
+                  "it gives at that time; axial motion of the pipe, which would change the pore pressure again, is not modelled, and "
+                  "adhesion is not included. ζ is the wedging factor of drained soil ({}), whose normal stress falls with the "
+                  "cosine of the angle from the invert.",
+                  source);
   return table.html() + text::html_paragraph(how, "quiet");
 }
 
@@ -57,10 +56,10 @@ std::string consolidation_words(const driven::DrivenRun& run, const base::Displa
 {
   std::string words;
   for (const AxialGain& gain : axial_gains(run.record))
-    words +=
-        fmt::format("In \"{}\" {} of the excess pore pressure goes (U), and the axial resistance by friction {} from {} to {}, {} times. ",
-                    text::html_text(gain.stage), text::percent_words(gain.degree), gain.ratio() < 1 ? "falls" : "grows",
-                    shown.force_text(run.scale, gain.before), shown.force_text(run.scale, gain.after), text::short_number(gain.ratio()));
+    words += fmt::format(
+        "In \"{}\" {} of the excess pore pressure dissipates (U), and the axial friction resistance {} from {} to {}, {} times. ",
+        text::html_text(gain.stage), text::percent_words(gain.degree), gain.ratio() < 1 ? "falls" : "grows",
+        shown.force_text(run.scale, gain.before), shown.force_text(run.scale, gain.after), text::short_number(gain.ratio()));
   return words;
 }
 

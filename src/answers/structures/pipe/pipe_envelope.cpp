@@ -62,7 +62,7 @@ PublishedEnvelope for_clay(const PipeInSoil& soil)
   published.unit = pipe.diameter * pipe.strength;
   published.unit_name = "(D sᵤ)";
   if (std::isnan(pipe.roughness)) {
-    published.remark = "the formulas for clay know adhesion to the pipe, not friction: there is no curve to compare with";
+    published.remark = "the formulas for clay have adhesion to the pipe, not friction: there is no curve to compare with";
     return published;
   }
   const Real buoyancy = soil.unit_weight > 0 ? soil.unit_weight * formulas::f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;

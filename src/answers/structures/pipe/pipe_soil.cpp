@@ -24,16 +24,16 @@ PipeSoil pipe_soil(const record::RunRecord& run)
 {
   const problem::Case& c = run.settings;
   const std::optional<bodies::DiskOutline> circle = base::circle_of(c);
-  if (!circle) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
+  if (!circle) return NoFormula{"The published formulas are for pipes; the rigid body of this run is not a circle."};
   if (c.geometry != problem::Geometry::plane_strain)
     return NoFormula{fmt::format("The published formulas are per metre of pipe in plane strain; this run is {}.",
                                  c.geometry == problem::Geometry::space ? "three-dimensional" : "axisymmetric")};
   if (std::isnan(base::modelled_part(c)))
-    return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
+    return NoFormula{"The published formulas are for a whole pipe; a wall of the mesh cuts the pipe of this run."};
   const std::optional<problem::BodySoil> touched = base::touched_soil(run);
   const Real depth = base::soil_depth(c, run.ground, base::reference_depth(c, run.ground));
   const std::optional<material::Strength> law = touched ? strength_at_rest(touched->at("", depth)) : std::nullopt;
-  if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
+  if (!law) return NoFormula{"No formula is known for this soil: its strength is not given by cohesion and friction."};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
   const bool sticks = rules_of(contact.scheme).tied;
   const Real unit_weight = base::body_scale(run).unit_weight;
@@ -45,7 +45,7 @@ PipeSoil pipe_soil(const record::RunRecord& run)
   if (soil.materials.size() > 1)
     for (const material::Material& one : soil.materials)
       if (law->friction_angle > 0 || strength_at_rest(one)->friction_angle > 0)
-        return NoFormula{"The published formulas are those of clay or of one sand; this soil has layers of others."};
+        return NoFormula{"The published formulas are for clay or for one sand; this soil has other layers."};
   const Real diameter = 2 * circle->radius;
   // The largest within a diameter below.
   Real cohesion = law->cohesion;

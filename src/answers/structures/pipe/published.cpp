@@ -203,7 +203,7 @@ PublishedValues published_beside(const driven::DrivenRun& run)
   const bool drags = !run.results().main_drag().moved && (!points.drag.empty() || driven::resistance_of(run).breakout);
   const std::vector<driven::UpliftResults> uplifts = run.results().uplifts;
   if (values.states.empty() && !drags && uplifts.empty()) {
-    values.remarks.emplace_back("This run came to no state that a formula can be compared with.");
+    values.remarks.emplace_back("This run reached no state that a formula can be compared with.");
     return values;
   }
   values.remarks.push_back(remark_on_place(run));
@@ -242,7 +242,7 @@ PublishedValues published_beside(const driven::DrivenRun& run)
     for (ComparedState& state : values.states) put_out_of_range(state, "a level bed");
   }
   if (clay != nullptr && !points.drag.empty())
-    values.remarks.emplace_back("Formulas for H give what the soil can do at most; early in a drag H is still on its way there.");
+    values.remarks.emplace_back("Formulas for H give the ultimate resistance; early in a drag H is not yet fully mobilised.");
   const std::vector<std::string> of_soil = sand != nullptr ? remarks_on(*sand) : remarks_on(*clay);
   values.remarks.insert(values.remarks.end(), of_soil.begin(), of_soil.end());
   return values;

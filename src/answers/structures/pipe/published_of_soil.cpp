@@ -52,7 +52,7 @@ std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, boo
     add(bound(bounds.lower, pipe), "lower, wished in place");
     add(bound(bounds.upper, pipe), "upper, wished in place");
   }
-  add(with_buoyancy(clay_deep(pipe), pipe), "deeply buried: the most that a pipe can meet");
+  add(with_buoyancy(clay_deep(pipe), pipe), "deeply buried: the largest resistance to a pipe");
   return list;
 }
 
@@ -64,7 +64,7 @@ std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Rea
   const formulas::Formula at_V = clay_envelope(pipe, V - buoyancy_of(pipe), V_max.value, H_max.value);
   return {{"H", Comparison::Unit::force, H, at_V, "envelope at the run's V, wished in place"},
           {"H", Comparison::Unit::force, H, H_max, "apex of the envelope, wished in place"},
-          {"H", Comparison::Unit::force, H, clay_deep(pipe), "deeply buried: the most that a pipe can meet"}};
+          {"H", Comparison::Unit::force, H, clay_deep(pipe), "deeply buried: the largest resistance to a pipe"}};
 }
 
 std::vector<Comparison> clay_at_breakout(const ClayAround& clay, Real w, Real V, Real H)
@@ -121,23 +121,22 @@ std::vector<std::string> remarks_on(const ClayAround& clay)
 {
   std::vector<std::string> remarks;
   if (std::isnan(clay.adhesion))
-    remarks.emplace_back(
-        "The interface of this run has friction. Most formulas for clay know adhesion to the pipe alone and are left out.");
+    remarks.emplace_back("The interface of this run has friction. Most formulas for clay have adhesion to the pipe only and are left out.");
   if (varies(clay.soil))
     remarks.emplace_back(
         "The strength of this run's clay varies with depth; formulas for uniform clay take its strength at the pipe's lowest point.");
   for (const material::Material& material : clay.soil.materials)
     if (const auto* law = material.get_if<material::Clay>(); law != nullptr && (law->sensitivity > 1 || law->rate_parameter > 0))
-      remarks.push_back(
-          fmt::format("The clay of this run changes its strength: sensitivity {:.3g}{}{}. The formulas take the intact strength s_u at the "
-                      "reference rate.",
-                      law->sensitivity,
-                      law->sensitivity > 1 ? fmt::format(", 95 % of the loss after a plastic shear strain of {:.3g}", law->ductility) : "",
-                      law->rate_parameter > 0
-                          ? fmt::format(", {:.2g} more for each tenfold rate above {:.2g} /s", law->rate_parameter, law->reference_rate)
-                          : ""));
+      remarks.push_back(fmt::format(
+          "The strength of the clay of this run changes: sensitivity {:.3g}{}{}. The formulas take the intact strength s_u at the "
+          "reference rate.",
+          law->sensitivity,
+          law->sensitivity > 1 ? fmt::format(", 95 % of the loss after a plastic shear strain of {:.3g}", law->ductility) : "",
+          law->rate_parameter > 0
+              ? fmt::format(", {:.2g} more for each tenfold rate above {:.2g} /s", law->rate_parameter, law->reference_rate)
+              : ""));
   if (clay.unit_weight > 0)
-    remarks.emplace_back("Vertical resistances hold the weight of the clay that the pipe displaces, γ′ times F114's area.");
+    remarks.emplace_back("Vertical resistances include the weight of the clay that the pipe displaces, γ′ times F114's area.");
   return remarks;
 }
 
@@ -184,9 +183,10 @@ std::vector<std::string> remarks_on(const SandAround& sand)
 {
   std::vector<std::string> remarks;
   if (!is_associated(sand))
-    remarks.push_back(fmt::format("The characteristics are for associated soil, ψ = φ, which carries more. The sand of this run has φ = "
-                                  "{:.3g}° and dilates by ψ = {:.3g}°.",
-                                  sand.friction_angle / degree, sand.dilation_angle / degree));
+    remarks.push_back(
+        fmt::format("The method of characteristics is for associated soil, ψ = φ, which has more resistance. The sand of this run has φ = "
+                    "{:.3g}° and dilates by ψ = {:.3g}°.",
+                    sand.friction_angle / degree, sand.dilation_angle / degree));
   if (sand.cohesion > 0)
     remarks.push_back(fmt::format(
         "The formulas are for sand without cohesion. The sand of this run has c = {:.3g} Pa, which acts as a pressure c cot φ = {:.3g} Pa "
@@ -195,8 +195,8 @@ std::vector<std::string> remarks_on(const SandAround& sand)
         sand.cohesion, sand.cohesion / std::tan(sand.friction_angle),
         sand.cohesion / (std::tan(sand.friction_angle) * sand.unit_weight * sand.diameter),
         sand.has_little_cohesion()
-            ? fmt::format("up to {:g} it counts for less than the formulas differ by", base::little_cohesion)
-            : fmt::format("beyond {:g} the formulas are out of range, too low, the more so the smaller w is", base::little_cohesion)));
+            ? fmt::format("up to {:g} its effect is less than the differences between the formulas", base::little_cohesion)
+            : fmt::format("beyond {:g} the formulas are out of range and too low, more so at small w", base::little_cohesion)));
   return remarks;
 }
 

@@ -119,12 +119,10 @@ std::string published_values(const driven::DrivenRuns& runs, const base::Display
   if (html.find("<table") == std::string::npos) return heading + html;
   return heading + html +
          text::html_paragraph(
-             "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Kinds: "
-             "exact is a closed form or computed to convergence; lower bound is what the soil carries at least, so that berm may be above "
-             "it; "
-             "fit is a fit as public programs have it. Editions and clauses are those "
-             "that "
-             "these programs name (docs/formulas.md): the printed texts were not at hand. Low (LE), best (BE) and high (HE) estimates are "
+             "What they give for the same soil, pipe and state, with the embedment and the vertical load of the run. Kinds: exact is a "
+             "closed form or computed to convergence; lower bound is the least that the soil carries, so that berm may be above it; fit is "
+             "an empirical fit as implemented in public programs. Editions and clauses are those that these programs name "
+             "(docs/formulas.md): they were not compared with the printed texts. Low (LE), best (BE) and high (HE) estimates are "
              "those "
              "of the source.",
              "quiet");

@@ -25,7 +25,7 @@ std::string note_of(const FilmFrames& footage, Index step, std::size_t fields)
   if (footage.slice)
     words.push_back(fmt::format("slice in the middle: what lay within a particle's size of z = {:.3g} m at the start", *footage.slice));
   if (footage.one_of > 1)
-    words.push_back(fmt::format("one of {} particles, each drawn as large as all that it stands for", footage.one_of));
+    words.push_back(fmt::format("one of {} particles, each drawn with the volume of those that it represents", footage.one_of));
   if (step > 1) words.push_back(kept_words(step));
   std::vector<std::string> names;
   for (std::size_t f = footage.fields.size(); f-- > fields;) names.push_back(footage.fields[f].label);
@@ -64,7 +64,7 @@ Film fitted(const record::RunRecord& run, const FilmFrames& footage, const std::
       --fields;
     } else {
       faults.push_back(
-          fmt::format("the film of the soil is left out: it takes {:.1f} MB even with {} frames, and the page has room for {:.1f} MB of it",
+          fmt::format("the film of the soil is left out: it takes {:.1f} MB even with {} frames, and the page allows {:.1f} MB",
                       static_cast<Real>(size) / 1e6, fewest, static_cast<Real>(max_bytes) / 1e6));
       return {nullptr, {}, faults};
     }

@@ -39,7 +39,8 @@ FilmField film_field(const FieldInfo& info, const std::string& body)
   if (info.name == "incremental_deviatoric_strain") {
     field.summed = true;
     if (!body.empty())
-      field.label = fmt::format("deviatoric strain of displacement per 0.01 D of the {}'s way (at rest: since the frame before)", body);
+      field.label =
+          fmt::format("deviatoric strain of displacement per 0.01 D of the {}'s travel (at rest: since the previous frame)", body);
   }
   return field;
 }

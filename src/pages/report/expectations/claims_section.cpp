@@ -135,7 +135,7 @@ std::string section_of(const ExpectedRuns& runs, const Published& published, con
                {cell_of(evidence)},
                {text::html_text(claim.why)}});
   }
-  const std::string intro = text::html_paragraph(published.source + ". Each row is made from the numbers of the runs on this page.");
+  const std::string intro = text::html_paragraph(published.source + ". Each row uses the numbers of the runs on this page.");
   return text::html_section(id, published.title, intro + "<ul>\n" + settings + "</ul>\n" + table.html());
 }
 

@@ -53,8 +53,8 @@ base::PublishedPoints published_points(const std::vector<record::RunRecord>& run
 
 std::string expectations_section(const std::vector<record::RunRecord>& runs, const ExpectationSheets& sheets)
 {
-  text::HtmlTable table("expected-table", "What is expected of these runs, and what they give");
-  table.columns({{"run"}, {"number"}, {"expected"}, {"berm"}, {"verdict"}, {"why it is expected"}});
+  text::HtmlTable table("expected-table", "Expected values of these runs, and results");
+  table.columns({{"run"}, {"number"}, {"expected"}, {"berm"}, {"verdict"}, {"basis"}});
   for (const Expectations& sheet : sheets) {
     const ExpectedRuns expected(runs, sheet);
     for (const ExpectedRun& run : expected.runs())

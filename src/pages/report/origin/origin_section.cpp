@@ -102,7 +102,7 @@ std::string units_words(const Runs& runs)
   });
   return fmt::format(
       "SI units. {}{}{}u is along x, w the depth of the lowest point below the surface at the start{}, H the force of the body on the soil "
-      "along x, V the reaction of the soil upwards. {}",
+      "along x, V the upward reaction of the soil. {}",
       some(problem::Geometry::plane_strain) ? "Plane strain: forces are per metre run of the pipe or body. " : "",
       some(problem::Geometry::space) ? "In space forces are those of the whole body. " : "",
       some(problem::Geometry::axisymmetric) ? "Axisymmetric: x is the radius, and forces are those of the whole body, all around. " : "",
@@ -133,12 +133,11 @@ std::string origin_section(const Runs& runs)
 {
   text::RunColumns columns("");
   for (const record::RunRecord& run : runs) columns.run(run.name, entries_of(run));
-  std::string html = columns.table("origin", "What each run is made from, and by which program").html();
+  std::string html = columns.table("origin", "Input and program of each run").html();
   if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.origin.has_value(); }))
     html += text::html_paragraph(
         "The hashes were noted in origin.json of each run folder when the run began and have been compared with the files in the folder: a "
-        "file that was changed is named. case.toml is the input as it was given, resolved.toml the whole of it with overrides and "
-        "defaults.",
+        "file that was changed is named. case.toml is the input as given, resolved.toml the complete input with overrides and defaults.",
         "quiet");
   html = documents_table(runs) + text::html_beside(html);
   std::string words = "<div><h3>Units and signs</h3>\n" + text::html_paragraph(units_words(runs)) + "</div>\n";

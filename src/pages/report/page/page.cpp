@@ -100,11 +100,11 @@ std::string faults_of(const std::vector<record::RunRecord>& runs, const std::vec
   for (const record::RunRecord& run : runs) {
     std::vector<std::string> said;
     if (run.end == record::RunEnd::unfinished)
-      said.emplace_back("did not come to its end: it was killed, crashed or still runs. Shown is what it wrote until then.");
+      said.emplace_back("has not finished: it was killed, crashed or is still running. The page shows what it wrote until then.");
     if (run.end == record::RunEnd::stopped)
-      said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_log_line.empty() ? "nothing" : run.last_log_line));
+      said.push_back(fmt::format("was stopped before its end. Its message: {}", run.last_log_line.empty() ? "nothing" : run.last_log_line));
     if (run.summary && !run.summary->invalid.empty())
-      said.push_back(fmt::format("is invalid, and its numbers are not to be used: {}.", base::invalid_words(run.summary->invalid)));
+      said.push_back(fmt::format("is invalid, and its numbers must not be used: {}.", base::invalid_words(run.summary->invalid)));
     said.insert(said.end(), run.faults.begin(), run.faults.end());
     for (const std::string& words : said)
       items += fmt::format("<li class=\"warning\"><strong>{}</strong> {}</li>\n", text::html_text(run.name), text::html_text(words));

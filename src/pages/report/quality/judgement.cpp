@@ -48,9 +48,8 @@ std::string opposite_words(const std::vector<JudgedMeasure>& measures)
   };
   const Words large = named(base::Sense::too_large), small = named(base::Sense::too_small);
   if (large.empty() || small.empty()) return "";
-  return fmt::format("Measures that are not good work against each other, and the sign of their sum is not known. Resistance is too large "
-                     "by: {}. Too small by: {}. "
-                     "Make each of them better by itself, and compare.",
+  return fmt::format("The measures that are not good have opposite effects, and the sign of their sum is not known. Resistance is too "
+                     "large because of: {}. Too small because of: {}. Improve each of them by itself, and compare.",
                      fmt::join(large, "; "), fmt::join(small, "; "));
 }
 
@@ -69,9 +68,9 @@ void add_measures(Judgement& all, const record::RunRecord& run, const Words& inv
   if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
     all.warnings.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
   if (const Real given = base::work_of_contact(run); given > max_work_of_contact)
-    all.warnings.push_back(fmt::format("contact gave {:.2g} % of the work instead of taking energy.", 100 * given));
+    all.warnings.push_back(fmt::format("contact added energy, {:.2g} % of the work, instead of dissipating it.", 100 * given));
   if (!run.summary && !not_known.empty())
-    all.warnings.push_back(fmt::format("there is no summary of the run, so this is not known: {}.", fmt::join(not_known, "; ")));
+    all.warnings.push_back(fmt::format("the run has no summary, so this is not known: {}.", fmt::join(not_known, "; ")));
 }
 
 /// What the case and the log warn of.

@@ -66,9 +66,9 @@ std::string words_on_cells(const Runs& runs, const Judgements& judgements)
     if (!base::drives_a_body(runs[k].settings) && !judges_cells(judgements[k]))
       names.push_back("<strong>" + text::html_text(runs[k].name) + "</strong>");
   if (names.empty()) return "";
-  return fmt::format("<p class=\"cells\">Cells are not judged: {}. No body of a width is driven, and the frames show no soil that yields "
-                     "in cells, so no measure shows how far the answer depends on the "
-                     "mesh. Run the case again with cells half as large: coarse cells carry too much before the soil fails.</p>\n",
+  return fmt::format("<p class=\"cells\">Cells are not judged: {}. No body with a width is driven, and the frames show no yielding soil, "
+                     "so no measure shows how far the result depends on the mesh. Run the case again with cells half as large: with coarse "
+                     "cells the resistance before failure is too large.</p>\n",
                      fmt::join(names, ", "));
 }
 
@@ -80,8 +80,9 @@ std::string warning_list(const Runs& runs, const Judgements& judgements)
       items += fmt::format("<li class=\"warning\"><strong>{}</strong>: {}</li>\n", text::html_text(runs[k].name), text::html_text(words));
   const std::string cells = words_on_cells(runs, judgements);
   if (!items.empty()) return fmt::format("<ul class=\"warnings\">\n{}</ul>\n", items) + cells;
-  return cells.empty() ? text::html_paragraph("By these measures nothing is wrong.")
-                       : text::html_paragraph("These measures find nothing, but do not show whether the cells are fine enough.") + cells;
+  return cells.empty()
+             ? text::html_paragraph("By these measures nothing is wrong.")
+             : text::html_paragraph("These measures find nothing wrong, but do not show whether the cells are fine enough.") + cells;
 }
 
 }  // namespace

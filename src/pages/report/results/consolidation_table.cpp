@@ -67,7 +67,7 @@ void add_rows(const record::RunRecord& run, Real width, const problem::Consolida
 
 std::string consolidation_table(const std::vector<record::RunRecord>& runs)
 {
-  text::HtmlTable table("consolidation", "How the water drained, stage by stage");
+  text::HtmlTable table("consolidation", "Drainage, stage by stage");
   table.columns({{"run"},
                  {"stage"},
                  {"<i>v D</i>/<i>c</i><sub>v</sub>", true},
@@ -86,11 +86,10 @@ std::string consolidation_table(const std::vector<record::RunRecord>& runs)
     add_rows(run, width, found.front(), table);
   }
   if (soils.empty()) return "";
-  const std::string how = fmt::format(
-      "Soil is drained up to v D/c_v = {:g} and undrained from {:g} on, within 5 %, and partially drained between. U is 1 less the "
-      "largest excess pore pressure in the soil over "
-      "the largest of the stage; t50 is the time until U = 50 %, in brackets in the run where that is another.",
-      problem::drained_up_to, problem::undrained_from);
+  const std::string how = fmt::format("Soil is drained up to v D/c_v = {:g} and undrained from {:g} on, within 5 %, and partially drained "
+                                      "between. U is 1 minus the largest excess pore pressure in the soil over the largest in the stage; "
+                                      "t50 is the time until U = 50 %; in brackets its time in the run, where that differs.",
+                                      problem::drained_up_to, problem::undrained_from);
   return "<h3>Consolidation</h3>\n<p>" + soils + "</p>\n" + text::html_paragraph(how, "quiet") + (table.empty() ? "" : table.html());
 }
 

@@ -20,8 +20,7 @@ std::string doubts_in_words(const record::RunRecord& run, const Judgement& judge
   std::vector<std::string> bad;
   for (const auto& [measure, value, standing] : judgement.measures)
     if (standing == text::Standing::bad) bad.push_back(text::html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
-  return bad.empty() ? ""
-                     : fmt::format("Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
+  return bad.empty() ? "" : fmt::format("Use with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
 }
 
 bool is_invalid(const record::RunRecord& run)
@@ -53,7 +52,7 @@ std::string words_of(const Runs& runs, const std::vector<Judgement>& judgements,
     names.push_back(text::html_text(runs[k].name));
     others += words_of(runs[k], judgements[k], shown, true);
   }
-  return html + fmt::format("<details id=\"other-runs\"><summary>What the other {} met: {}</summary>\n{}</details>\n",
+  return html + fmt::format("<details id=\"other-runs\"><summary>Results of the other {}: {}</summary>\n{}</details>\n",
                             runs.size() == 2 ? "run" : "runs", fmt::join(names, ", "), others);
 }
 

@@ -333,7 +333,7 @@ text::HtmlTable computation_table(const std::vector<record::RunRecord>& runs)
       rows.add("memory at most", fmt::format("{:.0f} MiB", memory / (1 << 20)));
     columns.run(run.name, std::move(rows).list());
   }
-  return columns.table("computation", "How it was computed");
+  return columns.table("computation", "Computation");
 }
 
 }  // namespace berm::report

@@ -128,7 +128,7 @@ std::string soil_over_depth(const std::vector<record::RunRecord>& runs)
   if (soils.empty()) return "";
   text::HtmlTable table(
       "soil-table",
-      "Soil over depth below the bed's surface at the start: linear in each row, but where it follows from the vertical stress");
+      "Soil over depth below the bed's surface at the start: linear in each row, except where it follows from the vertical stress");
   table.columns({{"depth"}, {"material"}, {"cohesion or undrained strength"}, {"friction angle"}, {"Young's modulus"}, {"density"}});
   for (const auto& [groups, names] : soils)
     for (const auto& [name, rows] : groups) {

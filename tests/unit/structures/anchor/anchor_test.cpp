@@ -60,7 +60,7 @@ TEST(Anchor, says_in_words_where_it_goes)
   const record::RunRecord run = dragged();
   const std::string words = Anchor().in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
   EXPECT_NE(words.find("from a depth of 2 mm to 52 mm"), std::string::npos) << words;
-  EXPECT_NE(words.find("there it stays at its depth"), std::string::npos) << words;
+  EXPECT_NE(words.find("at a constant depth"), std::string::npos) << words;
   EXPECT_NE(Anchor().key_results({{&run, 0}}, base::DisplayUnits({{base::body_scale(run), &run.quantities}})).find("anchor-tow"),
             std::string::npos);
 }

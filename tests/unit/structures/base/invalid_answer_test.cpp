@@ -54,7 +54,7 @@ TEST(InvalidAnswer, by_a_body_that_left_the_soil_and_not_by_one_that_comes_down_
   MadeRun made;
   made.held_V = 0;
   made.H = [](Real u) { return u < 0.005 ? 100 : 0; };
-  EXPECT_TRUE(says(invalid_because(made.record()), "at the end of stage \"drag\" the body touches no soil"));
+  EXPECT_TRUE(says(invalid_because(made.record()), "at the end of stage \"drag\" the body no longer touches soil"));
   made.H = [](Real u) { return u < 0.009 ? 0 : 100; };
   EXPECT_TRUE(invalid_because(made.record()).empty()) << "it touches soil at the end";
   MadeRun falling;

@@ -22,7 +22,7 @@ TEST(DrainageWords, tell_the_velocity_of_each_stage_over_that_of_the_water)
   EXPECT_NE(lines[2].find("stage \"rest\": T = c_v t/D2 = 6"), std::string::npos) << lines[2];
   // Waves of sqrt(1e6 Pa / 800 kg/m3) = 35.4 m/s.
   EXPECT_NE(lines[1].find("; v is 0.0028 of the speed of waves: inertia is small"), std::string::npos) << lines[1];
-  EXPECT_NE(lines[2].find("; a wave crosses the body in 0.0057 of the time in which half of the pressure goes: inertia is small"),
+  EXPECT_NE(lines[2].find("; a wave crosses the body in 0.0057 of the time in which half of the pressure dissipates: inertia is small"),
             std::string::npos)
       << lines[2];
 }

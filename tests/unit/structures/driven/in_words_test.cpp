@@ -30,10 +30,10 @@ TEST(InWords, a_drag_on_a_slope_says_what_the_soil_holds_it_by_along_the_ground_
 {
   EXPECT_EQ(words_on(0).find("Along the ground"), std::string::npos);
   const std::string uphill = words_on(8 * degree), downhill = words_on(-8 * degree), steep = words_on(12 * degree);
-  EXPECT_NE(uphill.find("which rises by 8° on its way, the soil holds it by T = 0.156 kN/m"), std::string::npos) << uphill;
+  EXPECT_NE(uphill.find("which rises by 8° along its path, the soil resistance is T = 0.156 kN/m"), std::string::npos) << uphill;
   EXPECT_NE(uphill.find("when it begins to slide (H cos 8° − V sin 8°): 0.188 times the force N = 0.83 kN/m"), std::string::npos) << uphill;
-  EXPECT_NE(uphill.find("pulls it down the slope by 0.141 times N, less than that: it stays"), std::string::npos) << uphill;
-  EXPECT_NE(downhill.find("which falls by 8° on its way, the soil holds it by T = 0.379 kN/m"), std::string::npos) << downhill;
+  EXPECT_NE(uphill.find("pulls it down the slope with 0.141 times N, less than that: it stays"), std::string::npos) << uphill;
+  EXPECT_NE(downhill.find("which falls by 8° along its path, the soil resistance is T = 0.379 kN/m"), std::string::npos) << downhill;
   EXPECT_NE(downhill.find("when it begins to slide (H cos 8° + V sin 8°): 0.502 times"), std::string::npos) << downhill;
   EXPECT_NE(steep.find("more than that: it slides"), std::string::npos) << steep;
 }
@@ -63,7 +63,7 @@ TEST(InWords, a_lift_out_of_the_soil_says_how_far_it_has_consolidated_and_what_i
   EXPECT_NE(tables.find("Uplift resistance R by the travel upwards"), std::string::npos) << tables;
   EXPECT_EQ(log.find("lift.V_end "), std::string::npos) << log;
   EXPECT_NE(log.find("lift.R_end "), std::string::npos) << log;
-  EXPECT_NE(words.find("It stays in the soil as long as what pulls it up, beyond its weight in water, is less than 0.9 kN/m"),
+  EXPECT_NE(words.find("It stays in the soil as long as the upward pull, beyond its submerged weight, is less than 0.9 kN/m"),
             std::string::npos)
       << words;
 }

@@ -89,7 +89,7 @@ TEST(resistance, a_wiggle_among_others_is_no_breakout_and_a_peak_that_stands_out
   const Resistance level = of([&](Real x) { return 300 * std::min(1., x / 0.05) + wiggles(x); }, 2 * D);
   EXPECT_FALSE(level.breakout);
   EXPECT_TRUE(level.peak_in_noise);
-  EXPECT_EQ(no_peak_words(level, "to the end of the drag").find("no peak that stands out of the noise of H"), 0U);
+  EXPECT_EQ(no_peak_words(level, "to the end of the drag").find("no peak above the noise of H"), 0U);
   const Resistance peak = of([&](Real x) { return with_a_peak(x, 150) + wiggles(x); }, 2 * D);
   ASSERT_TRUE(peak.breakout);
   EXPECT_NEAR(peak.breakout->u, 0.3 * D, 0.02 * D);

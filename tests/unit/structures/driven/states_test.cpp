@@ -45,7 +45,7 @@ TEST(States, have_the_force_of_the_soil_where_their_stage_ended_before_it_came_t
   const State operation = *find_state(states_of(run), "operation");
   EXPECT_NEAR(operation.V, 300, 1e-9);
   EXPECT_FALSE(operation.V_given);
-  EXPECT_NE(operation.origin.find("has not come to its force of 100 N/m"), std::string::npos) << operation.origin;
+  EXPECT_NE(operation.origin.find("has not reached its force of 100 N/m"), std::string::npos) << operation.origin;
   run.settings.stage[4].vertical_force = 310;
   EXPECT_EQ(find_state(states_of(run), "operation")->origin, "end of stage unload, before sweep_1") << "under the force of the drag";
   EXPECT_EQ(find_state(states_of(run), "operation")->V, 310);

@@ -137,7 +137,7 @@ TEST(Lateral, run_without_rows_has_no_results)
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
   EXPECT_TRUE(structure.quantities(run, {}).empty());
   EXPECT_EQ(structure.key_results({{&run, 0}}, shown), "");
-  EXPECT_EQ(structure.in_words(run, shown), "It was not loaded as far as a result.");
+  EXPECT_EQ(structure.in_words(run, shown), "It was not loaded far enough for a result.");
   EXPECT_TRUE(structure.paths(run).drags.empty());
   for (const base::TrustMeasure& measure : structure.measures(run.settings)) EXPECT_EQ(measure.what.find("pipe"), std::string::npos);
 }

@@ -175,7 +175,7 @@ TEST_F(LineAnswers, say_below_which_force_hobbs_has_no_buckle)
   for (Real& P0 : run.history.values[7]) P0 *= 0.5;  // line_P0_N
   const std::string beside = tables_beside(run, "b");
   EXPECT_NE(beside.find("Hobbs, far_soil 0.6 W: no buckle"), std::string::npos) << beside;
-  EXPECT_NE(beside.find("has no buckle of this line at constrained forces P0 up to"), std::string::npos) << beside;
+  EXPECT_NE(beside.find("gives no buckle of this line at constrained forces P0 up to"), std::string::npos) << beside;
 }
 
 }  // namespace

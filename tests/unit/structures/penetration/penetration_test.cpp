@@ -322,7 +322,7 @@ TEST(Penetration, of_a_run_without_rows_says_nothing)
   EXPECT_TRUE(structure_of(run).quantities(run, {}).empty());
   EXPECT_EQ(structure_of(run).key_results({{&run, 0}}, units_of(run)), "");
   EXPECT_EQ(published(run), "");
-  EXPECT_NE(structure_of(run).in_words(run, units_of(run)).find("did not come into the soil"), std::string::npos);
+  EXPECT_NE(structure_of(run).in_words(run, units_of(run)).find("did not reach the soil"), std::string::npos);
 }
 
 }  // namespace

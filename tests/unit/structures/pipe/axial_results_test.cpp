@@ -38,7 +38,8 @@ TEST(AxialResults, of_a_rest_that_consolidates_have_their_gain_beside_U)
   EXPECT_DOUBLE_EQ(axial_quantities(run).back().value, 5.5);
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
   const std::string words = structures::structure_of(run.settings).in_words(run, shown);
-  EXPECT_TRUE(words.starts_with("In \"rest\" 75 % of the excess pore pressure goes (U), and the axial resistance by friction grows from "))
+  EXPECT_TRUE(
+      words.starts_with("In \"rest\" 75 % of the excess pore pressure dissipates (U), and the axial friction resistance grows from "))
       << words;
   EXPECT_NE(words.find(", 5.5 times. Pushed to"), std::string::npos) << words;
   EXPECT_TRUE(axial_gains(MadeRunInWater{}.record()).empty()) << "no normal force";

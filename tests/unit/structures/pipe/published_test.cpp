@@ -349,7 +349,7 @@ TEST(published, formulas_leave_out_a_little_cohesion_of_sand_and_say_so)
           EXPECT_EQ(with.source.range, std::string("c cot φ up to 5 % of γ' D"));
         }
       }
-    EXPECT_TRUE(says(values, part < 0.05 ? "up to 0.05 it counts for less" : "beyond 0.05 the formulas are out of range"));
+    EXPECT_TRUE(says(values, part < 0.05 ? "up to 0.05 its effect is less" : "beyond 0.05 the formulas are out of range"));
   }
   EXPECT_FALSE(says(clean, "without cohesion"));
 }
@@ -360,7 +360,7 @@ TEST(published, what_is_no_whole_pipe_has_no_formulas)
   run.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
   const PublishedValues values = published_beside(driven::DrivenRun(run));
   EXPECT_TRUE(values.states.empty());
-  EXPECT_TRUE(says(values, "no circle"));
+  EXPECT_TRUE(says(values, "not a circle"));
   MadeRun cut;
   cut.left = 0.005;
   EXPECT_TRUE(says(published_beside(driven::DrivenRun(cut.record())), "a wall of the mesh cuts"));
