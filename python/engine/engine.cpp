@@ -196,7 +196,7 @@ berm::Freedom freedom_of(const std::string& name)
   const std::array<std::string, 7> names = {"x", "y", "z", "rotation", "rotation_x", "rotation_y", "rotation_z"};  // as berm::Freedom
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw berm::InputError("drive: there is no freedom \"" + name + "\": x, y, z, rotation, rotation_x, rotation_y, rotation_z");
+    throw berm::InputError("drive: there is no degree of freedom \"" + name + "\": x, y, z, rotation, rotation_x, rotation_y, rotation_z");
   return static_cast<berm::Freedom>(found - names.begin());
 }
 
@@ -284,7 +284,8 @@ PYBIND11_MODULE(engine, module)
           "A second run in the state that this one is in, which goes on by itself to the same bits, in a folder of its own; without one "
           "nothing is kept.")
       .def("drive", &drive, py::kw_only(), "velocity"_a = std::map<std::string, double>(), "force"_a = std::map<std::string, double>(),
-           "Drives freedoms of the body that the present stage, of kind \"drive\", drives: x, y and rotation in plane strain; x, y, z, "
+           "Drives degrees of freedom of the body that the present stage, of kind \"drive\", drives: x, y and rotation in plane strain; x, "
+           "y, z, "
            "rotation_x, "
            "rotation_y and\n"
            "rotation_z in space. velocity: m/s, rad/s. force: N/m, of a rotation N; in space N and N m. It stays until another call or the "

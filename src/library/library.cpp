@@ -51,8 +51,8 @@ int place_of(Freedom freedom, int dim)
   if (dim == 2 && freedom == Freedom::rotation) return 2;
   if (dim == 3 && freedom == Freedom::z) return 2;
   if (dim == 3 && freedom > Freedom::rotation) return k - 1;
-  throw InputError(dim == 2 ? "drive: is no freedom in plane strain: x, y and rotation are"
-                            : "drive: is no freedom in space: x, y, z and rotation_x, _y, _z are");
+  throw InputError(dim == 2 ? "drive: is not a degree of freedom in plane strain: x, y and rotation are"
+                            : "drive: is not a degree of freedom in space: x, y, z and rotation_x, _y, _z are");
 }
 
 /// With its checkpoints; the lock is each folder's own.

@@ -153,7 +153,7 @@ def test_a_caller_drives_the_body_of_a_stage(case: Path, tmp_path: Path) -> None
     assert after.displacement[0] - before.displacement[0] == pytest.approx(0.2 * (other.time - begin_time), rel=1e-9)
     assert (after.impulse - before.impulse)[0] < 0
     assert after.angular_velocity[:2].tolist() == [0, 0] and after.torque[:2].tolist() == [0, 0], "about z alone in the plane"
-    with pytest.raises(berm.InputError, match='no freedom "u"'):
+    with pytest.raises(berm.InputError, match='no degree of freedom "u"'):
         other.drive(velocity={"u": 1.0})
     with pytest.raises(berm.InputError, match="a velocity and a force"):
         other.drive(velocity={"x": 1.0}, force={"x": 1.0})

@@ -112,7 +112,7 @@ inline const std::vector<SenselessInput>& senseless_soils()
       {"rigidity_index_of_no_strength",
        "box",
        refused,
-       {"material.sand.shansep.min_strength", "would have none"},
+       {"material.sand.shansep.min_strength", "would have no stiffness"},
        {},
        sand,
        "law = \"clay\"\ndensity = 877\nrigidity_index = 100\npoisson_ratio = 0.45\nshansep = {ratio = 0.25}"},

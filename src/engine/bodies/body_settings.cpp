@@ -26,7 +26,7 @@ void describe(Describe& d, DiskSettings& disk)
 void describe(Describe& d, SoilLayerSettings& layer)
 {
   d.value("top", layer.top,
-          {.meaning = "depth of its upper edge below the bed's surface at the start", .unit = "m", .range = positive, .required = true});
+          {.meaning = "depth of its top below the bed's surface at the start", .unit = "m", .range = positive, .required = true});
   d.value("material", layer.material, {.meaning = "name of its [material.NAME]", .required = true});
   d.value("k0", layer.k0,
           {.meaning = "ratio of horizontal to vertical stress at the start in it; left out, that of the body", .range = {0, 5}});
@@ -69,7 +69,8 @@ void describe(Describe& d, BodySettings& body)
                       "(1 + sin phi)/(1 - sin phi)",
            .range = {1, 100}});
   d.value("k0_pop", body.k0_pop,
-          {.meaning = "instead of k0: pre-overburden pressure, by which the soil bore more than now: OCR = (sigma'_v + POP)/sigma'_v",
+          {.meaning = "instead of k0: pre-overburden pressure, by which the past vertical stress exceeded the present one: OCR = (sigma'_v "
+                      "+ POP)/sigma'_v",
            .unit = "Pa",
            .range = not_negative});
   d.value("initial_stress", body.initial_stress,
@@ -85,7 +86,7 @@ void describe(Describe& d, BodySettings& body)
   d.array(
       "fill", body.fill,
       {.meaning =
-           "soil that a stage places, at rest, inside a polygon: wherever no soil and no rigid body is. It becomes a part of the body"});
+           "soil that a stage places, at rest, inside a polygon, where there is neither soil nor rigid body. It becomes part of the body"});
 }
 
 }  // namespace berm::bodies

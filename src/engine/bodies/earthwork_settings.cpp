@@ -10,11 +10,11 @@ void describe_common(Describe& d, EarthworkSettings& work, const char* order)
   d.value("name", work.name, {.meaning = "its name, in the log, the history and on the page", .required = true});
   d.value("stage", work.stage, {.meaning = "name of the stage that it starts with", .required = true});
   describe(d, work.area);
-  d.value("z_range", work.z_range, {.meaning = "in space: from which z to which; absent: all along z", .unit = "m"});
+  d.value("z_range", work.z_range, {.meaning = "in space: range of z, its lower and upper end; absent: all along z", .unit = "m"});
   d.value("lifts", work.lifts, {.meaning = order, .range = {1, 1000}});
   d.value("duration", work.duration,
-          {.meaning = "time over which the lifts are spread evenly, the first as the stage starts; what is left when the stage ends "
-                      "follows at once",
+          {.meaning = "time over which the lifts are spread evenly, the first as the stage starts; lifts that are left when the stage ends "
+                      "follow at once",
            .unit = "s",
            .range = not_negative});
 }

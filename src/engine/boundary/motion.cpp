@@ -11,13 +11,12 @@ void describe(Describe& d, MotionSettings& motion)
 {
   d.value(
       "stages", motion.stages,
-      {.meaning = "names of the stages in which it counts, from the begin of each; in others the boundary stands still", .required = true});
+      {.meaning = "names of the stages in which it acts, from the start of each; in others the boundary does not move", .required = true});
   d.value("table", motion.table,
-          {.meaning =
-               "CSV file, beside the case file, of the time since such a stage began and the velocities: its first line is time_s,x_m_s "
-               "with the columns x, y, z that there are. Linear between its rows, constant after"});
+          {.meaning = "CSV file, beside the case file, of the time since the start of such a stage and the velocities: its first line is "
+                      "time_s,x_m_s, with any of the columns x, y, z. Linear between its rows, constant after"});
   d.value("times", motion.times,
-          {.meaning = "instead of a table: times since such a stage began, the first one 0", .unit = "s", .range = not_negative});
+          {.meaning = "instead of a table: times since the start of such a stage, the first one 0", .unit = "s", .range = not_negative});
   for (std::size_t k = 0; k < motion.velocity.size(); ++k)
     d.value(motion_axes[k], motion.velocity[k],
             {.meaning = k == 0   ? "velocities along x at these times"
@@ -110,8 +109,8 @@ MotionMeasures measures_of(const MotionSettings& motion, int axis, Real time)
 std::string fault_of_row(const std::vector<Real>& times, std::size_t row)
 {
   if (row == 0 && times[0] != 0)
-    return fmt::format("begins at {:.6g} s: times count from the begin of each stage, and the first must be 0; say how the boundary moves "
-                       "from there on",
+    return fmt::format("begins at {:.6g} s: times are measured from the start of each stage, and the first must be 0; give the velocity of "
+                       "the boundary from there on",
                        times[0]);
   if (row > 0 && !(times[row] > times[row - 1]))
     return "times must ascend, and none may stand twice: a boundary cannot jump to another velocity";

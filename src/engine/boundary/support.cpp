@@ -14,23 +14,23 @@ void describe(Describe& d, SupportSettings& support)
   d.value("boundary", support.boundary, {.meaning = "boundary of the mesh that is fixed", .required = true});
   d.value("fixed", support.fixed, {.meaning = "directions that are fixed: \"x\", \"y\", \"z\"", .required = true});
   d.value("drained", support.drained,
-          {.meaning = "the water of consolidating soil crosses the boundary; else it does not in the directions that are fixed"});
+          {.meaning = "the water of consolidating soil flows across the boundary; else it does not in the directions that are fixed"});
   d.value("absorbs", support.absorbs,
-          {.meaning = "the boundary holds in geostatic stages only; in others it keeps the force that it held then, and gives way like the "
-                      "same soil without end would: dashpots of the soil's impedance in the directions that are fixed"});
+          {.meaning = "the boundary holds in geostatic stages only; in others it keeps the force that it held then, and yields to waves as "
+                      "if the same soil continued beyond it: dashpots with the impedance of the soil in the directions that are fixed"});
   d.value("head", support.head,
-          {.meaning = "of a drained support: head of the water outside above that of the still sea, less than 0 below it. The excess pore "
-                      "pressure at the boundary is 9.81 kN/m^3 times it, whatever the gravity of the case; absent = none",
+          {.meaning =
+               "of a drained support: head of the water outside above that of the sea at rest, less than 0 below it. The excess pore "
+               "pressure at the boundary is 9.81 kN/m^3 times it, whatever the gravity of the case; absent = none",
            .unit = "m"});
   d.value("ramp", support.ramp,
-          {.meaning = "time over which the head comes where the support begins to act, and goes where it no longer acts; 0 = at once",
+          {.meaning = "time over which the head rises where the support begins to act, and falls where it no longer acts; 0 = at once",
            .unit = "s",
            .range = not_negative});
   d.optional_table("motion", support.motion,
                    {.meaning =
                         "the boundary moves in some stages. Where the support holds this is the velocity of the soil at it; where it "
-                        "absorbs it is the velocity of the wave that comes in from outside, which at a free surface makes twice as "
-                        "much. Along the directions in `fixed`"});
+                        "absorbs it is the velocity of the incoming wave, which a free surface doubles. Along the directions in `fixed`"});
   d.value("stages", support.stages, {.meaning = "names of the stages in which it acts; in others it is released; absent or empty = all"});
 }
 

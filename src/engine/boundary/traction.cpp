@@ -48,9 +48,8 @@ std::pair<std::vector<Vec<dim>>, Real> points_on(const mesh::Mesh<dim>& mesh, co
 
 void describe(Describe& d, TractionSettings& traction)
 {
-  d.value(
-      "boundary", traction.boundary,
-      {.meaning = "boundary of the mesh; the soil that lies at it at the start is loaded and carries the load along", .required = true});
+  d.value("boundary", traction.boundary,
+          {.meaning = "boundary of the mesh; the soil that is at it at the start is loaded, and the load moves with it", .required = true});
   d.value("stress", traction.stress,
           {.meaning = "force over area at the start, one number per direction, such as [0, \"-100 kPa\"]; its direction is constant",
            .unit = "Pa"});
@@ -61,10 +60,11 @@ void describe(Describe& d, TractionSettings& traction)
   d.value(
       "pressure_gradient", traction.pressure_gradient,
       {.meaning =
-           "what the pressure grows with depth below `level`, as that of water or of wet concrete does: pressure + gradient (level - y)",
+           "increase of the pressure with depth below `level`, as that of water or of wet concrete does: pressure + gradient (level - y)",
        .unit = "Pa/m",
        .range = not_negative});
-  d.value("level", traction.level, {.meaning = "y from which the pressure grows downwards; above it is `pressure`", .unit = "m"});
+  d.value("level", traction.level,
+          {.meaning = "y from which the pressure increases downwards; above it the pressure is `pressure`", .unit = "m"});
   d.value("x_range", traction.x_range,
           {.meaning = "from and to, in two dimensions: only this part of the boundary is loaded; absent = all of it", .unit = "m"});
   d.value("ramp", traction.ramp,

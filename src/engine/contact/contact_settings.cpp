@@ -13,7 +13,7 @@ void describe(Describe& d, SoilInterfaceSettings& soil)
           {.meaning = "Coulomb friction angle beside it", .unit = "rad", .range = {0, 89.9 * degree}, .required = true});
   d.value("adhesion", soil.adhesion, {.meaning = "shear strength without normal stress beside it", .unit = "Pa", .range = not_negative});
   d.value("adhesion_factor", soil.adhesion_factor,
-          {.meaning = "instead of `adhesion`: share of the undrained shear strength that it has at the moment", .range = {0, 1}});
+          {.meaning = "instead of `adhesion`: fraction of the current undrained shear strength", .range = {0, 1}});
 }
 
 void describe(Describe& d, ContactSettings& contact)
@@ -26,18 +26,18 @@ void describe(Describe& d, ContactSettings& contact)
   d.value("adhesion", contact.adhesion,
           {.meaning = "shear strength of the interface without normal stress", .unit = "Pa", .range = not_negative});
   d.value("adhesion_factor", contact.adhesion_factor,
-          {.meaning = "alpha, instead of `adhesion`: adhesion over the undrained shear strength that the soil beside the interface has at "
-                      "the moment",
+          {.meaning = "alpha, instead of `adhesion`: adhesion over the current undrained shear strength of the soil beside the interface",
            .range = {0, 1}});
-  d.value("adhesion_sensitivity", contact.adhesion_sensitivity,
-          {.meaning = "adhesion before sliding over that after much of it, which falls exponentially with the slip of a particle; 1 = it "
-                      "does not fall",
-           .range = {1, 1000}});
+  d.value(
+      "adhesion_sensitivity", contact.adhesion_sensitivity,
+      {.meaning =
+           "adhesion before sliding over that after much sliding; it falls exponentially with the slip of a particle; 1 = it does not fall",
+       .range = {1, 1000}});
   d.value("adhesion_ductility", contact.adhesion_ductility,
-          {.meaning = "slip after which 95 % of the fall of the adhesion has happened", .unit = "m", .range = not_negative});
+          {.meaning = "slip after which 95 % of the loss of adhesion has occurred", .unit = "m", .range = not_negative});
   d.value("tension", contact.tension,
-          {.meaning = "tensile normal stress (suction) that the interface carries where it has been closed and has not parted since; "
-                      "\"unlimited\" = undrained soil cannot part from the rigid body",
+          {.meaning = "tensile normal stress (suction) that the interface carries where it has been closed and has not separated since; "
+                      "\"unlimited\" = undrained soil cannot separate from the rigid body",
            .unit = "Pa",
            .range = not_negative,
            .words = {{"none", 0}, {"unlimited", infinity}}});
@@ -54,23 +54,18 @@ void describe(Describe& d, ContactSettings& contact)
                 "closed their gap, at a speed limited by the gap; nodes with particles of both bodies in their cells (as published); "
                 "nodes whose particles touch; or particles at the surface of a rigid body"});
   d.value("gap_closing_steps", contact.gap_closing_steps,
-          {.meaning =
-               "time over which a gap may close, with detection by gap or particle: so many steps, as long as they are without mpm.courant",
+          {.meaning = "number of steps over which a gap may close, with detection by gap or particle; each as long as without mpm.courant",
            .range = {1, 1000}});
-  d.choice(
-      "particle_rim", contact.particle_rim, {"whole", "worn"},
-      {.meaning =
-           "where a particle touches a rigid body: at half its width from its centre; or there while its soil lies as it was "
-           "placed, and nearer to the centre as that is sheared, which brings soil that flows closer to its exact resistance; a body that "
-           "slides over the same soil at a fixed level loses it"});
+  d.choice("particle_rim", contact.particle_rim, {"whole", "worn"},
+           {.meaning = "where a particle touches a rigid body: at half its width from its centre; or there while its soil is undeformed, "
+                       "and nearer to the centre as it is sheared, which makes the resistance of flowing soil more accurate; a body that "
+                       "slides over the same soil at a fixed level loses contact with it"});
   d.value("drained", contact.drained,
-          {.meaning = "the water of consolidating soil crosses the surface of the rigid body, at which there is no excess pore pressure; "
-                      "else it does not cross it"});
-  d.array(
-      "soil", contact.soil,
-      {.meaning =
-           "what the interface is beside some materials of the body, where this differs from layer to layer; beside the others it is as "
-           "above"});
+          {.meaning = "the water of consolidating soil flows across the surface of the rigid body, where the excess pore pressure is then "
+                      "zero; else it does not"});
+  d.array("soil", contact.soil,
+          {.meaning = "properties of the interface beside some materials of the body, where they differ from layer to layer; beside the "
+                      "others they are as above"});
   declare_usual(d, {{"adhesion_sensitivity", {1, 50}}, {"tension", {0, 5e6}}});
 }
 

@@ -11,7 +11,7 @@ void describe(Describe& d, RigidContactSettings& contact)
   d.value("friction_angle", contact.friction_angle,
           {.meaning = "Coulomb friction angle between them", .unit = "rad", .range = {0, 89.9 * degree}, .required = true});
   d.value("restitution", contact.restitution,
-          {.meaning = "normal speed at which they part after an impact over that at which they met", .range = {0, 1}});
+          {.meaning = "normal speed of separation after an impact over that of approach", .range = {0, 1}});
 }
 
 }  // namespace berm::contact

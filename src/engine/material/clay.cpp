@@ -32,15 +32,15 @@ void describe(Describe& d, Clay& law)
            .range = not_negative,
            .required = law.profile.strength.empty() && !law.shansep});
   d.value("undrained_strength_gradient", law.undrained_strength_gradient,
-          {.meaning =
-               "increase of the undrained strength with depth below the bed's surface at the start; a particle keeps that of where it "
-               "began",
+          {.meaning = "increase of the undrained strength with depth below the bed's surface at the start; a particle keeps that of its "
+                      "initial position",
            .unit = "Pa/m"});
   d.value("sensitivity", law.sensitivity,
           {.meaning = "intact over fully remoulded strength; 1: the clay does not soften", .range = {1, 1000}});
   d.value("ductility", law.ductility,
-          {.meaning = "plastic shear strain at which 95 % of the strength that remoulding takes is lost, xi_95 (10 to 50 of most clays); "
-                      "needed where sensitivity is above 1",
+          {.meaning =
+               "plastic shear strain at which 95 % of the strength loss by remoulding has occurred, xi_95 (10 to 50 for most clays); "
+               "needed where sensitivity is above 1",
            .range = not_negative});
   d.value("rate_parameter", law.rate_parameter,
           {.meaning = "relative increase of the strength for each tenfold rate of plastic shear strain above the reference rate",
@@ -50,15 +50,15 @@ void describe(Describe& d, Clay& law)
            .unit = "1/s",
            .range = not_negative});
   d.value("rate_scale", law.rate_scale,
-          {.meaning = "rate of the real motion over that of the model, which may be driven faster than the real pipe", .range = positive});
+          {.meaning = "rate of the real motion over that of the model, which may be faster than the real pipe", .range = positive});
   d.value("rate_smoothing", law.rate_smoothing,
-          {.meaning = "time over which the rate is averaged; left out, that of a travel of D/100 of the driven body in the material point "
-                      "method, and none in finite elements",
+          {.meaning = "time over which the rate is averaged; left out: the time in which the driven body travels D/100 in the material "
+                      "point method, and none in finite elements",
            .unit = "s",
            .range = not_negative});
   d.value("softening_length", law.softening_length,
-          {.meaning = "width of shear bands: plastic shear strain softens by the size of the cells over this length, so that brittle clay "
-                      "depends less on the mesh; left out, by itself",
+          {.meaning = "width of shear bands: plastic shear strain softens by the size of the cells over this length, so that results for "
+                      "brittle clay depend less on the mesh; left out: not scaled",
            .unit = "m",
            .range = positive});
   declare_usual(d, {{"undrained_strength", {0, hard_clay}},
@@ -78,7 +78,7 @@ void check(Describe& d, const std::string& path, const Clay& law)
   d.check(!law.rigidity_index || !stiffness_given, path + ".rigidity_index",
           "gives the stiffness, and so does young_modulus: leave one of them out");
   d.check(!law.rigidity_index || law.undrained_strength > 0, path + (law.shansep ? ".shansep.min_strength" : ".undrained_strength"),
-          "must be above 0 at the surface where rigidity_index gives the stiffness: soil without strength would have none");
+          "must be above 0 at the surface where rigidity_index gives the stiffness: soil without strength would have no stiffness");
   d.check(law.sensitivity == 1 || law.ductility > 0, path + ".ductility", "is missing: sensitivity is above 1, so the clay softens");
   d.check(law.rate_parameter == 0 || law.reference_rate > 0, path + ".reference_rate", "is missing: rate_parameter is above 0");
   if (law.ductility > 0 && law.undrained_strength > 0) {
@@ -110,9 +110,10 @@ YoungPoisson young_poisson(const Clay& law)
 std::vector<FieldInfo> state_fields(const Clay& law)
 {
   const auto shown_if = [](bool shown) { return shown ? everywhere : everywhere & ~to_frame; };
-  return {{"plastic_shear", "plastic shear strain", ""},
-          {"rate_part", "strength added by the strain rate over that of the reference rate", "", 1, shown_if(law.rate_parameter > 0)},
-          {"strength_change", "undrained strength over the intact one, less 1", "", 1, shown_if(law.sensitivity > 1)}};
+  return {
+      {"plastic_shear", "plastic shear strain", ""},
+      {"rate_part", "strength added by the strain rate, over the strength at the reference rate", "", 1, shown_if(law.rate_parameter > 0)},
+      {"strength_change", "undrained strength over the intact one, minus 1", "", 1, shown_if(law.sensitivity > 1)}};
 }
 
 std::optional<Strength> strength_at_rest(const Clay& law)

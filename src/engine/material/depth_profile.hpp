@@ -70,7 +70,7 @@ void describe_shansep(Describe& d, Law& law)
 {
   d.optional_table("shansep", law.shansep,
                    {.meaning = "undrained strength by the vertical effective stress at the start, S sigma'_v0 OCR^m, instead of the "
-                               "strength itself; a particle keeps that of where it began"});
+                               "strength itself; a particle keeps that of its initial position"});
 }
 
 /// A law that knows gradients and a profile; the others are the same at all depths.

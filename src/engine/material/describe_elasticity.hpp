@@ -10,7 +10,7 @@ template <class Law>
 void describe_water(Describe& d, Law& law)
 {
   d.optional_table("water", law.water,
-                   {.meaning = "the water in the pores, of laws of effective stress; left out: drained, or of total stress"});
+                   {.meaning = "the water in the pores, for laws of effective stress; left out: drained, or total stress"});
 }
 
 /// Declares the density that gives the weight, or the unit weight below water instead. Neither leaves it 0, both make it NaN: material::check refuses that.
@@ -21,12 +21,11 @@ void describe_weight(Describe& d, Law& law)
   std::optional<Real> density, weight;
   if (law.density > 0) density = law.density;
   d.value("density", density,
-          {.meaning = "mass per volume, which gives the weight: of submerged soil its submerged unit weight over gravity",
+          {.meaning = "mass per volume, which gives the weight: for submerged soil its submerged unit weight over gravity",
            .unit = "kg/m^3",
            .range = positive});
-  d.value(
-      "submerged_unit_weight", weight,
-      {.meaning = "instead of `density`: unit weight below water under one gravity of 9.80665 m/s2", .unit = "N/m^3", .range = positive});
+  d.value("submerged_unit_weight", weight,
+          {.meaning = "instead of `density`: submerged unit weight under one gravity of 9.80665 m/s2", .unit = "N/m^3", .range = positive});
   law.density = density && weight ? nan : weight ? *weight / gravity : density.value_or(0);
 }
 
@@ -36,8 +35,8 @@ void describe_density(Describe& d, Law& law)
 {
   describe_weight(d, law);
   d.value("inertia_density", law.inertia_density,
-          {.meaning = "density that gives the inertia, where it is not `density`, which gives the weight: of submerged soil the "
-                      "saturated one and the added mass of the water",
+          {.meaning = "density that gives the inertia, where it is not `density`, which gives the weight: for submerged soil the saturated "
+                      "density plus the added mass of the water",
            .unit = "kg/m^3",
            .range = positive});
   describe_water(d, law);
@@ -56,10 +55,10 @@ void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
            .range = needs_modulus ? positive : not_negative,
            .required = needs_modulus && law.profile.young_modulus.empty()});
   if (law.young_modulus == 0 && !law.profile.young_modulus.empty()) law.young_modulus = law.profile.young_modulus.front();
-  d.value(
-      "young_modulus_gradient", law.young_modulus_gradient,
-      {.meaning = "increase of Young's modulus with depth below the bed's surface at the start; a particle keeps that of where it began",
-       .unit = "Pa/m"});
+  d.value("young_modulus_gradient", law.young_modulus_gradient,
+          {.meaning =
+               "increase of Young's modulus with depth below the bed's surface at the start; a particle keeps that of its initial position",
+           .unit = "Pa/m"});
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
 }
 
@@ -69,17 +68,15 @@ void describe_pressure_elasticity(Describe& d, Law& law)
 {
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
   d.value("min_pressure", law.min_pressure,
-          {.meaning = "mean effective stress of soil that parts; no soil of this law has less, whatever its stress at the start",
+          {.meaning = "mean effective stress at which soil separates; soil of this law never has less, whatever its initial stress",
            .unit = "Pa",
            .range = positive});
-  d.value(
-      "max_pressure", law.max_pressure,
-      {.meaning =
-           "mean effective stress up to which soil becomes stiffer; it gives the time step, so take two or three times the largest that is "
-           "expected: soil beyond it is as stiff as there, softer than the law",
-       .unit = "Pa",
-       .range = positive,
-       .required = true});
+  d.value("max_pressure", law.max_pressure,
+          {.meaning = "mean effective stress up to which soil becomes stiffer; it sets the time step, so take two or three times the "
+                      "largest expected value: beyond it soil has the stiffness at that stress, softer than the law",
+           .unit = "Pa",
+           .range = positive,
+           .required = true});
 }
 
 /// min_pressure < max_pressure.

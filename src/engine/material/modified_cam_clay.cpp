@@ -25,7 +25,7 @@ void describe(Describe& d, ModifiedCamClay& law)
           {.meaning = "kappa, the slope of unloading and reloading, less than compression_index", .range = positive, .required = true});
   d.value("void_ratio", law.void_ratio, {.meaning = "void ratio at the start", .range = positive, .required = true});
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
-          {.meaning = "largest vertical effective stress of the past over that at the start", .range = {1, infinity}});
+          {.meaning = "largest past vertical effective stress over that at the start", .range = {1, infinity}});
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},
                     {"compression_index", {5e-3, 1.5}},

@@ -19,8 +19,8 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("cohesion", law.cohesion,
           {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
   d.value("cohesion_gradient", law.cohesion_gradient,
-          {.meaning =
-               "increase of the cohesion with depth below the bed's surface at the start; a particle keeps the cohesion of where it began",
+          {.meaning = "increase of the cohesion with depth below the bed's surface at the start; a particle keeps the cohesion of its "
+                      "initial position",
            .unit = "Pa/m"});
   d.value("friction_angle", law.friction_angle,
           {.meaning = "angle of internal friction; 0 is Tresca", .unit = "rad", .range = {0, steepest}, .required = true});
@@ -29,13 +29,13 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("tension_cutoff", law.tension_cutoff,
           {.meaning = "tension cut-off; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
   d.value("band_width", law.band_width,
-          {.meaning = "width of the soil's shear bands: cells that make wider ones get the friction that narrower ones carry; left out, "
+          {.meaning = "width of the soil's shear bands: where cells make wider bands, the friction is that of the narrower ones; left out: "
                       "resistance with dilation_angle below friction_angle depends on the cells",
            .unit = "m",
            .range = positive});
   d.value("d50", law.d50, {.meaning = "median size of the grains, for a band_width of 15 d50", .unit = "m", .range = positive});
   d.value("max_opening", law.max_opening,
-          {.meaning = "cap on the tensile volumetric strain that is stored and must close before the soil carries compression again; 0: "
+          {.meaning = "limit of the stored tensile volumetric strain, which must close before the soil carries compression again; 0: "
                       "none is stored; absent: "
                       "0.2 where dilation_angle is above 0, else 0",
            .range = {0, 1}});

@@ -70,7 +70,7 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law);
 inline std::vector<FieldInfo> state_fields(const MohrCoulomb& law)
 {
   const unsigned travel = prepare(law).max_opening > 0 ? everywhere : everywhere & ~to_frame;
-  return {{"opening", "opening: volumetric strain by which the soil has come apart", "", 1, travel}};
+  return {{"opening", "opening: volumetric strain of the separated soil", "", 1, travel}};
 }
 
 inline std::optional<Strength> strength_at_rest(const MohrCoulomb& law)

@@ -44,7 +44,7 @@ void describe(Describe& d, NorSand& law)
           {.meaning = "psi at the start: void ratio less that of the critical state at the same p', below 0 in dense sand",
            .range = {-0.5, 0.5}});
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
-          {.meaning = "p' of the past over that at the start, at the same q / p'", .range = {1, infinity}});
+          {.meaning = "largest past p' over that at the start, at the same q / p'", .range = {1, infinity}});
   d.value("rigidity", law.rigidity, {.meaning = "G / p'; 200 to 1000", .range = positive, .required = true});
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},

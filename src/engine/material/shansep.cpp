@@ -10,7 +10,7 @@ namespace berm::material {
 void describe(Describe& d, Shansep& shansep)
 {
   d.value("ratio", shansep.ratio,
-          {.meaning = "S: undrained strength over vertical effective stress of the normally consolidated clay (0.2 to 0.35 of most)",
+          {.meaning = "S: undrained strength over vertical effective stress of the normally consolidated clay (0.2 to 0.35 for most)",
            .range = positive,
            .required = true});
   d.value("exponent", shansep.exponent, {.meaning = "m, of the overconsolidation ratio (0.7 to 1)", .range = {0, 2}});
@@ -19,12 +19,12 @@ void describe(Describe& d, Shansep& shansep)
   d.value("pop", shansep.pop,
           {.meaning = "pre-overburden pressure, instead of ocr: OCR = (sigma'_v0 + pop) / sigma'_v0", .unit = "Pa", .range = not_negative});
   d.value("surcharge", shansep.surcharge,
-          {.meaning = "vertical effective stress on the bed's surface under which the clay has consolidated, added to the weight above in "
+          {.meaning = "vertical effective stress on the bed's surface under which the clay has consolidated, added to the overburden in "
                       "sigma'_v0; it does not load the soil: a traction does",
            .unit = "Pa",
            .range = not_negative});
   d.value("min_strength", shansep.min_strength,
-          {.meaning = "the strength is never less: clay without weight above it would have none", .unit = "Pa", .range = not_negative});
+          {.meaning = "the strength is never less: clay without overburden would have none", .unit = "Pa", .range = not_negative});
 }
 
 Real strength_by(const Shansep& shansep, Real weight_above, const std::optional<Real>& ocr)

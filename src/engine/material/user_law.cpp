@@ -12,7 +12,7 @@ template <Interface interface>
 void describe(Describe& d, UserLaw<interface>& law)
 {
   d.value("library", law.library,
-          {.meaning = "shared library (.so) with the law; a relative path is one from the folder of the case", .required = true});
+          {.meaning = "shared library (.so) with the law; a relative path starts at the folder of the case", .required = true});
   d.value("library_sha256", law.library_sha256,
           {.meaning = "SHA-256 that the library must have; a run writes that of its library here, and is resumed with no other"});
   d.value("symbol", law.symbol,
@@ -37,7 +37,7 @@ void describe(Describe& d, UserLaw<interface>& law)
            .unit = "Pa",
            .range = positive,
            .required = true});
-  d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio that goes with it", .range = {0, 0.495}, .required = true});
+  d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio belonging to it", .range = {0, 0.495}, .required = true});
   d.value("can_yield", law.can_yield,
           {.meaning = "whether the law has a yield surface: soil that can yield gets bulk viscosity and the velocity filter"});
   d.choice("thread_safe", law.thread_safe, {"probed", "yes", "no"},

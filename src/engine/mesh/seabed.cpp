@@ -141,15 +141,15 @@ void describe(Describe& d, SeabedMesh& bed)
   d.value("headroom", bed.headroom,
           {.meaning = "height of free space above the surface, for the berm", .unit = "m", .range = positive, .required = true});
   d.value("left", bed.left,
-          {.meaning =
-               "distance from the pipe's start x = 0 to the left wall; left out: half the length. 0 for half a bed, or one around an "
-               "axis: the fine zone then begins there, with near_left = 0",
+          {.meaning = "distance from the pipe's initial position x = 0 to the left wall; left out: half the length. 0 for half a bed, or "
+                      "one around an "
+                      "axis: the fine zone then begins there, with near_left = 0",
            .unit = "m",
            .range = not_negative});
   d.value("near_size", bed.near_size,
           {.meaning = "size of the cells in the fine zone around the pipe's path", .unit = "m", .range = positive, .required = true});
   d.value("near_left", bed.near_left,
-          {.meaning = "x where the fine zone begins (negative: left of the pipe's start)", .unit = "m", .required = true});
+          {.meaning = "x where the fine zone begins (negative: left of the pipe's initial position)", .unit = "m", .required = true});
   d.value("near_right", bed.near_right, {.meaning = "x where the fine zone ends", .unit = "m", .required = true});
   d.value("near_depth", bed.near_depth,
           {.meaning = "depth of the fine zone below the surface", .unit = "m", .range = positive, .required = true});
@@ -162,9 +162,8 @@ void describe(Describe& d, SeabedMesh& bed)
            .unit = "m",
            .range = not_negative});
   d.value("slope", bed.slope,
-          {.meaning =
-               "angle of the surface from the horizontal; positive ascends along x, so that a drag along x goes uphill. The surface passes "
-               "through y = 0 at x = 0, and base and top go with it",
+          {.meaning = "angle of the surface from the horizontal; positive rises along x, so that a drag along x is uphill. The surface "
+                      "passes through y = 0 at x = 0; base and top follow the slope",
            .unit = "rad"});
   d.optional_table("trench", bed.trench, {.meaning = "a trench in the bed"});
   d.optional_table("step", bed.step, {.meaning = "a step of the bed"});

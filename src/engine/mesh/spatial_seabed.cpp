@@ -134,23 +134,21 @@ void check_faces(const SeabedMesh& bed)
   const auto refuse_steep = [](const char* key, Real angle) {
     refuse_unless(
         angle <= steepest_in_space * (1 + slack), key,
-        fmt::format(
-            "is {:.4g} deg; in space cells go along with the face, which can have 60 deg at most: make it gentler, or draw the mesh "
-            "in Gmsh",
-            angle / degree));
+        fmt::format("is {:.4g} deg; in space cells follow the face, which can have 60 deg at most: make it flatter, or draw the mesh "
+                    "in Gmsh",
+                    angle / degree));
   };
   if (bed.trench) refuse_steep("trench.side_slope", bed.trench->side_slope);
   if (bed.step) refuse_steep("step.face_slope", bed.step->face_slope);
   Real low = 0, high = 0;
   for (const Vec<2>& corner : bent_surface(bed).corners) low = std::min(low, corner[1]), high = std::max(high, corner[1]);
   const Real below = bed.depth - bed.layer - bed.near_depth, above = bed.headroom - bed.near_height;
-  refuse_unless(
-      below + low >= least_part * below, "depth",
-      fmt::format("the surface goes down by {:.6g} m, for which {:.6g} m below the fine zone are not enough: at least {:.6g} m deep", -low,
-                  below, bed.layer + bed.near_depth - low / (1 - least_part)));
+  refuse_unless(below + low >= least_part * below, "depth",
+                fmt::format("the surface falls by {:.6g} m, for which {:.6g} m below the fine zone are not enough: at least {:.6g} m deep",
+                            -low, below, bed.layer + bed.near_depth - low / (1 - least_part)));
   refuse_unless(above - high >= least_part * above, "headroom",
-                fmt::format("the surface goes up by {:.6g} m, for which {:.6g} m above the fine zone are not enough: at least {:.6g} m",
-                            high, above, bed.near_height + high / (1 - least_part)));
+                fmt::format("the surface rises by {:.6g} m, for which {:.6g} m above the fine zone are not enough: at least {:.6g} m", high,
+                            above, bed.near_height + high / (1 - least_part)));
 }
 
 /// Refuses planes so near each other that cells between them would shorten the time step.

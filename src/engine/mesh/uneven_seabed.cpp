@@ -233,15 +233,14 @@ void describe(Describe& d, Trench& trench)
   d.value("width", trench.width, {.meaning = "width of its bottom", .unit = "m", .range = positive, .required = true});
   d.value("side_slope", trench.side_slope,
           {.meaning = "angle of its sides from the bed beside it, up to 89 deg", .unit = "rad", .range = positive, .required = true});
-  d.value("center", trench.center, {.meaning = "x of its middle", .unit = "m"});
+  d.value("center", trench.center, {.meaning = "x of its centre", .unit = "m"});
 }
 
 void describe(Describe& d, Step& step)
 {
-  d.value("height", step.height,
-          {.meaning = "height of the bed beyond the face above that before it, y = 0; less than 0: it is lower",
-           .unit = "m",
-           .required = true});
+  d.value(
+      "height", step.height,
+      {.meaning = "level of the bed beyond the face relative to that before it, y = 0; less than 0: lower", .unit = "m", .required = true});
   d.value("position", step.position,
           {.meaning = "x where the face begins; beyond it, along x, is the other level", .unit = "m", .required = true});
   d.value("face_slope", step.face_slope,

@@ -84,14 +84,13 @@ std::string advice_for_leaving(const problem::Model<dim>& model, const problem::
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (surface_at<dim>(placed<dim>(model.rigid_bodies[r], state.rigid_bodies[r]), x).distance < 2 * model.mesh.height(cell))
       return fmt::format(
-          "rigid body \"{}\" is there and has displaced it: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
+          "rigid body \"{}\" is there and has displaced it: make the mesh larger there, end the stage \"{}\" earlier, or hold that "
           "boundary with a [support.NAME]",
           model.rigid_bodies[r].name, model.stages[state.stage.index].name);
   const auto absorbs = [&](Index node) { return model.dashpots[body].any() && model.dashpots[body].of_node[node] != none; };
   if (!model.dashpots.empty() && std::any_of(model.mesh.nodes[cell].begin(), model.mesh.nodes[cell].end(), absorbs))
-    return fmt::format("the boundary there absorbs waves, and holds nothing that keeps sliding: hold it by a support without `absorbs`, "
-                       "make the mesh larger "
-                       "there, or let the stage \"{}\" end earlier",
+    return fmt::format("the boundary there absorbs waves, and does not stop sliding soil: hold it by a support without `absorbs`, make the "
+                       "mesh larger there, or end the stage \"{}\" earlier",
                        model.stages[state.stage.index].name);
   return "make the mesh larger there, hold that boundary with a [support.NAME], or use a smaller mpm.courant";
 }

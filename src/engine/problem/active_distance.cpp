@@ -15,14 +15,14 @@ void check_active_distance(Describe& d, const Case& c)
   d.check(c.method == Method::mpm, key, "is for method = \"mpm\"");
   d.check(c.geometry != Geometry::axisymmetric, key, "is for a body that travels along the ground: it cannot be combined with axisymmetry");
   d.check(std::any_of(c.rigid.begin(), c.rigid.end(), [&](const auto& rigid) { return bounded(rigid.second.shape); }), key,
-          "needs a rigid body with bounds, from which soil can be far");
+          "needs a rigid body with bounds, from which the distance of soil can be measured");
   for (const StageSettings& stage : c.stage) {
     const Index rigid = stage.rigid.empty() ? 0 : index_of(c.rigid, stage.rigid);
     d.check(!drives(stage.kind) || rigid == none || c.rigid.empty() || bounded(c.rigid[static_cast<std::size_t>(rigid)].second.shape), key,
-            fmt::format("stage \"{}\" drives a half-plane, from which no soil is far", stage.name));
+            fmt::format("stage \"{}\" drives a half-plane, which has no bounds", stage.name));
   }
-  d.check(c.gravity_ramp == 0, key, "cannot be combined with gravity_ramp: soil that rests would not get its weight");
-  d.check(c.traction.empty(), key, "cannot be combined with tractions, which load soil that rests");
+  d.check(c.gravity_ramp == 0, key, "cannot be combined with gravity_ramp: inactive soil would not get its weight");
+  d.check(c.traction.empty(), key, "cannot be combined with tractions, which load inactive soil");
   for (const auto& [name, contact] : c.contact) {
     d.check(contact.other_body.empty(), key, fmt::format("cannot be combined with [contact.{}] between two deformable bodies", name));
     d.check(!rules_of(contact.scheme).stress_first, key,

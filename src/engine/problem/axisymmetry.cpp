@@ -46,7 +46,7 @@ void check_bed(Describe& d, const mesh::SeabedMesh& bed)
 void check_soil_and_bodies(Describe& d, const Case& c)
 {
   for (const auto& [name, body] : c.body) {
-    d.check(body.initial_angular_velocity == 0, "body." + name + ".initial_angular_velocity", "is not the same all around the axis");
+    d.check(body.initial_angular_velocity == 0, "body." + name + ".initial_angular_velocity", "is not axisymmetric");
     if (body.block)
       d.check(body.block->center.size() < 2 || body.block->size.size() < 2 || body.block->angle != 0 ||
                   body.block->center[0] - body.block->size[0] / 2 >= -round_off * body.block->size[0],
@@ -78,10 +78,11 @@ void check_motion(Describe& d, const Case& c)
     const Index driven = stage.rigid.empty() ? 0 : index_of(c.rigid, stage.rigid);
     d.check((!x.velocity && !x.force && !x.hold && !x.free && !x.spring) || driven == none || c.rigid.empty() ||
                 is_wall(c.rigid[driven].second.shape),
-            path + ".drive.x", "is a freedom around an axis of a wall only, a half_plane with its normal along x; of other bodies y is");
+            path + ".drive.x",
+            "is a degree of freedom around an axis for a wall only, a half_plane with its normal along x; for other bodies y is");
     const TurnSettings& turn = stage.drive.rotation;
     d.check(!turn.velocity && !turn.moment && !turn.fixed && !turn.free && !turn.spring, path + ".drive.rotation",
-            "is no freedom around an axis: y is");
+            "is not a degree of freedom around an axis: y is");
   }
 }
 

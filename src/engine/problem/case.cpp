@@ -139,7 +139,7 @@ void check_consolidation(Describe& d, const Case& c)
     const std::string path = fmt::format("stage[{}].until.consolidation", k);
     d.check(flows, path, "no soil has water that flows: give it water.drainage = \"consolidation\", or end the stage otherwise");
     d.check(c.stage[k].kind != StageKind::geostatic, path, "is for the stages after it: a geostatic stage ends at equilibrium");
-    d.check(speed_of(c.stage[k]) == 0, path, "needs a body at rest or under a force: as long as it is moved, pressure does not fall");
+    d.check(speed_of(c.stage[k]) == 0, path, "needs a body at rest or under a force: pressure does not dissipate while it is moved");
   }
   for (const auto& [name, support] : c.support)
     d.check(!support.drained || flows, "support." + name + ".drained",
@@ -169,9 +169,9 @@ void find_real_times(Describe& d, Case& c)
             "no soil has water that flows: give it water.drainage = \"consolidation\", or end the stage otherwise");
     d.check(!has_flowing_water(c) || part, path,
             "needs water.real_permeability of each material whose water flows, the same fraction of its permeability in all");
-    d.check(!moves_body(stage), path, "is for a body at rest or under a force: what moves takes its time in the run");
+    d.check(!moves_body(stage), path, "is for a body at rest or under a force: the time of a prescribed motion is not scaled");
     d.check(part.value_or(0) <= 1, path,
-            "is for a run that is shortened: water.real_permeability is larger than permeability, are the two the other way round?");
+            "is for a run that is shortened: water.real_permeability is larger than permeability, are the two interchanged?");
     if (!part) continue;
     const Real time = *part * *stage.until.real_time;
     constexpr Real same = 1e-9;
@@ -193,10 +193,10 @@ void check_supports(Describe& d, const Case& c)
     const std::string key = "support." + name + ".absorbs";
     d.check(c.method == Method::mpm, key, "is for the material point method: finite elements have no waves");
     d.check(support.stages.empty(), key, "acts in all stages: leave out the stages of this support");
-    d.check(!has_flowing_water(c), key, "is not for soil whose water flows: its two waves need dashpots of their own");
+    d.check(!has_flowing_water(c), key, "is not for soil whose water flows: its two waves would need separate dashpots");
     const bool at_rest = !c.stage.empty() && c.stage.front().kind == StageKind::geostatic;
     const bool weighs = std::any_of(c.gravity.begin(), c.gravity.end(), [](Real g) { return g != 0; });
-    d.check(at_rest || !weighs, key, "needs a geostatic stage first, in which the boundary finds the force that it then keeps");
+    d.check(at_rest || !weighs, key, "needs a geostatic stage first, which gives the force that the boundary then keeps");
     for (const auto& [other_name, other] : c.support) {
       if (&other == &support) break;
       const bool alike = other.absorbs && other.boundary == support.boundary &&
@@ -212,7 +212,7 @@ void check_tractions(Describe& d, const Case& c)
   for (const auto& [name, traction] : c.traction) {
     const std::string path = "traction." + name;
     d.check(index_of(c.body, name) == none && index_of(c.watch, name) == none, path,
-            "a [body.NAME] or [watch.NAME] has this name, which columns of the history begin with");
+            "a [body.NAME] or [watch.NAME] has this name, and columns of the history begin with it");
     d.check(traction.stress.empty() == traction.pressure.has_value(), path, "needs either stress or pressure, and not both");
     if (!traction.pressure) bodies::check_entries(d, path + ".stress", traction.stress, c.dimension());
     d.check(traction.pressure_gradient == 0 || traction.pressure, path + ".pressure_gradient",
@@ -232,13 +232,13 @@ void check_support_reactions(Describe& d, const Case& c)
   if (!c.output.support_reactions) return;
   const std::string key = "output.support_reactions";
   d.check(!c.support.empty(), key, "there is no support: add a [support.NAME] that holds a boundary, or leave this out");
-  d.check(!c.mpm.active_distance, key, "cannot be combined with mpm.active_distance: soil that rests hands no force to its supports");
+  d.check(!c.mpm.active_distance, key, "cannot be combined with mpm.active_distance: inactive soil transmits no force to its supports");
   for (const auto& entry : c.support) {
     const std::string& name = entry.first;
     const Index contact = index_of(c.contact, name);
     const auto free_of = [&](bool taken, const char* table) {
       d.check(!taken, "support." + name,
-              fmt::format("a [{}.{}] has this name, which columns of the history begin with: give the support another", table, name));
+              fmt::format("a [{}.{}] has this name, and columns of the history begin with it: give the support another", table, name));
     };
     free_of(index_of(c.traction, name) != none, "traction");
     free_of(contact != none && !c.contact[contact].second.other_body.empty(), "contact");
@@ -291,9 +291,9 @@ void check_cells_of_box(Describe& d, const Case& c)
     if (body.disk) particles += bodies::particles_in(*body.disk);
     if (body.block) particles += c.dimension() == 2 ? bodies::particles_in<2>(*body.block) : bodies::particles_in<3>(*body.block);
   }
-  d.check(
-      cells <= std::max(usual, for_a_particle * particles), "mesh.cells",
-      fmt::format("makes {:.3g} cells for {:.3g} particles: take larger cells, or a mesh that ends where no soil goes", cells, particles));
+  d.check(cells <= std::max(usual, for_a_particle * particles), "mesh.cells",
+          fmt::format("makes {:.3g} cells for {:.3g} particles: take larger cells, or a mesh that ends where soil no longer moves", cells,
+                      particles));
 }
 
 /// Rows and frames are written to a disk that ends. Stages of unknown duration are not counted.
@@ -321,34 +321,33 @@ void describe(Describe& d, MpmSettings& mpm)
 {
   d.value("courant", mpm.courant,
           {.meaning =
-               "time step over the time that a wave needs across the smallest height of a cell; without it, in soil that can yield, three "
+               "time step over the travel time of a wave across the smallest height of a cell; without it, in soil that can yield, three "
                "quarters of the longest one for which the mesh as a whole is stable (docs/theory/method.md)",
            .range = {1e-6, 1}});
   d.value("volumetric_projection", mpm.volumetric_projection,
-          {.meaning = "average volume changes over patches of two triangles (six tetrahedra), the cure against locking"});
-  d.choice(
-      "quadrature", mpm.quadrature, {"full_cells", "particles", "cut_cells"},
-      {.meaning =
-           "what stress is integrated over: a cell within the body over its own volume, one at a free surface or at a rigid body over "
-           "its particles'; each particle over its own everywhere, as published; or as the first, but of a cell that a rigid body cuts "
-           "over the volume that this leaves, and the adhesion on each face of a rigid body is that of the particles beside it: for "
-           "shaft friction and for soil that settles along a structure (docs/how_to/penetrate.md)"});
-  d.value("min_volume_ratio", mpm.min_volume_ratio, {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
+          {.meaning = "average volume changes over patches of two triangles (six tetrahedra), against locking"});
+  d.choice("quadrature", mpm.quadrature, {"full_cells", "particles", "cut_cells"},
+           {.meaning =
+                "what stress is integrated over: a cell within the body over its own volume, one at a free surface or at a rigid body over "
+                "its particles'; each particle over its own everywhere, as published; or as the first, but for a cell cut by a rigid body "
+                "over the remaining volume, and with the adhesion on each face of a rigid body from the particles beside it: for shaft "
+                "friction and for soil that settles along a structure (docs/how_to/penetrate.md)"});
+  d.value("min_volume_ratio", mpm.min_volume_ratio,
+          {.meaning = "smallest volume of a particle, over its initial one", .range = {0, 1, true}});
   d.value("max_volume_ratio", mpm.max_volume_ratio,
-          {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
+          {.meaning = "largest volume of a particle, over its initial one; a particle at that volume does not dilate further",
+           .range = {1, 10}});
   d.value("velocity_filter", mpm.velocity_filter,
-          {.meaning =
-               "in soil that can yield: fraction of the particle velocity not resolved by the nodes that is removed while a wave crosses "
-               "its cell; keeps noise from taking strength from soil without cohesion",
+          {.meaning = "in soil that can yield: fraction of the particle velocity not resolved by the nodes that is removed while a wave "
+                      "crosses its cell; prevents noise from weakening soil without cohesion",
            .range = {0, 1}});
   d.value("bulk_viscosity", mpm.bulk_viscosity,
           {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
-                      "damps the pressure waves that take strength from soil without cohesion",
+                      "damps the pressure waves that weaken soil without cohesion",
            .range = {0, 1}});
   d.value("active_distance", mpm.active_distance,
-          {.meaning =
-               "while a stage drives a rigid body, soil farther than that from the surface of every rigid body (but half-planes) rests "
-               "and takes no time: it is held, and keeps its stress; absent: no soil rests",
+          {.meaning = "while a stage drives a rigid body, soil farther than this from the surface of every rigid body (except half-planes) "
+                      "is inactive and takes no computing time: it is held, and keeps its stress; absent: all soil is active",
            .unit = "m",
            .range = positive});
 }
@@ -358,14 +357,15 @@ void describe(Describe& d, FemSettings& fem)
   d.value("contact_size", fem.contact_size,
           {.meaning = "size of the elements at the rigid body; absent: that of the mesh there", .unit = "m", .range = positive});
   d.value("tolerance", fem.tolerance,
-          {.meaning = "sum of the unbalanced nodal forces, over that of the contact forces, that is called equilibrium",
+          {.meaning = "sum of the unbalanced nodal forces, over that of the contact forces, that counts as equilibrium",
            .range = {0, 0.1, true}});
   d.value("largest_step", fem.largest_step,
           {.meaning = "largest travel in one increment, over the width of the rigid body", .range = {0, 1, true}});
   d.value("relaxation", fem.relaxation,
-          {.meaning = "travel over which stress beyond the strength fades, over the width of the rigid body: the most that is used. While "
-                      "increments converge quickly it falls to half, or to a ten-thousandth where all soil has dilation_angle = "
-                      "friction_angle",
+          {.meaning =
+               "travel over which stress beyond the strength decays, over the width of the rigid body: the largest that is used. While "
+               "increments converge quickly it falls to half, or to a ten-thousandth where all soil has dilation_angle = "
+               "friction_angle",
            .range = {0, 1, true}});
 }
 
@@ -373,9 +373,8 @@ void describe(Describe& d, WatchSettings& watch)
 {
   d.value("body", watch.body, {.meaning = "name of the body", .required = true});
   d.value("point", watch.point,
-          {.meaning = "the point of the soil, where it is at the start: it moves with the soil, and stress and pore pressure are those at "
-                      "its place, linear between the "
-                      "means of the cells around it",
+          {.meaning = "the point of the soil, by its initial position: it moves with the soil, and stress and pore pressure are those at "
+                      "its current position, linear between the means of the cells around it",
            .unit = "m",
            .required = true});
 }
@@ -383,36 +382,34 @@ void describe(Describe& d, WatchSettings& watch)
 void describe(Describe& d, SafetySettings& safety)
 {
   d.value("factor", safety.factor,
-          {.meaning = "what the strength of all soil and of its interfaces is divided by from the start on: cohesion, tangents of friction "
-                      "angles, undrained strength, adhesion, tension",
+          {.meaning =
+               "factor by which the strength of all soil and of its interfaces is divided from the start: cohesion, tangents of friction "
+               "angles, undrained strength, adhesion, tension",
            .range = positive,
            .required = true});
   d.value("movement", safety.movement,
-          {.meaning =
-               "displacement of the soil at which it has failed, which ends the run; absent = a hundredth of the height that can slide "
-               "and twice the compression of elastic soil of that height under its weight and loads",
+          {.meaning = "displacement of the soil that counts as failure and ends the run; absent = a hundredth of the height that can slide "
+                      "plus twice the compression of elastic soil of that height under its weight and loads",
            .unit = "m",
            .range = positive});
 }
 
 void describe(Describe& d, OutputSettings& output)
 {
-  d.value("history_time", output.history_time,
-          {.meaning = "time between rows of history.csv; absent = a thousandth of the time that the stages take",
-           .unit = "s",
-           .range = positive});
+  d.value(
+      "history_time", output.history_time,
+      {.meaning = "time between rows of history.csv; absent = a thousandth of the duration of the stages", .unit = "s", .range = positive});
   d.value("frame_time", output.frame_time,
-          {.meaning = "time between frames; begin and end of every stage are always written", .unit = "s", .range = positive});
+          {.meaning = "time between frames; start and end of every stage are always written", .unit = "s", .range = positive});
   d.value("frame_travel", output.frame_travel,
           {.meaning = "travel of the driven rigid body between frames", .unit = "m", .range = positive});
   d.value("support_reactions", output.support_reactions,
           {.meaning =
                "the force of each support on the soil is written to history.csv, by direction. At a node that two supports hold in one "
-               "direction, as at a corner, it counts with the one that the case names first"});
+               "direction, as at a corner, it counts with the one that comes first in the case"});
   d.value("checkpoint_wall_time", output.checkpoint_wall_time,
-          {.meaning =
-               "time on the clock between checkpoints, from which berm run --resume resumes; 0 = only at the end of a stage and where the "
-               "run is stopped",
+          {.meaning = "wall time between checkpoints, from which berm run --resume resumes; 0 = only at the end of a stage and where the "
+                      "run is stopped",
            .unit = "s",
            .range = not_negative});
 }
@@ -420,12 +417,12 @@ void describe(Describe& d, OutputSettings& output)
 void describe(Describe& d, ReportSettings& report)
 {
   d.value("project", report.project, {.meaning = "name or number of the project"});
-  d.value("client", report.client, {.meaning = "whom the work is for"});
+  d.value("client", report.client, {.meaning = "client"});
   d.value("document", report.document, {.meaning = "number of the document"});
   d.value("revision", report.revision, {.meaning = "its revision"});
   d.value("date", report.date, {.meaning = "its date, as it is to be written"});
-  d.value("author", report.author, {.meaning = "who set the case up"});
-  d.value("checker", report.checker, {.meaning = "who checked it"});
+  d.value("author", report.author, {.meaning = "author of the case"});
+  d.value("checker", report.checker, {.meaning = "checker"});
   d.value("note", report.note, {.meaning = "a remark for the reader"});
 }
 
@@ -434,11 +431,11 @@ void describe(Describe& d, Case& c)
   d.value("title", c.title, {.meaning = "one line that says what this is"});
   d.choice("method", c.method, {"mpm", "fem"},
            {.meaning = "material point method, or small-strain finite elements around a rigid body wished in place"});
-  d.choice(
-      "geometry", c.geometry, {"plane_strain", "axisymmetric", "space"},
-      {.meaning = "a section of which all is per metre run; all around the axis x = 0, with x the radius and gravity along y; or space"});
+  d.choice("geometry", c.geometry, {"plane_strain", "axisymmetric", "space"},
+           {.meaning =
+                "plane strain, all per metre run; axisymmetric about x = 0, with x the radius and gravity along y; or three-dimensional"});
   d.value("symmetry", c.symmetry,
-          {.meaning = "in space: axes across which the mesh ends at a plane of symmetry, at its lowest x or z: [\"z\"] for a half, [\"x\", "
+          {.meaning = "in space: axes normal to planes of symmetry, where the mesh ends at its lowest x or z: [\"z\"] for a half, [\"x\", "
                       "\"z\"] for a quarter. Input and results are those of the whole"});
   d.value("gravity", c.gravity,
           {.meaning = "gravity, one number per direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
@@ -446,36 +443,35 @@ void describe(Describe& d, Case& c)
           {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
   std::optional<Real> level = c.surface_given || c.surface != 0 ? std::optional(c.surface) : std::nullopt;
   d.value("surface", level,
-          {.meaning =
-               "level y of the bed's surface at the start, from which embedment counts; absent = 0 for a level bed, and on a slope, in a "
-               "trench or on a step the ground below the rigid body",
+          {.meaning = "level y of the bed's surface at the start, from which embedment is measured; absent = 0 for a level bed, and on a "
+                      "slope, in a trench or on a step the ground below the rigid body",
            .unit = "m"});
   c.surface_given = level.has_value();
   c.surface = level.value_or(0);
-  d.choice("initial_state", c.initial_state, {"automatic", "level_ground", "gravity_loading"},
-           {.meaning =
-                "what k0 makes of the weight at the start: stress below a level surface in soil of one density; or the elastic "
-                "equilibrium under it, for slopes, trenches and layers; automatic = the second where the ground is not level (in the "
-                "plane), else the first"});
+  d.choice(
+      "initial_state", c.initial_state, {"automatic", "level_ground", "gravity_loading"},
+      {.meaning =
+           "initial stress of bodies with k0: that below a level surface in soil of one density; or the elastic equilibrium under gravity, "
+           "for slopes, trenches and layers; automatic = the second where the ground is not level (in the plane), else the first"});
   d.table("mesh", c.mesh, {.meaning = "the background mesh", .required = true});
   d.named_tables("material", c.material, {.meaning = "materials", .required = true});
   d.named_tables("body", c.body, {.meaning = "deformable bodies", .required = true});
   d.named_tables("rigid", c.rigid, {.meaning = "rigid bodies"});
   d.named_tables("contact", c.contact, {.meaning = "contacts of a deformable body with a rigid one or another deformable one"});
   d.named_tables("rigid_contact", c.rigid_contact, {.meaning = "contacts of a rigid body with another rigid one"});
-  d.named_tables("support", c.support, {.meaning = "boundaries that are held"});
+  d.named_tables("support", c.support, {.meaning = "boundaries that are fixed"});
   d.named_tables("traction", c.traction, {.meaning = "loads on boundaries of the soil"});
-  d.array("stage", c.stage, {.meaning = "what happens, one stage after the other", .required = true});
+  d.array("stage", c.stage, {.meaning = "the stages of the run, in sequence", .required = true});
   d.table("mpm", c.mpm, {.meaning = "the material point method"});
   d.table("fem", c.fem, {.meaning = "the finite element method"});
   d.named_tables("watch", c.watch, {.meaning = "points of the soil whose motion, stress and pore pressure are written to the history"});
   d.optional_table(
       "safety", c.safety,
-      {.meaning = "a trial of the factor of safety: whether the soil stands with less strength; berm safety makes such trials"});
+      {.meaning = "a trial of the factor of safety: whether the soil is stable with reduced strength; berm safety makes such trials"});
   d.optional_table("pipeline", c.pipeline,
-                   {.meaning = "the pipeline whose slices the case is: a line that bends, on soil that moves with it"});
-  d.table("output", c.output, {.meaning = "what is written"});
-  d.table("report", c.report, {.meaning = "what berm report says of the work that the run is part of; changes no result"});
+                   {.meaning = "the pipeline of which the case is a slice: a bending line on slices of deforming soil"});
+  d.table("output", c.output, {.meaning = "output"});
+  d.table("report", c.report, {.meaning = "project data for berm report; no effect on results"});
 
   d.check(c.method == Method::mpm || c.dimension() == 2, "method",
           "finite elements are plane: they need geometry = \"plane_strain\" or \"axisymmetric\"");

@@ -277,7 +277,7 @@ void check_earthworks(Describe& d, const Case& c)
     names.push_back(name);
     const bool taken = index_of(c.body, name) != none || index_of(c.rigid, name) != none || index_of(c.contact, name) != none ||
                        index_of(c.support, name) != none || index_of(c.traction, name) != none || index_of(c.watch, name) != none;
-    d.check(!taken, path + ".name", "something else of the case has this name, which columns of the history begin with");
+    d.check(!taken, path + ".name", "something else of the case has this name, and columns of the history begin with it");
   };
   for (const auto& [name, body] : c.body) {
     const std::string path = "body." + name;
@@ -295,7 +295,7 @@ void check_earthworks(Describe& d, const Case& c)
       d.check(!body.fill[k].k0 || upright, item + ".k0", "the stress of a fill at rest is for gravity along -y");
     }
     d.check(!c.mpm.active_distance || (body.fill.empty() && body.excavation.empty()), "mpm.active_distance",
-            fmt::format("cannot be combined with the fills and excavations of [body.{}]: soil that rests would not take their load", name));
+            fmt::format("cannot be combined with the fills and excavations of [body.{}]: inactive soil would not carry their load", name));
   }
 }
 

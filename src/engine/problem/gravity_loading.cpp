@@ -326,7 +326,7 @@ void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<bodies:
     JoinedBodies<dim> ground(c, model, particles, bodies);
     if (!ground.solve())
       throw KeyError(
-          fmt::format("initial_state: body.{} finds no equilibrium under gravity: supports of the first stage must hold it, or a "
+          fmt::format("initial_state: body.{} does not reach equilibrium under gravity: supports of the first stage must hold it, or a "
                       "body with k0 that it has a contact with",
                       c.body[bodies.front()].first));
     ground.give_stress();

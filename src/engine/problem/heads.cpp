@@ -31,7 +31,7 @@ void check_heads(Describe& d, const Case& c)
     const std::string key = path + ".head";
     d.check(has_flowing_water(c), key, "no soil has water that flows: give it water.drainage = \"consolidation\", or leave this out");
     d.check(index_of(c.watch, name) == none, path,
-            fmt::format("a [watch.{}] has this name, which columns of the history begin with: give the support another", name));
+            fmt::format("a [watch.{}] has this name, and columns of the history begin with it: give the support another", name));
     d.check(support.drained, key, "is of water that crosses the boundary: it needs drained = true");
     for (const auto& [other_name, other] : c.support)
       d.check(
@@ -41,11 +41,10 @@ void check_heads(Describe& d, const Case& c)
                       other_name));
     for (std::size_t k = 0; k < c.stage.size(); ++k) {
       const bool acts = acts_in(support.stages, c.stage[k].name);
-      d.check(
-          !acts || !c.stage[k].until.consolidation || *support.head == 0, fmt::format("stage[{}].until.consolidation", k),
-          fmt::format("the head of [support.{}] leaves an excess pressure for good, so that no degree of consolidation is reached: end the "
-                      "stage at a time",
-                      name));
+      d.check(!acts || !c.stage[k].until.consolidation || *support.head == 0, fmt::format("stage[{}].until.consolidation", k),
+              fmt::format("the head of [support.{}] leaves a permanent excess pressure, so a degree of consolidation is never reached: end "
+                          "the stage at a time",
+                          name));
     }
   }
 }
@@ -97,10 +96,9 @@ void add_heads(const Case& c, Model<dim>& model)
       const NodeField<Vec<dim>> beside = areas_into_soil(c, mesh, other_name, other);
       for (Index node = 0; node < mesh.node_count(); ++node)
         if (std::abs(areas[node].dot(beside[node])) > along * areas[node].norm() * beside[node].norm())
-          throw KeyError(
-              fmt::format("support.{}.head: its boundary and that of [support.{}], which has a head in the same stage, go on in one "
-                          "line, and the nodes where they meet would have both: make one boundary of them",
-                          name, other_name));
+          throw KeyError(fmt::format("support.{}.head: its boundary and that of [support.{}], which has a head in the same stage, are in "
+                                     "line, and the nodes where they meet would have both: make one boundary of them",
+                                     name, other_name));
     }
     select(
         "list nodes of a head", mesh.node_chunks, [&](Index node) { return areas[node].norm() > 0; }, head.nodes, head.chunks);

@@ -114,7 +114,7 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   needs_particles(!contact.soil.empty(), ".soil");
   needs_particles(contact.particle_rim == contact::ParticleRim::worn, ".particle_rim");
   d.check(contact.adhesion_factor == 0 || contact.adhesion == 0, path + ".adhesion_factor",
-          "cannot be combined with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
+          "cannot be combined with adhesion: give the adhesion in Pa, or as a fraction of the strength of the soil");
   d.check(!softens(contact) || contact.adhesion > 0 || contact.adhesion_factor > 0, path + ".adhesion_sensitivity",
           "needs an adhesion that falls: adhesion or adhesion_factor");
   d.check(softens(contact) == (contact.adhesion_ductility > 0), path,
@@ -123,28 +123,29 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   if (body == none || index_of(c.material, c.body[body].second.material) == none) return;
   const BodySoil soil = soil_of(c, c.body[body].second);
   d.check(contact.particle_rim == contact::ParticleRim::whole || soil.materials.front().get_if<material::LinearElastic>() == nullptr,
-          path + ".particle_rim", fmt::format("[body.{}] is elastic and does not flow: its particles keep their rims", contact.body),
-          {"whole"});
+          path + ".particle_rim",
+          fmt::format("[body.{}] is elastic and does not flow: its particles keep their width in contact", contact.body), {"whole"});
   for (std::size_t k = 0; k < soil.materials.size(); ++k) {
     const auto beside =
         std::find_if(contact.soil.begin(), contact.soil.end(), [&](const auto& own) { return own.material == soil.names[k]; });
     const bool own = beside != contact.soil.end();
-    d.check(!((own ? beside->adhesion_factor : contact.adhesion_factor) > 0) || undrained_strength(soil.materials[k]),
-            own ? fmt::format("{}.soil[{}].adhesion_factor", path, beside - contact.soil.begin()) : path + ".adhesion_factor",
-            fmt::format("is a share of the undrained strength of the soil, and [material.{}] of [body.{}] has none: it needs a law with an "
-                        "undrained_strength, or with friction_angle = 0; else give the adhesion in Pa",
-                        soil.names[k], contact.body));
+    d.check(
+        !((own ? beside->adhesion_factor : contact.adhesion_factor) > 0) || undrained_strength(soil.materials[k]),
+        own ? fmt::format("{}.soil[{}].adhesion_factor", path, beside - contact.soil.begin()) : path + ".adhesion_factor",
+        fmt::format("is a fraction of the undrained strength of the soil, and [material.{}] of [body.{}] has none: it needs a law with an "
+                    "undrained_strength, or with friction_angle = 0; else give the adhesion in Pa",
+                    soil.names[k], contact.body));
   }
   for (std::size_t k = 0; k < contact.soil.size(); ++k) {
     const contact::SoilInterfaceSettings& beside = contact.soil[k];
     const std::string item = fmt::format("{}.soil[{}]", path, k);
     d.check(among(beside.material, soil.names), item + ".material",
             fmt::format("[body.{}] has no such material, or one that equals another", contact.body), soil.names);
-    d.check(soil.materials.size() > 1, item, fmt::format("[body.{}] has one material: say it in [contact] itself", contact.body));
+    d.check(soil.materials.size() > 1, item, fmt::format("[body.{}] has one material: give it in [contact] itself", contact.body));
     d.check(beside.adhesion == 0 || beside.adhesion_factor == 0, item + ".adhesion_factor",
-            "cannot be combined with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
+            "cannot be combined with adhesion: give the adhesion in Pa, or as a fraction of the strength of the soil");
     for (std::size_t other = 0; other < k; ++other)
-      d.check(contact.soil[other].material != beside.material, item + ".material", "is said twice");
+      d.check(contact.soil[other].material != beside.material, item + ".material", "is given twice");
   }
   for (const std::string& side : {contact.body, contact.other_body}) {
     const Index b = index_of(c.body, side);
@@ -163,10 +164,11 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   int numbers = 0;
   for (const FieldInfo& field : particle_extra(soil_of(c, c.body[body].second))) numbers += field.components;
   for (const FieldInfo& field : memory_fields(c, contact.body)) numbers += field.components;
-  d.check(numbers <= bodies::Particle<2>::max_extra, path,
-          fmt::format("[body.{}] has too many contacts that remember (tension, adhesion_sensitivity): its particles would keep {} numbers, "
-                      "and there is room for {}",
-                      contact.body, numbers, bodies::Particle<2>::max_extra));
+  d.check(
+      numbers <= bodies::Particle<2>::max_extra, path,
+      fmt::format("[body.{}] has too many contacts with a history (tension, adhesion_sensitivity): its particles would keep {} numbers, "
+                  "and there is room for {}",
+                  contact.body, numbers, bodies::Particle<2>::max_extra));
 }
 
 template void bond_at_start(mesh::Metric, bodies::Particles<2>&, const bodies::RigidShape<2>&, int);

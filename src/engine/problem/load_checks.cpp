@@ -57,7 +57,7 @@ std::string fault_of_times(const StageSettings& s)
   const std::vector<Real>& t = s.load_times;
   if (s.loads.empty() && t.size() != s.load_factors.size()) return "load_times: needs as many times as load_factors has factors";
   if (t.empty() || t.front() < 0 || !(t.back() > 0))
-    return "load_times: are counted from the begin of the stage: the first must be 0 or more, the last more than 0";
+    return "load_times: are measured from the start of the stage: the first must be 0 or more, the last more than 0";
   return "";
 }
 
@@ -66,8 +66,8 @@ std::string fault_of_rows(const Case& c, const StageSettings& s)
   for (std::size_t row = 0; row < s.load_times.size(); ++row)
     if (const std::optional<RowFault> fault = fault_of_row(s, row)) return fault->key + ": " + fault->message;
   if (c.method == Method::fem && std::adjacent_find(s.load_times.begin(), s.load_times.end()) != s.load_times.end())
-    return "load_times: the same time twice is a jump, and the finite element method goes from one equilibrium to the next: give what "
-           "changes there a time to do so";
+    return "load_times: the same time twice is a jump, and the finite element method goes from one equilibrium to the next: spread the "
+           "change over some time";
   return "";
 }
 
@@ -90,10 +90,9 @@ std::string fault_of_repeat(const StageSettings& s)
     const std::vector<Real>& column = s.loads.columns[k];
     if (load_columns[k].quantity != LoadQuantity::displacement || column.empty()) continue;
     if (std::abs(column.back()) > round_off * largest_of(column))
-      return fmt::format(
-          "load_repeat: {} ends at {:.6g} {} and begins again at 0, where the body cannot jump: add a row in which it is back "
-          "at 0, or write the runs one behind the other with the displacement going on",
-          load_columns[k].key, column.back(), load_columns[k].unit);
+      return fmt::format("load_repeat: {} ends at {:.6g} {} and begins again at 0, where the body cannot jump: add a row in which it is "
+                         "back at 0, or write the repetitions one after the other with continuous displacement",
+                         load_columns[k].key, column.back(), load_columns[k].unit);
   }
   return "";
 }
@@ -102,7 +101,7 @@ std::string fault_of_repeat(const StageSettings& s)
 std::string fault_of_ramp(const StageSettings& s)
 {
   if (s.ramp == 0 || s.velocity || s.force || s.vertical_force || s.vertical_velocity) return "";
-  if (s.kind == StageKind::pipeline) return "ramp: is not for loads of the line that a load history has: its rows say how they go";
+  if (s.kind == StageKind::pipeline) return "ramp: is not for loads of the line that a load history has: its rows give them";
   const DriveSettings& drive = s.drive;
   for (const FreedomSettings* f : {&drive.x, &drive.y, &drive.z})
     if (f->velocity || f->force) return "";
@@ -114,7 +113,7 @@ std::string fault_of_ramp(const StageSettings& s)
     if (load_columns[k].quantity != LoadQuantity::displacement) return "";
     follows = true;
   }
-  return follows ? "ramp: is not for displacements, which the body follows as they are: leave it out, and let the rows begin gently" : "";
+  return follows ? "ramp: is not for displacements, which the body follows exactly: leave it out, and start the rows smoothly" : "";
 }
 
 /// A force needs a mass to move, a moment what it turns.
@@ -142,7 +141,7 @@ std::string fault_of_column(const Case& c, const StageSettings& s, std::size_t k
   if (s.loads.columns[k].size() != s.load_times.size()) return key + "needs as many values as load_times has times";
   for (std::size_t other = k + 1; other < load_columns.size(); ++other)
     if (load_columns[other].along == column.along && !s.loads.columns[other].empty())
-      return key + fmt::format("cannot be combined with {}: a freedom is driven in one way only", load_columns[other].key);
+      return key + fmt::format("cannot be combined with {}: a degree of freedom is driven in one way only", load_columns[other].key);
   if (is_driven_otherwise(s, column)) return key + "drives what another key of the stage drives: leave one of them out";
   if (c.method == Method::fem && column.quantity != LoadQuantity::force)
     return key + "the finite element method knows no time: it takes a load history of forces, not of velocities or displacements";
@@ -155,7 +154,7 @@ std::optional<RowFault> fault_of_row(const StageSettings& s, std::size_t row)
 {
   const std::vector<Real>& t = s.load_times;
   const auto of_times = [](std::string why) { return RowFault{"load_times", std::move(why)}; };
-  if (t[row] < 0) return of_times("times count from the begin of the stage: 0 or more");
+  if (t[row] < 0) return of_times("times are measured from the start of the stage: 0 or more");
   if (row > 0 && t[row] < t[row - 1]) return of_times("times must ascend");
   const bool jump = row > 0 && t[row] == t[row - 1];
   if (jump && row > 1 && t[row] == t[row - 2])
@@ -168,12 +167,12 @@ std::optional<RowFault> fault_of_row(const StageSettings& s, std::size_t row)
       return RowFault{key, fmt::format("weight is {:.6g} N/m at {:.6g} s: it must be more than 0", column[row], t[row])};
     if (load_columns[k].quantity != LoadQuantity::displacement) continue;
     if (row == 0 && (t[0] != 0 || column[0] != 0))
-      return RowFault{key,
-                      fmt::format("{} is the displacement since the stage began: its first row must be 0 at the time 0, and is {:.6g} {} "
-                                  "at {:.6g} s; take its first value from all",
-                                  load_columns[k].name, column[0], load_columns[k].unit, t[0])};
+      return RowFault{
+          key, fmt::format("{} is the displacement since the start of the stage: its first row must be 0 at the time 0, and is {:.6g} {} "
+                           "at {:.6g} s; take its first value from all",
+                           load_columns[k].name, column[0], load_columns[k].unit, t[0])};
     if (jump && column[row] != column[row - 1] && std::abs(column[row] - column[row - 1]) > round_off * largest_of(column))
-      return RowFault{key, fmt::format("{} jumps from {:.6g} to {:.6g} {} at {:.6g} s: a body cannot; give it a time to get there",
+      return RowFault{key, fmt::format("{} jumps from {:.6g} to {:.6g} {} at {:.6g} s: a body cannot jump; give it time to get there",
                                        load_columns[k].name, column[row - 1], column[row], load_columns[k].unit, t[row])};
   }
   return {};
@@ -227,7 +226,7 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
 {
   if (s.load_times.empty() && s.load_factors.empty() && s.loads.empty()) return "";
   if (const std::string fault = fault_of_times(s); !fault.empty()) return fault;
-  if (!s.loads.empty() && !s.load_factors.empty()) return "load_factors: cannot be combined with loads, which are no factors";
+  if (!s.loads.empty() && !s.load_factors.empty()) return "load_factors: cannot be combined with loads, which are not factors";
   if (s.loads.empty() && (s.kind == StageKind::drive || s.kind == StageKind::pipeline))
     return fmt::format("load_factors: multiply what a push or a drag drives; a {} has a load history with columns, such as {}",
                        s.kind == StageKind::drive ? "drive" : "stage of kind pipeline",

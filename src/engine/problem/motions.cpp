@@ -31,10 +31,9 @@ void check_stages_of(Describe& d, const Case& c, const std::string& key, const b
     if (stage == c.stage.end()) continue;
     d.check(stage->kind != StageKind::geostatic, key,
             fmt::format("\"{}\" is a geostatic stage, in which the soil comes to rest: name the stages after it", name));
-    d.check(
-        stage->kind != StageKind::sweep, key,
-        fmt::format("\"{}\" is a sweep, several drags, and the motion would begin anew with each: write the drags as stages of their own",
-                    name));
+    d.check(stage->kind != StageKind::sweep, key,
+            fmt::format("\"{}\" is a sweep, several drags, and the motion would start again with each: write the drags as separate stages",
+                        name));
     d.check(acts_in(support.stages, name), key, fmt::format("the support does not act in \"{}\": add it to its stages", name));
   }
 }
@@ -50,8 +49,8 @@ std::string fault_of_motion(const Case& c, const boundary::SupportSettings& supp
     if (motion.velocity[k].empty()) continue;
     if (static_cast<int>(k) >= c.dimension()) return axis + ": is no direction in the plane: x and y are";
     if (!among(axis, support.fixed))
-      return fmt::format(
-          "{0}: the support leaves the soil free along {0}, where it cannot move it: add \"{0}\" to `fixed`, or leave this out", axis);
+      return fmt::format("{0}: the support leaves the soil free along {0}, so it cannot move it: add \"{0}\" to `fixed`, or leave this out",
+                         axis);
   }
   return "";
 }
@@ -66,11 +65,11 @@ void check_motions(Describe& d, const Case& c)
             "is for method = \"mpm\": finite elements have no inertia, and go from one equilibrium to the next; drive a rigid body, or "
             "load the "
             "soil by a traction");
-    d.check(!c.mpm.active_distance, path, "cannot be combined with mpm.active_distance: soil that rests feels no motion of its supports");
-    d.check(!c.safety, path, "cannot be combined with a trial of the factor of safety, in which the soil is to rest");
+    d.check(!c.mpm.active_distance, path, "cannot be combined with mpm.active_distance: motion of supports does not reach inactive soil");
+    d.check(!c.safety, path, "cannot be combined with a trial of the factor of safety, in which the soil must come to rest");
     const auto free_of = [&, &name = name](bool taken, const char* table) {
       d.check(!taken, "support." + name,
-              fmt::format("a [{}.{}] has this name, which columns of the history begin with: give the support another", table, name));
+              fmt::format("a [{}.{}] has this name, and columns of the history begin with it: give the support another", table, name));
     };
     free_of(index_of(c.body, name) != none, "body");
     free_of(index_of(c.watch, name) != none, "watch");
@@ -98,9 +97,9 @@ void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
     if (!support.motion) continue;
     for (std::size_t other = 0; other < s; ++other)
       if (collide(c.support[other].second, support))
-        throw KeyError(
-            fmt::format("support.{}.motion: [support.{}] moves the same boundary the same way in the same stage: leave one of them out",
-                        name, c.support[other].first));
+        throw KeyError(fmt::format(
+            "support.{}.motion: [support.{}] moves the same boundary in the same direction in the same stage: leave one of them out", name,
+            c.support[other].first));
     const auto number = static_cast<Index>(model.motions.size());
     Motion& motion = model.motions.emplace_back();
     motion.name = name;
@@ -118,8 +117,8 @@ void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
         throw KeyError(fmt::format(
             "support.{}.motion.{}: {}", name, boundary::motion_axes[d],
             on_plane ? fmt::format("moves across the plane of symmetry: leave it out, or \"{}\" out of symmetry", boundary::motion_axes[d])
-                     : "is along the radius, and the boundary meets the axis: a base that shakes sideways is not the same "
-                       "all around; move it along y, or take geometry = \"plane_strain\" or \"space\""));
+                     : "is along the radius, and the boundary meets the axis: a base that moves sideways is not axisymmetric; move it "
+                       "along y, or take geometry = \"plane_strain\" or \"space\""));
       }
     }
     for (std::size_t stage = 0; stage < c.stage.size(); ++stage) {

@@ -28,7 +28,7 @@ std::vector<Real> places_of(const SliceSettings& slices)
 
 void describe(Describe& d, Imperfection& imperfection)
 {
-  d.value("amplitude", imperfection.amplitude, {.meaning = "largest displacement sideways, along x of the slices", .unit = "m"});
+  d.value("amplitude", imperfection.amplitude, {.meaning = "largest lateral displacement, along x of the slices", .unit = "m"});
   d.value("length", imperfection.length, {.meaning = "length of the whole imperfection", .unit = "m", .range = not_negative});
 }
 
@@ -36,22 +36,21 @@ void describe(Describe& d, OtherSoil& soil)
 {
   d.value("from", soil.from, {.meaning = "position of the first of these slices", .unit = "m", .range = not_negative});
   d.value("to", soil.to, {.meaning = "position of the last of these slices", .unit = "m", .range = not_negative, .required = true});
-  d.value(
-      "set", soil.set,
-      {.meaning = "what is different there, of material and contact, as --set has it: \"material.clay.cohesion=3 kPa\"", .required = true});
+  d.value("set", soil.set,
+          {.meaning = "keys of material and contact that differ there, as for --set: \"material.clay.cohesion=3 kPa\"", .required = true});
 }
 
 void describe(Describe& d, Route& route)
 {
   d.value("table", route.table, {.meaning = "CSV file, beside the case file, whose columns x_m and y_m are the route, from x = 0"});
   d.value("x", route.x, {.meaning = "instead of a file: positions along the line, ascending from 0", .unit = "m"});
-  d.value("y", route.y, {.meaning = "instead of a file: where the line lies there, along x of the slices", .unit = "m"});
+  d.value("y", route.y, {.meaning = "instead of a file: lateral position of the line there, along x of the slices", .unit = "m"});
 }
 
 void describe(Describe& d, LateralCurve& curve)
 {
   d.value("table", curve.table,
-          {.meaning = "CSV file, beside the case file, whose columns u_m and H_N_m are the resistance sideways over displacement"});
+          {.meaning = "CSV file, beside the case file, whose columns u_m and H_N_m are the lateral resistance over displacement"});
   d.value("u", curve.x, {.meaning = "instead of a file: displacements, ascending from above 0", .unit = "m"});
   d.value("H", curve.y, {.meaning = "instead of a file: resistances at these displacements; constant after the last", .unit = "N/m"});
 }
@@ -59,7 +58,7 @@ void describe(Describe& d, LateralCurve& curve)
 void describe(Describe& d, SpringsBeside& springs)
 {
   d.value("travel", springs.travel,
-          {.meaning = "travel of the drag in a copy of the laid slice, whose H(u) the springs have",
+          {.meaning = "travel of the drag in a copy of the laid slice, whose H(u) becomes that of the springs",
            .unit = "m",
            .range = positive,
            .required = true});
@@ -76,7 +75,7 @@ void describe(Describe& d, SliceSettings& slices)
   d.value("at", slices.at, {.meaning = "instead of spacing: the positions of all slices, ascending from 0", .unit = "m"});
   d.value(
       "count", slices.count,
-      {.meaning = "instead of spacing: how many slices; berm places them where the line on springs needs them", .range = {0, max_slices}});
+      {.meaning = "instead of spacing: number of slices; berm places them where the line on springs needs them", .range = {0, max_slices}});
   d.choice("as_spring", slices.as_spring, {"never", "until_sliding", "always"},
            {.meaning =
                 "replace a slice by a spring of the far soil: until its lateral force reaches 40 % of the resistance, which saves time; "
@@ -105,7 +104,7 @@ void describe(Describe& d, FarSoil& soil)
   d.value(
       "stiffness", soil.stiffness,
       {.meaning = "vertical stiffness; absent: the submerged weight over a hundredth of the diameter", .unit = "N/m^2", .range = positive});
-  d.optional_table("lateral", soil.lateral, {.meaning = "resistance sideways over displacement, instead of friction and mobilisation"});
+  d.optional_table("lateral", soil.lateral, {.meaning = "lateral resistance over displacement, instead of friction and mobilisation"});
   d.value("macro_element", soil.macro_element,
           {.meaning = "file of berm macro-element, beside the case file, instead of the other keys: resistance in all directions"});
   declare_usual(d, {{"friction", {0.05, 3}},
@@ -127,22 +126,21 @@ void describe(Describe& d, PipelineSettings& pipeline)
   d.value("poisson_ratio", pipeline.poisson_ratio, {.meaning = "of the wall", .range = {0, 0.5}});
   d.value("expansion", pipeline.expansion, {.meaning = "thermal expansion of length", .unit = "1/K", .range = not_negative});
   d.value("submerged_weight", pipeline.submerged_weight,
-          {.meaning = "weight in water, as the line was laid", .unit = "N/m", .range = positive, .required = true});
+          {.meaning = "submerged weight when the line was laid", .unit = "N/m", .range = positive, .required = true});
   d.value("mass", pipeline.mass,
-          {.meaning = "mass that moves sideways and upwards: pipe, content and the water that goes along; absent: that of the rigid body",
+          {.meaning = "mass in lateral and vertical motion: pipe, content and added mass of the water; absent: that of the rigid body",
            .unit = "kg/m",
            .range = positive});
-  d.value("axial_mass", pipeline.axial_mass,
-          {.meaning = "mass that moves along the line; absent: `mass`", .unit = "kg/m", .range = positive});
+  d.value("axial_mass", pipeline.axial_mass, {.meaning = "mass in axial motion; absent: `mass`", .unit = "kg/m", .range = positive});
   d.value("lay_tension", pipeline.lay_tension,
           {.meaning = "effective tension under which it was laid", .unit = "N", .range = not_negative});
-  d.choice("half", pipeline.half, {"symmetric", "antisymmetric", "none"},
-           {.meaning =
-                "what the other half of the line is, beyond x = 0: its mirror image, or turned by half a turn; none: x = 0 is a free "
-                "end of the line"});
+  d.choice(
+      "half", pipeline.half, {"symmetric", "antisymmetric", "none"},
+      {.meaning =
+           "the other half of the line, beyond x = 0: its mirror image, or rotated by 180 degrees; none: x = 0 is a free end of the line"});
   d.value("length", pipeline.length, {.meaning = "from x = 0 to the far end", .unit = "m", .range = positive, .required = true});
   d.choice("end", pipeline.end, {"anchored", "free", "spring"},
-           {.meaning = "whether the far end stays where it is or moves along the line, freely or against a spring"});
+           {.meaning = "far end: fixed, or moving along the line, freely or against a spring"});
   d.value("end_stiffness", pipeline.end_stiffness,
           {.meaning = "of the spring of the far end, along the line", .unit = "N/m", .range = positive});
   d.table("imperfection", pipeline.imperfection,
@@ -150,14 +148,15 @@ void describe(Describe& d, PipelineSettings& pipeline)
                       "amplitude (1 + cos kx) sin kx 4/(3 sqrt 3)"});
   d.optional_table("route", pipeline.route, {.meaning = "the line's shape without stress, instead of an imperfection"});
   d.table("slices", pipeline.slices, {.meaning = "where slices of soil are", .required = true});
-  d.array("soil", pipeline.soil, {.meaning = "slices of other soil than that of the case, each laid by itself"});
+  d.array("soil", pipeline.soil, {.meaning = "slices in other soil than that of the case, each laid by itself"});
   d.table("far_soil", pipeline.far_soil, {.meaning = "springs beyond the last slice"});
   d.optional_table("springs", pipeline.springs,
-                   {.meaning = "a second line, on springs of the same soil, computed beside: what a design with springs would find"});
-  d.value("vertical_damping", pipeline.vertical_damping,
-          {.meaning = "vertical force over momentum of the line: takes what the soil's reaction, one step late, would add",
-           .unit = "1/s",
-           .range = not_negative});
+                   {.meaning = "a second line on springs from the same soil, for comparison with a design on springs"});
+  d.value(
+      "vertical_damping", pipeline.vertical_damping,
+      {.meaning = "vertical damping force over momentum of the line: removes the energy added by the soil reaction, which lags by one step",
+       .unit = "1/s",
+       .range = not_negative});
   declare_usual(d, {{"young_modulus", {5e8, 4.5e11}},  // of polyethylene to that of what is stiffer than carbon fibre
                     {"bending_stiffness", {10, 1e11}},
                     {"axial_stiffness", {1e5, 1e12}},
@@ -187,7 +186,7 @@ void check_shape(Describe& d, const PipelineSettings& p)
   d.check(p.route.empty() || shape.amplitude == 0, "pipeline.route", "cannot be combined with pipeline.imperfection");
   d.check(p.route.x.empty() || p.route.x.front() == 0, "pipeline.route.x", "must begin at 0");
   d.check(p.half != LineHalf::antisymmetric || p.route.y.empty() || p.route.y.front() == 0, "pipeline.route.y",
-          "must begin at 0 where the other half is this one turned around");
+          "must begin at 0 where the other half is this one rotated by 180 degrees");
   if (shape.amplitude == 0)
     return d.check(!p.route.empty() || p.half == LineHalf::none, "pipeline.imperfection.amplitude",
                    "is 0: a straight line does not buckle");
@@ -272,10 +271,10 @@ void check_soil(Describe& d, const Case& c, const PipelineSettings& p)
   d.check(!(far.axial_angle || far.axial_strength) || far.macro_element.empty(), "pipeline.far_soil",
           "macro_element has its own axial resistance");
   d.check(p.slices.as_spring == SliceAsSpring::never || far.friction > 0 || !far.lateral.empty() || !far.macro_element.empty(),
-          "pipeline.slices.as_spring", "needs a resistance sideways of the springs: pipeline.far_soil.friction");
+          "pipeline.slices.as_spring", "needs a lateral resistance of the springs: pipeline.far_soil.friction");
   d.check(p.soil.empty() || (c.traction.empty() &&
                              std::none_of(c.support.begin(), c.support.end(), [](const auto& s) { return s.second.head.has_value(); })),
-          "pipeline.soil", "cannot be combined with tractions and heads, whose times would be others where laying takes longer");
+          "pipeline.soil", "cannot be combined with tractions and heads, whose times would differ where laying takes longer");
   d.check(p.soil.empty() || p.slices.as_spring != SliceAsSpring::always, "pipeline.soil",
           "cannot be combined with slices that are always springs");
   const std::vector<Real> places = places_of(p.slices);

@@ -64,7 +64,7 @@ void check_rigid_contacts(Describe& d, const Case& c)
             "is for plane strain and space: around an axis bodies do not move towards each other");
     d.check(index_of(c.body, name) == none && index_of(c.watch, name) == none && index_of(c.traction, name) == none &&
                 index_of(c.contact, name) == none && index_of(c.rigid, name) == none,
-            path, "another table has this name, which columns of the history begin with");
+            path, "another table has this name, and columns of the history begin with it");
     for (const auto& [other, again] : c.rigid_contact)
       d.check(&again == &contact || !joins(again, contact.rigid, contact.other_rigid), path,
               fmt::format("is between the same bodies as [rigid_contact.{}]", other));
@@ -84,7 +84,7 @@ void add_rigid_contacts(const Case& c, Model<dim>& model)
     const auto proximity = bodies::proximity_of<dim>(c.rigid[first].second.shape, c.rigid[second].second.shape);
     if (!proximity)
       throw KeyError(
-          path + (dim == 2 ? ": two half-planes do not meet"
+          path + (dim == 2 ? ": two half-planes cannot meet"
                            : ": in space bodies meet of which one is a sphere, two circles along z, or such a circle and a half-plane"));
     if (!may_move(c, s.rigid) && !may_move(c, s.other_rigid))
       throw KeyError(fmt::format("{}: neither \"{}\" nor \"{}\" moves: no stage drives them, and neither has motion = \"free\"", path,
@@ -268,7 +268,7 @@ void refuse_where_neither_gives_way(const Model<dim>& model, const State<dim>& s
   const RigidContact<dim>& contact = model.rigid_contacts[point.contact];
   if (point.gap + dt * point.normal.dot(slip_at(state, point)) >= -overlap_that_counts * size_of<dim>(model, contact)) return;
   throw RunError(
-      fmt::format("\"{}\" and \"{}\" meet at t = {:.4g} s, and neither gives way: both are held or driven by a velocity; give one of them "
+      fmt::format("\"{}\" and \"{}\" meet at t = {:.4g} s, and neither can yield: both are fixed or driven by a velocity; give one of them "
                   "motion = \"free\" or drive it by a force, or end the stage before they meet",
                   model.rigid_bodies[contact.first].name, model.rigid_bodies[contact.second].name, state.time));
 }

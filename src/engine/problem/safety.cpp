@@ -111,7 +111,7 @@ void check_safety(Describe& d, const Case& c)
     d.check(
         with_strength_over(soil, c.safety->factor).has_value(), "material." + name + ".law",
         fmt::format("\"{}\" has no strength that a factor of safety divides: that of a critical-state soil follows from its density and "
-                    "pressure, and berm does not know what the properties of a law of your own are; take \"mohr_coulomb\" or \"clay\"",
+                    "pressure, and the meaning of the properties of a user law is not known; take \"mohr_coulomb\" or \"clay\"",
                     material::law_word(soil)));
   }
   d.check(yields_somewhere, "material",
@@ -120,9 +120,10 @@ void check_safety(Describe& d, const Case& c)
     d.check(body.fill.empty() && body.excavation.empty(), "body." + name,
             "a trial of the factor of safety follows the movement of soil that is there from the start to the end: leave out its fills and "
             "excavations, and let the case begin with the ground as it is then");
-  d.check(has_load(c), "gravity", "nothing loads the soil of this case, so that it never fails: add gravity, a traction or a force");
+  d.check(has_load(c), "gravity", "nothing loads the soil of this case, so it never fails: add gravity, a traction or a force");
   d.check(c.stage.empty() || !moves_body(c.stage.back()), fmt::format("stage[{}].kind", c.stage.empty() ? 0 : c.stage.size() - 1),
-          "the last stage moves a body, so that the soil cannot come to rest: let a stage follow that is geostatic, free, or by a force");
+          "the last stage moves a body, so that the soil cannot come to rest: add a stage after it that is geostatic, free, or driven by a "
+          "force");
 }
 
 Real time_factor_of_last_stage(const Case& c, Real depth)

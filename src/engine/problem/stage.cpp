@@ -14,10 +14,10 @@ void describe(Describe& d, FreedomSettings& freedom)
 {
   d.value("velocity", freedom.velocity, {.meaning = "velocity along the axis", .unit = "m/s"});
   d.value("force", freedom.force, {.meaning = "force on the body along the axis, instead of a velocity", .unit = "N/m"});
-  d.value("hold", freedom.hold, {.meaning = "hold the force that balances the soil when the stage begins"});
-  d.value("free", freedom.free, {.meaning = "moved by nothing but its contacts and a spring"});
+  d.value("hold", freedom.hold, {.meaning = "hold the force that balances the soil at the start of the stage"});
+  d.value("free", freedom.free, {.meaning = "free: moved only by its contacts and a spring"});
   d.value("spring", freedom.spring,
-          {.meaning = "stiffness of a spring to where the body was when the stage began, by itself or besides force or hold",
+          {.meaning = "stiffness of a spring to the position of the body at the start of the stage, alone or with force or hold",
            .unit = "N/m^2",
            .range = positive});
 }
@@ -27,9 +27,9 @@ void describe(Describe& d, TurnSettings& turn)
   d.value("velocity", turn.velocity, {.meaning = "angular velocity, counter-clockwise seen from the end of the axis", .unit = "rad/s"});
   d.value("moment", turn.moment, {.meaning = "moment on the body, instead of a velocity", .unit = "N"});
   d.value("fixed", turn.fixed, {.meaning = "does not rotate, whatever [rigid.NAME] says"});
-  d.value("free", turn.free, {.meaning = "rotated by nothing but its contacts and a spring, whatever [rigid.NAME] says"});
+  d.value("free", turn.free, {.meaning = "free: rotated only by its contacts and a spring, whatever [rigid.NAME] says"});
   d.value("spring", turn.spring,
-          {.meaning = "stiffness of a spring to the orientation of the body when the stage began, by itself or besides a moment",
+          {.meaning = "stiffness of a spring to the orientation of the body at the start of the stage, alone or with a moment",
            .unit = "N/rad",
            .range = positive});
 }
@@ -44,30 +44,26 @@ void describe(Describe& d, DriveSettings& drive)
   d.table("rotation_y", drive.rotation_y, {.meaning = "rotation about y, in space"});
   d.table("rotation_z", drive.rotation_z, {.meaning = "rotation about z, in space"});
   d.value("point", drive.point,
-          {.meaning =
-               "where x, y and z act, and what until.displacement counts: a point that moves with the body, by its position before the "
-               "first stage; "
-               "absent = its centre",
+          {.meaning = "point at which x, y and z act and until.displacement is measured: it moves with the body and is given by its "
+                      "position before the first stage; absent = its centre",
            .unit = "m"});
 }
 
 void describe(Describe& d, Until& until)
 {
-  d.value("time", until.time, {.meaning = "time since the stage began", .unit = "s", .range = not_negative});
-  d.value(
-      "real_time", until.real_time,
-      {.meaning =
-           "of a stage at rest in soil whose water flows: time that passes for the soil that is modelled, such as \"30 days\"; it lasts "
-           "real_permeability / permeability times that in the run",
-       .unit = "s",
-       .range = positive});
-  d.value("displacement", until.displacement,
-          {.meaning = "horizontal travel of the rigid body in this stage; in a stage of kind drive its distance from where the stage began",
-           .unit = "m",
+  d.value("time", until.time, {.meaning = "time since the start of the stage", .unit = "s", .range = not_negative});
+  d.value("real_time", until.real_time,
+          {.meaning = "for a stage at rest in soil whose water flows: time in reality, such as \"30 days\"; the run takes "
+                      "real_permeability / permeability times that",
+           .unit = "s",
            .range = positive});
+  d.value(
+      "displacement", until.displacement,
+      {.meaning = "horizontal travel of the rigid body in this stage; in a stage of kind drive its distance from the start of the stage",
+       .unit = "m",
+       .range = positive});
   d.value("embedment", until.embedment,
-          {.meaning = "depth of the rigid body's lowest point below the surface, w; a body that is lifted ends where w has fallen to it",
-           .unit = "m"});
+          {.meaning = "depth of the rigid body's lowest point below the surface, w; a lift ends where w has fallen to it", .unit = "m"});
   d.value("force", until.force,
           {.meaning =
                "soil reaction: V in a push, H in a drag. A drive by velocity slows down near it. In a push upwards V falls to it; less "
@@ -77,10 +73,10 @@ void describe(Describe& d, Until& until)
           {.meaning = "degree of consolidation U where water flows: 1 - the largest excess pore pressure in the soil now, over the largest "
                       "in this stage, both without waves (means over 8 H/c of the soil's height H and the speed c of waves)",
            .range = {0.01, 0.999}});
-  d.value("equilibrium", until.equilibrium,
-          {.meaning =
-               "geostatic: the soil is in equilibrium and at rest, as `equilibrium` of the stage says; of a geostatic stage that names no "
-               "end it is true. `time` is then the most that it may take; left out: what waves and damping need"});
+  d.value(
+      "equilibrium", until.equilibrium,
+      {.meaning = "geostatic: the soil is in equilibrium and at rest, within `equilibrium` of the stage; for a geostatic stage without "
+                  "another limit it is true. `time` is then the longest that it may take; left out: as long as waves and damping need"});
   declare_usual(d, {{"real_time", {1, 1e10}}});
 }
 
@@ -91,8 +87,8 @@ void describe(Describe& d, PipelineLoads& loads)
           {.meaning = "the same at the far end of the line, linear between; left out: as at x = 0", .unit = "K"});
   d.value("pressure", loads.pressure, {.meaning = "rise of internal pressure since the line was laid", .unit = "Pa"});
   d.value("weight", loads.weight, {.meaning = "submerged weight", .unit = "N/m", .range = positive});
-  d.value("lateral", loads.lateral, {.meaning = "load sideways, along x of the slices, such as that of a current", .unit = "N/m"});
-  d.value("pull", loads.pull, {.meaning = "effective tension at the far end, where nothing anchors it", .unit = "N"});
+  d.value("lateral", loads.lateral, {.meaning = "lateral load, along x of the slices, such as that of a current", .unit = "N/m"});
+  d.value("pull", loads.pull, {.meaning = "effective tension at the far end, where it is not anchored", .unit = "N"});
   declare_usual(d, {{"temperature", {0, 250}},
                     {"far_temperature", {0, 250}},
                     {"pressure", {1e4, 2e8}},
@@ -105,35 +101,34 @@ void describe(Describe& d, StageSettings& stage)
 {
   d.value("name", stage.name, {.meaning = "name of the stage, for the history and for --set", .required = true});
   d.choice("kind", stage.kind, {"geostatic", "push", "drag", "free", "drive", "sweep", "pipeline"},
-           {.meaning =
-                "find equilibrium; push down; drag sideways; let time pass; drive each degree of freedom as [stage.drive] says; drag out "
-                "and back, several times; or load the [pipeline], which drives its slices",
+           {.meaning = "find equilibrium; push down; drag sideways; let time pass; drive each degree of freedom as given in [stage.drive]; "
+                       "drag out and back, several times; or load the [pipeline], which drives its slices",
             .required = true});
   d.choice(
       "role", stage.role, {"automatic", "touchdown", "lay", "flooded", "emptied", "operation", "breakout", "sweep"},
       {.meaning =
-           "what the stage is in the life of a pipe: its results and springs are those of the state where such a stage ends (touchdown, "
+           "role of the stage in the life of a pipe: its results and springs are those of the state at the end of such a stage (touchdown, "
            "laid, "
-           "flooded, emptied, operation), its breakout that of this drag; automatic finds touchdown, lay and operation from the stages"});
+           "flooded, emptied, operation), its breakout that of this drag; automatic infers touchdown, lay and operation from the stages"});
   d.value("rigid", stage.rigid, {.meaning = "rigid body that is driven; may be left out where there is only one"});
   d.value("velocity", stage.velocity, {.meaning = "speed of the drive: down in a push, along x in a drag", .unit = "m/s"});
   d.value("force", stage.force, {.meaning = "force of the drive, instead of a velocity", .unit = "N/m"});
   d.choice("vertical", stage.vertical, {"hold", "fixed"},
-           {.meaning = "in a drag: hold the vertical force that drives the body when the stage begins (after a push by velocity the soil's "
-                       "reaction), or do not move vertically"});
+           {.meaning = "in a drag: hold the vertical force at the start of the stage (after a push by velocity the reaction of the soil), "
+                       "or fix the vertical position"});
   d.value("vertical_force", stage.vertical_force, {.meaning = "in a drag: downward force, instead of the one held", .unit = "N/m"});
   d.value("vertical_velocity", stage.vertical_velocity,
           {.meaning = "in a drag: downward speed, instead of holding a force; less than 0 = upwards", .unit = "m/s"});
-  d.value(
-      "ramp", stage.ramp,
-      {.meaning = "time in which the drive goes from what it was to its value; what a push or a drive does not name stands still at once",
-       .unit = "s",
-       .range = not_negative});
+  d.value("ramp", stage.ramp,
+          {.meaning = "time over which the drive changes from its previous value to its new one; directions that a push or a drive does "
+                      "not name stop at once",
+           .unit = "s",
+           .range = not_negative});
   d.table("drive", stage.drive,
           {.meaning = "degrees of freedom of the driven body, in a stage of kind drive; what is left out is fixed. Its rotations also in a "
                       "push or a drag"});
   d.table("pipeline", stage.pipeline,
-          {.meaning = "in a stage of kind pipeline: the loads of the line once the ramp is over; what is left out stays as it was"});
+          {.meaning = "in a stage of kind pipeline: the loads of the line after the ramp; those left out do not change"});
   d.value(
       "repeat", stage.repeat,
       {.meaning = "how often the stages from `repeat_from` to this one run, one after the other; later ones are called NAME_2, NAME_3, ...",
@@ -145,7 +140,7 @@ void describe(Describe& d, StageSettings& stage)
           {.meaning = "in a sweep: time between two drags, with the vertical force held", .unit = "s", .range = not_negative});
   d.value("load_history", stage.load_history,
           {.meaning =
-               "CSV file, beside the case file, of the time since the stage began and, in a push or a drag, the factor of velocity "
+               "CSV file, beside the case file, of the time since the start of the stage and, in a push or a drag, the factor of velocity "
                "or force; or of forces, velocities and displacements that vary together, which its header names: time_s,H_N_m,V_N_m; in a "
                "stage of kind pipeline of the loads of the line: time_s,temperature_K,pressure_Pa"});
   d.value("load_times", stage.load_times,
@@ -154,33 +149,34 @@ void describe(Describe& d, StageSettings& stage)
   d.value("load_factors", stage.load_factors, {.meaning = "the factors at these times"});
   d.optional_table(
       "loads", stage.loads,
-      {.meaning = "instead of factors: forces, velocities and displacements at these times, which drive the freedoms that they name"});
-  d.value(
-      "load_repeat", stage.load_repeat,
-      {.meaning = "how often the load history runs, one run behind the other; displacements must end where they began", .range = {1, 1e6}});
-  d.value(
-      "time_scale", stage.time_scale,
       {.meaning =
-           "time of the run over that of the load history, forces and travels unchanged; automatic: the fastest at which inertia is small, "
-           "1 at most",
-       .range = positive,
-       .words = {{"automatic", automatic_time_scale}}});
-  d.value("strength_recovery", stage.strength_recovery,
-          {.meaning =
-               "share of the strength lost by remoulding that clay has regained when the stage begins, by consolidation or thixotropy "
-               "in a pause before it; of a sweep: in each of its pauses",
-           .range = {0, 1}});
+           "instead of factors: forces, velocities and displacements at these times, which drive the degrees of freedom that they name"});
+  d.value("load_repeat", stage.load_repeat,
+          {.meaning = "number of times the load history runs, one after the other; displacements must end where they started",
+           .range = {1, 1e6}});
+  d.value("time_scale", stage.time_scale,
+          {.meaning = "time of the run over that of the load history, forces and travels unchanged; automatic: the smallest at which "
+                      "inertia is small, 1 at most",
+           .range = positive,
+           .words = {{"automatic", automatic_time_scale}}});
+  d.value(
+      "strength_recovery", stage.strength_recovery,
+      {.meaning =
+           "fraction of the strength lost by remoulding that clay has regained at the start of the stage, by consolidation or thixotropy "
+           "in a pause before it; of a sweep: in each of its pauses",
+       .range = {0, 1}});
   d.value("damping", stage.damping,
           {.meaning = "local damping of all bodies in this stage, instead of their own; 0.7 is recommended for a geostatic stage",
            .range = {0, 1}});
   d.value("zero_displacements", stage.zero_displacements,
-          {.meaning = "displacements count from where this stage begins: of watched points, soil bodies, loaded boundaries and the fields "
-                      "of frames, with "
-                      "the strains of displacement; rigid bodies get columns of their own for it, since_u_m and since_w_m"});
+          {.meaning =
+               "displacements are measured from the start of this stage: of watched points, soil bodies, loaded boundaries and the fields "
+               "of frames, with "
+               "the strains of displacement; rigid bodies get columns of their own for it, since_u_m and since_w_m"});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
   d.value("equilibrium", stage.equilibrium,
-          {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium, and to end there the soil "
-                      "must be as near to rest",
+          {.meaning = "geostatic: largest out-of-balance force, over the weight, that counts as equilibrium; the same limit applies to the "
+                      "motion of the soil",
            .range = positive});
 }
 

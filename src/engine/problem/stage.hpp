@@ -37,7 +37,7 @@ enum class StageRole {
 
 /// A stage ends when the first of the limits that are given is reached.
 struct Until {
-  std::optional<Real> time;           ///< s since the stage began
+  std::optional<Real> time;           ///< s since the start of the stage
   std::optional<Real> displacement;   ///< m, |u - u at the stage's begin|; of a drive the distance from there
   std::optional<Real> embedment;      ///< m, w: that or more, of a body that is lifted that or less
   std::optional<Real> force;          ///< N per metre: H of a drag, V of a push, in one upwards that or less

@@ -42,7 +42,8 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
     const std::string at = path + ".drive." + key;
     any = any || ways > 0;
     d.check(ways == 0 || there, at,
-            plane ? "is no freedom in plane strain: x, y and rotation are" : "is no freedom in space: x, y, z and rotation_x, _y, _z are");
+            plane ? "is not a degree of freedom in plane strain: x, y and rotation are"
+                  : "is not a degree of freedom in space: x, y, z and rotation_x, _y, _z are");
     d.check(ways <= 1, at, "is driven in one way only");
   };
   const auto spring = [&](const char* key, bool has, bool prescribed, bool there) {
@@ -71,7 +72,7 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   turn("rotation_x", s.drive.rotation_x, !plane);
   turn("rotation_y", s.drive.rotation_y, !plane);
   turn("rotation_z", s.drive.rotation_z, !plane);
-  d.check(!drive || any || has_load_history(s), path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
+  d.check(!drive || any || has_load_history(s), path + ".drive", "a drive needs at least one degree of freedom: x, y, z or a rotation");
   const std::string point = path + ".drive.point";
   d.check(s.drive.point.empty() || drive, point, "is for kind = \"drive\"");
   d.check(s.drive.point.empty() || c.method == Method::mpm, point, "finite elements drive a body at its centre: leave it out");
@@ -124,7 +125,7 @@ void check_force_limit(Describe& d, const StageSettings& s, const std::string& p
   d.check(s.kind != StageKind::drive, path + ".until.force", "is V of a push or H of a drag");
   const bool up = s.kind == StageKind::push && (s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0);
   d.check(*s.until.force > 0 || (up && *s.until.force < 0), path + ".until.force",
-          up ? "must not be 0: V of a push upwards falls to it, and is less than 0 where the soil holds the body down"
+          up ? "must not be 0: V in a push upwards falls to it, and is less than 0 where the soil holds the body down"
              : "must be more than 0; less than 0 it is for a push upwards, where the soil holds the body down");
 }
 
@@ -132,7 +133,7 @@ void check_force_limit(Describe& d, const StageSettings& s, const std::string& p
 void check_zero_displacements(Describe& d, const StageSettings& s, int k, const std::string& path)
 {
   d.check(!s.zero_displacements || k > 0, path + ".zero_displacements",
-          "displacements count from the first stage without it: it is for a later stage, from which they are to count");
+          "without it displacements are measured from the first stage: it is for a later stage, from which they are to be measured");
 }
 
 void check_equilibrium(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
@@ -142,7 +143,7 @@ void check_equilibrium(Describe& d, const Case& c, const StageSettings& s, const
   const auto damped = [](const auto& body) { return body.second.damping > 0; };
   d.check(!ends_at_equilibrium(s) || c.method != Method::mpm || s.damping.value_or(0) > 0 ||
               (!s.damping && std::all_of(c.body.begin(), c.body.end(), damped)),
-          path + ".damping", "is needed for equilibrium: without it the soil swings for ever; take damping = 0.7 in this stage");
+          path + ".damping", "is needed for equilibrium: without it the soil oscillates without end; take damping = 0.7 in this stage");
 }
 
 /// The stage in which thrown bodies begin drives none of them.

@@ -209,7 +209,7 @@ void drive_otherwise(const Model<dim>& model, State<dim>& state, int freedom, bo
   if (stage.kind == StageKind::drive && has_load_history(stage)) refuse("has a load history, which drives its body");
   if (!std::isfinite(value)) refuse("cannot drive its body by a number that is not finite");
   bodies::Drive& drive = state.stage.drive[freedom];
-  if (drive.spring > 0) refuse("has a spring in this freedom");
+  if (drive.spring > 0) refuse("has a spring in this degree of freedom");
   const bodies::RigidBody<dim>& body = model.rigid_bodies[model.driven[state.stage.index]];
   const bool turns = freedom >= dim;
   if (by_force && !turns && !(body.mass > 0)) refuse("drives a body without a mass, which no force can move");

@@ -50,7 +50,7 @@ Real asymmetry(const bodies::RigidShape<dim>& shape, int axis)
 
 void check_bodies_mirrored(Describe& d, const Case& c, int axis)
 {
-  const std::string across = fmt::format("must not go across the plane of symmetry: its {} must be 0", axis_names[axis]);
+  const std::string across = fmt::format("must not cross the plane of symmetry: its {} must be 0", axis_names[axis]);
   const auto at = [&](const std::vector<Real>& v) { return v.size() > static_cast<std::size_t>(axis) ? v[axis] : Real(0); };
   for (const auto& [name, body] : c.body) {
     for (std::size_t k = 0; k < body.initial_velocity.size(); ++k)
@@ -98,7 +98,7 @@ void check_symmetry(Describe& d, const Case& c)
   for (const int axis : {0, 2}) {
     if (!mirrors(c, axis)) continue;
     d.check(c.gravity.size() < 3 || c.gravity[axis] == 0, "gravity",
-            fmt::format("leans across the plane of symmetry: its {0} must be 0, or leave \"{0}\" out of symmetry", axis_names[axis]));
+            fmt::format("is inclined to the plane of symmetry: its {0} must be 0, or leave \"{0}\" out of symmetry", axis_names[axis]));
     if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh); bed != nullptr && axis == 0)
       d.check(bed->slope == 0 && !bed->trench && !bed->step, "mesh",
               "a bed with a slope, a trench or a step is not its own mirror image across x: leave \"x\" out of symmetry");
@@ -157,7 +157,7 @@ void refuse_off_symmetry_planes(const Model<dim>& model)
       if (!bodies::is_bounded<dim>(rigid.shape)) {
         const auto* half = std::get_if<bodies::HalfPlane<dim>>(&rigid.shape);
         if (half != nullptr && half->normal[d] != 0)
-          throw KeyError(fmt::format("rigid.{}.normal: leans across the plane of symmetry: its {} must be 0", rigid.name, axis_names[d]));
+          throw KeyError(fmt::format("rigid.{}.normal: is inclined to the plane of symmetry: its {} must be 0", rigid.name, axis_names[d]));
         continue;
       }
       const Real center = center_of<dim>(rigid.shape)[d], plane = model.mesh.lower[d];

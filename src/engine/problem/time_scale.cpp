@@ -125,7 +125,7 @@ const char* words_of(TimeScale::Reason reason)
   case TimeScale::Reason::mass:
     return "the inertia of the body";
   case TimeScale::Reason::waves:
-    return "the time that waves take across the body";
+    return "the travel time of waves across the body";
   }
   return "";
 }

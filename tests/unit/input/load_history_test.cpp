@@ -104,7 +104,7 @@ TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
   EXPECT_NE(refusal("0,1\n2,2\n1,3\n").find("storm.csv:3: times must ascend"), std::string::npos);
   EXPECT_NE(refusal("0\n").find("storm.csv:1: "), std::string::npos);
   EXPECT_NE(refusal("0,nan\n").find("storm.csv:1: \"nan\" in column 2 is no finite number"), std::string::npos);
-  EXPECT_NE(refusal("-1,1\n").find("storm.csv:1: times count from the begin"), std::string::npos);
+  EXPECT_NE(refusal("-1,1\n").find("storm.csv:1: times are measured from the start"), std::string::npos);
   for (const char* one_line : {"0,1\n", "2,1\n"})
     EXPECT_NE(refusal(one_line).find("storm.csv: has one line of numbers: it needs two at least"), std::string::npos) << one_line;
   EXPECT_NE(refusal("time,factor\n").find("storm.csv: has no line"), std::string::npos);
@@ -258,9 +258,9 @@ TEST_F(LoadHistory, of_displacements_begins_at_0_and_does_not_jump)
     EXPECT_NE(refusal(text, false).find(words), std::string::npos) << refusal(text, false);
   };
   says("time_s,u_m\n0,0.5\n1,1\n",
-       "storm.csv:2: u is the displacement since the stage began: its first row must be 0 at the time 0, and is 0.5 m");
-  says("time_s,u_m\n0.1,0\n1,1\n", "storm.csv:2: u is the displacement since the stage began");
-  says("time_s,u_m\n0,0\n1,1\n1,2\n", "storm.csv:4: u jumps from 1 to 2 m at 1 s: a body cannot; give it a time to get there");
+       "storm.csv:2: u is the displacement since the start of the stage: its first row must be 0 at the time 0, and is 0.5 m");
+  says("time_s,u_m\n0.1,0\n1,1\n", "storm.csv:2: u is the displacement since the start of the stage");
+  says("time_s,u_m\n0,0\n1,1\n1,2\n", "storm.csv:4: u jumps from 1 to 2 m at 1 s: a body cannot jump; give it time to get there");
 }
 
 TEST_F(LoadHistory, that_is_repeated_ends_its_stage_after_its_last_run)

@@ -64,7 +64,7 @@ TEST(Axisymmetric, motion_is_along_the_axis_only)
   EXPECT_SAYS(refusal_of_ball({}, with("kind = \"push\"\nvelocity = \"0.1 m/s\"\nramp", "kind = \"drag\"\nvelocity = \"0.1 m/s\"\nramp")),
               "stage.drag.kind: a body around the axis moves along it only");
   const std::string drive = with("kind = \"push\"\nvelocity = \"0.1 m/s\"\nramp", "kind = \"drive\"\ndrive.x.velocity = 0.1\nramp");
-  EXPECT_SAYS(refusal_of_ball({}, drive), "stage.drag.drive.x: is a freedom around an axis of a wall only");
+  EXPECT_SAYS(refusal_of_ball({}, drive), "stage.drag.drive.x: is a degree of freedom around an axis for a wall only");
   EXPECT_SAYS(refusal_of_ball({"rigid.pipe.rotation=free"}), "rigid.pipe.rotation");
   EXPECT_SAYS(refusal_of_ball({"gravity=[1, -9.81]"}), "gravity: around an axis");
   EXPECT_SAYS(refusal_of_ball({"body.bed.initial_angular_velocity=1"}), "body.bed.initial_angular_velocity");

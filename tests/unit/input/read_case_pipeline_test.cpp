@@ -45,7 +45,7 @@ TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
       {{"pipeline.soil=[{to=\"1 m\", set=[\"material.clay.cohesion=1\"]}]"}, "pipeline.soil[0].from", "above 0"},
       {{"pipeline.soil=[{from=\"2 m\", to=\"9 m\", set=[\"material.clay.cohesion=1\"]}]"}, "pipeline.soil[0].to", "beyond the last"},
       {{"pipeline.soil=[{from=\"1 m\", to=\"1 m\", set=[\"mesh.near_size=1\"]}]"}, "pipeline.soil[0].set", "material and contact"},
-      {{"pipeline.slices.as_spring=\"always\""}, "pipeline.slices.as_spring", "resistance sideways"},
+      {{"pipeline.slices.as_spring=\"always\""}, "pipeline.slices.as_spring", "lateral resistance"},
       {{"pipeline.slices.as_spring=\"always\"", "pipeline.far_soil.friction=1",
         "pipeline.soil=[{from=1, to=1, set=[\"material.clay.cohesion=1\"]}]"},
        "pipeline.soil",

@@ -132,7 +132,7 @@ TEST(DrivesInSpace, are_velocity_force_free_held_or_spring_and_one_of_them)
       {"drive.x.velocity = 1\ndrive.x.spring = 2", "stage.drive.drive.x.spring: cannot be combined with what is prescribed"},
       {"drive.rotation_x.fixed = true\ndrive.rotation_x.spring = 2", "cannot be combined with what is prescribed"},
       {"drive.x.free = true\ndrive.x.force = 2", "is driven in one way only"},
-      {"drive.rotation.spring = 2", "is no freedom in space"},
+      {"drive.rotation.spring = 2", "is not a degree of freedom in space"},
       {"drive.x.spring = -1", "drive.x.spring"},
       {"drive.x.velocity = 1\ndrive.point = [0, 4]", "stage.drive.drive.point: needs three coordinates"},
       {"drive.x.spring = 1\ndrive.point = [0, 4, 0]", "cannot be combined with springs"},

@@ -48,7 +48,7 @@ TEST(SupportReactions, are_refused_without_a_support)
 
 TEST(SupportReactions, are_refused_beside_soil_that_rests)
 {
-  expect_refusal(refusal_with({"mpm.active_distance=1.6 m"}), {"output.support_reactions", "mpm.active_distance", "soil that rests"});
+  expect_refusal(refusal_with({"mpm.active_distance=1.6 m"}), {"output.support_reactions", "mpm.active_distance", "inactive soil"});
 }
 
 TEST(SupportReactions, need_a_name_that_no_traction_has)

@@ -78,7 +78,7 @@ TEST(Symmetry, what_its_planes_do_not_mirror_is_refused_with_what_to_change)
 {
   EXPECT_SAYS(refusal_of({"symmetry=[\"y\"]"}), "symmetry: \"y\" is no axis with a plane of symmetry across it");
   EXPECT_SAYS(refusal_of({"symmetry=[\"z\", \"z\"]"}), "symmetry: names \"z\" twice");
-  EXPECT_SAYS(refusal_of({"gravity=[0, -9, 1]"}), "gravity: leans across the plane of symmetry: its z must be 0");
+  EXPECT_SAYS(refusal_of({"gravity=[0, -9, 1]"}), "gravity: is inclined to the plane of symmetry: its z must be 0");
   EXPECT_SAYS(refusal_of({"mesh.slope=0.1"}), "mesh: a bed with a slope, a trench or a step is not its own mirror image across x");
   EXPECT_SAYS(refusal_of({"stage.push.kind=drag"}), "moves across the plane of symmetry: leave \"x\" out of symmetry");
   EXPECT_SAYS(refusal_of({"body.bed.initial_angular_velocity=1"}), "a rotation about z is not its own mirror image across x");

@@ -33,7 +33,7 @@ TEST(Interface, with_worn_rims_needs_particles_and_soil_that_flows)
   EXPECT_SAYS(refusal({"particle_rim=wron"}), "did you mean \"worn\"?");
   EXPECT_SAYS(
       test::refusal_with({"contact.pipe_on_bed.scheme=musl_coupled", "contact.pipe_on_bed.particle_rim=worn", "body.bed.material=rubber"}),
-      "contact.pipe_on_bed.particle_rim: [body.bed] is elastic and does not flow: its particles keep their rims");
+      "contact.pipe_on_bed.particle_rim: [body.bed] is elastic and does not flow: its particles keep their width in contact");
 }
 
 TEST(Interface, between_deformable_bodies_has_no_tension)

@@ -46,14 +46,14 @@ TEST(Motion, that_is_wrong_says_what_is_allowed)
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"support.base.fixed=[\"y\"]"}),
               "support.base.motion.x: the support leaves the soil free along x");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1], z=[0, 0.1]"), "z: is no direction in the plane");
-  EXPECT_SAYS(refusal_of_motion(drag + "times=[0.5, 1], x=[0, 0.1]"), "begins at 0.5 s: times count from the begin of each stage");
+  EXPECT_SAYS(refusal_of_motion(drag + "times=[0.5, 1], x=[0, 0.1]"), "begins at 0.5 s: times are measured from the start of each stage");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1, 1], x=[0, 0.1, 0]"), "cannot jump to another velocity");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1], x=[0]"), "needs as many velocities as times has times, 2, and has 1");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1]"), "needs velocities at these times");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0], x=[0]"), "needs two times at least");
   EXPECT_SAYS(refusal_of_motion("stages=[\"drag\"]"), "needs a table, or times and velocities");
   EXPECT_SAYS(refusal_of_motion(drag + "table=\"quake.csv\", " + rows), "cannot be combined with table");
-  EXPECT_SAYS(refusal_of_motion(drag + rows, {"mpm.active_distance=1"}), "soil that rests feels no motion");
+  EXPECT_SAYS(refusal_of_motion(drag + rows, {"mpm.active_distance=1"}), "motion of supports does not reach inactive soil");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"method=fem", "stage.push={name=\"push\", kind=\"push\", force=1, until={time=1}}"}),
               "support.base.motion: is for method = \"mpm\"");
 }
@@ -125,7 +125,7 @@ TEST(Head, that_is_wrong_says_what_is_allowed)
               "[support.closed] holds the same boundary in the same stage and lets no water through");
   EXPECT_SAYS(refusal_in_water({"support.base.drained=true", "support.base.head=0.2", "stage.drag.kind=free",
                                 "stage.drag={name=\"drag\", kind=\"free\", until={consolidation=0.5}}"}),
-              "so that no degree of consolidation is reached");
+              "so a degree of consolidation is never reached");
 }
 
 TEST(K0ByHistory, needs_a_friction_angle_and_stands_alone)

@@ -76,7 +76,8 @@ TEST(Water, degree_of_consolidation_ends_stages_in_which_water_flows)
                     k = in_water + "permeability=1e-5 m/s", n = in_water + "porosity=0.4";
   EXPECT_WATER_SAYS(refusal_with({end}), "until.consolidation: no soil has water that flows");
   EXPECT_WATER_SAYS(refusal_with({flows, k, n, end}), "needs a body at rest or under a force");
-  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "stage.drag.until.consolidation=0.5", end}), "as long as it is moved");
+  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "stage.drag.until.consolidation=0.5", end}),
+                    "pressure does not dissipate while it is moved");
   EXPECT_WATER_SAYS(refusal_with({flows, k, n, "stage.push.until.consolidation=1.5"}), "from 0.01 to 0.999");
 }
 
@@ -97,7 +98,7 @@ TEST(Water, is_for_laws_of_effective_stress)
 
 TEST(Water, under_soil_that_dilates_needs_the_pressure_of_cavitation)
 {
-  EXPECT_WATER_SAYS(refusal_with({"material.sand.dilation_angle=5 deg"}), "undrained soil that dilates never fails");
+  EXPECT_WATER_SAYS(refusal_with({"material.sand.dilation_angle=5 deg"}), "dilating undrained soil never fails");
   EXPECT_EQ(refusal_with({"material.sand.dilation_angle=5 deg", in_water + "min_pressure=-100 kPa"}), "");
   EXPECT_WATER_SAYS(refusal_with({in_water + "min_pressure=10 kPa"}), "water.min_pressure");
   EXPECT_WATER_SAYS(refusal_with({in_water + "min_pressure=-1 MPa", in_water + "water_depth=100 m"}),

@@ -175,7 +175,7 @@ TEST(SpatialSeabed, refuses_what_is_inconsistent_by_one_clear_message)
   EXPECT_SAYS(message_of([](SeabedMesh& b) { b.trench = Trench{.depth = 0.1, .width = 0.2, .side_slope = 80 * degree, .center = 0.1}; }),
               "mesh.trench.side_slope: is 80 deg");
   EXPECT_SAYS(message_of([](SeabedMesh& b) { b.step = Step{.height = 0.2, .position = 0.5, .face_slope = 45 * degree}; }),
-              "mesh.headroom: the surface goes up by 0.2 m");
+              "mesh.headroom: the surface rises by 0.2 m");
 }
 
 TEST(SpatialSeabed, a_plane_case_refuses_its_keys_and_one_in_space_asks_for_them)

@@ -159,8 +159,9 @@ TEST(DisplacementColumns, that_a_body_cannot_follow_are_refused)
   EXPECT_EQ(fault_of(stage), "");
   StageSettings late = stage;
   late.load_times[0] = 0.05;
-  EXPECT_NE(fault_of(late).find("loads.w_displacement: w is the displacement since the stage began: its first row must be 0 at the time 0, "
-                                "and is 0 m at 0.05 s"),
+  EXPECT_NE(fault_of(late).find(
+                "loads.w_displacement: w is the displacement since the start of the stage: its first row must be 0 at the time 0, "
+                "and is 0 m at 0.05 s"),
             std::string::npos)
       << fault_of(late);
   StageSettings off = stage;

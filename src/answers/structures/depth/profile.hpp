@@ -33,7 +33,7 @@ struct TzCurve {
   std::string body, stage;
   bool whole = true;
   Real z = 0;           ///< m below the bed: the middle of the slice
-  std::vector<Real> w;  ///< m, downwards since the stage began
+  std::vector<Real> w;  ///< m, downwards since the start of the stage
   std::vector<Real> t;  ///< as Profile::v
 };
 

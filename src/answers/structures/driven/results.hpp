@@ -50,13 +50,13 @@ struct Displacements {
   Real largest_half_cycle = nan;      ///< m, largest way between two turns
   Real half_cycles = 0;               ///< ways between turns, of at least a hundredth of D
   std::optional<Real> time_half_D{},
-      time_D{};                      ///< s of the load history since the stage began: when the body first is 0.5 D and D from there
+      time_D{};                      ///< s of the load history since the start of the stage: when the body first is 0.5 D and D from there
   std::optional<Real> time_scale{};  ///< of a force that varies: time of the run over that of its load history
 };
 
 /// A way between two turns.
 struct HalfCycle {
-  Real begin_s, end_s;  ///< since the stage began
+  Real begin_s, end_s;  ///< since the start of the stage
   Real u_begin, u_end;  ///< m, from where the stage began
   Real w_end;           ///< m
 };

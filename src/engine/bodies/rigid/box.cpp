@@ -53,7 +53,7 @@ void describe(Describe& d, BoxSettings& box)
   d.value("tilt", box.rotation,
           {.meaning = "in space: angles by which the box is rotated about the fixed axes x, then y, then z", .unit = "rad"});
   d.value("corner_radius", box.corner_radius,
-          {.meaning = "in space: radius of its edges; 0 = sharp, which particles half a width away from it feel as an arc",
+          {.meaning = "in space: radius of its edges; 0 = sharp, which acts on particles half a width away like an arc",
            .unit = "m",
            .range = not_negative});
 }

@@ -23,7 +23,7 @@ void describe(Describe& d, CylinderSettings& cylinder)
           {.meaning = "length from end to end, round ends included", .unit = "m", .range = positive, .required = true});
   d.choice("ends", cylinder.ends, {"flat", "round"}, {.meaning = "flat ends, or half spheres"});
   d.value("corner_radius", cylinder.corner_radius,
-          {.meaning = "radius of the edges of flat ends; 0 = sharp, which particles half a width away from it feel as an arc",
+          {.meaning = "radius of the edges of flat ends; 0 = sharp, which acts on particles half a width away like an arc",
            .unit = "m",
            .range = not_negative});
 }

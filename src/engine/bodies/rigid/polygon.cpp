@@ -60,7 +60,7 @@ void check(Describe& d, const std::string& path, const PolygonSettings& polygon,
   constexpr std::size_t max = 1000;  // every corner is compared with every other
   d.check(polygon.x.size() <= max, path + ".x", fmt::format("may have {} corners at most, and has {}", max, polygon.x.size()));
   const bool closed = !polygon.x.empty() && polygon.x.front() == polygon.x.back() && polygon.y.front() == polygon.y.back();
-  d.check(!closed, path + ".x", "ends with the first corner again, as GIS and CAD close a ring: leave the last corner out, in x and y");
+  d.check(!closed, path + ".x", "repeats the first corner at its end, as GIS and CAD close a ring: leave the last corner out, in x and y");
   d.check(is_simple(polygon), path + ".x", "the sides of a polygon must not cross or touch each other");
 }
 

@@ -43,7 +43,7 @@ void describe(Describe& d, ProfileSettings& profile)
       {.meaning = "x of the corners of the right half, from the axis x = 0 to the axis, either way round", .unit = "m", .required = true});
   d.value("y", profile.y, {.meaning = "y of the corners", .unit = "m", .required = true});
   d.value("corner_radius", profile.corner_radius,
-          {.meaning = "radius of its convex corners, the tip included; 0 = sharp, which particles half a width away from it feel as an arc",
+          {.meaning = "radius of its convex corners, the tip included; 0 = sharp, which acts on particles half a width away like an arc",
            .unit = "m",
            .range = not_negative});
   d.value("position", profile.position,

@@ -10,15 +10,15 @@ void describe(Describe& d, RigidSettings& rigid)
   d.value("mass", rigid.mass,
           {.meaning =
                "mass per metre run (around an axis and in space: mass in kg); a direction that a force moves needs it: more than that "
-               "of the soil in the cells under the body, else the force swings from step to step",
+               "of the soil in the cells under the body, else the force oscillates from step to step",
            .unit = "kg/m",
            .range = not_negative});
   d.choice("motion", rigid.motion, {"driven", "free"},
            {.meaning = "motion where no stage drives it: none, or by gravity and its contacts (except in a geostatic stage)"});
-  d.value("velocity", rigid.velocity,
-          {.meaning =
-               "velocity of a free body where the first stage that is not geostatic begins: of what is dropped or thrown; absent = at rest",
-           .unit = "m/s"});
+  d.value(
+      "velocity", rigid.velocity,
+      {.meaning = "velocity of a free body at the start of the first stage that is not geostatic, as of a dropped object; absent = at rest",
+       .unit = "m/s"});
   d.choice("rotation", rigid.rotation, {"fixed", "free"}, {.meaning = "whether the moment of its contacts rotates it about its centre"});
   d.value("moment_of_inertia", rigid.moment_of_inertia,
           {.meaning = "moment of inertia per metre run about its centre (in space: in kg m2, about every axis); absent = that of a solid "
