@@ -175,7 +175,7 @@ def check(case: PathLike, *, set: Mapping[str, Any] = {}, program: PathLike | No
 
 
 def fmu(case: PathLike, output: PathLike, *, set: Mapping[str, Any] = {}, program: PathLike | None = None) -> list[Path]:
-    """Writes the slice of soil that a case is as functional mock-up units, OUTPUT.fmi2.fmu and OUTPUT.fmi3.fmu. Throws InputError."""
+    """Writes the slice of soil of a case as functional mock-up units, OUTPUT.fmi2.fmu and OUTPUT.fmi3.fmu. Throws InputError."""
     return [Path(line) for line in call(["fmu", case, *settings(set), "-o", output], program=program).text.splitlines()]
 
 

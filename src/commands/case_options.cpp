@@ -91,9 +91,10 @@ void CaseOptions::refuse_programs(const simulation::RunRequest& request) const
 
 void CaseOptions::take_sandbox(CLI::App& command)
 {
-  CLI::Option* with = command.add_flag("--sandbox", sandbox,
-                                       "let nothing write but to the run folder, open sockets or start programs: the default where a case "
-                                       "brings a library; an error where the system has no sandbox");
+  CLI::Option* with =
+      command.add_flag("--sandbox", sandbox,
+                       "prevent writing outside the run folder, opening sockets and starting programs: the default where a case "
+                       "brings a library; an error where the system has no sandbox");
   command
       .add_flag_callback(
           "--no-sandbox", [] { ::setenv(sandbox::trust_variable, "1", 1); },
@@ -124,7 +125,7 @@ void CaseOptions::take_runner(CLI::App& command)
 {
   command.add_option(
       "--runner", runner_words,
-      "what runs the cases: slurm, or a command with {jobs}, the file of one command a line (default: processes on this machine)");
+      "how the cases run: slurm, or a command with {jobs}, the file of one command a line (default: processes on this machine)");
   command.add_option("--sbatch", sbatch, "options for sbatch: \"--partition=long --time=8:00:00\"");
   command.add_option("--pack", pack, "runs a task of Slurm (default: 1)")->check(whole_number_within(1, 1000000));
   command.add_flag("--no-wait", no_wait, "hand the runs over and end; the same command collects their results later");

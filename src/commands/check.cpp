@@ -137,7 +137,7 @@ Command add_check(CLI::App& program)
   options->take_threads(*app);
   options->take_no_programs(*app);
   options->take_sandbox(*app);
-  app->add_flag("--json", *json, "print findings and estimate of each case as JSON, all on the standard output");
+  app->add_flag("--json", *json, "print findings and estimate of each case as JSON on the standard output");
   return {app, [options, json] {
             if (*json) return print_json(*options);
             const std::vector<simulation::RunRequest> all = requests(*options);

@@ -20,7 +20,7 @@ Command add_envelope(CLI::App& program)
   };
   const auto options = std::make_shared<Options>();
   CLI::App* app =
-      program.add_subcommand("envelope", "find the yield envelope of the pipe (V-H) or footing (V-H-M) of a case, where it lies");
+      program.add_subcommand("envelope", "find the yield envelope of the pipe (V-H) or footing (V-H-M) of a case, at its position");
   options->take_cases(*app);
   options->take_jobs(*app);
   options->take_runner(*app);

@@ -110,7 +110,7 @@ Command add_export(CLI::App& program)
 {
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("export", "write the springs of runs, or low, best and high of a study, for pipeline programs; or "
-                                                   "what a pipeline on slices did, as tables");
+                                                   "the results of a pipeline on slices, as tables");
   app->add_option("DIR", options->folders, "run folders, or outputs of berm study with a sample")->required();
   std::string words;
   std::vector<std::string> names;
@@ -124,7 +124,7 @@ Command add_export(CLI::App& program)
   app->add_option("--to", options->format, words + " (default: table)")->check(one_of(names));
   app->add_option("--state", options->selection.state,
                   "state of the pipe: touchdown, laid, flooded, emptied, operation, after_DRAG (default: operation, else touchdown)");
-  app->add_option("--travels", options->selection.travels, "drags, with commas between them (default: those in that state)")
+  app->add_option("--travels", options->selection.travels, "drags, separated by commas (default: those in that state)")
       ->delimiter(',')
       ->transform([](const std::string& name) { return CLI::detail::trim_copy(name); });
   app->add_option("-o,--output", options->output, "folder for the files (default: DIR/export)");

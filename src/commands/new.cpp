@@ -151,8 +151,8 @@ std::vector<std::string> names_of_kinds()
 Command add_new(CLI::App& program)
 {
   const auto options = std::make_shared<NewOptions>();
-  CLI::App* app = program.add_subcommand("new", "write a commented case to begin with; without a KIND, list the kinds");
-  app->add_option("KIND", options->kind, "what to begin with")->type_name(fmt::format("{{{}}}", fmt::join(names_of_kinds(), ",")));
+  CLI::App* app = program.add_subcommand("new", "write a commented case to start from; without a KIND, list the kinds");
+  app->add_option("KIND", options->kind, "the kind of case")->type_name(fmt::format("{{{}}}", fmt::join(names_of_kinds(), ",")));
   app->add_option("FILE", options->file, "file to write (default: KIND.toml here)");
   app->add_option("--size", options->size, "size of the cells, and speed (default: normal)")
       ->type_name(fmt::format("{{{}}}", fmt::join(start::sizes, ",")));

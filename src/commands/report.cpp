@@ -12,10 +12,10 @@ namespace berm::commands {
 Command add_report(CLI::App& program)
 {
   const auto request = std::make_shared<report::ReportRequest>();
-  CLI::App* app = program.add_subcommand("report", "write one page, report.html, that shows what runs found");
+  CLI::App* app = program.add_subcommand("report", "write one page, report.html, with the results of runs");
   app->add_option("DIR", request->folders, "run folders, or folders that hold run folders")->required();
   app->add_option("-o,--output", request->output, "the page's file (default: report.html in the folder that holds the runs)");
-  app->add_option("--expected", request->expected, "what the runs should give (default: expected.toml in each run folder)");
+  app->add_option("--expected", request->expected, "expected values of the runs (default: expected.toml in each run folder)");
   const auto former = std::make_shared<std::string>();
   app->add_option("--claims", *former)->group("");
   app->add_flag("--pdf", request->pdf, "also print the page to report.pdf beside it, by an installed Chromium or Google Chrome");

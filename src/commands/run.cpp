@@ -180,7 +180,7 @@ Command add_run(CLI::App& program)
       ->excludes("--output")
       ->excludes(force);
   app->add_flag("--uncertainty", options->uncertainty,
-                "run each case on coarser cells and at another speed, too, and tell how sure its results are: about as long again");
+                "also run each case on coarser cells and at another speed, and give 95 % bands of its results: about as long again");
   app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is invalid, as its summary.json says");
   app->callback([options] {
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");

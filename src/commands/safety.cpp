@@ -18,7 +18,7 @@ void check_search(const safety::SearchSettings& how)
 {
   if (!(how.low < how.high))
     throw InputError(
-        fmt::format("--low {} is not below --high {}: the search begins between them, the smaller one first", how.low, how.high));
+        fmt::format("--low {} is not below --high {}: the search starts between them, the smaller one first", how.low, how.high));
 }
 
 }  // namespace
@@ -30,15 +30,15 @@ Command add_safety(CLI::App& program)
   };
   const auto options = std::make_shared<Options>();
   CLI::App* app =
-      program.add_subcommand("safety", "find the factor of safety of a case: how far its strength can fall until the soil fails");
+      program.add_subcommand("safety", "find the factor of safety of a case: by how much its strength can be reduced until the soil fails");
   options->take_cases(*app);
   options->take_jobs(*app);
   options->take_runner(*app);
   app->add_option("-o,--output", options->output, "folder for the answer and its trials (default: out/safety/CASE)");
   const CLI::Validator factors = number_within({safety::min_factor, safety::max_factor});
-  app->add_option("--low", options->how.low, "factor where the search begins (default: 1)")->check(factors);
-  app->add_option("--high", options->how.high, "and where it begins from above (default: 2)")->check(factors);
-  app->add_option("--tolerance", options->how.tolerance, "how near the two factors of the answer come to each other (default: 0.01)")
+  app->add_option("--low", options->how.low, "lower factor of the search (default: 1)")->check(factors);
+  app->add_option("--high", options->how.high, "upper factor of the search (default: 2)")->check(factors);
+  app->add_option("--tolerance", options->how.tolerance, "largest difference of the two final factors (default: 0.01)")
       ->check(number_within({safety::smallest_tolerance, 0.5}));
   return {app, [options] {
             catch_interrupts();

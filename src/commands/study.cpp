@@ -44,7 +44,7 @@ jobs::Outcome study_all(const std::vector<std::string>& studies, const std::stri
 Command add_study(CLI::App& program)
 {
   const auto options = std::make_shared<CaseOptions>();
-  CLI::App* app = program.add_subcommand("study", "run a matrix of cases and make a table and figures of it");
+  CLI::App* app = program.add_subcommand("study", "run a matrix of cases and make a table and figures of the results");
   app->add_option("STUDY", options->files, "study files, or folders that hold a study.toml")->required();
   app->add_option("-o,--output", options->output,
                   "folder for the results; of several studies: the folder that theirs go into (default: out/study)");

@@ -21,12 +21,13 @@ Command add_verify(CLI::App& program)
   CLI::App* app = program.add_subcommand("verify", "run examples and compare their results with what they expect");
   app->add_option("NAME", options->problems.names, "examples, problems (EXAMPLE/RUN) or folders that hold an expected.toml (default: all)");
   app->add_flag("--list", options->list, "list the problems and run nothing");
-  app->add_flag("--requirements", options->requirements, "print what the problems promise and how their last runs went, and run nothing");
+  app->add_flag("--requirements", options->requirements,
+                "print the requirements of the problems and the results of their last runs, and run nothing");
   CLI::Option* fast = app->add_flag("--fast", options->problems.fast, "fast problems only");
-  app->add_flag("--long", options->problems.with_long, "long problems, too, which run else where they are named")->excludes(fast);
+  app->add_flag("--long", options->problems.with_long, "long problems, too, which otherwise run only when named")->excludes(fast);
   app->add_option("--chapter", options->problems.chapter,
                   fmt::format("one chapter of the book: {}", fmt::join(expectations::chapter_words, ", ")));
-  app->add_flag("--force", options->force, "run anew what has its result already");
+  app->add_flag("--force", options->force, "rerun problems that have a result already");
   app->add_option("--examples", options->problems.examples, "folder of the examples (default: examples)");
   app->add_option("-o,--output", options->output, "folder for the book and its runs (default: out/verification)");
   options->take_jobs(*app);

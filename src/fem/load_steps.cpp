@@ -33,8 +33,8 @@ void refuse_cavitation(const FemModel& model, const FemState& state)
     for (int q = 0; q < triangle_points; ++q)
       if (const Real p = state.points[cell][q].law_state[place], least = model.flow.water[cell][q].min_pressure; p < least)
         throw RunError(
-            fmt::format("the water of {} cavitates at t = {:.6g} s: an excess pore pressure of {:.4g} kPa where {:.4g} kPa is the least; "
-                        "finite elements cannot carry on from there: take method = \"mpm\", or a larger water_depth",
+            fmt::format("the water of {} cavitates at t = {:.6g} s: an excess pore pressure of {:.4g} kPa where {:.4g} kPa is the minimum; "
+                        "finite elements cannot continue from there: take method = \"mpm\", or a larger water_depth",
                         model.model.bodies[model.mesh.body[cell]].name, state.state.time, p / 1e3, least / 1e3));
   }
 }
@@ -76,8 +76,7 @@ void LoadSteps::find_first_equilibrium()
   drained.drained = true;
   for (Real& factor : drained.tractions) factor = 0;
   if ((model_.flow.count > 0 && !release_imbalance(drained)) || !release_imbalance(loads))
-    throw NoEquilibrium(
-        "the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
+    throw NoEquilibrium("the soil is not in equilibrium at the start: it cannot carry its weight with these stresses (k0, strength)");
 }
 
 /// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found.
@@ -330,10 +329,9 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
 
 void LoadSteps::refuse_overstress() const
 {
-  throw NoEquilibrium(
-      fmt::format("stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, held "
-                  "by the speed of the flow alone",
-                  stage().name, state_.state.time, state_.overstress));
+  throw NoEquilibrium(fmt::format(
+      "stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, in viscous flow only",
+      stage().name, state_.state.time, state_.overstress));
 }
 
 bool LoadSteps::next_stage()
@@ -343,7 +341,8 @@ bool LoadSteps::next_stage()
   const Index held = model_.model.fixed_in[state_.state.stage.index];
   ++state_.state.stage.index;
   if (model_.model.fixed_in[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
-    throw NoEquilibrium(fmt::format("stage \"{}\": the soil finds no equilibrium without the supports that are released", stage().name));
+    throw NoEquilibrium(
+        fmt::format("stage \"{}\": the soil does not reach equilibrium without the supports that are released", stage().name));
   begin_stage(model_.model, state_.state);
   if (const Real share = stage().strength_recovery; share > 0)
     for (Index cell = 0; cell < state_.points.size(); ++cell)

@@ -73,7 +73,7 @@ void check_element(Describe& d, const std::string& path, const Expectation& e, c
 void take_promise(Describe& d, const std::string& path, Expectation& e, const Expectations& all)
 {
   d.check(is_judged(e), path, "needs either exact, or least and most or one of them");
-  d.check(!e.source.empty(), path, "needs source, where the expected value comes from");
+  d.check(!e.source.empty(), path, "needs source, source of the expected value");
   d.check(!e.why.empty(), path, "needs why, a reason for the tolerance or the bounds");
   d.check(!e.partly, path + ".partly", "only a claim holds in part");
   if (e.requirement.empty()) e.requirement = all.requirement;
@@ -134,7 +134,7 @@ void describe(Describe& d, Expectation& e)
   d.value("run", e.run, {.meaning = "name of the run that is to give the number"});
   d.value("over", e.over, {.meaning = "name of a run by whose number it is divided: the number to expect is the ratio"});
   d.optional_table("over_number", e.over_number,
-                   {.meaning = "number that it is divided by, of the run over or of the same run; absent: the same number"});
+                   {.meaning = "number that it is divided by, of the run `over` or of the same run; absent: the same number"});
   d.value("runs", e.runs,
           {.meaning = "instead of run: names of runs with cells half as large each time, whose order of convergence is meant"});
   describe(d, e.observable);
@@ -149,12 +149,12 @@ void describe(Describe& d, Expectation& e)
   d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .any_unit = unit});
   d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .any_unit = unit});
   d.value("partly", e.partly,
-          {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound over it, with which it holds in part",
+          {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound over that bound, with which it holds in part",
            .range = positive,
            .words = {{"always", infinity}}});
   d.value("label", e.label, {.meaning = "of a claim: what the number is"});
-  d.value("source", e.source, {.meaning = "where the expected value comes from"});
-  d.value("why", e.why, {.meaning = "why the tolerance or the bounds are what they are"});
+  d.value("source", e.source, {.meaning = "source of the expected value"});
+  d.value("why", e.why, {.meaning = "reason for the tolerance or the bounds"});
   d.value("requirement", e.requirement, {.meaning = "what the user may rely on, in a sentence; absent: that at the top of the file"});
   d.value("derived", e.derived, {.meaning = "where that is derived; absent: as at the top of the file"});
 }
@@ -163,9 +163,10 @@ void describe(Describe& d, Claim& claim)
 {
   d.value("statement", claim.statement, {.meaning = "what is claimed", .required = true});
   d.value("where", claim.where, {.meaning = "section or figure where it is", .required = true});
-  d.value("why", claim.why, {.meaning = "how it is judged", .required = true});
+  d.value("why", claim.why, {.meaning = "criterion", .required = true});
   d.value("runs", claim.runs, {.meaning = "runs of each number that names none"});
-  d.array("expect", claim.expect, {.meaning = "numbers that would prove it; without exact or bounds: told beside them", .required = true});
+  d.array("expect", claim.expect,
+          {.meaning = "numbers that would prove it; without exact or bounds: shown for information", .required = true});
 }
 
 void describe(Describe& d, Published& published)

@@ -44,7 +44,8 @@ void doubt_gaps(const Sounding& sounding, std::vector<std::string>& doubts)
   std::string gaps;
   for (std::size_t i = 0; i < spaces.size(); ++i)
     if (spaces[i] > most) gaps += fmt::format("{}{:.2f} to {:.2f} m", gaps.empty() ? "" : ", ", sounding.depth[i], sounding.depth[i + 1]);
-  if (!gaps.empty()) doubts.push_back(fmt::format("no readings from {}: the strength there is that of the readings around it", gaps));
+  if (!gaps.empty())
+    doubts.push_back(fmt::format("no readings from {}: the strength there is interpolated from the readings around it", gaps));
 }
 
 void doubt_lenses(const StrengthProfile& s_u, std::vector<std::string>& doubts)
@@ -56,10 +57,9 @@ void doubt_lenses(const StrengthProfile& s_u, std::vector<std::string>& doubts)
       const auto within = std::minmax_element(all.begin() + static_cast<std::ptrdiff_t>(i), all.begin() + static_cast<std::ptrdiff_t>(end),
                                               [](const Strength& a, const Strength& b) { return a.value < b.value; });
       if (within.first->value <= lens * around) continue;
-      doubts.push_back(
-          fmt::format("s_u is {:.3g} kPa at {:.2f} to {:.2f} m and {:.3g} kPa around it: a lens of sand, which drains, has no s_u; "
-                      "take its points out of the profile",
-                      within.second->value / 1000, all[i].middle, all[end - 1].middle, around / 1000));
+      doubts.push_back(fmt::format("s_u is {:.3g} kPa at {:.2f} to {:.2f} m and {:.3g} kPa around it: a lens of sand, which drains, has no "
+                                   "s_u; remove its points from the profile",
+                                   within.second->value / 1000, all[i].middle, all[end - 1].middle, around / 1000));
       i = end;
       break;
     }
@@ -82,10 +82,9 @@ std::vector<std::string> doubts_of_rows(const Sounding& sounding, Real base)
       static_cast<Real>(left_out) > most_left_out * static_cast<Real>(sounding.rows))
     doubts.push_back(fmt::format("{} of {} rows are left out: look at the file", left_out, sounding.rows));
   if (sounding.depth.front() > most_first_depth * (1 + 1e-9))
-    doubts.push_back(
-        fmt::format("the first reading lies at {:.2f} m: the strength from the seabed to there, where a pipe lies, is that of the "
-                    "first layer; write your own",
-                    sounding.depth.front()));
+    doubts.push_back(fmt::format("the first reading is at {:.2f} m: the strength from the seabed to there, the depth of a pipe, is that of "
+                                 "the first layer; replace it by your own",
+                                 sounding.depth.front()));
   doubt_gaps(sounding, doubts);
   if (sounding.depth.back() < least_of_bed * base)
     doubts.push_back(
@@ -115,25 +114,22 @@ std::vector<std::string> doubts_of_clay(const Sounding& sounding, const Strength
                     "kind in sand, such as pipe-in-sand",
                     sounding.file, 100 * ratio, middle / 1000));
   if (as_sand)
-    doubts.push_back(
-        fmt::format("the mean friction ratio is {:.1f} %, and clay has more than 1 %: is it sand or silt, or is the unit of f_s or "
-                    "u_2 another?",
-                    100 * ratio));
+    doubts.push_back(fmt::format(
+        "the mean friction ratio is {:.1f} %, and clay has more than 1 %: is it sand or silt, or is the unit of f_s or u_2 wrong?",
+        100 * ratio));
   if (largest->value > stiff_clay)
-    doubts.push_back(
-        fmt::format("s_u is up to {:.0f} kPa, at {:.2f} m, and this kind is of clay below {:g} kPa: is it sand, or is the cone "
-                    "resistance of another unit?",
-                    largest->value / 1000, largest->middle, stiff_clay / 1000));
+    doubts.push_back(fmt::format("s_u is up to {:.0f} kPa, at {:.2f} m, and this kind is of clay below {:g} kPa: is it sand, or is the "
+                                 "unit of the cone resistance wrong?",
+                                 largest->value / 1000, largest->middle, stiff_clay / 1000));
   for (const Strength& one : s_u.strength)
     if (const Real most = most_strength_ratio * submerged_unit_weight * one.middle; one.middle >= depth_of_ratio && one.value > most) {
-      doubts.push_back(
-          fmt::format("s_u is {:.0f} kPa at {:.2f} m, more than {:g} times the effective weight above: clay that was loaded 50 times "
-                      "as much before, or sand",
-                      one.value / 1000, one.middle, most_strength_ratio));
+      doubts.push_back(fmt::format("s_u is {:.0f} kPa at {:.2f} m, more than {:g} times the effective overburden: clay with an "
+                                   "overconsolidation ratio of 50, or sand",
+                                   one.value / 1000, one.middle, most_strength_ratio));
       break;
     }
   doubt_lenses(s_u, doubts);
-  doubt_layers_without(s_u, "the cone resistance is no more than the weight above", doubts);
+  doubt_layers_without(s_u, "the cone resistance is not more than the overburden", doubts);
   return doubts;
 }
 
@@ -145,7 +141,7 @@ std::vector<std::string> doubts_of_sand(const Sounding& sounding, const Strength
     if (layer.middle > 0) normalized.push_back(layer.q_t / p_a / std::sqrt(submerged_unit_weight * layer.middle / p_a));
   if (!normalized.empty() && median(normalized) > most_normalized)
     throw InputError(
-        fmt::format("{}: the cone resistance is {:.3g} MPa at {:.2f} m, for the weight above it more than any sand has: is it in kPa "
+        fmt::format("{}: the cone resistance is {:.3g} MPa at {:.2f} m, more than any sand has under that overburden: is it in kPa "
                     "under the unit MPa?",
                     sounding.file, sounding.q_t.front() / 1e6, sounding.depth.front()));
   if (const Real ratio = friction_ratio(sounding, submerged_unit_weight); ratio > least_of_clay)
@@ -156,9 +152,9 @@ std::vector<std::string> doubts_of_sand(const Sounding& sounding, const Strength
                                      [](const Strength& one) { return one.value > most_friction_angle - 0.01 * degree; });
   if (at_most > 0)
     doubts.push_back(
-        fmt::format("the correlation gives 45 deg or more in {} of {} layers, written as 45 deg: it was not made for low stresses", at_most,
-                    phi.strength.size()));
-  doubt_layers_without(phi, "the cone resistance is that of no sand (less than 25 deg)", doubts);
+        fmt::format("the correlation gives 45 deg or more in {} of {} layers, written as 45 deg: it is not calibrated for low stresses",
+                    at_most, phi.strength.size()));
+  doubt_layers_without(phi, "the cone resistance is too low for sand (less than 25 deg)", doubts);
   return doubts;
 }
 

@@ -54,7 +54,7 @@ void make_plausible(const std::string& file, const std::vector<Real>& depth, con
   if (takes_off) {
     for (Real& u : u_2) u -= at_seabed;
     notes.push_back(
-        fmt::format("u_2 is {:.4g} kPa at the seabed, the pressure of some {:.3g} m of water above it: taken off all of its readings",
+        fmt::format("u_2 is {:.4g} kPa at the seabed, the pressure of some {:.3g} m of water above it: subtracted from all of its readings",
                     at_seabed / 1000, at_seabed / gamma_w));
   }
   std::vector<std::size_t> none_of_soil;
@@ -68,12 +68,12 @@ void make_plausible(const std::string& file, const std::vector<Real>& depth, con
   const std::size_t row = none_of_soil.front();
   if (static_cast<Real>(none_of_soil.size()) > most_single * readings)
     throw InputError(
-        fmt::format("{}: u_2 is {:.4g} kPa at {:.2f} m beside a cone resistance of {:.4g} kPa{}, which no soil has: is its unit right, "
-                    "and does it count from the seabed? Take the pressure of the water above off, or leave out its column",
+        fmt::format("{}: u_2 is {:.4g} kPa at {:.2f} m beside a cone resistance of {:.4g} kPa{}, which no soil has: is its unit right, and "
+                    "is it relative to the seabed? Subtract the pressure of the water above, or leave out its column",
                     file, u_2[row] / 1000, depth[row], q_c[row] / 1000, takes_off ? ", without that of the water above" : ""));
   for (const std::size_t one : none_of_soil) u_2[one] = nan;
-  notes.push_back(fmt::format("u_2 is more than soil has beside the cone resistance in {} rows, as at {:.2f} m: done without there",
-                              none_of_soil.size(), depth[row]));
+  notes.push_back(
+      fmt::format("u_2 is too large for the cone resistance in {} rows, as at {:.2f} m: not used there", none_of_soil.size(), depth[row]));
 }
 
 std::string doubt_of_given(const std::vector<Real>& depth, const std::vector<Real>& q_c, const std::vector<Real>& q_t,
@@ -85,10 +85,9 @@ std::string doubt_of_given(const std::vector<Real>& depth, const std::vector<Rea
   const std::size_t first = first_that(counts, depth.size());
   if (first == depth.size() || !holds_water(depth[first], q_c[first], u_2[first])) return "";
   if (q_t[first] - q_c[first] <= least_share * u_2[first]) return "";
-  return fmt::format(
-      "u_2 is {:.4g} kPa at {:.2f} m, with the pressure of the water above the seabed, and q_t there is q_c and {:.4g} kPa: q_t "
-      "holds that pressure, too; leave out its column",
-      u_2[first] / 1000, depth[first], (q_t[first] - q_c[first]) / 1000);
+  return fmt::format("u_2 is {:.4g} kPa at {:.2f} m, with the pressure of the water above the seabed, and q_t there is q_c plus {:.4g} "
+                     "kPa: q_t includes that pressure, too; leave out its column",
+                     u_2[first] / 1000, depth[first], (q_t[first] - q_c[first]) / 1000);
 }
 
 }  // namespace berm::site

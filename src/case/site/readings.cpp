@@ -50,7 +50,7 @@ Real factor_of(const Table& table, const Column& column)
                     unit = is_depth(column.reading) ? "m" : "Pa",
                     what = is_depth(column.reading) ? "a length, such as m" : "a pressure, such as MPa or kPa";
   if (column.unit.empty())
-    throw InputError(fmt::format("{} says no unit of the {}, which is {}; a table has it in the name: depth_m,q_c_MPa,f_s_kPa,u_2_kPa",
+    throw InputError(fmt::format("{} gives no unit of the {}, which is {}; a table has it in the name: depth_m,q_c_MPa,f_s_kPa,u_2_kPa",
                                  where, word, what));
   try {
     return input::to_si("1 " + column.unit, unit);
@@ -118,8 +118,8 @@ std::string why_left_out(const Sounding& sounding, Real depth, Real resistance, 
   if (std::isnan(depth)) return "without a depth";
   if (std::isnan(resistance)) return "without a cone resistance";
   if (depth < 0) return "above the seabed";
-  if (depth < dug_to) return fmt::format("in the hole that was made before the test, to {:.2f} m", dug_to);
-  if (!sounding.depth.empty() && depth <= sounding.depth.back()) return "no deeper than a row before";
+  if (depth < dug_to) return fmt::format("in the predrilled hole, to {:.2f} m", dug_to);
+  if (!sounding.depth.empty() && depth <= sounding.depth.back()) return "not deeper than the row before";
   return "";
 }
 
@@ -172,7 +172,7 @@ void refuse_unit(const Sounding& sounding, const Readings& all)
   for (std::size_t row = 0; row < static_cast<std::size_t>(sounding.rows); ++row) {
     if (all.resistance(row) > most_cone_resistance)
       throw InputError(
-          fmt::format("{}: the cone resistance is {:.4g} MPa at {:.2f} m, and no cone stands more than {:g} MPa: is its unit right? "
+          fmt::format("{}: the cone resistance is {:.4g} MPa at {:.2f} m, and no cone withstands more than {:g} MPa: is its unit right? "
                       "Values in kPa have the unit kPa",
                       sounding.file, all.resistance(row) / 1e6, all.depth(row), most_cone_resistance / 1e6));
     if (all.depth(row) > most_depth)

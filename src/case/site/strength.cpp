@@ -68,7 +68,7 @@ StrengthProfile undrained_strength(const Sounding& sounding, Real submerged_unit
       profile.without.push_back(layer);
   }
   refuse_many(sounding, profile, layers.size(),
-              "no more than the weight above: clay has no strength there. Is its unit right, and its zero that at the seabed?");
+              "not more than the overburden: clay has no strength there. Is its unit right, and its zero that at the seabed?");
   return profile;
 }
 

@@ -42,11 +42,11 @@ const char* words_of(int signal)
   switch (signal) {
   case SIGSEGV:
   case SIGBUS:
-    return " crashed: it used memory that is not its own, or more stack than there is";
+    return " crashed: it accessed invalid memory, or overflowed the stack";
   case SIGFPE:
     return " crashed: division of integers by zero, or a trapped error of floating point numbers";
   case SIGILL:
-    return " crashed: an instruction that this processor does not have";
+    return " crashed: an instruction not supported by this processor";
   default:
     return " crashed: it aborted";
   }

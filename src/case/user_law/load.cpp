@@ -84,10 +84,9 @@ void load_law(const std::string& name, int dimension, const OwnFunction* given, 
   bool one_at_a_time = law.thread_safe == ThreadSafe::no || given != nullptr;
   if (!one_at_a_time && law.thread_safe == ThreadSafe::probed && !safe_in_threads(LoadedLaw(function, constants, words, false), start)) {
     one_at_a_time = true;
-    spdlog::warn(
-        "{} gives other results when two threads call it at a time (SAVE, COMMON, static variables or unit numbers): they take turns, "
-        "which is slower; thread_safe = \"no\" says the same without a trial",
-        words);
+    spdlog::warn("{} gives other results when two threads call it at once (SAVE, COMMON, static variables or unit numbers): calls are "
+                 "serialised, which is slower; thread_safe = \"no\" says the same without a trial",
+                 words);
   }
   law.loaded = std::make_shared<LoadedLaw>(function, constants, words, one_at_a_time);
 }

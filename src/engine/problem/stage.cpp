@@ -73,10 +73,10 @@ void describe(Describe& d, Until& until)
           {.meaning = "degree of consolidation U where water flows: 1 - the largest excess pore pressure in the soil now, over the largest "
                       "in this stage, both without waves (means over 8 H/c of the soil's height H and the speed c of waves)",
            .range = {0.01, 0.999}});
-  d.value(
-      "equilibrium", until.equilibrium,
-      {.meaning = "geostatic: the soil is in equilibrium and at rest, within `equilibrium` of the stage; for a geostatic stage without "
-                  "another limit it is true. `time` is then the longest that it may take; left out: as long as waves and damping need"});
+  d.value("equilibrium", until.equilibrium,
+          {.meaning =
+               "geostatic: the soil is in equilibrium and at rest, within `equilibrium` of the stage; for a geostatic stage without "
+               "another limit it is true. `time` is then the longest that it may take; left out: as long as waves and damping need"});
   declare_usual(d, {{"real_time", {1, 1e10}}});
 }
 

@@ -33,7 +33,7 @@ fmu::Unit unit_of(const std::string& token)
                         {"T", "output", "N/m", "force of the pipe on the soil along x", {1, 2, 3}},
                         {"H", "output", "N/m", "force of the pipe on the soil along u", {2, 3}},
                         {"V", "output", "N/m", "reaction of the soil on the pipe, positive upwards", {2, 3}},
-                        {"V_start", "parameter", "N/m", "V on the pipe at the start, which was pushed straight down to where it lies"}},
+                        {"V_start", "parameter", "N/m", "V on the pipe at the start, which was pushed straight down to its position"}},
           .has_derivatives = true,
           .has_bytes_of_states = true,
           .needs_berm = false,

@@ -60,7 +60,7 @@ Path path_of(const record::RunRecord& run)
     throw RunError(fmt::format("{} has not come to its end: run it to the end, or leave it out", folder));
   const run_folder::History& history = run.history;
   if (const std::optional<driven::SoilWork> work = driven::last_soil_work(run, history.rows() - 1))
-    throw RunError(fmt::format("{}: {}, is at the pipe: a macro-element is of a bed that no stage digs or fills", folder, work->words));
+    throw RunError(fmt::format("{}: {}, is at the pipe: a macro-element needs a bed without excavation or fill", folder, work->words));
   Path path;
   path.name = run.name;
   path.run = run.folder;

@@ -61,8 +61,8 @@ ExportFiles calculix_files(const Design& design)
                     "Multiply the forces by another length that a node stands for.",
                     "To be included behind the elements of the set, before the first step. The numbers below *SPRING are "
                     "the freedom: here x lies along the pipe, y across it, z points up.",
-                    "Take *STEP, NLGEOM: without it CalculiX 2.20 goes on with the first slope, and says nothing.",
-                    "Beyond its ends the force stays. The vertical spring counts from the surface of the bed, and begins a "
+                    "Take *STEP, NLGEOM: without it CalculiX 2.20 continues with the first slope, without a message.",
+                    "Beyond its ends the force is constant. The vertical spring is relative to the surface of the bed, and starts a "
                     "millionth of D above it."});
       text += remark("** ", fmt::format("{} estimate: {}", set, spring.origin)) + calculix_lines(spring, springs->diameter);
       files.push_back({fmt::format("springs_{}_{}.inp", set, calculix_name(spring)), std::move(text)});

@@ -39,24 +39,21 @@ void for_each_number(S& springs, const Visit& visit)
       visit(drag, fmt::format("u_{:.0f}", 100 * mobilised_parts[k]), Kind::displacement,
             "displacement at which H first reaches this percentage of the peak", l.mobilised[k]);
     visit(drag, "u_peak", Kind::displacement, "displacement at the peak", l.u_peak);
-    visit(drag, "largest", Kind::force, "largest H, where it lies behind the first peak and above it", l.largest);
+    visit(drag, "largest", Kind::force, "largest H, where it comes after the first peak and exceeds it", l.largest);
     visit(drag, "u_largest", Kind::displacement, "displacement at that largest H", l.u_largest);
     visit(drag, "residual", Kind::force, "residual H, its plateau: at the end of the drag, or before H grows against a berm", l.residual);
     visit(drag, "berm_resistance", Kind::force, "H against a berm at the end of the drag, which is no residual", l.berm);
     visit(drag, "end", Kind::force,
-          std::isnan(l.berm) ? "mean H over the end of the drag, whether it stays or not"
-                             : "mean H over the end of the drag, against a berm",
-          l.end);
+          std::isnan(l.berm) ? "mean H over the end of the drag, steady or not" : "mean H over the end of the drag, against a berm", l.end);
     visit(drag, "u_residual", Kind::displacement, "displacement from which H is within 5 % of the residual", l.u_residual);
-    visit(drag, "travel", Kind::displacement, "travel of the drag: beyond it nothing is known", l.travel);
+    visit(drag, "travel", Kind::displacement, "travel of the drag: no data beyond it", l.travel);
   }
   for (auto& point : springs.vertical.curve)
     visit(Place{"vertical", point.x > springs.vertical.pushed_to ? "" : "push", "computed"},
           fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force,
-          point.x > springs.vertical.pushed_to
-              ? "largest V that the bed has carried at this depth or above it, which it carries again before the "
-                "pipe is pushed deeper"
-              : "V in the push at an embedment",
+          point.x > springs.vertical.pushed_to ? "largest V that the bed has carried at this depth or above it: the preload that it "
+                                                 "carries again before the pipe penetrates further"
+                                               : "V in the push at an embedment",
           point.F);
   for (auto& u : springs.vertical.unloading)
     visit(Place{"vertical", u.stage, "computed"}, u.stage + ".stiffness", Kind::stiffness,
@@ -217,7 +214,7 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
   if (design.low) design.provenance.push_back(fmt::format("low and high: 5 and 95 % of a sample of {} runs", design.draws.size()));
   if (failed > 0) {
     design.provenance.push_back(fmt::format("{} more runs have no result and do not count", failed));
-    spdlog::warn("{}: {} runs of the sample have no result, and do not count", name, failed);
+    spdlog::warn("{}: {} runs of the sample have no result, and are left out", name, failed);
   }
   return design;
 }
@@ -230,7 +227,7 @@ std::vector<std::string> head_of(const record::RunRecord& run)
   for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
   for (const std::string& line : invalid_lines(run)) spdlog::warn("{}", line);
   if (run.end != record::RunEnd::finished) {
-    spdlog::warn("{}: the run has not come to its end; what is not known of it is left out", run.folder.string());
+    spdlog::warn("{}: the run has not come to its end; unknown values are left out", run.folder.string());
     lines.emplace_back("the run has not come to its end");
   }
   return lines;
@@ -288,12 +285,13 @@ Design design_of_sample(const std::string& name, const std::optional<Springs>& b
     for (const auto& [set, percent] : {std::pair(&*design.low, 5), std::pair(&*design.high, 95)})
       set->run = fmt::format("{} (forces at {} % of {} runs)", design.best.run.empty() ? name : design.best.run, percent, draws.size());
   } else {
-    spdlog::warn("{}: {} runs of a sample tell neither 5 nor 95 %: there is no low and no high; take {} at least", name, draws.size(),
+    spdlog::warn("{}: {} runs of a sample are too few for 5 and 95 %: there is no low and no high; take {} at least", name, draws.size(),
                  least);
   }
   for (const Estimate& e : design.estimates)
     if (e.size > 0 && e.size < draws.size())
-      spdlog::warn("{}: {}, {}: {} of {} runs have it, so it may not go with the others", name, e.spring, e.name, e.size, draws.size());
+      spdlog::warn("{}: {}, {}: {} of {} runs have it, so it may not be consistent with the others", name, e.spring, e.name, e.size,
+                   draws.size());
   design.draws = std::move(draws);
   return design;
 }
@@ -309,9 +307,8 @@ std::vector<Design> designs_in(const fs::path& folder, const Selection& selectio
   std::vector<std::vector<const study::SavedRow*>> groups;
   for (const study::SavedRow& row : *rows) {
     if (row.kind == study::RowKind::row)
-      throw RunError(
-          fmt::format("{}: the study has no sample, of which low, best and high could be told; export its runs by themselves: {}",
-                      folder.string(), row.run.string()));
+      throw RunError(fmt::format("{}: the study has no sample, for low, best and high; export its runs one by one: {}", folder.string(),
+                                 row.run.string()));
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group[0]->names == row.names; });
     if (same == groups.end())
       groups.push_back({&row});

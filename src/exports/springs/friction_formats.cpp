@@ -108,8 +108,8 @@ ExportFiles moordyn_files(const Design& design)
         {"Options of MoorDyn: bottom stiffness in Pa/m, coefficients of friction over the vertical force. Take one block into the section "
          "OPTIONS; leave out lines that begin with #.",
          "Not run in MoorDyn: keys are those of its manual. Friction is Coulomb's there, in all directions (MoorDyn-C) or across and along "
-         "the line (MoorDyn-F); what H does on the way to its peak is lost.",
-         "Damping of bottom and friction (cBot, FricDamp, CV) is no result of these runs."});
+         "the line (MoorDyn-F); the mobilisation of H up to its peak is lost.",
+         "Damping of bottom and friction (cBot, FricDamp, CV) is not a result of these runs."});
     for (const std::string& line : refused_stiffnesses(s)) text += remark("# ", line);
     const NormalStiffness normal = normal_stiffness(s);
     const Points axial = axial_spring(s);

@@ -98,7 +98,7 @@ ExportFiles py_files(const record::RunRecord& run)
   std::string all =
       head + "# resistance H along x and reaction V of the soil in each slice, means since the row before; u and w as in history.csv\n"
              "slice,x_m,time_s,stage,u_m,w_m,H_N_m,V_N_m\n";
-  std::string backbone = head + fmt::format("# H against the motion, and V, where a slice goes farther to a side from where it was laid "
+  std::string backbone = head + fmt::format("# H against the motion, and V, where a slice moves farther to a side from its laid position "
                                             "than ever before; means over {:.3g} m of u to either side\n"
                                             "slice,x_m,side,u_m,H_N_m,V_N_m\n",
                                             half);

@@ -63,8 +63,8 @@ ExportFiles opensees_files(const Design& design)
         design, "# ",
         {"N and m: forces per length of pipe over displacements, both ways. Vertical: upwards positive, from the surface of the bed.",
          "Not run in OpenSees: by the reference of OpenSeesPy for ElasticMultiLinear and zeroLength.",
-         "ElasticMultiLinear goes back the way it came: for one way of the pipe, not for cycles. Beyond the ends nothing is known; lateral "
-         "and axial springs are level there, the vertical one goes on with its last slope.",
+         "ElasticMultiLinear unloads along its loading curve: for monotonic motion of the pipe, not for cycles. There are no data beyond "
+         "the ends; lateral and axial springs are constant there, the vertical one continues with its last slope.",
          "import springs_" + set + ", then springs_" + set +
              ".element(ops, \"axial\", tag, ground, node, direction, length) for each node; ops is openseespy.opensees."});
     text += "SPRINGS = {\n";

@@ -110,7 +110,7 @@ ExportFiles ansys_files(const Design& design)
         {"N and m", "Not run in ANSYS: by the help of Mechanical APDL.",
          fmt::format("Real constants of COMBIN39 springs between a node of the pipe and the ground, {} estimate. Define the elements "
                      "yourself, one type for each direction. With KEYOPT(1) = 1 the element wants no segment steeper than that at the "
-                     "origin, which berms and penetration do not keep to.",
+                     "origin, which berms and penetration do not satisfy.",
                      set),
          "BERM_LENGTH: length of pipe that a node stands for, 1 where it is not set; BERM_REAL: number before the first set, 0 where it is "
          "not set."});

@@ -236,7 +236,7 @@ bool is_asked(const driven::DragPath& drag, const driven::States& states, const 
 
 std::string by_force_words(const driven::DragPath& drag)
 {
-  return fmt::format("{} is driven by a force: it tells displacements, no resistance", input::in_quotes(drag.stage.name));
+  return fmt::format("{} is driven by a force: it gives displacements, no resistance", input::in_quotes(drag.stage.name));
 }
 
 /// The name of the state of the pipe's life in which a drag begins; "" where there is none.
@@ -292,7 +292,7 @@ Vertical vertical_of(const driven::DrivenRun& run, const driven::Results& result
   const Real D = run.scale.width;
   const std::vector<Index>& pushed = path.push.rows;
   if (!pushed.empty() && pushed.front() < bed_since(work)) {
-    vertical.without_curve = fmt::format("the push found a bed that is no longer there in state {}: {}", state.name, work->words);
+    vertical.without_curve = fmt::format("the push was into a bed that no longer exists in state {}: {}", state.name, work->words);
   } else if (!starts_embedded(run)) {
     vertical.curve = carried(results, states, state, D);
     if (results.push_end) vertical.pushed_to = results.push_end->w + driven::same_point * D;
@@ -339,7 +339,7 @@ std::vector<std::string> moved_away(const std::vector<std::string>& drags, const
 {
   std::vector<std::string> lines;
   for (const std::string& drag : drags)
-    lines.push_back(fmt::format("travel {} has no lateral spring in state {}: the bed that it found is no longer there: {}", drag, s.state,
+    lines.push_back(fmt::format("travel {} has no lateral spring in state {}: the bed that it moved on no longer exists: {}", drag, s.state,
                                 work->words));
   return lines;
 }

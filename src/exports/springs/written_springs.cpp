@@ -34,7 +34,7 @@ std::string axial_strength_words(const Springs& s)
   if (!(s.axial.undrained > 0) || s.axial.strength.empty()) return "";
   std::string words = "The axial spring has the strength of " + s.axial.strength + ": not remoulded, and without set-up by consolidation";
   if (s.axial.sensitivity > 1)
-    words += fmt::format("; remoulded it is 1/{:.3g} of it (sensitivity), {:.4g} N/m", s.axial.sensitivity,
+    words += fmt::format("; remoulded it is 1/{:.3g} of that (sensitivity), {:.4g} N/m", s.axial.sensitivity,
                          s.axial.undrained / s.axial.sensitivity);
   return words;
 }

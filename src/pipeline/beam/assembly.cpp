@@ -77,7 +77,7 @@ void add_macro_element(const Line& line, const State& state, std::size_t m, Work
   if (const int error = berm_macro_element_step(&soil.parameters, &state.macro_elements[m], to, &work.macro_elements[m], F, K);
       error != BERM_MACRO_ELEMENT_OK)
     throw NoEquilibrium(
-        fmt::format("the pipeline finds no equilibrium after t = {:.6g} s: the macro-element at x = {:.6g} m cannot follow: {}; "
+        fmt::format("the pipeline does not reach equilibrium after t = {:.6g} s: the macro-element at x = {:.6g} m has no solution: {}; "
                     "a smaller step may find one",
                     state.time, line.x[element.node], berm_macro_element_error(error)));
   for (int i = 0; i < 3; ++i) {

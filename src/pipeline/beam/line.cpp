@@ -104,7 +104,7 @@ void add_macro_elements(Line& line, const berm_macro_element_parameters& paramet
                         const berm_macro_element_state& laid)
 {
   if (!line.moves(Plane::lateral) || !line.moves(Plane::vertical))
-    throw InputError("a macro-element couples what is along, sideways and upwards: its line moves in both planes");
+    throw InputError("a macro-element couples axial, lateral and vertical motion: its line moves in both planes");
   const double there[3] = {laid.x, laid.u, laid.w};
   berm_macro_element_state tried;
   double F[3];

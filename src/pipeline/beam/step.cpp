@@ -57,10 +57,11 @@ std::string direction_of(const Line& line, Index freedom)
 [[noreturn]] void refuse(const Line& line, const State& state, const Unbalance& now, int iterations, bool singular)
 {
   const Index node = now.freedom / line.freedoms_of_node();
-  throw NoEquilibrium(fmt::format("the pipeline finds no equilibrium after t = {:.6g} s: {} {} iterations node {} at x = {:.6g} m lacks "
-                                  "{:.3g} {}; a smaller step may find one",
-                                  state.time, singular ? "its stiffness is singular, and after" : "after", iterations, node, line.x[node],
-                                  now.largest, direction_of(line, now.freedom)));
+  throw NoEquilibrium(
+      fmt::format("the pipeline does not reach equilibrium after t = {:.6g} s: {} {} iterations node {} at x = {:.6g} m lacks "
+                  "{:.3g} {}; a smaller step may find one",
+                  state.time, singular ? "its stiffness is singular, and after" : "after", iterations, node, line.x[node], now.largest,
+                  direction_of(line, now.freedom)));
 }
 
 /// Newton's iteration for the displacement of `work`.

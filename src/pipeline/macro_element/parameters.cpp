@@ -107,7 +107,7 @@ private:
       if (!(value >= m.least && value <= m.most)) refuse(name, fmt::format("{:g} is not {}", value, range_of(m)));
       if (value == 0) refuse(name, "more than 0 where backbone_w has no numbers");
       if (name == "uplift_ratio" && value > p.surface_beta) refuse(name, "surface_beta or less");
-      refuse(name, fmt::format("{:g} is beyond what any pipe and soil have", value));
+      refuse(name, fmt::format("{:g} is beyond any pipe and soil", value));
     }
   }
 

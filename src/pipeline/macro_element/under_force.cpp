@@ -44,7 +44,7 @@ berm_macro_element_state moved_under(const Parameters& p, const berm_macro_eleme
 berm_macro_element_state laid(const Parameters& p, Real laying_force, Real weight)
 {
   if (!(weight > 0) || !(laying_force >= weight))
-    throw InputError(fmt::format("a pipe of {:.4g} N/m is laid by {:.4g} N/m: by its weight or more", weight, laying_force));
+    throw InputError(fmt::format("a pipe of {:.4g} N/m is laid with {:.4g} N/m: with its weight or more", weight, laying_force));
   const double seabed[3] = {0, 0, 0};
   berm_macro_element_state state{};
   if (const int error = berm_macro_element_start(&p, seabed, 0, &state); error != BERM_MACRO_ELEMENT_OK)
@@ -52,7 +52,7 @@ berm_macro_element_state laid(const Parameters& p, Real laying_force, Real weigh
   for (const Real V : {laying_force, weight}) {
     state = moved_under(p, state, 0, 0, V);
     if (!(std::abs(state.V - V) <= tolerance_of(p, V)))
-      throw InputError(fmt::format("the soil of the macro-element does not hold a pipe that is laid by {:.4g} N/m", V));
+      throw InputError(fmt::format("the soil of the macro-element does not carry a pipe that is laid with {:.4g} N/m", V));
   }
   return state;
 }

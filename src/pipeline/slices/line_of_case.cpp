@@ -150,10 +150,9 @@ void give_route(beam::Line& line, const problem::Route& route, bool mirrored)
   const auto chord = [&](std::size_t a, std::size_t b) { return (y[b] - y[a]) / (x[b] - x[a]); };
   for (std::size_t k = 0; k < last; ++k)
     if (!(std::abs(chord(k, k + 1)) <= beam::largest_valid_slope))
-      throw KeyError(
-          fmt::format("pipeline.route.y: the route has a slope of {:.3g} from x = {:.6g} to {:.6g} m, and the strain of the line is "
-                      "meant for {:g} at most: turn the axes along the line",
-                      chord(k, k + 1), x[k], x[k + 1], beam::largest_valid_slope));
+      throw KeyError(fmt::format("pipeline.route.y: the route has a slope of {:.3g} from x = {:.6g} to {:.6g} m, and the strain measure of "
+                                 "the line is valid up to {:g}: turn the axes along the line",
+                                 chord(k, k + 1), x[k], x[k + 1], beam::largest_valid_slope));
   const auto slope_at = [&](std::size_t k) { return k == 0 && mirrored ? 0 : chord(k == 0 ? 0 : k - 1, std::min(k + 1, last)); };
   const auto at = [&](Real place) {  // displacement and slope
     if (place >= x[last]) return std::pair(y[last] + slope_at(last) * (place - x[last]), slope_at(last));
@@ -174,10 +173,10 @@ void give_shape(beam::Line& line, const problem::PipelineSettings& p)
   const Real b = a * 4 / (3 * std::sqrt(3.0));  // (1 + cos) sin has its largest, 3 sqrt(3)/4, at 60 degrees
   const Real steepest = p.half == problem::LineHalf::symmetric ? std::abs(a) * k / 2 : 2 * std::abs(b) * k;
   if (!(steepest <= beam::largest_valid_slope))
-    throw KeyError(fmt::format(
-        "pipeline.imperfection.amplitude: is {:.4g} m in a length of {:.4g} m, a slope of {:.3g}, and the strain of the line is "
-        "meant for {:g} at most: make it {:.2g} m or less, or longer",
-        a, p.imperfection.length, steepest, beam::largest_valid_slope, std::abs(a) * beam::largest_valid_slope / steepest));
+    throw KeyError(fmt::format("pipeline.imperfection.amplitude: is {:.4g} m in a length of {:.4g} m, a slope of {:.3g}, and the strain "
+                               "measure of the line is valid up to {:g}: make it {:.2g} m or less, or longer",
+                               a, p.imperfection.length, steepest, beam::largest_valid_slope,
+                               std::abs(a) * beam::largest_valid_slope / steepest));
   if (p.half == problem::LineHalf::symmetric)
     beam::set_shape(
         line, beam::Plane::lateral, [&](Real x) { return x < half ? a * (1 + std::cos(k * x)) / 2 : 0; },

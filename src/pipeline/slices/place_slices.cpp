@@ -98,8 +98,8 @@ void place_slices(problem::Case& c)
   LineOnSprings on_springs(tried);
   const LineOfCase& of = on_springs.of_case();
   if (!of.lateral)
-    throw KeyError("pipeline.slices.count: the springs of pipeline.far_soil, on which berm finds the places, have no resistance sideways; "
-                   "give them one, or the slices places: pipeline.slices.at");
+    throw KeyError("pipeline.slices.count: the springs of pipeline.far_soil, by which berm chooses the positions, have no lateral "
+                   "resistance; give them one, or the slices positions: pipeline.slices.at");
   const std::size_t hottest = hottest_stage_of(tried, of);
   Seen seen{std::vector<Real>(static_cast<std::size_t>(of.line.elements()), 0)};
   go_through_stages(tried, 1,
@@ -107,8 +107,8 @@ void place_slices(problem::Case& c)
                      [&](std::size_t stage, const LineLoads&, const LineLoads&) { return stage < hottest; }},
                     on_springs);
   if (!slices.to && seen.last == 0)
-    throw KeyError("pipeline.slices.count: on the springs of pipeline.far_soil the line does not slide sideways, so that berm finds no "
-                   "place of the last slice: give pipeline.slices.to");
+    throw KeyError("pipeline.slices.count: on the springs of pipeline.far_soil the line does not slide sideways, so berm cannot choose the "
+                   "position of the last slice: give pipeline.slices.to");
   const Real to = slices.to.value_or(std::min(more * of.line.x[seen.last], c.pipeline->length));
   slices.at = places_in_equal_shares(of.line, densities(of.line, seen.changes, to), to, slices.count);
   slices.count = 0;

@@ -148,7 +148,7 @@ void take_origin(RunRecord& run)
   try {
     run.origin = run_folder::read_origin(run.folder);
   } catch (const RunError&) {
-    run.faults.emplace_back("origin.json is damaged: what the run was made from is not known");
+    run.faults.emplace_back("origin.json is damaged: the input of the run is not known");
   }
   if (run.origin) take_changes(run);
   if (run.origin && run.origin->begins() && !run.origin->sessions.front().begun.empty()) run.begun = run.origin->sessions.front().begun;
@@ -206,7 +206,7 @@ void write_ground(const fs::path& folder, const mesh::GroundLine& line)
 
 std::string words_of_change(const std::string& file)
 {
-  return fmt::format("{} was changed after the run began: it is not what the run was computed with", file);
+  return fmt::format("{} was changed after the run began: the run used an earlier version", file);
 }
 
 bool is_run_folder(const fs::path& folder)

@@ -38,7 +38,7 @@ struct PointField {
 constexpr std::tuple point_fields = {
     PointField<SymTensor<2>>{"stress", "stress (tension positive)", "Pa", &fem::SoilPoint::stress},
     PointField<Real>{"accumulated_deviatoric_strain", "deviatoric strain summed over all steps", "", &fem::SoilPoint::deviatoric_strain},
-    PointField<Real>{"overstress", "overstress: how far the stress lies beyond the strength", "Pa", &fem::SoilPoint::overstress}};
+    PointField<Real>{"overstress", "overstress: stress beyond the strength", "Pa", &fem::SoilPoint::overstress}};
 
 struct NodalSums {
   Real area = 0;

@@ -29,7 +29,7 @@ Coordinates coordinates_in(const VtuFile& vtu)
     c.z[k] = points[3 * k + 2];
     finite = finite && std::isfinite(c.x[k]) && std::isfinite(c.y[k]) && std::isfinite(c.z[k]);
   }
-  if (!finite) vtu.refuse("a point is nowhere: a coordinate is not a finite number");
+  if (!finite) vtu.refuse("a point has a coordinate that is not a finite number");
   return c;
 }
 

@@ -44,9 +44,8 @@ template <int dim>
 void CellWatch<dim>::warn(const std::string& body, Real width) const
 {
   if (!(travel_ > 0) || coarse_travel_ / travel_ <= much_travel) return;
-  spdlog::warn("\"{}\" left the fine cells: they were D/{:.0f} at it at the start, and D/{:.0f} at most, for {:.0f} % of its travel; "
-               "resistance grows with the "
-               "cells: refine the mesh along its path",
+  spdlog::warn("\"{}\" left the fine cells: cells at it were D/{:.0f} at the start, and D/{:.0f} at most, for {:.0f} % of its travel; "
+               "resistance grows with the size of the cells: refine the mesh along its path",
                body, width / first_, width / largest_, 100 * coarse_travel_ / travel_);
 }
 

@@ -95,7 +95,7 @@ void FemMethod::refuse_lost_soil() const
         !std::isfinite(moved) || (moved > size.norm() && tenth * ++lost > of.mesh.node_count()))
       throw RunError(
           fmt::format("t = {:.6g} s: the soil at ({:.4g}, {:.4g}) m has moved by {:.3g} m, and the mesh is {:.3g} m wide and {:.3g} m "
-                      "high: it is too soft or too weak for its loads, or nothing holds it",
+                      "high: it is too soft or too weak for its loads, or not supported",
                       state().time, of.mesh.position[node][0], of.mesh.position[node][1], moved, size[0], size[1]));
 }
 
@@ -153,7 +153,7 @@ void FemMethod::step()
   iterations_ += last_.iterations;
   if (last_.converged) return;
   ++accepted_above_tolerance_;
-  spdlog::warn("t = {:.6g} s: the increment is loosely converged only, with unbalanced forces of {:.2g} of the contact forces",
+  spdlog::warn("t = {:.6g} s: the increment has converged only loosely, with unbalanced forces of {:.2g} of the contact forces",
                state().time, last_.unbalance);
 }
 
@@ -193,10 +193,9 @@ void FemMethod::archive(Archive& k)
 run_folder::Summary::Checks FemMethod::checks() const
 {
   if (recorder_.strength_lag() > max_lag)
-    spdlog::warn(
-        "the strength of the soil lags behind its pressure by {:.2g} of what its flow dissipates, and forces may be off by as much; "
-        "compare a run with a tenth of fem.largest_step",
-        recorder_.strength_lag());
+    spdlog::warn("the strength of the soil lags behind its pressure by {:.2g} of the plastic dissipation, and forces may be wrong by as "
+                 "much; compare a run with a tenth of fem.largest_step",
+                 recorder_.strength_lag());
   run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()},
                                         {"largest_unbalance", recorder_.largest_unbalance()},
                                         {"loose_increments", static_cast<Real>(accepted_above_tolerance_)},

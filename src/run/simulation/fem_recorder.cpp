@@ -63,7 +63,7 @@ void FemRecorder::observe_solution(const fem::FemState& state, const fem::Increm
   row_("iterations", static_cast<Real>(end.iterations), run_folder::bare, "iterations of the increment");
   row_("unbalance", end.unbalance, run_folder::bare, "force out of balance over the contact forces");
   row_("overstress", state.overstress, run_folder::bare, "stress beyond the strength over the stress");
-  row_("strength_lag", end.lag.part(), run_folder::bare, "dissipation missed over dissipation");
+  row_("strength_lag", end.lag.part(), run_folder::bare, "missing dissipation over dissipation");
 }
 
 void FemRecorder::observe_tractions(const fem::FemModel& model, const fem::FemState& state)

@@ -156,7 +156,7 @@ void MpmMethod<d>::begin(bool)
   if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
   workspace_.emplace(model(), state());
   if (model().update_stress_first)
-    spdlog::warn("scheme = \"usf\" is there to compare with: a body that rests on soil under a load gains energy "
+    spdlog::warn("scheme = \"usf\" is for comparison only: a body that rests on soil under a load gains energy "
                  "(docs/theory/soil_and_contact.md, Schemes)");
 }
 
@@ -182,7 +182,7 @@ bool MpmMethod<d>::change_soil()
   if (!carry_out_earthworks(model(), problem_.state)) return false;
   for (std::size_t b = 0; b < state().particles.size(); ++b)
     if (!Ranks::of_run().any(state().particles[b].size() > 0))
-      throw RunError(fmt::format("body \"{}\" has no soil left after its excavations at t = {:.4g} s: leave some of it",
+      throw RunError(fmt::format("body \"{}\" has no soil left after its excavations at t = {:.4g} s: excavate less",
                                  model().bodies[b].name, state().time));
   workspace_.emplace(model(), state());
   for (std::size_t k = 0; k < before.size(); ++k) {
@@ -198,16 +198,17 @@ bool MpmMethod<d>::change_soil()
     spdlog::info("{}: {} particles, {:.4g} {} in {:.4g} {} {} at t = {:.4g} s", named, particles, mass, kilograms, volume,
                  whole ? "m3" : "m2", work.fills ? "placed" : "taken out", state().time);
     if (particles == 0)
-      spdlog::warn("{}: {}", named,
-                   work.fills ? "no particle has room in its area: soil or rigid bodies take it, or it is thinner than a row of particles"
-                              : "there is no soil of its body in its area");
+      spdlog::warn(
+          "{}: {}", named,
+          work.fills ? "there is no room for a particle in its area: soil or rigid bodies fill it, or it is thinner than a row of particles"
+                     : "there is no soil of its body in its area");
     if (!work.fills || now.lifts < work.lifts) continue;
     constexpr Real too_far = 0.02;
     const Real placed = model().parts * now.mass, room = model().parts * mass_of_room(model(), work, now);
-    spdlog::info("fill \"{}\": {:.4g} {} placed in all, and its area has room for {:.4g} {}", work.name, placed, kilograms, room,
+    spdlog::info("fill \"{}\": {:.4g} {} placed in total, and its area would hold {:.4g} {}", work.name, placed, kilograms, room,
                  kilograms);
     if (std::abs(placed - room) > too_far * room)
-      spdlog::warn("fill \"{}\" has {:.2g} % {} mass than its area has room for: take lifts that are thicker than a row of particles, or "
+      spdlog::warn("fill \"{}\" has {:.2g} % {} mass than its area would hold: take lifts that are thicker than a row of particles, or "
                    "smaller cells",
                    work.name, 100 * std::abs(placed / room - 1), placed < room ? "less" : "more");
   }
@@ -297,7 +298,7 @@ void MpmMethod<d>::log_equilibrium(const problem::StageSettings& stage) const
                state().time - state().stage.begin_time, verdict, equilibrium_, stage.equilibrium);
   if (ends_at_equilibrium(stage) && !(equilibrium_ <= stage.equilibrium && at_rest))
     spdlog::warn(
-        "stage \"{}\" found no equilibrium in {:.3g} s, in which waves and damping could have found it: {}; where soil slides, it is too "
+        "stage \"{}\" did not reach equilibrium in {:.3g} s, long enough for waves and damping: {}; where soil slides, the slope is too "
         "steep for its strength: flatten the ground or strengthen the soil; else give the stage damping = 0.7, or more time by until.time",
         stage.name, state().time - state().stage.begin_time, at_rest ? "forces are out of balance" : "the soil moves");
   else if (equilibrium_ > stage.equilibrium)
@@ -460,23 +461,22 @@ template <int d>
 void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
 {
   if (recorder_.shaking() > max_shaking)
-    spdlog::warn("the soil at the rigid body shakes: unresolved motion makes {:.2g} of its pressure (above {:g} soil without cohesion "
-                 "loses strength); "
+    spdlog::warn("the soil at the rigid body vibrates: unresolved motion is {:.2g} of its pressure (above {:g} soil without cohesion loses "
+                 "strength); "
                  "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
                  recorder_.shaking(), max_shaking);
   if (-state().totals.friction > max_contact_work * recorder_.largest_work()) {
     const bool coupled = std::all_of(model().contacts.begin(), model().contacts.end(),
                                      [](const auto& contact) { return contact.scheme == contact::Scheme::musl_coupled; });
-    spdlog::warn("contact gave {:.2g} J instead of taking energy: use {}{}, and let no rigid body scrape over "
-                 "a boundary that is held",
+    spdlog::warn("contact added {:.2g} J instead of dissipating energy: use {}{}, and keep rigid bodies off boundaries that are fixed",
                  -state().totals.friction, coupled ? "" : "scheme = \"musl_coupled\" or ", mpm::smaller_step(model().mpm));
   }
   if (model().mpm.active_distance && stopped_over_work() > max_stopped)
-    spdlog::warn("soil still moved when it came to rest: {:.2g} of the work; enlarge mpm.active_distance (now {:g} m)", stopped_over_work(),
-                 *model().mpm.active_distance);
+    spdlog::warn("soil was still moving when it became inactive: {:.2g} of the work; enlarge mpm.active_distance (now {:g} m)",
+                 stopped_over_work(), *model().mpm.active_distance);
   const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
     if (part > max_mass)
-      spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should change further", 100 * part,
+      spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the initial one: change mpm.{} if it should change further", 100 * part,
                    which, ratio, key);
   };
   warn_of_bound(soil.at_min_volume, "smallest", "min_volume_ratio", model().mpm.min_volume_ratio);

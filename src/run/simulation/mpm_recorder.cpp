@@ -178,8 +178,8 @@ void MpmRecorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<di
   row_("u", Vec<dim>(sums.center() - first_center), run_folder::metres, Recorder<dim>::counted("displacement of its centre of mass"));
   row_("v", Vec<dim>(sums.momentum / sums.mass), run_folder::metres_per_second, "velocity of its centre of mass");
   for (int d = 0; d < dim; ++d) {
-    row_(lower[d], sums.lower[d], run_folder::metres, "where its particles begin");
-    row_(upper[d], sums.upper[d], run_folder::metres, "where its particles end");
+    row_(lower[d], sums.lower[d], run_folder::metres, "lower end of its particles");
+    row_(upper[d], sums.upper[d], run_folder::metres, "upper end of its particles");
   }
   if (row_.parts() != 1) return;  // that of a part is not that of the whole
   const Vec<3> angular_momentum = sums.angular_momentum();
@@ -240,7 +240,7 @@ void MpmRecorder<dim>::observe_earthworks(const problem::Model<dim>& model, cons
     row_("mass", state.earthworks[k].mass, run_folder::kilograms<dim>, work.fills ? "mass placed so far" : "mass taken out so far");
     if (work.fills)
       row_("expected_mass", mass_of_room(model, work, state.earthworks[k]), run_folder::kilograms<dim>,
-           "mass that would fill its area so far");
+           "mass that its area would hold so far");
   }
 }
 
@@ -291,8 +291,7 @@ void MpmRecorder<dim>::observe_motions(const problem::Model<dim>& model, const p
     row_.of(motion.name);
     for (int d = 0; d < dim; ++d)
       if (!motion.settings.velocity[static_cast<std::size_t>(d)].empty())
-        row_.component("v", d, velocity[d], run_folder::metres_per_second,
-                       "prescribed velocity of the boundary, or of the wave that comes in");
+        row_.component("v", d, velocity[d], run_folder::metres_per_second, "prescribed velocity of the boundary, or of the incoming wave");
   }
 }
 
@@ -328,9 +327,10 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
         row_(fmt::format("{}{}", symbol, k + 1), time > 0 ? impulse / time + 0. : 0, run_folder::newtons<dim>,
              fmt::format("{} from {:.4g} to {:.4g} m below the bed", what, k * slices.thickness, (k + 1) * slices.thickness));
       };
-      if (model.mesh.metric != mesh::Metric::axisymmetric) of_slice("H", since_.slice_impulses[r][k], "horizontal force on the soil");
-      of_slice("V_shaft", -since_.slice_shaft_impulses[r][k], "upward force on upright sides");
-      of_shaft -= since_.slice_shaft_impulses[r][k];
+      if (model.mesh.metric != mesh::Metric::axisymmetric)
+        of_slice("H", state.slice_impulses[r][k] - last_slice_impulses_[r][k], "horizontal force on the soil");
+      of_slice("V_shaft", last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k], "upward force on vertical sides");
+      of_shaft += last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k];
     }
     const Real in_all = -model.axes.height(since_.contact_sums[r].impulse);
     row_("V_base", time > 0 ? (in_all - of_shaft) / time + 0. : 0, run_folder::newtons<dim>,

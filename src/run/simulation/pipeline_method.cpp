@@ -158,7 +158,7 @@ void PipelineMethod::step()
 /// By a drag, before the first step of the line. False where a signal has asked to stop; the next step begins anew.
 bool PipelineMethod::find_springs()
 {
-  spdlog::info("springs beside the line: a copy of the laid slice is dragged sideways over {:.4g} m",
+  spdlog::info("springs beside the line: a copy of the laid slice is dragged laterally over {:.4g} m",
                line_.of_case().settings.springs->travel);
   const auto found = springs_->find(model(), state(), [] { return Ranks::of_run().count() == 1 && interrupted(); });
   if (!found) return false;
@@ -185,8 +185,8 @@ bool PipelineMethod::next_stage()
     const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
     constexpr Real allowed = 0.1;
     if (!(std::abs(carried / weight - 1) < allowed))
-      spdlog::warn("the laid pipe presses on the soil with {:.4g} N/m, and the line weighs {:.4g} N/m: let the last stage before the line "
-                   "push with its weight",
+      spdlog::warn("the laid pipe presses on the soil with {:.4g} N/m, and the line weighs {:.4g} N/m: set the vertical force of the last "
+                   "stage before the line to its weight",
                    carried, weight);
   }
   line_.begin_stage(state());
@@ -259,7 +259,7 @@ void PipelineMethod::add_line(run_folder::Row& row)
   row.of("line");
   row("T", loads.temperature, kelvins, "rise of temperature since the line was laid");
   row("p", loads.pressure, run_folder::pascals, "rise of internal pressure since the line was laid");
-  row("P0", of.constrained_force(loads, 0), run_folder::whole_newtons, "effective compression of a length that cannot get longer");
+  row("P0", of.constrained_force(loads, 0), run_folder::whole_newtons, "effective compression of a fully constrained length");
   add_shape(row, of, now);
   row("z", across(of, now, Plane::vertical, crown), run_folder::metres, "height of the line there, relative to where it was laid");
   row("crossing", crossing_of(of, now), run_folder::metres, "position beyond it where the line crosses its axis");
@@ -404,8 +404,8 @@ run_folder::Summary::Checks PipelineMethod::checks() const
   checks.push_back({"line_slope", largest_slope_});
   checks.push_back({"contact_mass_over_mass", largest_contact_mass_});
   if (largest_slope_ > beam::largest_valid_slope)
-    spdlog::warn("the line has a slope of {:.2g}; its strain is meant for {} at most (docs/theory/fem_safety_pipelines.md)", largest_slope_,
-                 beam::largest_valid_slope);
+    spdlog::warn("the line has a slope of {:.2g}; its strain measure is valid up to {} (docs/theory/fem_safety_pipelines.md)",
+                 largest_slope_, beam::largest_valid_slope);
   return checks;
 }
 

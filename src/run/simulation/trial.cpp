@@ -60,11 +60,11 @@ run_folder::Summary::Checks Trial::checks() const
 
 std::string Trial::words(Real factor) const
 {
-  const std::string what = no_equilibrium_ ? "it finds no equilibrium"
-                           : flowed_       ? fmt::format("it goes on flowing, after {:.3g} m", movement_)
-                                           : fmt::format("it has moved by {:.3g} m, and fails from {:.3g} m on", movement_, limit_);
-  const char* verdict = failed() ? "fails" : rests_ ? "stands" : "has not failed, and still moves";
-  return fmt::format("with its strength over {:.6g} the soil {}: {}{}", factor, verdict, what,
+  const std::string what = no_equilibrium_ ? "it does not reach equilibrium"
+                           : flowed_       ? fmt::format("it keeps flowing, after {:.3g} m", movement_)
+                                           : fmt::format("it has moved by {:.3g} m, and counts as failed from {:.3g} m", movement_, limit_);
+  const char* verdict = failed() ? "fails" : rests_ ? "stands" : "has not failed, and is still moving";
+  return fmt::format("with its strength divided by {:.6g} the soil {}: {}{}", factor, verdict, what,
                      failed() || rests_ ? "" : "; give the last stage more time");
 }
 

@@ -74,9 +74,8 @@ std::string tests_html(const std::vector<TestRecord>& records)
 std::string page_html(const ElementResults& results, const std::vector<std::string>& figures, const fs::path& folder)
 {
   std::string html = fmt::format("<h1>{}</h1>\n", text::html_text(title_of(results)));
-  html += "<p>Laboratory tests of one piece of soil, as berm's soil laws compute them. Compression is positive; p' is the mean effective "
-          "stress, "
-          "q the vertical less the lateral stress, s1 and s3 are the largest and the smallest principal stress.</p>\n";
+  html += "<p>Laboratory tests of a soil element, computed by berm's soil laws. Compression is positive; p' is the mean effective stress, "
+          "q the vertical minus the lateral stress, s1 and s3 are the largest and the smallest principal stress.</p>\n";
   html += tests_html(results.records) + "<h2>Results</h2>\n<div class=\"tables\">\n";
   for (const ResultTable& table : result_tables(results.records)) html += table_html(table);
   html += "</div>\n";

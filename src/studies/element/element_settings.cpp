@@ -32,13 +32,13 @@ template <class Kind>
 void describe_drained(Describe& d, Kind& kind)
 {
   d.value("drained", kind.drained,
-          {.meaning = "true: water leaves, the effective stress that is held stays; false: undrained, the volume stays", .required = true});
+          {.meaning = "true: drained, at constant applied effective stress; false: undrained, at constant volume", .required = true});
 }
 
 template <class Kind>
 void describe_direction(Describe& d, Kind& kind)
 {
-  d.choice("direction", kind.direction, {"compression", "extension"}, {.meaning = "which way the specimen is deformed axially"});
+  d.choice("direction", kind.direction, {"compression", "extension"}, {.meaning = "sense of the axial deformation"});
 }
 
 }  // namespace
@@ -49,9 +49,8 @@ void describe(Describe& d, Triaxial& kind)
   describe_drained(d, kind);
   describe_direction(d, kind);
   d.value("reconsolidated", kind.reconsolidated,
-          {.meaning =
-               "undrained test: between cycles q is taken back to 0, undrained, and p' to confining_stress, drained; the strains of the "
-               "path then count from there"});
+          {.meaning = "undrained test: between cycles q is taken back to 0, undrained, and p' to confining_stress, drained; the strains of "
+                      "the path are then measured from there"});
 }
 
 void describe(Describe& d, Biaxial& kind)
@@ -71,7 +70,7 @@ void describe(Describe& d, Oedometer& kind)
 {
   describe(d, kind.start);
   d.value("stress_path", kind.stress_path,
-          {.meaning = "vertical effective stresses that are reached one after the other, compression positive, instead of strain_path",
+          {.meaning = "vertical effective stresses that are reached in turn, compression positive, instead of strain_path",
            .unit = "Pa",
            .range = not_negative});
 }
@@ -83,19 +82,21 @@ void describe(Describe& d, TestSettings& test)
            {.meaning = "which test; biaxial is axial compression or extension in plane strain", .required = true});
   d.value("material", test.material, {.meaning = "material of the specimen", .required = true});
   d.value("depth", test.depth,
-          {.meaning = "depth below the bed's surface where the specimen is from, of a material that varies with depth",
+          {.meaning = "depth below the bed's surface of the specimen, in a material that varies with depth",
            .unit = "m",
            .range = not_negative});
   d.value("strain_path", test.strain_path,
-          {.meaning = "axial strains (simple_shear: engineering shear strains) that are reached one after the other, positive in "
+          {.meaning = "axial strains (simple_shear: engineering shear strains) that are reached in turn, positive in "
                       "`direction`: [0.1], or with unloading and reloading [0.05, 0.04, 0.1]",
            .range = {-2, 2}});
   d.value("cycles", test.cycles, {.meaning = "number of times that the path is followed", .range = {1, 1e4}});
   d.value("steps", test.steps, {.meaning = "number of steps from one entry of the path to the next", .range = {1, 1e5}});
-  d.value("strain_rate", test.strain_rate,
-          {.meaning = "rate of the axial strain (simple_shear: of the shear strain); absent: so slow that the law's strength has no rate",
-           .unit = "1/s",
-           .range = positive});
+  d.value(
+      "strain_rate", test.strain_rate,
+      {.meaning =
+           "rate of the axial strain (simple_shear: of the shear strain); absent: so slow that the strength does not depend on the rate",
+       .unit = "1/s",
+       .range = positive});
 }
 
 namespace {
@@ -158,11 +159,11 @@ void check_path(Describe& d, const std::string& path, const TestSettings& test)
   const std::string key = path + (by_stress ? ".stress_path" : ".strain_path");
   Real before = by_stress ? oedometer->start.vertical() : 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    d.check(points[k] != before, fmt::format("{}[{}]", key, k), "is where the specimen is already");
+    d.check(points[k] != before, fmt::format("{}[{}]", key, k), "is the present state of the specimen");
     before = points[k];
   }
   d.check(test.cycles == 1 || points.size() > 1 || reconsolidated(test.kind), path + ".cycles",
-          "a cycle needs two entries of the path at least, there and back");
+          "a cycle needs at least two entries of the path, loading and unloading");
 }
 
 void check_test(Describe& d, const std::string& path, const TestSettings& test, const ElementCase& c)
@@ -178,12 +179,12 @@ void check_test(Describe& d, const std::string& path, const TestSettings& test, 
             "is to an isotropic stress: needs confining_stress");
     d.check(test.cycles > 1, path + ".reconsolidated", "is between cycles: needs cycles = 2 or more");
     d.check(material == nullptr || !knows_total_stress_alone(*material), path + ".reconsolidated",
-            fmt::format("{} has an undrained strength, which no water that leaves changes", test.material));
+            fmt::format("{} has an undrained strength, which drainage does not change", test.material));
   }
   if (material == nullptr) return;  // of a visitor that does not throw
   check_strength(d, path, start_of(test.kind), material::at_depth(*material, test.depth, start_of(test.kind).vertical()));
   d.check(!drained(test.kind) || std::holds_alternative<Oedometer>(test.kind) || !knows_total_stress_alone(*material), path + ".drained",
-          fmt::format("{} has an undrained strength, and knows nothing of drained soil: drained = false", test.material));
+          fmt::format("{} has an undrained strength, and cannot be drained: drained = false", test.material));
 }
 
 /// Refuses a case of berm run, which has no tests.

@@ -31,7 +31,7 @@ void add_stresses(run_folder::Row& line, const TestRecord& record, const TestRow
   if (std::holds_alternative<SimpleShear>(record.settings.kind))
     line("tau", shear_stress(row), of_stress, "horizontal shear stress");
   else
-    line("q", deviator_stress(row), of_stress, "vertical less lateral stress");
+    line("q", deviator_stress(row), of_stress, "vertical minus lateral stress");
   line("p", mean_stress(row), of_stress, fmt::format("mean {}stress", effective));
   line("s", middle_stress(row), of_stress, "(s1 + s3)/2 of the principal stresses");
   line("t", max_shear_stress(row), of_stress, "(s1 - s3)/2 of the principal stresses");

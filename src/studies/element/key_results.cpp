@@ -123,9 +123,10 @@ std::vector<KeyResult> axial_results(const TestRecord& record)
   const TestSettings& settings = record.settings;
   const TestRow &first = record.rows[0], &second = record.rows[1], &last = record.rows.back(), &peak = peak_of(record);
   std::vector<KeyResult> all = {
-      stress("q_peak", deviator_stress(peak), "q, peak", "vertical less lateral stress where its size is largest; in extension negative"),
+      stress("q_peak", deviator_stress(peak), "q, peak",
+             "vertical minus lateral stress where its magnitude is largest; in extension negative"),
       strain("axial_strain_at_peak", driven_strain(settings, peak), "axial strain there", "axial strain at q_peak"),
-      stress("q_end", deviator_stress(last), "q, end", "vertical less lateral stress at the end")};
+      stress("q_end", deviator_stress(last), "q, end", "vertical minus lateral stress at the end")};
   if (!drained(settings.kind))
     all.push_back(stress("s_u", std::abs(deviator_stress(peak)) / 2, "s_u", "undrained shear strength, |q_peak| / 2"));
   if (reconsolidated(settings.kind)) add_strengths_of_cycles(all, record);
@@ -146,7 +147,7 @@ std::vector<KeyResult> shear_results(const TestRecord& record)
   const TestSettings& settings = record.settings;
   const TestRow& peak = peak_of(record);
   std::vector<KeyResult> all = {
-      stress("tau_peak", shear_stress(peak), "tau, peak", "horizontal shear stress where its size is largest"),
+      stress("tau_peak", shear_stress(peak), "tau, peak", "horizontal shear stress where its magnitude is largest"),
       strain("shear_strain_at_peak", driven_strain(settings, peak), "shear strain there", "shear strain at tau_peak"),
       stress("tau_end", shear_stress(record.rows.back()), "tau, end", "horizontal shear stress at the end")};
   if (!drained(settings.kind)) all.push_back(stress("s_u", std::abs(shear_stress(peak)), "s_u", "undrained shear strength, |tau_peak|"));

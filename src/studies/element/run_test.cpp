@@ -148,7 +148,7 @@ std::string words_of_failure(const TestRecord& record)
 {
   const Real strain = driven_strain(record.settings, record.rows.back());
   const bool shears = std::holds_alternative<SimpleShear>(record.settings.kind);
-  return fmt::format("the specimen failed at {} strain {:.4g} %: the law has no state beyond it with the stress that the test prescribes",
+  return fmt::format("the specimen failed at {} strain {:.4g} %: beyond it the law has no state at the prescribed stress",
                      shears ? "shear" : "axial", 100 * strain);
 }
 

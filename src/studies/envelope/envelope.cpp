@@ -60,7 +60,7 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
   write_envelope_report(settings, rows, request.folder);
   fmt::print("{}", envelope_words(settings, rows));
   if (const std::size_t failed = batch.count(jobs::JobEnd::Kind::failed); failed > 0)
-    io::tell("{} of {} probes failed; envelope.csv says which\n", failed, rows.size());
+    io::tell("{} of {} probes failed; envelope.csv lists them\n", failed, rows.size());
   tell_of_rest(batch);
   io::tell("the envelope is in {}\n", request.folder.string());
   return batch.outcome();

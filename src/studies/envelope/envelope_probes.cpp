@@ -152,7 +152,7 @@ base::EmbeddedBody embedded_body(const problem::Case& c)
 std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings)
 {
   const base::EmbeddedBody body = embedded_body(c);
-  if (settings.turns && !body.arm) throw KeyError("rigid: a pipe has no moments to look for: turns are those of a footing");
+  if (settings.turns && !body.arm) throw KeyError("rigid: a pipe has no moments to search: --turns is for a footing");
   const ProbeMaker maker(c, body, settings.travel);
   std::vector<Probe> probes;
   const int n = settings.directions;

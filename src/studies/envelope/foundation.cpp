@@ -62,11 +62,11 @@ void fit_stiffness(Foundation& f, const std::vector<EnvelopeRow>& rows, Real wid
     A += (h * h.transpose() + t * t.transpose()) / length;
     b += (h * m.load.H + t * m.load.M / width) / length;
   }
-  if (!turns) refuse("no probe turns it while both its edges go down: take --turns 3 or more");
+  if (!turns) refuse("no probe rotates it while both its edges move down: take --turns 3 or more");
   const Eigen::Vector3d k = A.ldlt().solve(b);
   f.k_v = V_w / w_w, f.k_h = k[0], f.k_hm = k[1] * width, f.k_m = k[2] * width * width;
   if (!(f.k_v > 0 && f.k_h > 0 && f.k_m > 0 && f.k_hm * f.k_hm < f.k_h * f.k_m))
-    refuse("the first rows of the probes give no positive stiffness: let their histories have more rows at the start");
+    refuse("the first rows of the probes give no positive stiffness: write more rows of history at the start");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Trial result_of(Real factor, const fs::path& folder)
   trial.limit = check("soil_movement_limit_m");
   trial.time_factor = check("time_factor_of_last_stage");
   trial.wall_s = jobs::wall_time_of(folder);
-  if (trial.end == TrialEnd::undecided) trial.why = "it has not failed, and still moves at the end: give the last stage more time";
+  if (trial.end == TrialEnd::undecided) trial.why = "it has not failed, and is still moving at the end: give the last stage more time";
   return trial;
 }
 

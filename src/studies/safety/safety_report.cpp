@@ -61,7 +61,7 @@ std::string summary_json(const problem::Case& settings, const std::vector<Trial>
   const std::optional<Real> middle =
       bracket.stands && bracket.fails ? std::optional<Real>((*bracket.stands + *bracket.fails) / 2) : std::nullopt;
   Json all = {{"quantities",
-               {{"factor_of_safety", number(middle, "the middle between the next two")},
+               {{"factor_of_safety", number(middle, "the mean of the next two")},
                 {"factor_that_stands", number(bracket.stands, "the largest factor, below the next, at which the soil stands")},
                 {"factor_that_fails", number(bracket.fails, "the smallest factor at which it fails")}}},
               {"checks", {{"finished", finished}, {"undecided_between", bracket.undecided.size()}}}};
@@ -102,20 +102,20 @@ std::string picture_html(const fs::path& file, const std::string& caption)
 std::string definition_html(const problem::Case& settings)
 {
   std::string html =
-      "<p>F is the number that the strength of the soil is divided by, from the start of the first stage on: cohesion, tan(friction "
+      "<p>F is the factor by which the strength of the soil is divided, from the start of the first stage: cohesion, tan(friction "
       "angle), "
       "undrained strength and tension cut-off of every soil, tan(friction angle), adhesion and tension of its interfaces. The stiffness "
-      "and "
-      "the dilation angle stay; the dilation angle is at most the reduced friction angle. Clay has its strength at the reference "
+      "and the dilation angle are not reduced; the dilation angle is at most the reduced friction angle. Clay has its strength at the "
+      "reference "
       "rate.</p>\n"
       "<p>The soil <b>fails</b> where a point of it moves farther than the displacement in the table, in a stage that moves no body: a "
-      "hundredth of the height that can slide, and twice the compression of elastic soil of that height under its weight and loads, unless "
-      "safety.movement says otherwise. ";
+      "hundredth of the height that can slide plus twice the compression of elastic soil of that height under its weight and loads, unless "
+      "safety.movement is given.  ";
   html += settings.method == problem::Method::fem
-              ? "It also fails where the finite elements find no equilibrium, or where more than a tenth of the displacement comes in the "
-                "last half of the last stage while the soil yields: soil of small strain that flows once flows on. Soil that moves "
-                "and yields nowhere consolidates: it stands. One that yields too little to flow, and still moves, is undecided."
-              : "Larger displacements make the slope flatter, and a slide comes to rest: that it rests at last does not say that it stood.";
+              ? "It also fails where the finite elements do not reach equilibrium, or where more than a tenth of the displacement occurs "
+                "in the last half of the last stage while the soil yields: at small strain soil that flows does not stop. Soil that moves "
+                "and yields nowhere is consolidating: it stands. Soil that yields too little to flow, and is still moving, is undecided."
+              : "Larger displacements make the slope flatter, and a slide comes to rest: soil at rest at the end may have failed.";
   return html + " It <b>stands</b> where it has not failed and is at rest at the end of the last stage.</p>\n";
 }
 
@@ -128,7 +128,7 @@ std::string page_html(const problem::Case& settings, const std::vector<Trial>& t
   for (const std::string& doubt : doubts_of(trials, settings.method))
     html += fmt::format("<p class=\"warning\">{}</p>\n", text::html_text(doubt));
   html += "<h2>Trials</h2>\n" + trials_html(trials);
-  html += "<h2>What is failure</h2>\n" + definition_html(settings);
+  html += "<h2>Definition of failure</h2>\n" + definition_html(settings);
   std::string pictures;
   for (const std::string& figure : figures)
     pictures += picture_html(folder / (figure + ".png"), figure == "movement" ? "Displacement over the factor" : "Displacement over time");
@@ -171,16 +171,16 @@ std::string answer_in_words(const std::vector<Trial>& trials)
   };
   std::string words;
   if (bracket.stands && bracket.fails)
-    words =
-        fmt::format("F = {:.4g} to {:.4g}: the soil stands with its strength over {:.4g} (it moves by {}) and fails with it over {:.4g}",
-                    *bracket.stands, *bracket.fails, *bracket.stands, metres(at(*bracket.stands).movement), *bracket.fails);
+    words = fmt::format(
+        "F = {:.4g} to {:.4g}: the soil stands with its strength divided by {:.4g} (it moves by {}) and fails with it divided by {:.4g}",
+        *bracket.stands, *bracket.fails, *bracket.stands, metres(at(*bracket.stands).movement), *bracket.fails);
   else if (bracket.fails)
     words = fmt::format("F is below {:.4g}, where the soil still fails", *bracket.fails);
   else if (bracket.stands)
     words = fmt::format("F is above {:.4g}, where the soil still stands", *bracket.stands);
   else
-    words = "no trial tells whether the soil stands or fails";
-  if (bracket.fails && *bracket.fails <= 1) words += "; F is below 1: it fails as it is";
+    words = "no trial shows whether the soil stands or fails";
+  if (bracket.fails && *bracket.fails <= 1) words += "; F is below 1: it fails with its own strength";
   if (!bracket.undecided.empty()) words += fmt::format("; undecided: {}", fmt::join(bracket.undecided, ", "));
   if (!bracket.stands_above.empty())
     words += fmt::format("; yet it stands at {}, which is doubtful: compare the histories", fmt::join(bracket.stands_above, ", "));
@@ -199,16 +199,16 @@ std::vector<std::string> doubts_of(const std::vector<Trial>& trials, problem::Me
                                  time_factor, 1 / time_factor));
   const Bracket bracket = bracket_of(trials);
   if (!bracket.stands && bracket.fails && *bracket.fails <= min_factor)
-    doubts.push_back(fmt::format("the soil fails even with {:g} times its strength, as no slope or footing does: look at supports, loads "
+    doubts.push_back(fmt::format("the soil fails even with {:g} times its strength, which no slope or footing does: check supports, loads "
                                  "and units before its strength",
                                  1 / min_factor));
   if (moves_alike(trials))
-    doubts.push_back("the soil moves by the same whatever its strength is, so that this is no failure: water that flows, or loads that are "
-                     "not over. Give the last stage more time");
+    doubts.push_back("the soil moves by the same amount whatever its strength, so this is not failure: water still flows, or loads still "
+                     "change. Give the last stage more time");
   if (!trials.empty() && method == problem::Method::mpm)
-    doubts.push_back("cells make the factor of the material point method too large: a vertical cut with 20 cells over its height gives 6 % "
-                     "more than the exact factor, and half of that with cells half as large. Take "
-                     "method = \"fem\" (1.7 % there), or two sizes of cells, and extrapolate to none");
+    doubts.push_back("the factor of the material point method is too large on coarse cells: a vertical cut with 20 cells over its height "
+                     "gives 6 % more than the exact factor, and half of that with cells half as large. Take method = \"fem\" (1.7 % "
+                     "there), or two cell sizes, and extrapolate to zero");
   return doubts;
 }
 

@@ -76,8 +76,8 @@ void describe(Describe& d, StudySample& sample)
 {
   constexpr int most = 100'000;
   d.value("size", sample.size, {.meaning = "number of rows", .range = {1, most}, .required = true});
-  d.value("seed", sample.seed, {.meaning = "another one makes another sample", .range = not_negative});
-  d.array("parameter", sample.parameter, {.meaning = "what is not known well", .required = true});
+  d.value("seed", sample.seed, {.meaning = "another seed makes another sample", .range = not_negative});
+  d.array("parameter", sample.parameter, {.meaning = "uncertain parameters", .required = true});
 }
 
 void check(Describe& d, const StudySample& sample)
@@ -223,8 +223,8 @@ void describe(Describe& d, Distribution& distribution)
   number("best", distribution.best, "most likely value of a triangular one, 50 % value of a normal or lognormal one; absent: the middle",
          false);
   number("high", distribution.high, "greatest value of a uniform or triangular one, 95 % value of the others", true);
-  number("min", distribution.min, "no value of a normal or lognormal one lies below", false);
-  number("max", distribution.max, "no value of a normal or lognormal one lies above", false);
+  number("min", distribution.min, "lower bound of a normal or lognormal one", false);
+  number("max", distribution.max, "upper bound of a normal or lognormal one", false);
 }
 
 void check(Describe& d, const std::string& path, const Distribution& c)

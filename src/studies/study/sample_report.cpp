@@ -125,7 +125,7 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
       axis->value.size() - *axis->sample_from,
       drawn ? " best: the run with all parameters at their medians. The sample is samples.csv." : "");
   if (std::any_of(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.failed > 0; }))
-    text += "Runs that failed are in none of these numbers: where they lie at one end of the sample, so does what is missing.\n";
+    text += "Runs that failed are not in these numbers: where they are at one end of the sample, that end is missing.\n";
   Words pictures;
   for (const Estimate& estimate : estimates) {
     std::string name = picture_name(plan, estimate);
@@ -133,7 +133,7 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
     if (draw_tornado(output, name, plan, estimate)) pictures.push_back(name);
   }
   for (const std::string& picture : pictures) text += fmt::format("\n![{0}]({0}.png)\n", picture);
-  text += "\n## What each parameter does\n\n";
+  text += "\n## Effect of each parameter\n\n";
   text += markdown_of(sensitivity_lines(study, estimates, rounded, true), texts + 1);
   if (drawn) text += "Swing: one parameter at its 5 % and 95 % value, all others at their medians. ";
   text += "Rank correlation: over the sample, from -1 to 1 (Spearman).\n\n## All runs\n\n";

@@ -156,7 +156,7 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
     check_measures(file, study, row, settings);
     plan.rows.push_back(row);
   } while (advance(choice, study));
-  if (plan.rows.empty()) throw InputError(fmt::format("{}: nothing is left of the study, all combinations are skipped", file.string()));
+  if (plan.rows.empty()) throw InputError(fmt::format("{}: all combinations of the study are skipped", file.string()));
   warn_of_small_sample(file, study);
   return plan;
 }

@@ -169,7 +169,7 @@ void describe(Describe& d, StudyTable& table)
 
 void describe(Describe& d, StudySkip& skip)
 {
-  d.value(why_key, skip.why, {.meaning = "why these combinations are left out", .required = true});
+  d.value(why_key, skip.why, {.meaning = "reason for leaving out these combinations", .required = true});
 }
 
 void describe(Describe& d, StudyMeasure& measure)
@@ -200,7 +200,7 @@ void describe(Describe& d, Study& study)
   d.array(case_key, study.cases, {.meaning = "cases to run", .required = true});
   d.array("axis", study.axis, {.meaning = "what is varied"});
   d.array("table", study.table, {.meaning = "files whose rows are varied"});
-  d.optional_table("sample", study.sample, {.meaning = "Latin hypercube of what is not known well"});
+  d.optional_table("sample", study.sample, {.meaning = "Latin hypercube of uncertain parameters"});
   d.array("skip", study.skip, {.meaning = "combinations that are left out"});
   d.array("measure", study.measure, {.meaning = "columns of the table", .required = true});
   d.array("figure", study.figure, {.meaning = "figures of history curves"});

@@ -128,8 +128,7 @@ std::string reason_without(const std::vector<VariantRecord>& variants, const std
 {
   for (std::size_t k = 0; k < of_variants.size(); ++k)
     if (!std::isfinite(of_variants[k])) return fmt::format("{} has no such number", variants[k].run.name);
-  return std::isnan(noise) ? "noise: it is not found in the history without every fifth row"
-                           : "no line can be fitted to so few runs of different cells";
+  return std::isnan(noise) ? "noise: no value without every fifth row of the history" : "too few runs of different cells to fit a line";
 }
 
 }  // namespace
@@ -224,9 +223,9 @@ std::string part(Real number, Real per_si)
 
 std::string words_of(const run_folder::Grains& grains)
 {
-  std::string table = fmt::format(
-      "the sand has no d50, so that its shear bands are as wide as cells make them; on cells {:.3g} times as large:\n{:<24}{:>12}",
-      grains.size, "", "no d50");
+  std::string table =
+      fmt::format("the sand has no d50, so the width of its shear bands is set by the cells; on cells {:.3g} times as large:\n{:<24}{:>12}",
+                  grains.size, "", "no d50");
   for (const Real d50 : grains.d50) table += fmt::format("{:>14}", fmt::format("d50 {:g} mm", 1000 * d50));
   for (const auto& [name, unit, without, with] : grains.numbers) {
     const auto& [per_si, shown] = shown_unit(unit);
@@ -234,7 +233,7 @@ std::string words_of(const run_folder::Grains& grains)
     for (const Real number : with) table += fmt::format("{:>14}", part(number, per_si));
     table += " " + shown;
   }
-  return table + "\nname the d50 of the sand, and the band is that of its answer\n";
+  return table + "\ngive the d50 of the sand, and the band is that of its own result\n";
 }
 
 }  // namespace
@@ -243,7 +242,7 @@ std::string words_of(const run_folder::Uncertainty& u, problem::Method method)
 {
   Real largest = 1, time = 0;
   for (const run_folder::BandRun& run : u.runs) largest = std::max(largest, run.size), time += run.wall_s;
-  std::string table = fmt::format("uncertainty: {} runs with cells up to {:.3g} times as large, {:.3g} s of one thread in all\n",
+  std::string table = fmt::format("uncertainty: {} runs with cells up to {:.3g} times as large, {:.3g} s of one thread in total\n",
                                   u.runs.size(), largest, time);
   table += fmt::format("{:<24}{:>12}{:>24}{:>6}{:>16}{:>10}{:>10}{:>12}\n", "", "this run", "converged", "", "extrapolation", "mesh",
                        "noise", method == problem::Method::fem ? "increments" : "speed");
@@ -253,7 +252,7 @@ std::string words_of(const run_folder::Uncertainty& u, problem::Method method)
                          text::with_half_width(band.converged * per_si, band.half_width * per_si, "+-"), shown,
                          part(band.extrapolation, per_si), part(band.mesh, per_si), part(band.noise, per_si), part(band.speed, per_si));
   }
-  table += "converged +- what it is uncertain by, nineteen times in twenty: extrapolation + sqrt(mesh^2 + noise^2 + speed^2)\n";
+  table += "converged +- half width of the 95 % band: extrapolation + sqrt(mesh^2 + noise^2 + speed^2)\n";
   for (const std::string& why : u.left_out) table += fmt::format("not in the bands: {}\n", why);
   for (const auto& [name, why] : u.without) table += fmt::format("without a band: {}: {}\n", name, why);
   if (!u.grains.numbers.empty()) table += words_of(u.grains);

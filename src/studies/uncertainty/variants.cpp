@@ -99,7 +99,7 @@ Real largest_in_layer(const problem::Case& c)
 Real coarsest_of(const problem::Case& c)
 {
   if (!base::drives_a_body(c))
-    throw KeyError("stage: --uncertainty needs a push or a drag of a body that has a width: there are no key results without");
+    throw KeyError("stage: --uncertainty needs a push or a drag of a body with a width: there are no key results without");
   if (std::holds_alternative<mesh::GmshFile>(c.mesh))
     throw KeyError(
         "mesh.file: --uncertainty makes all cells coarser, which it cannot do with a mesh from a file; let berm make the mesh (mesh.kind = "
@@ -115,7 +115,7 @@ Real coarsest_of(const problem::Case& c)
   if (!(coarsest >= least_coarsest * (1 - rounding)))
     throw KeyError(fmt::format(
         "{}: --uncertainty makes cells {:g} times as large at least, and the driven body is only {:.2g} cells wide: make them {:.3g} m or "
-        "smaller, so that {:g} coarse ones are left",
+        "smaller, so that {:g} coarse ones remain",
         c.method == problem::Method::fem && c.fem.contact_size ? "fem.contact_size"
         : std::holds_alternative<mesh::BoxMesh>(c.mesh)        ? "mesh.cells"
                                                                : "mesh.near_size",

@@ -58,8 +58,8 @@ std::string findings_html(const ExamplePage& page, const std::string& run, const
   if (rows.empty()) return "";
   if (!figures.empty()) figures = fmt::format("<div class=\"pictures\">\n{}</div>\n", figures);
   return "<table>\n" +
-         text::plain_row({"what", "exact", "berm", "error", "tolerance", "", "source, and why the tolerance is what it is"}, 1, 4, "th") +
-         rows + "</table>\n" + figures;
+         text::plain_row({"what", "exact", "berm", "error", "tolerance", "", "source, and reason for the tolerance"}, 1, 4, "th") + rows +
+         "</table>\n" + figures;
 }
 
 std::string command_of(const ExamplePage& page, const VerificationRun& run)

@@ -106,8 +106,8 @@ std::string index_page(const std::vector<ExamplePage>& pages, const std::string&
   }
   std::string html = "<h1>berm: verification book</h1>\n";
   html += fmt::format("<p>What berm {} gives for problems with known answers: {}</p>\n", BERM_VERSION, summary_words(pages));
-  html += "<p>" + link_to("requirements.html", "What is promised, where it is derived, and which run proves it") + "</p>\n";
-  html += fmt::format("<p>{}: {}.</p>\n", link_to("trust.html", "Do the pages say what is right?"), text::html_text(trust));
+  html += "<p>" + link_to("requirements.html", "Requirements, their derivation, and the runs that verify them") + "</p>\n";
+  html += fmt::format("<p>{}: {}.</p>\n", link_to("trust.html", "Are the verdicts of the pages right?"), text::html_text(trust));
   html += "<ul>\n" + contents + "</ul>\n" + tables + longest_html(pages);
   return text::plain_page("berm: verification book", html);
 }

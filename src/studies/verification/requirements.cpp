@@ -51,8 +51,8 @@ std::vector<Promise> promises_of(const Example& example)
 std::string requirements_page(const std::vector<ExamplePage>& pages)
 {
   std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>What is promised</h1>\n";
-  html += "<p>What the user may rely on, where it is derived, those runs of this book that prove it and how they went. "
-          "<code>berm verify --requirements</code> lists what all examples promise.</p>\n<table>\n";
+  html += "<p>Requirements that users may rely on, their derivation, and the runs of this book that verify them, with their results. "
+          "<code>berm verify --requirements</code> lists the requirements of all examples.</p>\n<table>\n";
   html += text::plain_row({"requirement", "derived", "", "proved by"}, 9, 9, "th");
   for (const ExamplePage& page : pages) {
     html += fmt::format("<tr class=\"example\"><td colspan=\"4\">{}</td></tr>\n",

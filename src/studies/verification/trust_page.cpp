@@ -108,7 +108,7 @@ std::string trust_page(const std::vector<TrustQuestion>& questions)
   std::stable_sort(ordered.begin(), ordered.end(), [](const TrustQuestion& a, const TrustQuestion& b) {
     return std::pair(!a.is_misjudged(), -std::abs(a.error)) < std::pair(!b.is_misjudged(), -std::abs(b.error));
   });
-  std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>Do the pages say what is right?</h1>\n";
+  std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>Are the verdicts of the pages right?</h1>\n";
   html += fmt::format(
       "<p>{}. An answer is right where its number that is farthest off is within {:g} % of what is known, and wrong where it is off by "
       "more than {:g} %. What a page says is the worst of its measures; doubtful is a warning, whatever it is of. Misjudged runs come "
@@ -116,7 +116,7 @@ std::string trust_page(const std::vector<TrustQuestion>& questions)
       words_of(questions), 100 * error_of_right, 100 * error_of_wrong);
   html += text::plain_row({"run", "farthest off", "known", "error", "the answer is", "its page says", "its warnings"}, 2, 3, "th");
   for (const TrustQuestion& question : ordered) html += row_of(question);
-  return text::plain_page("berm: do the pages say what is right?", html + "</table>\n");
+  return text::plain_page("berm: are the verdicts of the pages right?", html + "</table>\n");
 }
 
 }  // namespace berm::verification

@@ -60,7 +60,7 @@ TEST_F(Export, says_of_a_run_folder_that_was_edited_so_in_decks_page_and_message
   std::string edited = whole;
   edited.replace(edited.find("cohesion = 1000"), 15, "cohesion = 2000");
   folder_.write("r/resolved.toml", edited);
-  const std::string words = "resolved.toml was changed after the run began: it is not what the run was computed with";
+  const std::string words = "resolved.toml was changed after the run began: the run used an earlier version";
   const Ended report = berm({"report", "r"}), deck = berm({"export", "r", "--to", "ansys"});
   EXPECT_EQ(report.status, 0);
   EXPECT_NE(report.err.find("warning: r: " + words), std::string::npos) << report.err;

@@ -97,7 +97,7 @@ TEST_F(New, writes_the_strength_of_a_sounding_and_says_what_counts_and_what_is_d
   folder_.write("cpt.csv", "depth_m,q_c_MPa\n0.05,0.1\n0.15,0.12\n0.15,0.13\n0.25,0.14\n");
   const Ended written = berm({"new", "pipe-in-clay", "case.toml", "--cpt", "cpt.csv", "--n-kt", "12"});
   ASSERT_EQ(written.status, 0) << written.err;
-  EXPECT_NE(written.out.find("cpt.csv: 3 of 4 rows, 0.05 to 0.25 m; left out: 1 no deeper than a row before; q_c for q_t: the file does "
+  EXPECT_NE(written.out.find("cpt.csv: 3 of 4 rows, 0.05 to 0.25 m; left out: 1 not deeper than the row before; q_c for q_t: the file does "
                              "not say u_2 and the area ratio of the cone\n"),
             std::string::npos)
       << written.out;

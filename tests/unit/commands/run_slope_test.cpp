@@ -129,7 +129,7 @@ TEST_P(CableOnSlope, counts_its_embedment_from_the_slope_where_it_is)
 TEST_P(CableOnSlope, rests_in_equilibrium_before_it_is_pushed)
 {
   ASSERT_EQ(ended_.status, 0) << ended_.err;
-  EXPECT_EQ(ended_.err.find("found no equilibrium"), std::string::npos) << ended_.err;
+  EXPECT_EQ(ended_.err.find("did not reach equilibrium"), std::string::npos) << ended_.err;
   const nlohmann::json summary = nlohmann::json::parse(text_of_file(folder_ / "out/summary.json"));
   EXPECT_LE(summary["checks"]["out_of_balance_after_geostatic"], 0.01);
   Real rest = 0;
@@ -208,7 +208,7 @@ TEST(RunOnSlope, says_so_where_the_ground_finds_no_equilibrium)
                                                   "--set",     "stage.drag.until.displacement=1 mm"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.err.find("slides down it at a depth of"), std::string::npos) << ended.err;
-  EXPECT_NE(ended.err.find("stage \"rest\" found no equilibrium in 0.3 s"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("stage \"rest\" did not reach equilibrium in 0.3 s"), std::string::npos) << ended.err;
   EXPECT_NE(ended.err.find("flatten the ground"), std::string::npos) << ended.err;
 }
 

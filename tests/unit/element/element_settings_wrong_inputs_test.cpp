@@ -86,7 +86,7 @@ const std::vector<WrongElement> wrong_elements = {
      "strain_path = [0.1]",
      "strain_path = [0.1, 0.1]",
      24,
-     {"test.cd.strain_path[1]", "is where the specimen is already"}},
+     {"test.cd.strain_path[1]", "is the present state of the specimen"}},
     {"both_paths",
      "stress_path = [",
      "strain_path = [0.1]\nstress_path = [",

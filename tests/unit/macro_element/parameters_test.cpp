@@ -50,7 +50,7 @@ TEST(MacroElementParameters, are_refused_with_file_key_and_what_is_allowed)
   EXPECT_EQ(refused("/parameters/peak_ratio/value", -1), "m.json: parameters.peak_ratio.value: -1 is not more than 0");
   for (const double value : {1e-296, 1e300})
     EXPECT_EQ(refused("/parameters/vertical_stiffness/value", value),
-              fmt::format("m.json: parameters.vertical_stiffness.value: {:g} is beyond what any pipe and soil have", value));
+              fmt::format("m.json: parameters.vertical_stiffness.value: {:g} is beyond any pipe and soil", value));
   EXPECT_EQ(refused("/parameters/first_yield/value", 0.4), "m.json: parameters.first_yield.value: 0.4 is not 0.5 or more, 1 or less");
   EXPECT_EQ(refused("/parameters/surface_b1/value", 1), "m.json: parameters.surface_b1.value: 1 is not more than 0, less than 1");
   EXPECT_EQ(refused("/parameters/flow_zero/value", 1), "m.json: parameters.flow_zero.value: 1 is not 0.95 or less");

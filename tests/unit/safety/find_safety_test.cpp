@@ -91,7 +91,7 @@ TEST_F(SafetyCommand, says_that_soil_fails_as_it_is)
 {
   const Ended ended = safety({"--tolerance", "0.3", "--set", "traction.load.stress=[0, -25e3]"});
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("F is below 1: it fails as it is"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("F is below 1: it fails with its own strength"), std::string::npos) << ended.out;
 }
 
 /// A column of consolidating soil between smooth walls, which cannot fail: c is 1 MPa and the load 20 kPa.
@@ -203,7 +203,7 @@ TEST(SafetyReport, tells_the_ends_of_the_bracket_and_what_is_doubtful)
   std::vector<Trial> trials = {
       {1, TrialEnd::stands, 0.001, 0.1, 2}, {1.25, TrialEnd::stands, 0.012, 0.1, 3}, {1.3, TrialEnd::fails, 0.11, 0.1, 5}};
   EXPECT_EQ(answer_in_words(trials),
-            "F = 1.25 to 1.3: the soil stands with its strength over 1.25 (it moves by 0.012 m) and fails with it over 1.3");
+            "F = 1.25 to 1.3: the soil stands with its strength divided by 1.25 (it moves by 0.012 m) and fails with it divided by 1.3");
   EXPECT_EQ(safety_csv(trials),
             "factor,end,movement_m,movement_limit_m,wall_s\n1,stands,0.001,0.1,2\n1.25,stands,0.012,0.1,3\n1.3,fails,0.11,0.1,5\n");
   trials.push_back({1.28, TrialEnd::undecided});
@@ -212,7 +212,8 @@ TEST(SafetyReport, tells_the_ends_of_the_bracket_and_what_is_doubtful)
   EXPECT_NE(answer_in_words(trials).find("yet it stands at 1.4"), std::string::npos);
   EXPECT_NE(safety_csv(trials).find("\n1.28,undecided,,,\n"), std::string::npos);
   EXPECT_EQ(answer_in_words({{10, TrialEnd::stands}}), "F is above 10, where the soil still stands");
-  EXPECT_EQ(answer_in_words({{0.1, TrialEnd::fails}}), "F is below 0.1, where the soil still fails; F is below 1: it fails as it is");
+  EXPECT_EQ(answer_in_words({{0.1, TrialEnd::fails}}),
+            "F is below 0.1, where the soil still fails; F is below 1: it fails with its own strength");
 }
 
 bool says(const std::vector<std::string>& doubts, const std::string& words)
@@ -224,7 +225,7 @@ TEST(SafetyReport, doubts_soil_that_fails_at_every_factor_or_moves_alike_at_all_
 {
   const std::vector<Trial> plain = {{1, TrialEnd::stands, 0.001, 0.1, 2}, {1.3, TrialEnd::fails, 0.11, 0.1, 5}};
   EXPECT_TRUE(doubts_of(plain, problem::Method::fem).empty());
-  EXPECT_TRUE(says(doubts_of(plain, problem::Method::mpm), "cells make the factor of the material point method too large"));
+  EXPECT_TRUE(says(doubts_of(plain, problem::Method::mpm), "the factor of the material point method is too large on coarse cells"));
   const std::vector<Trial> all = {{0.1, TrialEnd::fails, 0.11, 0.1}, {1, TrialEnd::fails, 0.12, 0.1}};
   EXPECT_TRUE(says(doubts_of(all, problem::Method::fem), "fails even with 10 times its strength"));
   EXPECT_FALSE(says(doubts_of(all, problem::Method::fem), "moves by the same"));

@@ -67,7 +67,7 @@ TEST(Diagnostics, name_rows_left_out_and_gaps_at_the_seabed_between_readings_and
   EXPECT_EQ(all(doubts_of_rows(many, 3)), "10 of 70 rows are left out: look at the file\n");
   many.rows -= 5;
   EXPECT_EQ(all(doubts_of_rows(many, 3)), "") << "5 of 65";
-  EXPECT_NE(all(doubts_of_rows(made(soft, 0, 1.7), 3)).find("the first reading lies at 1.70 m: the strength from the seabed to there"),
+  EXPECT_NE(all(doubts_of_rows(made(soft, 0, 1.7), 3)).find("the first reading is at 1.70 m: the strength from the seabed to there"),
             std::string::npos);
   EXPECT_EQ(all(doubts_of_rows(made(soft, 0, 0.1), 3)), "") << "as many logs begin";
   Sounding gap = made(soft);
@@ -83,7 +83,7 @@ TEST(Diagnostics, of_clay_name_strength_that_is_that_of_sand_or_of_another_unit)
 {
   EXPECT_NE(of_clay(made([](Real z) { return 3 * soft(z) + 1.2e6; })).find("this kind is of clay below 100 kPa"), std::string::npos);
   EXPECT_NE(of_clay(made(soft, 0.004)).find("the mean friction ratio is 0.4 %"), std::string::npos);
-  EXPECT_NE(of_clay(made([](Real z) { return 14 * 60e3 + (weight + gamma_w) * z; })).find("more than 5 times the effective weight above"),
+  EXPECT_NE(of_clay(made([](Real z) { return 14 * 60e3 + (weight + gamma_w) * z; })).find("more than 5 times the effective overburden"),
             std::string::npos);
   const Sounding sand = made([](Real z) { return 3e6 * std::sqrt(z); }, 0.006);
   EXPECT_NE(refusal([&] { of_clay(sand); }).find("this is sand: the mean friction ratio is 0.6 %"), std::string::npos);
@@ -98,7 +98,7 @@ TEST(Diagnostics, of_clay_name_a_lens_and_layers_without_strength)
   EXPECT_NE(lens.find("a lens of sand"), std::string::npos) << lens;
   EXPECT_EQ(of_clay(made([](Real z) { return z < 0.3 ? 5 * soft(z) : soft(z); })), "") << "a crust is no lens";
   const std::string without = of_clay(made([](Real z) { return z < 0.08 ? 0 : soft(z); }));
-  EXPECT_NE(without.find("no more than the weight above at 0.05 m: left out"), std::string::npos) << without;
+  EXPECT_NE(without.find("not more than the overburden at 0.05 m: left out"), std::string::npos) << without;
 }
 
 TEST(Diagnostics, of_sand_name_clay_another_unit_and_the_end_of_the_correlation)

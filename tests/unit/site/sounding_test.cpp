@@ -141,11 +141,11 @@ TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
     const char *name, *text, *said;
   } wrong[] = {
       {"a.csv", "depth_m,q_c_s\n0,1\n1,2\n", "a.csv:1: column \"q_c_s\": \"s\" is no unit of the cone resistance q_c, which is a pressure"},
-      {"a.csv", "depth,q_c_MPa\n0,1\n1,2\n", "a.csv:1: column \"depth\" says no unit of the depth"},
+      {"a.csv", "depth,q_c_MPa\n0,1\n1,2\n", "a.csv:1: column \"depth\" gives no unit of the depth"},
       {"a.csv", "depth_m,q_c_MPa\n0,1\n1,x\n", "a.csv:3: column \"q_c_MPa\": \"x\" is no number"},
       {"a.csv", "depth_m,q_c_MPa\n0,1\n1\n", "a.csv:3: has 1 values, and 2 columns were named"},
       {"a.csv", "depth_m,q_c_MPa\n1,1\n1,2\n",
-       "a.csv: 1 of 2 rows, 1.00 to 1.00 m; left out: 1 no deeper than a row before, and two are needed"},
+       "a.csv: 1 of 2 rows, 1.00 to 1.00 m; left out: 1 not deeper than the row before, and two are needed"},
       {"a.csv", "depth_m,q_c_MPa\n-1,1\n1,2\n",
        "left out: 1 above the seabed, and two are needed at least: depths are positive below the seabed"},
       {"a.csv", "depth_m,q_c_MPa\n1,1\n", "a.csv: 1 of 1 rows"},

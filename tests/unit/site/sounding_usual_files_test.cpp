@@ -94,7 +94,7 @@ std::vector<File> files_of_ags()
       {"with a byte order mark", "a.ags", "\xEF\xBB\xBF" + plain, rows, corrected, ""},
       {"with CR and LF", "a.ags", everywhere(plain, "\n", "\r\n"), rows, corrected, ""},
       {"in MN/m2", "a.ags", changed(plain, "MPa", "MN/m2"), rows, corrected, ""},
-      {"without a unit", "a.ags", changed(plain, "MPa", ""), 0, 0, "column \"SCPT_RES\" says no unit of the cone resistance"},
+      {"without a unit", "a.ags", changed(plain, "MPa", ""), 0, 0, "column \"SCPT_RES\" gives no unit of the cone resistance"},
       {"two groups with units of their own: the first", "a.ags", plain + "\n" + in_kpa, rows, corrected, "", "P7"},
       {"two groups with units of their own: the second", "a.ags", plain + "\n" + in_kpa, rows, 170e3, "does not say u_2", "P8/1"},
       {"two groups, none of them named", "a.ags", plain + "\n" + in_kpa, 0, 0, "name one with --location (P7/1, P8/1)"},
@@ -125,7 +125,7 @@ std::vector<File> files_of_ags()
        scpg + scpt + lines([](int n) {
          return fmt::format("\"DATA\",\"P7\",\"1\",\"{:.2f}\",\"{}\",\"2.00\",\"{:.2f}\"", depth(n), q_c(n), 2943 + 24 * depth(n));
        }),
-       rows, corrected, "u_2 is 2944 kPa at the seabed, the pressure of some 300 m of water above it: taken off"},
+       rows, corrected, "u_2 is 2944 kPa at the seabed, the pressure of some 300 m of water above it: subtracted"},
       {"u_2 in kPa under the unit MPa", "a.ags", changed(plain, "\"kPa\",\"kPa\"", "\"kPa\",\"MPa\""), 0, 0,
        "which no soil has: is its unit right"},
   };
@@ -170,10 +170,10 @@ std::vector<File> files_of_gef()
        "column \"pressure\", the pore pressure u_2, is empty"},
       {"with u_2 void in two rows", "a.gef", changed(changed(plain, u_2(3) + "\n", "-1\n"), u_2(4) + "\n", "-1\n"), rows, corrected,
        "2 rows have no u_2: q_t is q_c there"},
-      {"with a depth twice", "a.gef", changed(plain, "0.40 ", "0.35 "), rows - 1, corrected, "1 no deeper than a row before"},
-      {"drawn back at a rod change", "a.gef", changed(plain, "0.40 ", "0.33 "), rows - 1, corrected, "1 no deeper than a row before"},
+      {"with a depth twice", "a.gef", changed(plain, "0.40 ", "0.35 "), rows - 1, corrected, "1 not deeper than the row before"},
+      {"drawn back at a rod change", "a.gef", changed(plain, "0.40 ", "0.33 "), rows - 1, corrected, "1 not deeper than the row before"},
       {"with a hole of 0.22 m before the test", "a.gef", with("#MEASUREMENTVAR= 13, 0.22, m, predrilled\n"), rows - 4, corrected,
-       "4 in the hole that was made before the test, to 0.22 m"},
+       "4 in the predrilled hole, to 0.22 m"},
       {"with a corrected depth that begins late", "a.gef",
        gef_head + second_depth + "#EOH=\n" + lines([](int n) { return of_gef(n) + (n < 4 ? " -1" : fmt::format(" {:.2f}", depth(n))); }),
        rows, corrected, "3 rows have no corrected depth: it is the length of penetration there"},
@@ -195,7 +195,7 @@ std::vector<File> files_of_csv()
       {"with units in brackets", "a.csv", area + "Depth [m],qc (MPa),fs [kPa],u2 [kPa]\n" + data, rows, corrected, ""},
       {"with blanks that do not break", "a.csv", area + "Depth\u00A0[m],qc\u202F(MPa),fs [kPa],u2 [kPa]\n" + data, rows, corrected, ""},
       {"with a line of units", "a.csv", area + words + data, rows, corrected, ""},
-      {"without units", "a.csv", "depth,qc,fs,u2\n" + data, 0, 0, "column \"depth\" says no unit of the depth"},
+      {"without units", "a.csv", "depth,qc,fs,u2\n" + data, 0, 0, "column \"depth\" gives no unit of the depth"},
       {"with semicolons and decimal commas", "a.csv", changed(area, "0.75", "0,75") + commas, rows, corrected, ""},
       {"with sep=; and decimal commas", "a.csv", "sep=;\n" + commas, rows, measured, ""},
       {"with points and commas in one table", "a.csv", everywhere(csv_head, ",", ";") + "0.5;0.08;2,00;\n1;0.1;2,00;\n", 0, 0,
@@ -224,7 +224,7 @@ std::vector<File> files_of_csv()
       {"with the deepest first", "a.csv", csv_head + lines([](int n) { return of_csv(rows + 1 - n); }), 0, 0, "depths ascend"},
       {"of one row", "a.csv", csv_head + of_csv(1) + "\n", 0, 0, "1 of 1 rows"},
       {"in mm under the unit m", "a.csv", "depth_m,q_c_MPa\n0,0.1\n500,0.2\n", 0, 0, "no cone is pushed to 200 m: is its unit right"},
-      {"in kPa under the unit MPa", "a.csv", changed(plain, q_c(20), "123.4"), 0, 0, "no cone stands more than 100 MPa"},
+      {"in kPa under the unit MPa", "a.csv", changed(plain, q_c(20), "123.4"), 0, 0, "no cone withstands more than 100 MPa"},
   };
 }
 

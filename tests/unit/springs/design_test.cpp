@@ -103,8 +103,9 @@ TEST(Design, says_of_a_V_beyond_the_push_at_which_depths_the_bed_has_carried_it)
   best.vertical.pushed_to = 0.0015;
   const Design design = design_of_sample("pipe", best, draws());
   EXPECT_EQ(estimate(design, "vertical", "V_at_w_0.05D").meaning, "V in the push at an embedment");
-  EXPECT_EQ(estimate(design, "vertical", "V_at_w_0.1D").meaning,
-            "largest V that the bed has carried at this depth or above it, which it carries again before the pipe is pushed deeper");
+  EXPECT_EQ(
+      estimate(design, "vertical", "V_at_w_0.1D").meaning,
+      "largest V that the bed has carried at this depth or above it: the preload that it carries again before the pipe penetrates further");
 }
 
 TEST(Design, has_low_and_high_of_ten_draws_and_not_of_nine)

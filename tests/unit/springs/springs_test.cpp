@@ -272,7 +272,7 @@ TEST(Springs, are_none_of_a_bed_that_stages_dug_after_it_was_found)
   EXPECT_EQ(s.vertical.unloading.size(), 1u);
   ASSERT_EQ(s.missing.size(), 3u);
   for (const auto& [line, words] : {std::pair(0, "travel lay_1 has no lateral spring in state operation"),
-                                    {1, "there is no vertical spring: the push found a bed that is no longer there in state operation"},
+                                    {1, "there is no vertical spring: the push was into a bed that no longer exists in state operation"},
                                     {2, "there is no axial spring: the strength of the soil at the pipe is not known"}}) {
     EXPECT_EQ(s.missing[line].find(words), 0u) << s.missing[line];
     EXPECT_NE(s.missing[line].find("excavation trench, in stage \"unload\""), std::string::npos) << s.missing[line];
@@ -334,7 +334,7 @@ TEST(Springs, say_which_drags_have_none_as_a_force_drives_them)
   const Springs s = springs_of(run);
   EXPECT_TRUE(s.lateral.empty());
   ASSERT_EQ(s.missing.size(), 1u);
-  EXPECT_EQ(s.missing[0], "\"drag\" is driven by a force: it tells displacements, no resistance");
+  EXPECT_EQ(s.missing[0], "\"drag\" is driven by a force: it gives displacements, no resistance");
   EXPECT_TRUE(springs_of(made.record()).missing.empty());
 }
 

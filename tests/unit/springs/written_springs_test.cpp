@@ -41,7 +41,7 @@ TEST(WrittenSprings, along_the_axis_are_named_by_the_strength_that_they_have_in_
       EXPECT_TRUE(!has_axial || file.text.find("undisturbed") != std::string::npos) << format.name << '\n' << file.text;
     }
   const std::string head = abaqus_files(design).front().text;
-  EXPECT_NE(head.find("1/3 of it (sensitivity), 80 N/m"), std::string::npos) << head;
+  EXPECT_NE(head.find("1/3 of that (sensitivity), 80 N/m"), std::string::npos) << head;
   EXPECT_EQ(abaqus_files(made_design()).front().text.find("undisturbed"), std::string::npos);
 }
 

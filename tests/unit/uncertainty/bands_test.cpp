@@ -167,7 +167,7 @@ TEST(Noise, of_a_number_that_some_rows_make_is_not_known_and_it_has_no_band)
 TEST(Bands, need_runs_of_different_cells)
 {
   const std::vector<VariantRecord> one = {{1.4, 1, made(1.1)}};
-  EXPECT_EQ(reason(bands_of(made(1.1), one), "V_at_w_0.1D"), "no line can be fitted to so few runs of different cells");
+  EXPECT_EQ(reason(bands_of(made(1.1), one), "V_at_w_0.1D"), "too few runs of different cells to fit a line");
 }
 
 }  // namespace

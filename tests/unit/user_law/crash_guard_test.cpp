@@ -29,15 +29,15 @@ void call_once(const char* name)
 TEST_F(CrashGuardTest, a_law_that_crashes_ends_the_program_with_status_1_and_its_name)
 {
   EXPECT_EXIT(call_once("uses_foreign_memory"), testing::ExitedWithCode(1),
-              "berm: error: the law uses_foreign_memory crashed: it used memory");
+              "berm: error: the law uses_foreign_memory crashed: it accessed invalid memory");
   EXPECT_EXIT(call_once("aborts"), testing::ExitedWithCode(1), "the law aborts crashed: it aborted");
   EXPECT_EXIT(call_once("divides_by_zero"), testing::ExitedWithCode(1), "the law divides_by_zero crashed: division of integers by zero");
 }
 
 TEST_F(CrashGuardTest, so_does_one_that_uses_up_the_stack_also_of_another_thread)
 {
-  EXPECT_EXIT(call_once("uses_up_the_stack"), testing::ExitedWithCode(1), "the law uses_up_the_stack crashed: .* more stack than there is");
-  EXPECT_EXIT(std::thread(call_once, "uses_up_the_stack").join(), testing::ExitedWithCode(1), "more stack than there is");
+  EXPECT_EXIT(call_once("uses_up_the_stack"), testing::ExitedWithCode(1), "the law uses_up_the_stack crashed: .* overflowed the stack");
+  EXPECT_EXIT(std::thread(call_once, "uses_up_the_stack").join(), testing::ExitedWithCode(1), "overflowed the stack");
 }
 
 TEST_F(CrashGuardTest, so_does_one_that_exits)

@@ -53,7 +53,7 @@ TEST_F(UserLawRun, gives_the_same_numbers_where_threads_take_turns)
   write("works_in_static_memory");
   const Ended one = run("one"), two = run("two", "2");
   ASSERT_EQ(two.status, 0) << two.err;
-  EXPECT_NE((two.out + two.err).find("they take turns"), std::string::npos) << two.err;
+  EXPECT_NE((two.out + two.err).find("calls are serialised"), std::string::npos) << two.err;
   EXPECT_EQ(history("one"), history("two"));
 }
 
@@ -87,11 +87,11 @@ TEST_F(UserLawRun, that_crashes_on_the_way_leaves_a_folder_that_can_be_resumed)
   const Ended ended = run("run");
   EXPECT_EQ(ended.status, 1);
   EXPECT_NE(ended.err.find("crashes_later of "), std::string::npos) << ended.err;
-  EXPECT_NE(ended.err.find("crashed: it used memory"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("crashed: it accessed invalid memory"), std::string::npos) << ended.err;
   // It crashes again, having begun where it was.
   const Ended again = berm({"run", "--resume", "run", "--threads", "1"});
   EXPECT_EQ(again.status, 1);
-  EXPECT_NE(again.err.find("crashed: it used memory"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("crashed: it accessed invalid memory"), std::string::npos) << again.err;
 }
 
 TEST_F(UserLawRun, without_its_library_is_refused_with_the_line)

@@ -128,7 +128,7 @@ export class ExportView implements Place {
     form.append(
       make("h2", "", "Springs for a pipeline program"), make("p", "quiet", `Of ${runs.join(", ")}. Each number is told with its run, state and formula.`),
       element("label", { for: "export-to" }, "Program"), to, element("label", { for: "export-state" }, "State of the pipe"), state,
-      element("label", { for: "export-travels" }, "Travels: drags, with commas between them"), travels, element("button", { type: "submit", class: "primary" }, "Export"));
+      element("label", { for: "export-travels" }, "Travels: drags, separated by commas"), travels, element("button", { type: "submit", class: "primary" }, "Export"));
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       void this.write({ to: to.value, state: state.value, travels: travels.value.trim() });

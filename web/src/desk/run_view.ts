@@ -106,7 +106,7 @@ export class RunView implements Place {
       button("Report", "The page of this run (berm report)", report(false)), button("PDF", "The page, printed", report(true)),
       ...(now.status === "finished" ? [
         button("Export springs …", "Springs for pipeline programs (berm export)", () => (location.hash = `#/export?path=${encodeURIComponent(this.path)}`)),
-        button("Low, best, high …", "Vary what is not known well (berm study)", () => (location.hash = `#/vary?path=${encodeURIComponent(this.path)}`)),
+        button("Low, best, high …", "Vary uncertain parameters (berm study)", () => (location.hash = `#/vary?path=${encodeURIComponent(this.path)}`)),
         button("Uncertainty", "Also runs on coarser cells and at another speed (berm run --uncertainty): about twice as long as the run", () => void this.uncertainty())] : []),
       ...(now.case.endsWith(".toml") ? [button("Case of this run", "Open the case as this run has it", () => (location.hash = `#/case?path=${encodeURIComponent(`${this.path}/case.toml`)}`))] : []),
     ];

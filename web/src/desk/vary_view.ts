@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A study of what is not known well, from a finished run: which numbers of its case vary, which key results are measured.
+// A study of uncertain parameters, from a finished run: which numbers of its case vary, which key results are measured.
 import { element } from "../element";
 import { make } from "../film_elements";
 import { digits } from "../film_numbers";
@@ -63,7 +63,7 @@ export class VaryView implements Place {
     const name = element("input", { type: "text", id: "study-file", value: `${file.replace(/\.toml$/, "")}_study.toml`, required: "" });
     form.append(
       make("h2", "", `Low, best and high of ${file}`),
-      make("p", "quiet", "Tick what is not known well and give its 5 % and 95 % values; the case has the best ones. The distribution is lognormal; the file of the study can name another."),
+      make("p", "quiet", "Tick uncertain parameters and give their 5 % and 95 % values; the case has the best ones. The distribution is lognormal; the file of the study can name another."),
       this.parameters(read), make("h3", "", "Key results"), this.quantities(now.summary),
       element("label", { for: "sample" }, "Rows of the sample: 20 or more for a low and a high estimate; 0: each parameter low and high in turn, no sample"), this.sample,
       element("label", { for: "study-file" }, "File of the study"), name, this.count, this.wrong, write);

@@ -12,7 +12,7 @@ struct Profile {
   bool whole = true;
   Real thickness = 0;   ///< m, of a slice
   std::vector<Real> h;  ///< by slice from the bed down, per metre of depth: horizontal force on the soil; empty around an axis
-  std::vector<Real> v;  ///< the same: upward force on upright sides; negative where soil that settles drags the body down
+  std::vector<Real> v;  ///< the same: upward force on vertical sides; negative where soil that settles drags the body down
   std::vector<Real>
       axial;  ///< by level, above each slice and below the last: what comes from below, compression positive, without the body's own weight
 
