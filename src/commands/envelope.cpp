@@ -36,7 +36,7 @@ Command add_envelope(CLI::App& program)
             catch_interrupts();
             messages_to_stderr();
             if (options->files.size() > 1)
-              throw InputError(fmt::format("an envelope is that of one case, and here are {}", options->files.size()));
+              throw InputError(fmt::format("an envelope is for one case, and here are {}", options->files.size()));
             const std::filesystem::path file = options->files[0], folder = options->output.empty()
                                                                                ? std::filesystem::path("out/envelope") / file.stem()
                                                                                : std::filesystem::path(options->output);

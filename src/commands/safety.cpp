@@ -44,7 +44,7 @@ Command add_safety(CLI::App& program)
             catch_interrupts();
             messages_to_stderr();
             if (options->files.size() > 1)
-              throw InputError(fmt::format("a factor of safety is that of one case, and here are {}", options->files.size()));
+              throw InputError(fmt::format("a factor of safety is for one case, and here are {}", options->files.size()));
             check_search(options->how);
             const std::filesystem::path file = options->files[0];
             const std::filesystem::path folder =

@@ -167,7 +167,7 @@ export interface SurfaceData {
 
 /** The line of a pipeline from x = 0 on, frame by frame. */
 export interface LineData {
-  /** What is left of x = 0: the mirror image, the same turned by half a turn, or nothing. */
+  /** What is left of x = 0: the mirror image, the same rotated by 180 degrees, or nothing. */
   half: "symmetric" | "antisymmetric" | "none";
   /** m; 0: not known. */
   diameter: number;

@@ -225,7 +225,7 @@ function weight_words(run: LineRun): string {
 }
 
 const words_of_half = {
-  symmetric: "Left of x = 0 is the mirror image. ", antisymmetric: "Left of x = 0 is the other half, turned by half a turn. ", none: "",
+  symmetric: "Left of x = 0 is the mirror image. ", antisymmetric: "Left of x = 0 is the other half, rotated by 180 degrees. ", none: "",
 };
 
 function caption(run: LineRun, shapes: LineShapes): string {

@@ -90,7 +90,7 @@ void describe(Describe& d, Observable& observable)
   d.value("at", observable.at, {.meaning = "where a quantity is taken that has a position: a length over D, a force in N/m"});
   d.value("column", observable.column, {.meaning = "column of history.csv, instead of a quantity"});
   d.choice("measure", observable.measure, measure_words, {.meaning = "number that is taken from the column"});
-  d.value("from", observable.from, {.meaning = "begin of the window in time; absent = first row", .unit = "s"});
+  d.value("from", observable.from, {.meaning = "start of the window in time; absent = first row", .unit = "s"});
   d.value("to", observable.to, {.meaning = "end of the window in time; absent = last row", .unit = "s"});
 }
 

@@ -86,12 +86,10 @@ bool ask_slope(const Scene& s, Findings& found, Index body, const Face& face, Re
                                   "slides down it under its own weight; make it flatter, or the soil stronger",
                                   angle, s.c.body[body].first, soil.friction_angle / degree));
   else
-    found.warn(
-        key, fmt::format(
-                 "the ground slopes by {}, and [body.{}] slides down it at a depth of {}: its weight shears it by {:.3g} Pa there, and its "
-                 "cohesion is {:.3g} Pa; make it flatter or shallower, or the soil stronger",
-                 angle, s.c.body[body].first, words_of(depth, "m"), unit_weight * depth * std::sin(face.angle) * std::cos(face.angle),
-                 soil.cohesion));
+    found.warn(key, fmt::format("the ground slopes by {}, and [body.{}] slides down it at a depth of {}: its weight causes a shear stress "
+                                "of {:.3g} Pa there, and its cohesion is {:.3g} Pa; make it flatter or shallower, or the soil stronger",
+                                angle, s.c.body[body].first, words_of(depth, "m"),
+                                unit_weight * depth * std::sin(face.angle) * std::cos(face.angle), soil.cohesion));
   return true;
 }
 
@@ -104,11 +102,9 @@ bool ask_face(const Scene& s, Findings& found, Index body, const Face& face, Rea
   if (face.rise <= stands * 1.001) return false;
   const std::string angle = fmt::format("{:.3g} deg", face.angle / degree);
   if (soil->cohesion == 0)
-    found.warn(
-        key, fmt::format(
-                 "a face of {} is steeper than the friction angle of [body.{}], {:.3g} deg: soil without cohesion runs down it until it is "
-                 "as flat as that; make it flatter",
-                 angle, s.c.body[body].first, soil->friction_angle / degree));
+    found.warn(key, fmt::format("a face of {} is steeper than the friction angle of [body.{}], {:.3g} deg: soil without cohesion flows "
+                                "down until the slope is at that angle; make it flatter",
+                                angle, s.c.body[body].first, soil->friction_angle / degree));
   else
     found.warn(
         key, fmt::format(

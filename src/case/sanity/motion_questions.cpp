@@ -78,7 +78,7 @@ void is_the_motion_resolved(const Scene& s, Findings& found)
                                                 axis));
     else if (frequency_of(m) > resolved)
       found.warn(key_of(s, motion),
-                 fmt::format("goes along {} from one peak to the next in {}, a frequency of {:.3g} Hz, and the cells resolve {:.3g} Hz "
+                 fmt::format("moves along {} from one peak to the next in {}, a frequency of {:.3g} Hz, and the cells resolve {:.3g} Hz "
                              "({:g} cells to a {} wave where they are largest or the soil is softest): higher frequencies arrive late and "
                              "leave noise; take cells that are {:.2g} times as small, or filter the record below {:.3g} Hz",
                              axis, words_of(m.half_wave, "s"), frequency_of(m), resolved, ResolvedWaves::cells,

@@ -118,7 +118,7 @@ std::vector<std::string> doubts_of_clay(const Sounding& sounding, const Strength
         "the mean friction ratio is {:.1f} %, and clay has more than 1 %: is it sand or silt, or is the unit of f_s or u_2 wrong?",
         100 * ratio));
   if (largest->value > stiff_clay)
-    doubts.push_back(fmt::format("s_u is up to {:.0f} kPa, at {:.2f} m, and this kind is of clay below {:g} kPa: is it sand, or is the "
+    doubts.push_back(fmt::format("s_u is up to {:.0f} kPa, at {:.2f} m, and this kind is for clay below {:g} kPa: is it sand, or is the "
                                  "unit of the cone resistance wrong?",
                                  largest->value / 1000, largest->middle, stiff_clay / 1000));
   for (const Strength& one : s_u.strength)
@@ -146,7 +146,7 @@ std::vector<std::string> doubts_of_sand(const Sounding& sounding, const Strength
                     sounding.file, sounding.q_t.front() / 1e6, sounding.depth.front()));
   if (const Real ratio = friction_ratio(sounding, submerged_unit_weight); ratio > least_of_clay)
     doubts.push_back(
-        fmt::format("the mean friction ratio is {:.1f} %, and sand has less than {:g} %: is it clay? Then begin with a kind in clay",
+        fmt::format("the mean friction ratio is {:.1f} %, and sand has less than {:g} %: is it clay? Then start with a kind in clay",
                     100 * ratio, 100 * least_of_clay));
   const auto at_most = std::count_if(phi.strength.begin(), phi.strength.end(),
                                      [](const Strength& one) { return one.value > most_friction_angle - 0.01 * degree; });

@@ -99,7 +99,7 @@ StrengthProfile friction_angle(const Sounding& sounding, Real submerged_unit_wei
     }
   }
   refuse_many(sounding, profile, layers.size(),
-              "that of no sand, as the angle of friction would be less than 25 deg: begin with a kind in clay, unless its unit is wrong");
+              "too low for sand, as the angle of friction would be less than 25 deg: start with a kind in clay, unless its unit is wrong");
   return profile;
 }
 

@@ -138,8 +138,8 @@ CptCase with_cpt(const Kind& kind, const std::string& text, const site::Sounding
   const bool has_clay = of_clay.begin != std::string::npos, has_sand = of_sand.begin != std::string::npos;
   if (has_clay == has_sand || text.find("\nsoil_layer = ") != std::string::npos)
     throw InputError(fmt::format("--cpt: {} takes no sounding; write its strengths into the file", kind.name));
-  if (has_clay && choice.correlation) throw InputError(fmt::format("--phi is of sand, and {} is in clay: --n-kt goes with it", kind.name));
-  if (has_sand && choice.N_kt) throw InputError(fmt::format("--n-kt is of clay, and {} is in sand: --phi goes with it", kind.name));
+  if (has_clay && choice.correlation) throw InputError(fmt::format("--phi is for sand, and {} is in clay: use --n-kt", kind.name));
+  if (has_sand && choice.N_kt) throw InputError(fmt::format("--n-kt is for clay, and {} is in sand: use --phi", kind.name));
   const Table& table = has_clay ? of_clay : of_sand;
   const std::string own = text.substr(table.begin, table.end - table.begin), before = text.substr(0, table.begin),
                     after = text.substr(table.end);

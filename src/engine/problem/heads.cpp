@@ -26,7 +26,7 @@ void check_heads(Describe& d, const Case& c)
 {
   for (const auto& [name, support] : c.support) {
     const std::string path = "support." + name;
-    d.check(support.head || support.ramp == 0, path + ".ramp", "is that of a head, and there is none");
+    d.check(support.head || support.ramp == 0, path + ".ramp", "is for a head, and there is none");
     if (!support.head) continue;
     const std::string key = path + ".head";
     d.check(has_flowing_water(c), key, "no soil has water that flows: give it water.drainage = \"consolidation\", or leave this out");

@@ -103,10 +103,10 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   const auto needs_particles = [&](bool wanted, const std::string& key) {
     if (!wanted) return;
     d.check(contact.other_body.empty(), path + key, "is for contact with a rigid body");
-    d.check(rules_of(contact.scheme).completes, path + ".scheme", fmt::format("{} goes with \"musl_coupled\" only", key.substr(1)),
+    d.check(rules_of(contact.scheme).completes, path + ".scheme", fmt::format("{} is for \"musl_coupled\" only", key.substr(1)),
             {"musl_coupled"});
     d.check(contact.detection == contact::Detection::automatic || contact.detection == contact::Detection::particle, path + ".detection",
-            fmt::format("{} goes with \"particle\" only, the default at a rigid body", key.substr(1)), {"automatic", "particle"});
+            fmt::format("{} is for \"particle\" only, the default at a rigid body", key.substr(1)), {"automatic", "particle"});
   };
   needs_particles(contact.tension > 0, ".tension");
   needs_particles(contact.adhesion_factor > 0, ".adhesion_factor");
@@ -159,7 +159,7 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
             why + ": finite elements have its pressure at the surface with water.drainage = \"consolidation\" only; with another take "
                   "friction_angle = 0");
     d.check(contact.detection == contact::Detection::automatic || contact.detection == contact::Detection::particle, path + ".detection",
-            why + ": that goes with \"particle\" only, the default at a rigid body", {"automatic", "particle"});
+            why + ": that is for \"particle\" only, the default at a rigid body", {"automatic", "particle"});
   }
   int numbers = 0;
   for (const FieldInfo& field : particle_extra(soil_of(c, c.body[body].second))) numbers += field.components;

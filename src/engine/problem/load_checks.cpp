@@ -144,7 +144,7 @@ std::string fault_of_column(const Case& c, const StageSettings& s, std::size_t k
       return key + fmt::format("cannot be combined with {}: a degree of freedom is driven in one way only", load_columns[other].key);
   if (is_driven_otherwise(s, column)) return key + "drives what another key of the stage drives: leave one of them out";
   if (c.method == Method::fem && column.quantity != LoadQuantity::force)
-    return key + "the finite element method knows no time: it takes a load history of forces, not of velocities or displacements";
+    return key + "the finite element method has no time: it takes a load history of forces, not of velocities or displacements";
   return fault_of_inertia(c, s, column);
 }
 
@@ -246,7 +246,7 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
                            : fmt::format(": needs either velocity, force or a column {} of its load history, and not two of them",
                                          s.kind == StageKind::push ? "V or w" : "H or u");
   if (c.method == Method::fem && s.velocity)
-    return "velocity: the finite element method knows no time: it takes a load history of forces, not of velocities or displacements";
+    return "velocity: the finite element method has no time: it takes a load history of forces, not of velocities or displacements";
   return "";
 }
 

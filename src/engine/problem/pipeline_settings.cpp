@@ -121,8 +121,7 @@ void describe(Describe& d, PipelineSettings& pipeline)
   d.value("young_modulus", pipeline.young_modulus, {.meaning = "of the wall", .unit = "Pa", .range = positive});
   d.value("bending_stiffness", pipeline.bending_stiffness,
           {.meaning = "EI, instead of wall and young_modulus: of a cable, an umbilical", .unit = "N m^2", .range = positive});
-  d.value("axial_stiffness", pipeline.axial_stiffness,
-          {.meaning = "EA, which goes with bending_stiffness", .unit = "N", .range = positive});
+  d.value("axial_stiffness", pipeline.axial_stiffness, {.meaning = "EA, required with bending_stiffness", .unit = "N", .range = positive});
   d.value("poisson_ratio", pipeline.poisson_ratio, {.meaning = "of the wall", .range = {0, 0.5}});
   d.value("expansion", pipeline.expansion, {.meaning = "thermal expansion of length", .unit = "1/K", .range = not_negative});
   d.value("submerged_weight", pipeline.submerged_weight,

@@ -12,7 +12,7 @@ struct Case;
 /// What the other half of a line is that ends at x = 0.
 enum class LineHalf {
   symmetric,      ///< its mirror image: one buckle, with its crown at x = 0
-  antisymmetric,  ///< turned by half a turn: two buckles to either side
+  antisymmetric,  ///< rotated by 180 degrees: two buckles to either side
   none            ///< there is none: x = 0 is an end of the line, free
 };
 

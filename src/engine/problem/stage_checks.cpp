@@ -107,8 +107,8 @@ void check_sweep(Describe& d, const StageSettings& s, const std::string& path)
 void check_load_history(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
   const bool given = !s.load_times.empty() || !s.load_factors.empty() || !s.loads.empty();
-  d.check(given || !s.load_history.empty() || s.time_scale == 1, path + ".time_scale", "is that of a load history, and there is none");
-  d.check(given || !s.load_history.empty() || s.load_repeat == 1, path + ".load_repeat", "is that of a load history, and there is none");
+  d.check(given || !s.load_history.empty() || s.time_scale == 1, path + ".time_scale", "is for a load history, and there is none");
+  d.check(given || !s.load_history.empty() || s.load_repeat == 1, path + ".load_repeat", "is for a load history, and there is none");
   if (!given && s.load_history.empty()) return;
   d.check(s.kind == StageKind::push || s.kind == StageKind::drag || s.kind == StageKind::drive || s.kind == StageKind::pipeline, path,
           "only a push, a drag, a drive or the loads of a pipeline have a load history");
@@ -166,7 +166,7 @@ void check_role(Describe& d, const Case& c, const StageSettings& s, const std::s
   const auto is_free = [](const auto& rigid) { return rigid.second.motion == bodies::Motion::free; };
   const bool falls = s.kind == StageKind::free && std::any_of(c.rigid.begin(), c.rigid.end(), is_free);
   d.check(s.role == StageRole::automatic || drives(s.kind) || falls, path + ".role",
-          "is that of a stage that drives the body, and this one drives nothing: give it to the stage that does");
+          "is for a stage that drives the body, and this one drives nothing: give it to the stage that does");
 }
 
 }  // namespace
@@ -206,7 +206,7 @@ void check_stages(Describe& d, const Case& c)
     check_drive(d, c, s, path);
     check_sweep(d, s, path);
     check_load_history(d, c, s, path);
-    d.check(c.method == Method::mpm || s.pause == 0, path + ".pause", "the finite element method knows no time: leave the pause out");
+    d.check(c.method == Method::mpm || s.pause == 0, path + ".pause", "the finite element method has no time: leave the pause out");
     const Until& u = s.until;
     if (driven) check_force_limit(d, s, path);
     d.check(sweep || ends_at_equilibrium(s) || has_load_history(s) || u.time || u.displacement || u.embedment || u.force || u.consolidation,

@@ -225,7 +225,7 @@ Parameters fit(const std::vector<Path>& paths)
 {
   for (const Path& path : paths)
     if (std::abs(path.diameter - paths[0].diameter) > 1e-6 * paths[0].diameter)
-      throw RunError(fmt::format("{} is of a pipe of {:.6g} m, {} of {:.6g} m: a macro-element is of one pipe", path.run.string(),
+      throw RunError(fmt::format("{} is of a pipe of {:.6g} m, {} of {:.6g} m: a macro-element is for one pipe", path.run.string(),
                                  path.diameter, paths[0].run.string(), paths[0].diameter));
   if (std::none_of(paths.begin(), paths.end(), [](const Path& path) { return path.push.size() > 2; }))
     throw RunError("no run pushes its pipe into virgin soil at a velocity, which gives V0 over the embedment: add one");

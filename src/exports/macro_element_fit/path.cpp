@@ -55,9 +55,8 @@ Path path_of(const record::RunRecord& run)
 {
   const std::string folder = run.folder.string();
   if (!base::drives_a_body(run.settings) || run.settings.geometry != problem::Geometry::plane_strain)
-    throw RunError(fmt::format("{} is no run of a pipe in the plane: a macro-element is of forces per length of pipe", folder));
-  if (run.end != record::RunEnd::finished)
-    throw RunError(fmt::format("{} has not come to its end: run it to the end, or leave it out", folder));
+    throw RunError(fmt::format("{} is not a plane-strain run of a pipe: a macro-element gives forces per length of pipe", folder));
+  if (run.end != record::RunEnd::finished) throw RunError(fmt::format("{} has not finished: run it to the end, or leave it out", folder));
   const run_folder::History& history = run.history;
   if (const std::optional<driven::SoilWork> work = driven::last_soil_work(run, history.rows() - 1))
     throw RunError(fmt::format("{}: {}, is at the pipe: a macro-element needs a bed without excavation or fill", folder, work->words));

@@ -203,7 +203,7 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
     }
   }
   const std::string name = fmt::format("{}", fmt::join(rows[0]->names, "."));
-  if (draws.empty()) throw RunError(fmt::format("no run of the sample of {} is finished; the same berm study again goes on with it", name));
+  if (draws.empty()) throw RunError(fmt::format("no run of the sample of {} is finished; the same berm study again continues it", name));
   Design design = design_of_sample(name, best, std::move(draws));
   design.failed = failed;
   design.provenance = std::move(provenance);
@@ -227,8 +227,8 @@ std::vector<std::string> head_of(const record::RunRecord& run)
   for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
   for (const std::string& line : invalid_lines(run)) spdlog::warn("{}", line);
   if (run.end != record::RunEnd::finished) {
-    spdlog::warn("{}: the run has not come to its end; unknown values are left out", run.folder.string());
-    lines.emplace_back("the run has not come to its end");
+    spdlog::warn("{}: the run has not finished; unknown values are left out", run.folder.string());
+    lines.emplace_back("the run has not finished");
   }
   return lines;
 }

@@ -19,11 +19,12 @@ namespace {
 /// The stages that loaded the line of a run.
 std::set<std::string> line_stages(const record::RunRecord& run)
 {
-  if (!run.settings.pipeline) throw InputError(fmt::format("{} is no run of a pipeline: its case has no [pipeline]", run.folder.string()));
+  if (!run.settings.pipeline)
+    throw InputError(fmt::format("{} is not a run of a pipeline: its case has no [pipeline]", run.folder.string()));
   std::set<std::string> stages;
   for (const line::StageEnd& end : line::stage_ends(run)) stages.insert(end.name);
   if (stages.empty())
-    throw RunError(fmt::format("{} has not come to its line: there is no row of a stage of kind \"pipeline\"", run.folder.string()));
+    throw RunError(fmt::format("{} has not reached its line: there is no row of a stage of kind \"pipeline\"", run.folder.string()));
   return stages;
 }
 

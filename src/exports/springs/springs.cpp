@@ -364,7 +364,7 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
 {
   const std::string folder = record.folder.string();
   if (!base::drives_a_body(record.settings) || record.settings.geometry != problem::Geometry::plane_strain)
-    throw RunError(fmt::format("{} is no run of a pipe in plane strain: springs are forces per length of pipe", folder));
+    throw RunError(fmt::format("{} is not a plane-strain run of a pipe: springs are forces per length of pipe", folder));
   const driven::DrivenRun run(record);
   const driven::Results results = run.results();
   const driven::Path path = run.history.rows() > 0 ? path_of(run.history, run.stages) : driven::Path{};

@@ -79,7 +79,7 @@ void middle_sign(Canvas& canvas, const problem::PipelineSettings& p, const PlanS
 {
   const Vec<2> middle = scale(0, 0);
   canvas.line({Vec<2>(middle - Vec<2>(0, bump + 26)), Vec<2>(middle + Vec<2>(0, 60))}, {quiet_color, 1, "9 3 2 3"});
-  canvas.text(middle - Vec<2>(18, bump / 2), p.half == problem::LineHalf::symmetric ? "mirror image" : "turned by half a turn",
+  canvas.text(middle - Vec<2>(18, bump / 2), p.half == problem::LineHalf::symmetric ? "mirror image" : "rotated by 180 degrees",
               {.size = 10, .anchor = Anchor::center, .upright = true});
 }
 
@@ -111,7 +111,7 @@ Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Re
   PlanScale scale{at + Vec<2>(room_left, room_above + bump), room / reach, 0};
   const Real size = std::abs(p.imperfection.amplitude), times = round_down(bump / (size * scale.along));
   scale.sideways = times * scale.along;
-  canvas.text(at + Vec<2>(0, 10), fmt::format("Plan of the line, one half; sideways {:g} times as large", times),
+  canvas.text(at + Vec<2>(0, 10), fmt::format("Plan of the line, one half; lateral scale {:g} times larger", times),
               {.size = 13, .bold = true});
 
   slice_signs(canvas, line, scale);

@@ -131,7 +131,7 @@ std::string pipeline_words(const problem::StageSettings& stage)
   if (to.temperature) loads.push_back(fmt::format("{:.4g} K", *to.temperature));
   if (to.pressure) loads.push_back(fmt::format("{:.4g} MPa", *to.pressure / megapascal));
   if (to.weight) loads.push_back(fmt::format("{:.4g} N/m of weight", *to.weight));
-  if (to.lateral) loads.push_back(fmt::format("{:.4g} N/m sideways", *to.lateral));
+  if (to.lateral) loads.push_back(fmt::format("{:.4g} N/m lateral", *to.lateral));
   if (!stage.loads.empty()) return "through " + load_words(stage.loads);
   return loads.empty() ? "" : fmt::format("to {}", fmt::join(loads, ", "));
 }

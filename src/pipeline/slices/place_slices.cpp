@@ -107,8 +107,9 @@ void place_slices(problem::Case& c)
                      [&](std::size_t stage, const LineLoads&, const LineLoads&) { return stage < hottest; }},
                     on_springs);
   if (!slices.to && seen.last == 0)
-    throw KeyError("pipeline.slices.count: on the springs of pipeline.far_soil the line does not slide sideways, so berm cannot choose the "
-                   "position of the last slice: give pipeline.slices.to");
+    throw KeyError(
+        "pipeline.slices.count: on the springs of pipeline.far_soil the line does not slide laterally, so berm cannot choose the "
+        "position of the last slice: give pipeline.slices.to");
   const Real to = slices.to.value_or(std::min(more * of.line.x[seen.last], c.pipeline->length));
   slices.at = places_in_equal_shares(of.line, densities(of.line, seen.changes, to), to, slices.count);
   slices.count = 0;

@@ -120,7 +120,7 @@ private:
     rigid.rotation = bodies::Rotation::fixed;
     if (rigid.mass > 0) return;
     if (case_.method == problem::Method::mpm)
-      throw KeyError(fmt::format("rigid.{}.mass: is needed: probes that turn the footing leave it free to move sideways", name));
+      throw KeyError(fmt::format("rigid.{}.mass: is needed: probes that rotate the footing leave it free to move laterally", name));
     rigid.mass = 1;
   }
   problem::StageSettings drive_for(const char* name) const

@@ -140,8 +140,8 @@ jobs::Outcome find_safety(const SafetyRequest& request)
   write_safety_report(settings, trials, request.folder, !last.interrupted() && !last.queued());
   fmt::print("{}", safety_words(trials));
   for (const std::string& doubt : doubts_of(trials, settings.method)) io::tell("warning: {}\n", doubt);
-  if (last.interrupted()) io::tell("interrupted: the same command goes on from there\n");
-  if (last.queued()) io::tell("queued: the same command collects the trials and goes on\n");
+  if (last.interrupted()) io::tell("interrupted: the same command continues\n");
+  if (last.queued()) io::tell("queued: the same command collects the trials and continues\n");
   io::tell("the factor of safety is in {}\n", (request.folder / "safety.html").string());
   if (last.interrupted() || last.queued()) return jobs::Outcome::unfinished;
   return tells(trials, request.how) ? jobs::Outcome::done : jobs::Outcome::failed;

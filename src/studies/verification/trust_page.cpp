@@ -110,8 +110,8 @@ std::string trust_page(const std::vector<TrustQuestion>& questions)
   });
   std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>Are the verdicts of the pages right?</h1>\n";
   html += fmt::format(
-      "<p>{}. An answer is right where its number that is farthest off is within {:g} % of what is known, and wrong where it is off by "
-      "more than {:g} %. What a page says is the worst of its measures; doubtful is a warning, whatever it is of. Misjudged runs come "
+      "<p>{}. An answer is right where its least accurate number is within {:g} % of the known one, and wrong where it is off by more than "
+      "{:g} %. What a page says is the worst of its measures; doubtful is a warning, whatever it is of. Misjudged runs come "
       "first.</p>\n<table>\n",
       words_of(questions), 100 * error_of_right, 100 * error_of_wrong);
   html += text::plain_row({"run", "farthest off", "known", "error", "the answer is", "its page says", "its warnings"}, 2, 3, "th");

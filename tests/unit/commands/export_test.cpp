@@ -166,7 +166,7 @@ TEST_F(Export, of_a_pipeline_writes_its_shapes_and_the_curves_of_its_slices_and_
   ASSERT_EQ(berm({"run", "case.toml", "-o", "pipe"}).status, 0);
   const Ended other = berm({"export", "pipe", "--to", "line"});
   EXPECT_EQ(other.status, 2);
-  EXPECT_NE(other.err.find("pipe is no run of a pipeline: its case has no [pipeline]"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("pipe is not a run of a pipeline: its case has no [pipeline]"), std::string::npos) << other.err;
   EXPECT_FALSE(exists("pipe/export"));
 }
 

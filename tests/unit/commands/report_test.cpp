@@ -95,7 +95,7 @@ TEST_F(Report, reads_what_is_expected_where_the_run_took_it_along_or_where_it_is
 
   std::ofstream(file("out/a/expected.toml")) << "run = 3\n";
   EXPECT_EQ(berm({"report", "out/a"}).status, 0) << "a run whose expected.toml is damaged is shown without it";
-  EXPECT_NE(text("out/a/report.html").find("what is expected of it is left out"), std::string::npos);
+  EXPECT_NE(text("out/a/report.html").find("its expected values are left out"), std::string::npos);
 }
 
 TEST_F(Report, passes_over_what_an_earlier_report_wrote)

@@ -119,7 +119,7 @@ TEST(Head, that_is_wrong_says_what_is_allowed)
   EXPECT_SAYS(refusal_with({"support.base.drained=true", "support.base.head=0.2"}), "no soil has water that flows");
   EXPECT_SAYS(refusal_in_water({"support.base.head=0.2"}),
               "support.base.head: is of water that crosses the boundary: it needs drained = true");
-  EXPECT_SAYS(refusal_in_water({"support.base.drained=true", "support.base.ramp=1"}), "support.base.ramp: is that of a head");
+  EXPECT_SAYS(refusal_in_water({"support.base.drained=true", "support.base.ramp=1"}), "support.base.ramp: is for a head");
   EXPECT_SAYS(refusal_in_water({"support.base.drained=true", "support.base.head=0.2",
                                 "support.closed={boundary=\"bottom\", fixed=[\"x\"], stages=[\"drag\"]}"}),
               "[support.closed] holds the same boundary in the same stage and lets no water through");

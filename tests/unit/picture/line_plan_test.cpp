@@ -38,7 +38,7 @@ TEST(LinePlan, of_a_short_turned_line_with_a_free_end_is_drawn_whole)
   c.pipeline->end = problem::LineEnd::free;
   c.pipeline->length = 70;
   const std::string svg = plan_of(c);
-  for (const char* words : {"turned by half a turn", "free", "70 m"}) EXPECT_EQ(count(svg, words), 1u) << words;
+  for (const char* words : {"rotated by 180 degrees", "free", "70 m"}) EXPECT_EQ(count(svg, words), 1u) << words;
 }
 
 }  // namespace

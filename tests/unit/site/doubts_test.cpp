@@ -81,7 +81,7 @@ TEST(Diagnostics, name_rows_left_out_and_gaps_at_the_seabed_between_readings_and
 
 TEST(Diagnostics, of_clay_name_strength_that_is_that_of_sand_or_of_another_unit)
 {
-  EXPECT_NE(of_clay(made([](Real z) { return 3 * soft(z) + 1.2e6; })).find("this kind is of clay below 100 kPa"), std::string::npos);
+  EXPECT_NE(of_clay(made([](Real z) { return 3 * soft(z) + 1.2e6; })).find("this kind is for clay below 100 kPa"), std::string::npos);
   EXPECT_NE(of_clay(made(soft, 0.004)).find("the mean friction ratio is 0.4 %"), std::string::npos);
   EXPECT_NE(of_clay(made([](Real z) { return 14 * 60e3 + (weight + gamma_w) * z; })).find("more than 5 times the effective overburden"),
             std::string::npos);

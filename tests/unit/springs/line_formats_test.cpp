@@ -74,8 +74,8 @@ TEST_F(LineFormats, a_run_of_no_pipeline_and_one_that_has_not_come_to_its_line_a
 {
   record::RunRecord run = record_of({});
   run.history.stage.assign(run.history.stage.size(), "lay");
-  EXPECT_NE(test::error_of<RunError>([&] { shape_files(run); }).find("has not come to its line"), std::string::npos);
-  EXPECT_NE(test::error_of<RunError>([&] { py_files(run); }).find("has not come to its line"), std::string::npos);
+  EXPECT_NE(test::error_of<RunError>([&] { shape_files(run); }).find("has not reached its line"), std::string::npos);
+  EXPECT_NE(test::error_of<RunError>([&] { py_files(run); }).find("has not reached its line"), std::string::npos);
   run.settings.pipeline.reset();
   EXPECT_NE(test::error_of<InputError>([&] { py_files(run); }).find("its case has no [pipeline]"), std::string::npos);
 }

@@ -81,7 +81,7 @@ std::string Anchor::key_results(const base::Runs& runs, const base::DisplayUnits
     const char *words, *unit, *quantity;
     Real size;
   };
-  const Column numbers[] = {{"travel", "m", "tow_travel", 1},        {"depth at begin", "m", "tow_depth_begin", 1},
+  const Column numbers[] = {{"travel", "m", "tow_travel", 1},        {"initial depth", "m", "tow_depth_begin", 1},
                             {"at end", "m", "tow_depth_end", 1},     {"largest", "m", "tow_depth_max", 1},
                             {"after", "m", "u_at_tow_depth_max", 1}, {"largest tow force", force, "tow_force_max", 1e3},
                             {"after", "m", "u_at_tow_force_max", 1}, {"at end", force, "tow_force_end", 1e3},

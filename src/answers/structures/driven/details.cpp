@@ -180,7 +180,7 @@ public:
     const Detail* const found = std::find_if(std::begin(details), std::end(details), [&](const Detail& d) { return name == d.name; });
     if (found == std::end(details)) return {};
     if (at.has_value() ? found->place == Place::none : found->place == Place::must_have)
-      throw InputError(fmt::format("{} {}", name, at ? "is taken at no place: without at" : "needs at, where it is taken"));
+      throw InputError(fmt::format("{} {}", name, at ? "is not taken at a position: leave out at" : "needs at, its position"));
     return run_folder::Quantity{name, found->take(run_, at.value_or(nan)), found->unit};
   }
 

@@ -61,7 +61,7 @@ std::string Driven::table_of(const record::RunRecord& run) const
 {
   std::string table = key_results_table(run.quantities, base::body_scale(run));
   for (const std::string& line : time_scale_lines(run))
-    table += line + "; times above are of the record, half_cycles.csv has each half cycle\n";
+    table += line + "; times above are those of the record, half_cycles.csv has each half cycle\n";
   for (const std::string& doubt : lower_estimates(run)) table += doubt + "\n";
   return table;
 }

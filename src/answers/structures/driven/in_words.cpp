@@ -79,7 +79,7 @@ std::string states_words(const DrivenRun& run, const Results& results, const bas
                                        : fmt::format("Laid, by {} {}, it", drags, drags == 1 ? "drag" : "drags");
     words +=
         fmt::format(" lies at w = {}{}{}. ", shown.length_text(run.scale, state.w),
-                    state.V < 0 ? ", and the soil presses it down by " : " under V = ", shown.force_text(run.scale, std::abs(state.V)));
+                    state.V < 0 ? ", and the soil pushes it down with " : " under V = ", shown.force_text(run.scale, std::abs(state.V)));
   }
   return words;
 }

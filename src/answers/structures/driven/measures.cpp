@@ -37,7 +37,7 @@ inline constexpr Limit gap = too_large(
      "the gap makes the body act larger; contact at all nodes of cut cells makes the gap wider and V larger (examples/contact_schemes)"});
 inline constexpr Limit overlap{0.002, 0.01, Effect::contact, "no particle should be deeper than 0.002 D in the body (examples/probe_test)"};
 inline constexpr Limit second_impulse{0.01, 0.05, Effect::contact,
-                                      "the second contact correction is no force; it stays small with every contact scheme "
+                                      "the second contact correction is not a force; it stays small with every contact scheme "
                                       "(examples/contact_schemes)"};
 inline constexpr Limit push_in_cells{
     2, 0.5, Effect::cells, "a fraction of a cell is not resolved: the result of a push that ends there is set by the cells", true};

@@ -26,7 +26,7 @@ std::string height_words(Real height)
 
 std::string summary_table(const LateralRuns& runs, const std::string& id)
 {
-  text::HtmlTable table(id, "Loaded sideways: at the end");
+  text::HtmlTable table(id, "Lateral load: at the end");
   table.columns({{"run"},
                  {"D, m", true},
                  {"L in the bed, m", true},
@@ -117,7 +117,7 @@ std::string lateral_words(const LateralRun& run)
   const LateralResults& r = run.results();
   const std::string name = text::html_text(base::body_word(run.record.settings));
   std::string words = fmt::format(
-      "Loaded sideways, the {} (D = {}, {} of it in the bed) carries H = {} at a displacement of {} ({} D) at the bed. The load acts {}, "
+      "Under lateral load the {} (D = {}, {} of it in the bed) carries H = {} at a displacement of {} ({} D) at the bed. The load acts {}, "
       "where the displacement is {}; its moment at the bed is {} m.",
       name, text::length_words(run.width), text::length_words(run.path.length), text::force_words(r.H, 3), text::length_words(r.u),
       text::short_number(r.u / run.width), height_words(r.height), text::length_words(r.u_load), text::force_words(r.M, 3));

@@ -45,8 +45,9 @@ void refuse_geometry(const problem::Case& c)
         "geometry: around an axis a footing goes straight down only, as berm run does; an envelope needs geometry = \"space\" with "
         "symmetry = [\"z\"], or \"plane_strain\"");
   if (std::find(c.symmetry.begin(), c.symmetry.end(), "x") != c.symmetry.end())
-    throw KeyError("symmetry: a footing that is dragged along x and turned about z is not its own mirror image across x: an envelope needs "
-                   "symmetry = [\"z\"], and a half of the mesh");
+    throw KeyError(
+        "symmetry: a footing that is dragged along x and rotated about z is not its own mirror image across x: an envelope needs "
+        "symmetry = [\"z\"], and a half of the mesh");
 }
 
 template <int dim>

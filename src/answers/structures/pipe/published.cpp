@@ -62,8 +62,8 @@ std::string remark_on_ground(const driven::DrivenRun& run)
   const auto [low, high] = run.record.ground.line.heights(x - reach, x + reach);
   return fmt::format("All formulas here are for a level bed. The ground of this run is not: within 2 D of the pipe's start it rises and "
                      "falls by {:.2g} D. They "
-                     "are out of range, and show the order of magnitude only; forces are horizontal and vertical, and w counts from the "
-                     "ground below the pipe's axis.",
+                     "are out of range, and show the order of magnitude only; forces are horizontal and vertical, and w is measured from "
+                     "the ground below the pipe's axis.",
                      (high - low) / run.scale.width);
 }
 

@@ -115,7 +115,7 @@ std::string cell_of(const std::vector<Evidence>& evidence)
   for (const Evidence& e : evidence)
     html += fmt::format("<div><strong>{}</strong>: {} {}</div>", text::html_text(e.run), text::html_text(e.words),
                         evidence.size() > 1 ? badge_of(e.standing) : "");
-  return html.empty() ? "no run here shows it" : html;
+  return html.empty() ? "not shown by a run on this page" : html;
 }
 
 std::string section_of(const ExpectedRuns& runs, const Published& published, const std::string& id)

@@ -148,7 +148,7 @@ ExpectationSheets expected_of(const ReportRequest& request, std::vector<record::
       const std::string text = io::read_text_file(file);
       if (known.insert(text).second) sheets.push_back(expectations::read_expectations_text(file.string(), text));
     } catch (const std::runtime_error& error) {
-      run.faults.push_back(fmt::format("what is expected of it is left out: {}", error.what()));
+      run.faults.push_back(fmt::format("its expected values are left out: {}", error.what()));
     }
   return sheets;
 }

@@ -105,7 +105,7 @@ void add_water(Rows& rows, const std::string& prefix, const material::Material& 
   if (!water) return;
   using enum material::Drainage;
   rows.add(prefix + "water in the pores", water->drainage == drained     ? "drained: no excess pore pressure"
-                                          : water->drainage == undrained ? "undrained: it stays"
+                                          : water->drainage == undrained ? "undrained: it does not flow"
                                                                          : "flows (consolidation)");
   if (const std::optional<material::Hydraulics> flow = hydraulics(material)) {
     rows.add(prefix + "permeability k",
