@@ -94,7 +94,7 @@ std::vector<std::string> invalid_lines(const std::string& run, const std::vector
 {
   std::vector<std::string> lines;
   for (const std::string& why : invalid)
-    lines.push_back(fmt::format("{} the results of {} are invalid, do not use {}: {}", invalid_line_begin, run, numbers, why));
+    lines.push_back(fmt::format("{} the answer of {} is invalid, do not use {}: {}", invalid_line_begin, run, numbers, why));
   return lines;
 }
 

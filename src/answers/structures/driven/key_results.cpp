@@ -316,7 +316,7 @@ std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits
                               shown.length_columns("largest w"),
                               {{"half cycles", true}},
                               shown.length_columns("largest half cycle"),
-                              {{"0.5 D away after, s of the record", true}, {"1 D, s of the record", true}}}));
+                              {{"u = 0.5 D after, s of the record", true}, {"u = 1 D after, s of the record", true}}}));
   for (const DrivenRun& run : runs)
     for (const DragResults& drag : run.results().drags) {
       if (!drag.moved) continue;
