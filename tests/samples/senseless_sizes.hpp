@@ -71,7 +71,7 @@ inline const std::vector<SenselessInput>& senseless_sizes()
       {"weight_of_the_pipe_in_newtons",
        "bed",
        warned,
-       {"stage.push.until.force", "is 0.8 N/m, next to nothing", "write \"0.8 kN/m\""},
+       {"stage.push.until.force", "is 0.8 N/m, almost nothing", "write \"0.8 kN/m\""},
        {"stage.push.until={force=0.8}"},
        "",
        ""},

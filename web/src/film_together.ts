@@ -27,7 +27,7 @@ export function embedment_at(run: FilmedRun, at: number): number {
 }
 
 /** What joins two films, and its words. */
-export const JOINS = { travel: "u/D of the drag", embedment: "embedment w/D", time: "time", part: "part of the run" } as const;
+export const JOINS = { travel: "u/D of the drag", embedment: "embedment w/D", time: "time", part: "fraction of the run" } as const;
 export type Join = keyof typeof JOINS;
 
 /** The frame after which the drag begins; -1: nothing is dragged. */

@@ -32,7 +32,7 @@ export function shade_of(rise: number, { up, down }: { up: number; down: number 
   return Math.abs(part) < blank ? 0 : Math.sign(part) * Math.min(shades, Math.ceil(Math.abs(part) * shades));
 }
 
-/** The bed of all slices at a moment of the film; each stands for half of the way to its neighbours. None before the line hangs. */
+/** The bed of all slices at a moment of the film; each represents half of the distance to its neighbours. None before the line hangs. */
 export function patches_at(run: LineRun, { x: nodes, y: shapes, rise }: Pick<LineShapes, "x" | "y" | "rise">, at: number): Patch[] {
   const { bed, slices, half } = run.line;
   if (bed === null || rise.length === 0 || at < bed.first) return [];
@@ -67,5 +67,5 @@ function both_halves(patch: Patch, slice: number, half: LineRun["line"]["half"])
 export function heaped_words(rise: Values[]): string | null {
   if (rise.length === 0) return null;
   const { up, down } = most_of(rise);
-  return `Brown: soil heaped up since before the pipe was laid, by up to ${digits(up)} m; blue: dug away, by up to ${digits(down)} m; each slice stands for half of the way to its neighbours. `;
+  return `Brown: heave since before the pipe was laid, by up to ${digits(up)} m; blue: displaced, by up to ${digits(down)} m; each slice represents half of the distance to its neighbours. `;
 }

@@ -10,7 +10,7 @@ const strain: Look = {
   unit: () => ({ name: "%", factor: 0.01 }), titled: true, peaks: true,
 };
 const compression: Look = {
-  name: "P", words: (unit) => `Effective compression P (${unit}) of the whole line. Dashed: P\u2080, that of a length which cannot get longer`, curves: ["P"],
+  name: "P", words: (unit) => `Effective compression P (${unit}) of the whole line. Dashed: P\u2080, that of a fully constrained length`, curves: ["P"],
   unit: () => ({ name: "kN", factor: 1e3 }), whole: true, titled: true,
 };
 

@@ -154,7 +154,7 @@ export class LineFilm implements Player, KeyPlayer {
     this.stage.replaceChildren(...this.charts.map((chart) => chart.element));
     this.place_of_cards.replaceChildren(...(this.cards === null ? [] : [
       make("h3", "", "Slices"),
-      make("p", "quiet", `Resistance H, vertical reaction V over the submerged weight W of the line as it was laid (${weight_words(run)}) and sinkage w, over the displacement u of the pipe since it was laid; in the stages that load the line. All slices have the same axes. A ring and bold numbers mark the largest of all slices.`),
+      make("p", "quiet", `Resistance H, vertical reaction V over the submerged weight W of the line as it was laid (${weight_words(run)}) and embedment w, over the displacement u of the pipe since it was laid; in the stages that load the line. All slices have the same axes. A ring and bold numbers mark the largest of all slices.`),
       this.cards.element]));
     this.stages.replaceChildren(...this.ends.map((end) =>
       button("line_to_end", words_of_end(run, end), `Go to the end of ${end.name}`, () => this.move(end.frame))));
@@ -231,6 +231,6 @@ const words_of_half = {
 function caption(run: LineRun, shapes: LineShapes): string {
   const { half, slices, note, diameter } = run.line, last = slices[slices.length - 1], heaped = heaped_words(shapes.rise);
   const soil = heaped ?? `Brown: the strip that the pipe has swept so far${diameter > 0 ? `, its diameter of ${digits(diameter)} m in it` : ""}; soil lies heaped up in berms along its edges. `;
-  return `${words_of_half[half]}${soil}Dotted upright: the last slice at ${digits(last)} m; beyond it the soil is springs. Thin: the line at the ends of stages, hot in red, cold in blue.` +
+  return `${words_of_half[half]}${soil}Dotted vertical line: the last slice at ${digits(last)} m; beyond it the soil is modelled by springs. Thin: the line at the ends of stages, hot in red, cold in blue.` +
     (note === null ? "" : ` Shown: ${note}.`);
 }

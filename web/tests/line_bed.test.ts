@@ -32,5 +32,5 @@ test("the_other_half_is_mirrored_or_turned", () => {
 test("there_is_none_before_the_line_hangs", () => {
   assert.deepEqual(patches_at(line("symmetric"), shapes, 0.9), []);
   assert.equal(heaped_words([]), null);
-  assert.match(heaped_words(shapes.rise)!, /up to 0\.4.* m; blue: dug away, by up to 0\.2/);
+  assert.match(heaped_words(shapes.rise)!, /up to 0\.4.* m; blue: displaced, by up to 0\.2/);
 });

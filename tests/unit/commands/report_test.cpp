@@ -149,7 +149,7 @@ TEST_F(Report, of_a_run_that_broke_off_says_so_and_shows_what_there_is)
   const Ended ended = berm({"report", "out/a"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::string page = text("out/a/report.html");
-  EXPECT_NE(page.find("did not come to its end"), std::string::npos);
+  EXPECT_NE(page.find("has not finished"), std::string::npos);
   EXPECT_NE(page.find("frame 4 of"), std::string::npos) << "the damaged frame is not told";
   EXPECT_NE(page.find("id=\"film-0-position\""), std::string::npos);
   EXPECT_NE(page.find("\"V_N_m\""), std::string::npos);
@@ -161,7 +161,7 @@ TEST_F(Report, of_a_run_with_nothing_but_its_case_says_what_is_missing)
   const Ended ended = berm({"report", "out/a"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::string page = text("out/a/report.html");
-  for (const char* said : {"did not come to its end", "history.csv is missing", "run.log is missing"})
+  for (const char* said : {"has not finished", "history.csv is missing", "run.log is missing"})
     EXPECT_NE(page.find(said), std::string::npos) << said;
 }
 

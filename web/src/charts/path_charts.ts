@@ -41,7 +41,7 @@ export function push_plans(data: PageData): Plan[] {
       }),
       plan({
         id: `V_noise${suffix}`, title: `Noise of V in the push${title}`, argument: embedment,
-        value: { ...vertical, words: "vertical reaction less its mean", symbol: "\u0394V" },
+        value: { ...vertical, words: "vertical reaction minus its mean", symbol: "\u0394V" },
         traces: traces((run) => over_depth(run, noise(at_rows(run, V, run.push.rows), run.push.V_mean), `${V} - V_mean`, null)),
       }),
     ];
@@ -89,7 +89,7 @@ export function drag_plans(data: PageData): Plan[] {
     })),
     ...forces.map(({ name: H, suffix, title }) => plan({
       ...common, id: `H_noise${suffix}`, title: `Noise of H in the drag${title}`, zero: false,
-      value: { ...horizontal(H), words: "horizontal resistance less its mean", symbol: "\u0394H" },
+      value: { ...horizontal(H), words: "horizontal resistance minus its mean", symbol: "\u0394H" },
       traces: traces((run) => over_travel(run, noise(column(run, H), run.drag.H_mean), `${H} - H_mean`, null)),
     })),
   ];

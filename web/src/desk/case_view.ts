@@ -55,7 +55,7 @@ export class CaseView implements Place {
     const jobs = is_case ? [
       job("Element tests", "Put the soils of this case into laboratory tests (berm element): triaxial, simple shear", () => void this.test_soil()),
       job("Envelope", "Find the loads that the soil can carry (berm envelope): many runs", () => void this.work("envelope")),
-      job("Factor of safety", "Find by how much the strength can fall until the soil fails (berm safety): some ten runs", () => void this.work("safety"))] : [];
+      job("Factor of safety", "Find by how much the strength can be reduced until the soil fails (berm safety): some ten runs", () => void this.work("safety"))] : [];
     const checked = make("section", "pane side_pane", make("h2", "", "Model"), this.model, make("h2", "", "Findings"), this.estimate, this.findings);
     this.element.classList.toggle("no_model", !is_case);
     this.element.append(

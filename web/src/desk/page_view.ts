@@ -126,7 +126,7 @@ export class ExportView implements Place {
     const travels = element("input", { id: "export-travels", type: "text", placeholder: "all drags in that state" });
     const form = element("form", { class: "stacked" });
     form.append(
-      make("h2", "", "Springs for a pipeline program"), make("p", "quiet", `Of ${runs.join(", ")}. Each number is told with its run, state and formula.`),
+      make("h2", "", "Springs for a pipeline program"), make("p", "quiet", `Of ${runs.join(", ")}. Each number is given with its run, state and formula.`),
       element("label", { for: "export-to" }, "Program"), to, element("label", { for: "export-state" }, "State of the pipe"), state,
       element("label", { for: "export-travels" }, "Travels: drags, separated by commas"), travels, element("button", { type: "submit", class: "primary" }, "Export"));
     form.addEventListener("submit", (event) => {

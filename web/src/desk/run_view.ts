@@ -159,7 +159,7 @@ export class RunView implements Place {
   private live_numbers(): HTMLElement[] {
     const last = this.rows[this.rows.length - 1];
     if (!last) return [];
-    const watched = ["stage", "time", "u", "w", "H", "V", "energy error", "shaking of the soil at the body", "overlap"];
+    const watched = ["stage", "time", "u", "w", "H", "V", "energy error", "vibration of the soil at the body", "overlap"];
     return [make("dl", "numbers", ...watched.flatMap((label) => {
       const index = this.index(label);
       if (index < 0 || last[index] === null) return [];
@@ -189,7 +189,7 @@ export class RunView implements Place {
     const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);
     this.answer.replaceChildren(
       ...(invalid && JSON.stringify(invalid) !== "[]" && invalid !== false ? [make("p", "bad", "Do not use the results of this run: its report says why.")] : []),
-      ...(cut ? [make("p", "fair", `The run did not come to its end. Numbers of ${cut} are of a stage that did not end, and later stages are missing.`)] : []),
+      ...(cut ? [make("p", "fair", `The run has not finished. Numbers of ${cut} are of an unfinished stage, and later stages are missing.`)] : []),
       ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)),
       make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...rows))),
       make("details", "", make("summary", "", "Checks"), make("dl", "numbers", ...trust.flatMap(([name, value]) => [make("dt", "", name.replaceAll("_", " ")), make("dd", "", typeof value === "number" ? digits(value) : String(value))]))));
