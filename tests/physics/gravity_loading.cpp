@@ -140,7 +140,7 @@ TEST(GravityLoading, carries_layers_that_a_contact_joins)
   EXPECT_NE(message_of().find("initial_state = \"gravity_loading\""), std::string::npos);
   c.initial_state = problem::InitialState::gravity_loading;
   c.contact.clear();
-  EXPECT_EQ(message_of().find("initial_state: body.upper finds no equilibrium"), 0u) << message_of();
+  EXPECT_EQ(message_of().find("initial_state: body.upper does not reach equilibrium"), 0u) << message_of();
 }
 
 TEST(LevelGround, is_asked_of_k0)

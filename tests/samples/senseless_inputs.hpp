@@ -153,7 +153,7 @@ inline const std::vector<SenselessInput>& senseless_inputs()
        {"support.base.fixed=[\"x\"]"},
        "",
        ""},
-      {"wall_that_is_not_held", "bed", refused, {"support", "nothing holds the left wall"}, {"support.left.boundary=top"}, "", ""},
+      {"wall_that_is_not_held", "bed", refused, {"support", "no support holds the left wall"}, {"support.left.boundary=top"}, "", ""},
       {"bed_that_is_not_at_its_surface", "bed", refused, {"surface", "y = 0"}, {"surface=10 mm"}, "k0 = 0.43\n", ""},
       {"surface_that_is_forgotten", "box", refused, {"surface", "is 0 m", "set it to the level"}, {}, "surface = \"40 mm\"\n", ""},
       {"ground_that_is_not_at_the_surface",

@@ -15,7 +15,7 @@ inline const std::vector<SenselessInput>& senseless_supports()
       {"motion_too_fast_for_the_cells",
        "box",
        warned,
-       {"support.base.motion", "goes along x from one peak to the next in 0.002 ms", "8 cells to a shear wave", "filter the record"},
+       {"support.base.motion", "moves along x from one peak to the next in 0.002 ms", "8 cells to a shear wave", "filter the record"},
        {},
        base,
        moves("times = [0, 1e-6, 2e-6]\nx = [0, 0.01, 0]\n")},

@@ -22,14 +22,14 @@ TEST(Interface, with_tension_needs_particles_and_the_coupled_scheme)
 {
   EXPECT_EQ(refusal({"tension=5 kPa"}), "");
   EXPECT_EQ(refusal({"tension=unlimited"}), "");
-  EXPECT_SAYS(refusal({"tension=5 kPa", "scheme=musl_double"}), "contact.pipe_on_bed.scheme: tension goes with \"musl_coupled\" only");
-  EXPECT_SAYS(refusal({"tension=unlimited", "detection=gap"}), "contact.pipe_on_bed.detection: tension goes with \"particle\" only");
+  EXPECT_SAYS(refusal({"tension=5 kPa", "scheme=musl_double"}), "contact.pipe_on_bed.scheme: tension is for \"musl_coupled\" only");
+  EXPECT_SAYS(refusal({"tension=unlimited", "detection=gap"}), "contact.pipe_on_bed.detection: tension is for \"particle\" only");
 }
 
 TEST(Interface, with_worn_rims_needs_particles_and_soil_that_flows)
 {
   EXPECT_EQ(refusal({"particle_rim=worn"}), "");
-  EXPECT_SAYS(refusal({"particle_rim=worn", "detection=gap"}), "contact.pipe_on_bed.detection: particle_rim goes with \"particle\" only");
+  EXPECT_SAYS(refusal({"particle_rim=worn", "detection=gap"}), "contact.pipe_on_bed.detection: particle_rim is for \"particle\" only");
   EXPECT_SAYS(refusal({"particle_rim=wron"}), "did you mean \"worn\"?");
   EXPECT_SAYS(
       test::refusal_with({"contact.pipe_on_bed.scheme=musl_coupled", "contact.pipe_on_bed.particle_rim=worn", "body.bed.material=rubber"}),

@@ -26,7 +26,7 @@ std::size_t count(const std::string& text, const std::string& part)
 TEST(LinePlan, tells_its_exaggeration_imperfection_slices_springs_and_ends)
 {
   const std::string svg = plan_of(test::MadeLineRun{}.settings());
-  for (const char* words : {"sideways 10 times as large", "imperfection of 400 mm, 60 m long", "9 slices every 8 m, to 64 m",
+  for (const char* words : {"lateral scale 10 times larger", "imperfection of 400 mm, 60 m long", "9 slices every 8 m, to 64 m",
                             "springs beyond the slices: 0.6 W lateral, 0.6 W axial", "anchored", "mirror image", "1500 m"})
     EXPECT_EQ(count(svg, words), 1u) << words;
 }

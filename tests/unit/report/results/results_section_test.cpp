@@ -263,7 +263,7 @@ TEST(answer, a_push_that_was_stopped_or_killed_has_no_end_to_compare)
   run.end = record::RunEnd::unfinished;
   html = answer_of({run});
   EXPECT_TRUE(holds(html, "in the prototype), as far as it got, the pipe carries")) << html;
-  EXPECT_TRUE(holds(html, "As far as it came, w = 0.078 D"));
+  EXPECT_TRUE(holds(html, "As far as it got, w = 0.078 D"));
   EXPECT_FALSE(holds(html, "nd of the push"));
   // Stopped in the drag: the push came to its end, H did not.
   MadeRun dragged;
