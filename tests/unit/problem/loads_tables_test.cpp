@@ -181,7 +181,8 @@ TEST(DisplacementColumns, that_a_body_cannot_follow_are_refused)
   EXPECT_EQ(fault_of(by_force), "") << "the ramp is that of the velocity along x";
   StageSettings both = stage;
   both.loads.of("w").assign(5, 0);
-  EXPECT_NE(fault_of(both).find("cannot be combined with w_displacement: a degree of freedom is driven in one way only"), std::string::npos);
+  EXPECT_NE(fault_of(both).find("cannot be combined with w_displacement: a degree of freedom is driven in one way only"),
+            std::string::npos);
   Case elements = pipe_over_box({stage});
   elements.method = Method::fem;
   EXPECT_NE(fault_of_loads(elements, stage).find("not of velocities or displacements"), std::string::npos);
