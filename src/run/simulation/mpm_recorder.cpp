@@ -327,10 +327,9 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
         row_(fmt::format("{}{}", symbol, k + 1), time > 0 ? impulse / time + 0. : 0, run_folder::newtons<dim>,
              fmt::format("{} from {:.4g} to {:.4g} m below the bed", what, k * slices.thickness, (k + 1) * slices.thickness));
       };
-      if (model.mesh.metric != mesh::Metric::axisymmetric)
-        of_slice("H", state.slice_impulses[r][k] - last_slice_impulses_[r][k], "horizontal force on the soil");
-      of_slice("V_shaft", last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k], "upward force on vertical sides");
-      of_shaft += last_slice_shaft_impulses_[r][k] - state.slice_shaft_impulses[r][k];
+      if (model.mesh.metric != mesh::Metric::axisymmetric) of_slice("H", since_.slice_impulses[r][k], "horizontal force on the soil");
+      of_slice("V_shaft", -since_.slice_shaft_impulses[r][k], "upward force on vertical sides");
+      of_shaft -= since_.slice_shaft_impulses[r][k];
     }
     const Real in_all = -model.axes.height(since_.contact_sums[r].impulse);
     row_("V_base", time > 0 ? (in_all - of_shaft) / time + 0. : 0, run_folder::newtons<dim>,
