@@ -78,7 +78,7 @@ inline const std::vector<SenselessInput>& senseless_sizes()
       {"held_force_in_newtons",
        "bed",
        warned,
-       {"stage.drag.vertical_force", "almost nothing", "can take the place of"},
+       {"stage.drag.vertical_force", "almost nothing", "can displace"},
        {"stage.drag.vertical_force=0.8"},
        "",
        ""},

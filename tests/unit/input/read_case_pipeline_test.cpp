@@ -67,7 +67,7 @@ TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
       {{"pipeline.slices={count=1001, to=\"3 m\"}"}, "pipeline.slices.count", "1000"},
       {{"pipeline.slices={count=8, to=\"4 m\"}"}, "pipeline.length", "to the last slice"},
       {{"pipeline.slices={count=8, to=\"3 m\"}"}, "pipeline.slices.count", "have no lateral resistance"},
-      {{"pipeline.slices={at=[0, 1, 2]}"}, "pipeline.slices.at", "has 3 places"},
+      {{"pipeline.slices={at=[0, 1, 2]}"}, "pipeline.slices.at", "has 3 positions"},
       {{"pipeline.slices={at=[1, 1.5, 2, 3]}"}, "pipeline.slices.at", "must begin at 0"},
       {{"pipeline.slices={at=[0, 2, 1, 3]}"}, "pipeline.slices.at", "1 m follows 2 m"},
       {{"pipeline.slices={at=[0, 1, 2, 4]}"}, "pipeline.length", "to the last slice"},
