@@ -218,7 +218,7 @@ TEST(FootingEnvelope, of_a_rough_strip_on_clay_is_that_of_Green_and_above_that_o
   EXPECT_LT(value("M_max_over_unit_D"), wider * wider * (2 + pi) / 8);
   for (const char* file : {"envelope.png", "moments.png", "sections.png"})
     EXPECT_TRUE(std::filesystem::exists(folder / "found" / file)) << file;
-  EXPECT_NE(ended.err.find("no macro-element of the footing: no probe turns it while both its edges go down"), std::string::npos)
+  EXPECT_NE(ended.err.find("no macro-element of the footing: no probe rotates it while both its edges move down"), std::string::npos)
       << ended.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "found/redwin.txt"));
 }
