@@ -107,7 +107,7 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
     const auto refuse = [&](const char* side, char axis, Real reached, Real limit, const char* advice) {
       throw RunError(fmt::format(
           "rigid body \"{}\" has left the mesh through its {}: it reaches {} = {:.6g} m, where the mesh ends at {:.6g} m, at "
-          "t = {:.6g} s (step {}); {}, or let the stage \"{}\" end earlier",
+          "t = {:.6g} s (step {}); {}, or end the stage \"{}\" earlier",
           model.rigid_bodies[r].name, side, axis, reached, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
     };
     const Vec<dim> up = Vec<dim>::UnitY();  // the mesh's own bottom

@@ -86,10 +86,13 @@ void archive(Archive& k, Ledger<dim>& ledger)
   for_each_sum<dim>(
       [&](const auto& row, std::size_t owner, auto& sum) {
         k.table(fmt::format("{}_{}", words_of_owners[static_cast<int>(row.owner)], owner), [&] {
-          if constexpr (std::is_same_v<decltype(sum), std::vector<Real>&>)
-            k.fixed(row.name, sum);
-          else
+          if constexpr (std::is_same_v<decltype(sum), std::vector<Real>&>) {
+            std::vector<Real> numbers = sum;  // of another length they are refused, and the ledger keeps its own
+            k.fixed(row.name, numbers);
+            sum = std::move(numbers);
+          } else {
             k(row.name, sum);
+          }
         });
       },
       ledger);

@@ -225,7 +225,7 @@ TEST_F(Report, says_why_a_run_was_stopped)
   std::ofstream(file("out/a/summary.json")) << summary;
   std::ofstream(file("out/a/run.log")) << log;
   ASSERT_EQ(berm({"report", "out/a"}).status, 0);
-  EXPECT_NE(text("out/a/report.html").find("It said: stopped at t = 0.4 s"), std::string::npos);
+  EXPECT_NE(text("out/a/report.html").find("Its message: stopped at t = 0.4 s"), std::string::npos);
 }
 
 TEST_F(Report, finds_the_runs_of_a_study_and_writes_beside_them)

@@ -120,7 +120,7 @@ TEST(Faults, a_pipe_that_drives_the_soil_out_of_the_mesh_ends_the_run_with_place
   const Ended down = place.run(
       {"--set", "stage.push.until.embedment=60 mm", "--set", "stage.push.until.force=1e12", "--set", "stage.push.velocity=20 m/s"});
   EXPECT_EQ(down.status, 1);
-  expect_parts(down.err, {"left the mesh", "at t = ", "rigid body \"pipe\"", "make the mesh", "stage \"push\" end earlier"});
+  expect_parts(down.err, {"left the mesh", "at t = ", "rigid body \"pipe\"", "make the mesh", "the stage \"push\" earlier"});
   place.expect_results_of_a_failure();
 }
 
@@ -141,7 +141,7 @@ TEST(Faults, a_pipe_driven_beyond_a_side_of_the_mesh_ends_the_run_and_leaves_a_f
                  "stage.drag.until.force=1e12", "--set", "stage.drag.velocity=5 m/s", "--set", "output.frame_travel=1 m"});
   EXPECT_EQ(out.status, 1);
   expect_parts(out.err,
-               {"\"pipe\" has left the mesh through its right side", "at t = ", "make the mesh longer", "stage \"drag\" end earlier"});
+               {"\"pipe\" has left the mesh through its right side", "at t = ", "make the mesh longer", "the stage \"drag\" earlier"});
   place.expect_results_of_a_failure();
   EXPECT_TRUE(place.has("results/frames/particles_0003.vtu")) << "after those of the start and the ends of two stages";
 }

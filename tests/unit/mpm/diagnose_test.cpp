@@ -109,7 +109,7 @@ TYPED_TEST(Sound, a_pipe_that_leaves_the_mesh_is_named_with_side_place_time_and_
       {y(-1.001 * down), "bottom"}, {y(1.001 * up), "top"}, {x(1.001 * right), "right side"}, {x(-1.001 * right), "left side"}};
   for (const auto& [moved, side] : outside) {
     const std::string message = rigid_refusal<dim>(pipe, moved);
-    for (const char* part : {"rigid body \"pipe\" has left the mesh through its ", side, "t = 0.125 s", "make the mesh", "end earlier"})
+    for (const char* part : {"rigid body \"pipe\" has left the mesh through its ", side, "t = 0.125 s", "make the mesh", "end the stage"})
       EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
   }
   EXPECT_NE(rigid_refusal<dim>(pipe, x(not_a_number)), "");

@@ -194,7 +194,7 @@ TEST(trust, measures_that_work_against_each_other_are_said_to_do_so_in_one_line)
   EXPECT_TRUE(
       contains(trust_of({run}), "have opposite effects, and the sign of their sum is not known. Resistance is too large because of: "))
       << trust_of({run});
-  EXPECT_TRUE(contains(trust_of({run}), "Too small by: pressure of unresolved motion at the pipe")) << trust_of({run});
+  EXPECT_TRUE(contains(trust_of({run}), "Too small because of: pressure of unresolved motion at the pipe")) << trust_of({run});
 }
 
 TEST(trust, gap_is_counted_in_cells_at_the_pipe_and_judged_by_the_size_of_the_pipe)
