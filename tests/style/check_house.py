@@ -193,8 +193,12 @@ def tiers(tree):
 FLOORS = ("base", "engine", "fem", "formulas", "pipeline", "case", "run", "answers", "pages", "studies", "exports", "desk", "library", "commands")
 
 
+# How many rooms there may be, and how many the run loop may reach (decision 0106).
+MOST_ROOMS, MOST_OF_RUN = 66, 22
+
+
 def floors(tree):
-    """A district uses those below it only."""
+    """A district uses those below it only; rooms are few, and the run loop reaches few of them."""
     cmake = tree.read("CMakeLists.txt")
     district = {re.sub(rf"^(?:{DISTRICTS})", "", path): path.split("/")[0] for path in re.findall(r"^\s*berm_room\(([\w/]+)", cmake, re.M)}
     for room, used in rooms_of(cmake).items():
@@ -205,6 +209,13 @@ def floors(tree):
             pair = (district[room], district.get(other, district[room]))
             if FLOORS.index(pair[1]) > FLOORS.index(pair[0]):
                 yield f"CMakeLists.txt: {room} of {pair[0]} uses {other} of {pair[1]}, which is above it"
+    rooms, reached = rooms_of(cmake), set()
+    new = set(rooms.get("simulation", ()))
+    while new:
+        reached |= new
+        new = {other for room in new for other in rooms.get(room, ())} - reached
+    if len(rooms) > MOST_ROOMS or len(reached) > MOST_OF_RUN:
+        yield f"CMakeLists.txt: {len(rooms)} rooms, of which simulation reaches {len(reached)}; at most {MOST_ROOMS} and {MOST_OF_RUN}"
 
 
 def namespace_of(room):

@@ -7,8 +7,6 @@
 #include "structures/base/driven_body.hpp"
 #include "structures/driven/driven.hpp"
 
-#include <array>
-
 namespace berm::anchor {
 
 /// An anchor, plough or grapnel that is dragged through the bed: depth of its lowest point and tow force over travel. What it has in common with any driven body is that
@@ -52,24 +50,20 @@ TowResults tow_results(const TowPath& path, const base::BodyScale& scale);
 template <auto Number>
 constexpr base::Access<TowResults> of_tow = base::finite_number<TowResults, Number>;
 
-inline constexpr std::array tow_answers = {
-    base::Answer<TowResults>{"tow_travel", base::AnswerUnit::length, "travel of all drags", of_tow<&TowResults::travel>},
-    base::Answer<TowResults>{"tow_depth_begin", base::AnswerUnit::length, "depth of the lowest point where the first drag begins",
-                             of_tow<&TowResults::first_depth>},
-    base::Answer<TowResults>{"tow_depth_end", base::AnswerUnit::length, "depth of the lowest point at the end of the drags",
-                             of_tow<&TowResults::depth>},
-    base::Answer<TowResults>{"tow_depth_max", base::AnswerUnit::length, "largest depth of the lowest point in the drags",
-                             of_tow<&TowResults::max_depth>},
-    base::Answer<TowResults>{"u_at_tow_depth_max", base::AnswerUnit::length, "travel to that depth", of_tow<&TowResults::at_depth>},
-    base::Answer<TowResults>{"tow_force_max", base::AnswerUnit::force, "largest tow force, averaged", of_tow<&TowResults::max_force>},
-    base::Answer<TowResults>{"u_at_tow_force_max", base::AnswerUnit::length, "travel to that force", of_tow<&TowResults::at_force>},
-    base::Answer<TowResults>{"tow_force_end", base::AnswerUnit::force, "mean tow force over the end of the drags",
-                             of_tow<&TowResults::force>},
-    base::Answer<TowResults>{"tow_V_end", base::AnswerUnit::force, "mean vertical reaction over the end of the drags",
-                             of_tow<&TowResults::vertical>},
-    base::Answer<TowResults>{"tow_depth_change", base::AnswerUnit::length, "how much deeper the body goes over the end of the drags",
-                             of_tow<&TowResults::depth_change>},
-    base::Answer<TowResults>{"tow_work", base::AnswerUnit::work, "work of the tow force", of_tow<&TowResults::work>},
+inline constexpr base::Answer<TowResults> tow_answers[] = {
+    {"tow_travel", base::AnswerUnit::length, "travel of all drags", of_tow<&TowResults::travel>},
+    {"tow_depth_begin", base::AnswerUnit::length, "depth of the lowest point where the first drag begins",
+     of_tow<&TowResults::first_depth>},
+    {"tow_depth_end", base::AnswerUnit::length, "depth of the lowest point at the end of the drags", of_tow<&TowResults::depth>},
+    {"tow_depth_max", base::AnswerUnit::length, "largest depth of the lowest point in the drags", of_tow<&TowResults::max_depth>},
+    {"u_at_tow_depth_max", base::AnswerUnit::length, "travel to that depth", of_tow<&TowResults::at_depth>},
+    {"tow_force_max", base::AnswerUnit::force, "largest tow force, averaged", of_tow<&TowResults::max_force>},
+    {"u_at_tow_force_max", base::AnswerUnit::length, "travel to that force", of_tow<&TowResults::at_force>},
+    {"tow_force_end", base::AnswerUnit::force, "mean tow force over the end of the drags", of_tow<&TowResults::force>},
+    {"tow_V_end", base::AnswerUnit::force, "mean vertical reaction over the end of the drags", of_tow<&TowResults::vertical>},
+    {"tow_depth_change", base::AnswerUnit::length, "how much deeper the body goes over the end of the drags",
+     of_tow<&TowResults::depth_change>},
+    {"tow_work", base::AnswerUnit::work, "work of the tow force", of_tow<&TowResults::work>},
 };
 
 }  // namespace berm::anchor

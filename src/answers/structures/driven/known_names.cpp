@@ -30,19 +30,25 @@ bool may_come_to(const std::string& state, const problem::Case& c, const Stages&
   return true;
 }
 
+/// Names of rows at a multiple of D.
+template <class Rows>
+void add_names_at(base::AnswerList& list, const Rows& rows, Real part)
+{
+  for (const auto& row : rows) list.add(name_at(row.name, part), row.unit, nan, row.meaning);
+}
+
 void add_push_names(base::AnswerList& list)
 {
   list.of("push", "");
-  for (const auto& row : depth_answers) list.add(name_at(row.name, push_spacing), row.unit, nan, row.meaning);  // without_number
+  add_names_at(list, depth_answers, push_spacing);  // one stands for all: without_number
   list.add_names(push_answers, Stage{});
-  for (const Real point : travel_points) list.add(name_at(travel_answers[0].name, point), travel_answers[0].unit, nan, "");
+  for (const Real point : travel_points) add_names_at(list, travel_answers, point);
 }
 
 void add_drag_names(base::AnswerList& list, const Stage& stage)
 {
   if (resists(stage))
-    for (const Real point : drag_points)
-      for (const auto& row : point_answers) list.add(name_at(row.name, point), row.unit, nan, row.meaning);
+    for (const Real point : drag_points) add_names_at(list, point_answers, point);
   list.add_names(drag_answers, stage);
 }
 

@@ -13,6 +13,14 @@ namespace {
 using run_folder::Quantity;
 using Values = std::map<std::string, Real>;
 
+template <class Point, class Rows>
+void add_points(base::AnswerList& list, const std::vector<Point>& points, Real Point::*travel, const Rows& rows, Real D)
+{
+  for (const Point& point : points)
+    for (const auto& row : rows) list.add(name_at(row.name, point.*travel / D), row.unit, row.number.value(point), row.meaning, row.kind);
+}
+
+/// In a drag the input may prescribe them.
 void add_points(base::AnswerList& list, const DragResults& drag, Real D)
 {
   for (const DragPoint& point : drag.points)
@@ -67,11 +75,9 @@ std::vector<Quantity> quantities_of(const Results& results, const BodyScale& sca
   list.twins(scale.unit_weight * D * D, D);
   list.moving(moving);
   list.of("push", "");
-  for (const PushPoint& p : results.push)
-    list.add(name_at(depth_answers[0].name, p.w / D), depth_answers[0].unit, p.V, depth_answers[0].meaning);
+  add_points(list, results.push, &PushPoint::w, depth_answers, D);
   list.add(push_answers, results);
-  for (const TravelPoint& p : results.travel)
-    list.add(name_at(travel_answers[0].name, p.travel / D), travel_answers[0].unit, p.V, travel_answers[0].meaning);
+  add_points(list, results.travel, &TravelPoint::travel, travel_answers, D);
   for (const DragResults& drag : results.drags) {
     list.of(drag.stage, results.prefix_of(drag));
     add_points(list, drag, D);

@@ -6,7 +6,6 @@
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 namespace berm::lateral {
@@ -20,27 +19,26 @@ constexpr base::Access<LateralRun> at_end = {[](const LateralRun& run) { return 
 
 using enum base::AnswerUnit;
 using run_folder::QuantityKind;
-using Row = base::Answer<LateralRun>;
 
-constexpr std::array lateral_answers = {
-    Row{"lateral_H_max", force, "largest lateral load", at_end<&LateralResults::max_H>},
-    Row{"u_at_lateral_H_max", length, "displacement at the bed there", at_end<&LateralResults::u_at_max>},
-    Row{"lateral_H_end", force, "lateral load at the end", at_end<&LateralResults::H>},
-    Row{"lateral_M_end", moment, "its moment about the axis at the bed", at_end<&LateralResults::M>},
-    Row{"lateral_u_end", length, "displacement at the bed at the end", at_end<&LateralResults::u>, QuantityKind::prescribed},
-    Row{"lateral_u_load_end", length, "displacement at the height of the load at the end", at_end<&LateralResults::u_load>,
-        QuantityKind::prescribed},
-    Row{"lateral_tilt_end", angle, "tilt at the end", at_end<&LateralResults::tilt>},
-    Row{"lateral_height_end", length, "height above the bed at which the load acts", at_end<&LateralResults::height>,
-        QuantityKind::prescribed},
-    Row{"lateral_pivot_end", length, "depth below the bed of the pivot, the point of the axis that did not move",
-        at_end<&LateralResults::pivot>},
-    Row{"lateral_H_end_over_DLsu",
-        base::AnswerUnit::ratio,
-        "lateral load at the end over D, length in the bed and mean strength",
-        {[](const LateralRun& run) { return std::isfinite(run.over_strength(run.results().H)); },
-         [](const LateralRun& run) { return run.over_strength(run.results().H); }},
-        QuantityKind::ratio},
+constexpr base::Answer<LateralRun> lateral_answers[] = {
+    {"lateral_H_max", force, "largest lateral load", at_end<&LateralResults::max_H>},
+    {"u_at_lateral_H_max", length, "displacement at the bed there", at_end<&LateralResults::u_at_max>},
+    {"lateral_H_end", force, "lateral load at the end", at_end<&LateralResults::H>},
+    {"lateral_M_end", moment, "its moment about the axis at the bed", at_end<&LateralResults::M>},
+    {"lateral_u_end", length, "displacement at the bed at the end", at_end<&LateralResults::u>, QuantityKind::prescribed},
+    {"lateral_u_load_end", length, "displacement at the height of the load at the end", at_end<&LateralResults::u_load>,
+     QuantityKind::prescribed},
+    {"lateral_tilt_end", angle, "tilt at the end", at_end<&LateralResults::tilt>},
+    {"lateral_height_end", length, "height above the bed at which the load acts", at_end<&LateralResults::height>,
+     QuantityKind::prescribed},
+    {"lateral_pivot_end", length, "depth below the bed of the pivot, the point of the axis that did not move",
+     at_end<&LateralResults::pivot>},
+    {"lateral_H_end_over_DLsu",
+     base::AnswerUnit::ratio,
+     "lateral load at the end over D, length in the bed and mean strength",
+     {[](const LateralRun& run) { return std::isfinite(run.over_strength(run.results().H)); },
+      [](const LateralRun& run) { return run.over_strength(run.results().H); }},
+     QuantityKind::ratio},
 };
 
 }  // namespace

@@ -23,13 +23,6 @@ PenetrationRuns penetration_runs(const base::Runs& runs, const Reading& reading)
   return all;
 }
 
-driven::DrivenRuns driven_runs(const base::Runs& runs)
-{
-  driven::DrivenRuns all;
-  for (const auto& [record, number] : runs) all.emplace_back(*record, number);
-  return all;
-}
-
 bool is_of_push(const std::string& name)
 {
   return name.starts_with("V_at_w_") || name.starts_with("V_at_travel_");
@@ -89,7 +82,7 @@ std::string Penetration::key_results(const base::Runs& runs, const base::Display
 {
   if (runs.empty()) return "";
   const std::string own = penetration_key_results(penetration_runs(runs, reading_), shown, reading_.word);
-  return reading_.keeps_push ? own + driven::key_results(driven_runs(runs), shown, false) : own;
+  return reading_.keeps_push ? own + driven::key_results(driven::driven_runs(runs), shown, false) : own;
 }
 
 std::string Penetration::published_values(const base::Runs& runs, const base::DisplayUnits&) const
