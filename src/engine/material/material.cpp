@@ -41,6 +41,29 @@ void check(Describe& d, const std::string& path, const Material& material)
       "well, 1400 to 2200 kg/m^3");
 }
 
+// What the law of a material says by itself.
+#define BERM_OF_LAW(Type, query)                                                                                                           \
+  Type query(const Material& material)                                                                                                     \
+  {                                                                                                                                        \
+    return visit([](const auto& law) { return query(law); }, material);                                                                    \
+  }
+BERM_OF_LAW(Elasticity, elasticity)
+BERM_OF_LAW(YoungPoisson, young_poisson)
+BERM_OF_LAW(bool, has_pore_pressure)
+BERM_OF_LAW(std::optional<Hydraulics>, hydraulics)
+BERM_OF_LAW(Real, water_stiffness)
+BERM_OF_LAW(std::string, law_name)
+BERM_OF_LAW(bool, yields)
+BERM_OF_LAW(std::optional<Strength>, strength_at_rest)
+BERM_OF_LAW(bool, is_rate_dependent)
+BERM_OF_LAW(std::optional<Real>, band_width)
+BERM_OF_LAW(bool, dilates)
+BERM_OF_LAW(bool, varies)
+BERM_OF_LAW(std::vector<Real>, local_values)
+BERM_OF_LAW(std::vector<FieldInfo>, local_fields)
+BERM_OF_LAW(bool, non_associated)
+#undef BERM_OF_LAW
+
 PreparedMaterial prepare(const Material& material)
 {
   const auto prepared = [](const auto& law) {
@@ -65,16 +88,6 @@ Material with_inertia_density(Material material, Real density)
 {
   visit([&](auto& law) { law.inertia_density = density; }, material);
   return material;
-}
-
-Elasticity elasticity(const Material& material)
-{
-  return visit([](const auto& law) { return elasticity(law); }, material);
-}
-
-YoungPoisson young_poisson(const Material& material)
-{
-  return visit([](const auto& law) { return young_poisson(law); }, material);
 }
 
 Real p_wave_modulus(const Material& material)
@@ -105,21 +118,6 @@ std::optional<PoreWater> pore_water(const Material& material)
   return visit([](const auto& law) { return law.water; }, material);
 }
 
-bool has_pore_pressure(const Material& material)
-{
-  return visit([](const auto& law) { return has_pore_pressure(law); }, material);
-}
-
-std::optional<Hydraulics> hydraulics(const Material& material)
-{
-  return visit([](const auto& law) { return hydraulics(law); }, material);
-}
-
-Real water_stiffness(const Material& material)
-{
-  return visit([](const auto& law) { return water_stiffness(law); }, material);
-}
-
 int pore_pressure_place(const Material& material)
 {
   return has_pore_pressure(material) ? state_size(material) - 1 : none;
@@ -141,11 +139,6 @@ bool same_law(const Material& material, const Material& other)
   return std::string_view(law_word(material)) == law_word(other);
 }
 
-std::string law_name(const Material& material)
-{
-  return visit([](const auto& law) { return law_name(law); }, material);
-}
-
 std::vector<FieldInfo> state_fields(const Material& material)
 {
   std::vector<FieldInfo> fields = visit([](const auto& law) { return state_fields(law); }, material);
@@ -156,16 +149,6 @@ std::vector<FieldInfo> state_fields(const Material& material)
 void initial_state(const Material& material, const SymTensor<3>& stress, Real* state)
 {
   visit([&](const auto& law) { initial_state(law, stress, state); }, material);
-}
-
-bool yields(const Material& material)
-{
-  return visit([](const auto& law) { return yields(law); }, material);
-}
-
-std::optional<Strength> strength_at_rest(const Material& material)
-{
-  return visit([](const auto& law) { return strength_at_rest(law); }, material);
 }
 
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state)
@@ -183,11 +166,6 @@ std::optional<Material> with_strength_over(const Material& material, Real factor
       material);
 }
 
-bool is_rate_dependent(const Material& material)
-{
-  return visit([](const auto& law) { return is_rate_dependent(law); }, material);
-}
-
 Material with_rate_smoothing(const Material& material, Real time)
 {
   return visit([&](const auto& law) { return Material(with_rate_smoothing(law, time)); }, material);
@@ -196,11 +174,6 @@ Material with_rate_smoothing(const Material& material, Real time)
 void recover(const Material& material, Real share, Real* state)
 {
   visit([&](const auto& law) { recover(law, share, state); }, material);
-}
-
-std::optional<Real> band_width(const Material& material)
-{
-  return visit([](const auto& law) { return band_width(law); }, material);
 }
 
 Material with_grain_size(const Material& material, Real d50)
@@ -213,29 +186,9 @@ Material regularised_for(const Material& material, Real size)
   return visit([&](const auto& law) { return Material(regularised_for(law, size)); }, material);
 }
 
-bool dilates(const Material& material)
-{
-  return visit([](const auto& law) { return dilates(law); }, material);
-}
-
 Material without_dilation(const Material& material)
 {
   return visit([](const auto& law) { return Material(without_dilation(law)); }, material);
-}
-
-bool varies(const Material& material)
-{
-  return visit([](const auto& law) { return varies(law); }, material);
-}
-
-std::vector<Real> local_values(const Material& material)
-{
-  return visit([](const auto& law) { return local_values(law); }, material);
-}
-
-std::vector<FieldInfo> local_fields(const Material& material)
-{
-  return visit([](const auto& law) { return local_fields(law); }, material);
 }
 
 Material with_local_values(const Material& material, const Real* own)
@@ -256,11 +209,6 @@ const Shansep* shansep(const Material& material)
         return nullptr;
       },
       material);
-}
-
-bool non_associated(const Material& material)
-{
-  return visit([](const auto& law) { return non_associated(law); }, material);
 }
 
 Material associated(const Material& material, const SymTensor<2>& stress)
