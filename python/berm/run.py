@@ -34,7 +34,7 @@ class Run:
         if not (self.folder / "resolved.toml").is_file():
             inner = sorted(file.parent.name for file in self.folder.glob("*/resolved.toml"))
             why = f"it holds those of {', '.join(inner)}" if inner else "it has no resolved.toml"
-            raise InputError(f"{self.folder} is no run folder: {why}")
+            raise InputError(f"{self.folder} is not a run folder: {why}")
 
     def __repr__(self) -> str:
         return f"berm.open({str(self.folder)!r})"

@@ -255,7 +255,7 @@ std::vector<std::string> texts_in(const Json& body, const char* key)
   if (found == body.end() || found->is_null()) return texts;
   const bool right = found->is_array() && found->size() <= 1000 &&
                      std::all_of(found->begin(), found->end(), [](const Json& item) { return item.is_string(); });
-  if (!right) throw Refusal(400, fmt::format("\"{}\" is no list of texts", key), {{"key", key}});
+  if (!right) throw Refusal(400, fmt::format("\"{}\" is not a list of texts", key), {{"key", key}});
   for (const Json& item : *found) texts.push_back(item.get<std::string>());
   return texts;
 }

@@ -392,7 +392,7 @@ struct LoopTable {
     fmt::print("    {:<32} {:>8} {:>8}\n", "ns a particle-step", "step", "kernel");
     for (const LoopRow& row : rows) line(row.label, row.time, row.of_kernel.value_or(nan));
     line("= loops that the kernel has", shared, of_kernel);
-    line("= loops that it does without", beside, nan);
+    line("= loops that the kernel lacks", beside, nan);
   }
   nlohmann::ordered_json json() const
   {

@@ -137,7 +137,7 @@ def test_a_caller_drives_the_body_of_a_stage(case: Path, tmp_path: Path) -> None
     file = tmp_path / "driven.toml"
     file.write_text(text[:begin] + text[end:] + stage)
     run = engine.Run(str(file))
-    with pytest.raises(berm.InputError, match="is no drive"):
+    with pytest.raises(berm.InputError, match="is not of kind"):
         run.drive(velocity={"x": 1.0})
     while run.stage != "follow":
         run.step()

@@ -288,7 +288,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "fixed = [\"x\", \"y\"]",
        "fixed = [\"x\", \"z\"]",
        44,
-       {"support.base.fixed", "\"z\" is no direction", "allowed: x, y"},
+       {"support.base.fixed", "\"z\" is not a direction", "allowed: x, y"},
        {}},
       {"unknown_body_watched", "body = \"bed\"\npoint", "body = \"bad\"\npoint", 63, {"watch.tip.body", "did you mean \"bed\"?"}, {}},
       {"unknown_region", "{box = 0.05}", "{bx = 0.05}", 28, {"body.bed.region_damping.bx", "did you mean \"box\"?"}, {}},

@@ -44,7 +44,7 @@ export function decode_sizes(bytes: Uint8Array, count: number): Uint16Array {
 
 /** Corners of triangles, three each; throws where a corner is not one of the points. */
 export function decode_triangles(bytes: Uint8Array, count: number): Uint32Array {
-  if (bytes.length % 12 !== 0) throw new RangeError(`${bytes.length} bytes are no whole triangles`);
+  if (bytes.length % 12 !== 0) throw new RangeError(`${bytes.length} bytes are not whole triangles`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const corners = Uint32Array.from({ length: bytes.length / 4 }, (_, i) => view.getUint32(4 * i, true));
   for (const corner of corners) if (corner >= count) throw new RangeError(`a triangle has corner ${corner} of ${count}`);

@@ -220,7 +220,7 @@ export class FilmPanel {
       if (field !== null) this.colours = colour_table(field);
       this.arm_painter();
       this.bar_of = "";
-      this.stage.tell(field === null ? "This film does not hold the field that is chosen; its soil is grey." : "");
+      this.stage.tell(field === null ? "This film does not contain the chosen field; its soil is grey." : "");
       this.set_state("ready");
       this.request_draw();
     } catch (error) {

@@ -18,7 +18,7 @@ import { speed_choice } from "./film_transport";
 export function show_films(section: HTMLElement, data: PageData, moved: (moments: FilmMoment[]) => void): Films | null {
   const runs = data.runs.filter((run): run is FilmedRun => run.film !== null && run.film.frames.length > 0);
   if (runs.length > 0) return new Films(section, runs, new FilmCurves(data), moved);
-  section.append(make("p", "film-none quiet", "These runs hold no film of the soil."));
+  section.append(make("p", "film-none quiet", "These runs contain no film of the soil."));
   return null;
 }
 

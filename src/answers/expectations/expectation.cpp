@@ -75,7 +75,7 @@ void take_promise(Describe& d, const std::string& path, Expectation& e, const Ex
   d.check(is_judged(e), path, "needs either exact, or least and most or one of them");
   d.check(!e.source.empty(), path, "needs source, source of the expected value");
   d.check(!e.why.empty(), path, "needs why, a reason for the tolerance or the bounds");
-  d.check(!e.partly, path + ".partly", "only a claim holds in part");
+  d.check(!e.partly, path + ".partly", "only a claim can hold partly");
   if (e.requirement.empty()) e.requirement = all.requirement;
   if (e.derived.empty()) e.derived = all.derived;
   d.check(!e.requirement.empty(), path, "needs a requirement, what the user may rely on, here or at the top of the file");
@@ -144,12 +144,12 @@ void describe(Describe& d, Expectation& e)
   d.value("tolerance", e.tolerance, {.meaning = "largest |value / exact - 1|", .range = positive});
   d.value("absolute_tolerance", e.absolute_tolerance, {.meaning = "largest |value - exact|", .range = positive, .any_unit = unit});
   d.choice("held", e.held, held_words,
-           {.meaning =
-                "instead of a tolerance, of a quantity of a run with uncertainty: whether its band holds exact, or meets least and most"});
+           {.meaning = "instead of a tolerance, of a quantity of a run with uncertainty: whether its band contains exact, or satisfies "
+                       "least and most"});
   d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .any_unit = unit});
   d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .any_unit = unit});
   d.value("partly", e.partly,
-          {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound over that bound, with which it holds in part",
+          {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound over that bound, up to which it holds partly",
            .range = positive,
            .words = {{"always", infinity}}});
   d.value("label", e.label, {.meaning = "of a claim: what the number is"});

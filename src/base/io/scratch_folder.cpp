@@ -28,7 +28,7 @@ fs::path system_folder()
   if (!error) return folder;
   for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"})  // in the order of temp_directory_path
     if (const char* const named = std::getenv(variable))
-      throw RunError(std::string(variable) + " names " + named + " for temporary files, which is no folder: " + error.message());
+      throw RunError(std::string(variable) + " names " + named + " for temporary files, which is not a folder: " + error.message());
   throw RunError("there is no folder /tmp for temporary files: " + error.message());
 }
 

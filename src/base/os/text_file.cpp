@@ -60,7 +60,7 @@ FileBytes read_text(const std::filesystem::path& path, std::uintmax_t most)
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     found.fault = "is text in UTF-16: save it as text in UTF-8";
   else if (text.find('\0') != std::string::npos)
-    found.fault = "holds a NUL byte: this is no text; save it as text in UTF-8";
+    found.fault = "holds a NUL byte: this is not a text file; save it as text in UTF-8";
   if (!found.fault.empty()) return {"", found.fault};
   text.erase(0, begin_of_text(text));
   if (!is_utf8(text)) text = from_latin_1(text);

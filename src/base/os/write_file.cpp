@@ -16,7 +16,7 @@ int open_to_write(const std::filesystem::path& path, int how, std::string& fault
   const int file = ::open(path.c_str(), how | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
   struct stat about {};
   if (file >= 0 && ::fstat(file, &about) == 0 && S_ISREG(about.st_mode)) return file;
-  fault = file >= 0 || errno == ENXIO ? "it is no regular file"
+  fault = file >= 0 || errno == ENXIO ? "it is not a regular file"
           : errno == ELOOP            ? "it is a link, and berm writes through none"
                                       : std::generic_category().message(errno);
   if (file >= 0) ::close(file);

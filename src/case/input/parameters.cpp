@@ -116,7 +116,7 @@ std::string parameter_page(const Listed& of_case, const std::vector<OtherInput>&
       "A case is a TOML file. A number is in SI units, angles in radians, or a text with any unit of the same dimension that UDUNITS-2\n"
       "knows: `\"20 mm\"`, `\"35 deg\"`, `\"-50 gravity\"`. `NAME` stands for a name of your choice. Where a default is empty, the key is "
       "not set.\n"
-      "Every key can be changed from the command line by its path, `--set material.NAME.KEY=VALUE`; a stage goes by its name,\n"
+      "Every key can be changed from the command line by its path, `--set material.NAME.KEY=VALUE`; a stage is given by its name,\n"
       "`--set stage.NAME.until.time=VALUE`. Quantities in N/m, kg/m and the like are per metre run in plane strain; around an axis and in "
       "space they "
       "are in N,\n"

@@ -35,7 +35,7 @@ void read_pipeline_tables(problem::PipelineSettings& pipeline, const std::filesy
   read_points(
       "pipeline.far_soil.lateral", folder, {"this curve", {{"H", "N/m"}}, false, "u_m,H_N_m", {"u", "m"}, "the displacement"},
       [](Real u, Real H) {
-        if (!(u > 0)) return "a curve begins in 0 by itself: its displacements must be more than 0";
+        if (!(u > 0)) return "the point 0, 0 of a curve is implied: its displacements must be more than 0";
         return H > 0 ? "" : "a resistance must be more than 0";
       },
       pipeline.far_soil.lateral);

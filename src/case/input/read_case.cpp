@@ -53,7 +53,7 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides)
 {
   const std::filesystem::path folder = std::filesystem::path(document.file).parent_path();
   if (const Node* tests = member(document.root, "test"))
-    refuse(document, *tests, "test", "this is an input of element tests, for berm element, and no case");
+    refuse(document, *tests, "test", "this is an input of element tests, for berm element, not a case");
   for (const std::string& override : overrides) apply_override(document, override);
   CaseInFile found;
   read(document, found.settings);

@@ -164,7 +164,7 @@ private:
     if (form_.factors) known.emplace_back("factor");
     for (const TableColumn& column : form_.columns) known.push_back(header_of(column));
     const std::string meant = meant_by(header, known);
-    refuse(fmt::format("{} is no column of {}{} (allowed: {}); other units are written likewise, as in {}", in_quotes(header), form_.of,
+    refuse(fmt::format("{} is not a column of {}{} (allowed: {}); other units are written likewise, as in {}", in_quotes(header), form_.of,
                        meant.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(meant)), listed(known),
                        form_.factors ? "kN_m" : "cm_s"));
   }
@@ -206,7 +206,7 @@ private:
       const std::string column = headers_.empty() ? fmt::format("{}", n + 1) : in_quotes(headers_[n]);
       if (const std::string fault = fault_of_commas(fields[n]); !number && !fault.empty())
         refuse(fmt::format("{} in column {} {}", in_quotes(fields[n]), column, fault));
-      if (!number) refuse(fmt::format("{} in column {} is no finite number", in_quotes(fields[n]), column));
+      if (!number) refuse(fmt::format("{} in column {} is not a finite number", in_quotes(fields[n]), column));
       numbers.push_back(*number);
     }
     return numbers;

@@ -107,7 +107,7 @@ void do_excavations_find_soil(const Scene& s, Findings& found)
       if (const Place base = {at[0], soil.from + round_off * soil.length(), at[2]}; contains(work, base) && s.soil_at(body, base))
         bare.add(at[0]);
     if (bare.length() >= 0)
-      found.warn(key, fmt::format("digs through the base of the soil, at y = {}: from x = {} to {} none no soil is left there; end it "
+      found.warn(key, fmt::format("digs through the base of the soil, at y = {}: from x = {} to {} no soil is left there; end it "
                                   "above the base, or make the mesh deeper",
                                   place_words(soil.from), place_words(bare.from), place_words(bare.to)));
     const Span& mesh = s.mesh[0];

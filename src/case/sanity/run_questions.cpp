@@ -118,7 +118,7 @@ void add_body_keys(const Scene& s, std::vector<Unused>& keys)
     const bool turns = rigid.rotation == bodies::Rotation::free ||
                        std::any_of(s.ways.begin(), s.ways.end(), [&](const Way& way) { return way.rigid == r && way.turns; });
     keys.push_back({fmt::format("rigid.{}.moment_of_inertia", name), rigid.moment_of_inertia && !turns,
-                    "the body cannot turn; give it rotation = \"free\" or a stage that turns it"});
+                    "the body cannot rotate; give it rotation = \"free\" or a stage that rotates it"});
   }
   const contact::ContactSettings as_left_out;
   for (const auto& [name, contact] : s.c.contact)

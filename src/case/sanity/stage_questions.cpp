@@ -430,8 +430,8 @@ void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found)
     else if (mass < light * soil)
       found.warn(key, fmt::format("is {}, so small that the body vibrates; {}", words_of(mass, unit), rest));
     else if (mass > heavy * soil)
-      found.warn(key,
-                 fmt::format("is {}, so large that the force is not held: it moves on by its own inertia; {}", words_of(mass, unit), rest));
+      found.warn(key, fmt::format("is {}, so large that the force is not held: the body keeps moving by its inertia; {}",
+                                  words_of(mass, unit), rest));
   }
 }
 
@@ -470,7 +470,8 @@ void is_damping_small(const Scene& s, Findings& found)
   for (std::size_t k = 0; k < s.ways.size(); ++k) driven = driven || (s.ways[k].rigid != none && !s.c.stage[k].damping);
   const auto advice = [](Real damping) {
     return fmt::format(
-        "is {:.3g} while a body is driven: it carries a part of the force; take 0.02 to 0.05, and 0.7 in a geostatic stage alone", damping);
+        "is {:.3g} while a body is driven: it carries a fraction of the force; take 0.02 to 0.05, and 0.7 in a geostatic stage alone",
+        damping);
   };
   for (const auto& [name, body] : s.c.body)
     if (driven && body.damping > much) found.warn(fmt::format("body.{}.damping", name), advice(body.damping));

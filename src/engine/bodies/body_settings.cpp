@@ -82,7 +82,7 @@ void describe(Describe& d, BodySettings& body)
   d.array("soil_layer", body.soil_layer,
           {.meaning = "layers of other materials with the same law, downwards: each from its upper edge to the next one"});
   d.array("initial_velocity", body.initial_velocity, {.meaning = "velocity at the start; several terms are summed"});
-  d.array("excavation", body.excavation, {.meaning = "soil that a stage takes out"});
+  d.array("excavation", body.excavation, {.meaning = "soil that a stage removes"});
   d.array(
       "fill", body.fill,
       {.meaning =

@@ -23,7 +23,7 @@ void describe_common(Describe& d, EarthworkSettings& work, const char* order)
 
 void describe(Describe& d, ExcavationSettings& excavation)
 {
-  describe_common(d, excavation, "equal steps of height in which soil is taken out, from the top down");
+  describe_common(d, excavation, "equal steps of height in which soil is removed, from the top down");
 }
 
 void describe(Describe& d, FillSettings& fill)

@@ -411,10 +411,11 @@ void describe(Describe& d, GmshFile& mesh)
   d.value("scale", mesh.scale, {.meaning = "metres over the unit of the file: 0.001 of a mesh in millimetres", .range = positive});
   d.value("axes", mesh.axes,
           {.meaning = "which coordinates of the file become x, y (and z), such as [\"x\", \"z\"] of a section drawn in x and z, or "
-                      "[\"x\", \"z\", \"-y\"] of a mesh with z up; left out, they stay"});
+                      "[\"x\", \"z\", \"-y\"] of a mesh with z up; left out, they are unchanged"});
   d.value("shift", mesh.shift, {.meaning = "added to the coordinates, after axes and scale", .unit = "m"});
   d.value("merge_tolerance", mesh.merge_tolerance,
-          {.meaning = "nodes no farther apart become one, of meshes whose parts share none; left out, nodes at one position are refused",
+          {.meaning =
+               "nodes no farther apart are merged, for meshes whose parts do not share nodes; left out, nodes at one position are refused",
            .unit = "m",
            .range = positive});
 }

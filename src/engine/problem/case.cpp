@@ -187,7 +187,7 @@ void check_supports(Describe& d, const Case& c)
       c.dimension() == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
   for (const auto& [name, support] : c.support) {
     for (const std::string& direction : support.fixed)
-      d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is no direction", direction), directions);
+      d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is not a direction", direction), directions);
     check_stage_names(d, c, "support." + name + ".stages", support.stages);
     if (!support.absorbs) continue;
     const std::string key = "support." + name + ".absorbs";
@@ -329,8 +329,9 @@ void describe(Describe& d, MpmSettings& mpm)
   d.choice("quadrature", mpm.quadrature, {"full_cells", "particles", "cut_cells"},
            {.meaning =
                 "what stress is integrated over: a cell within the body over its own volume, one at a free surface or at a rigid body over "
-                "its particles'; each particle over its own everywhere, as published; or as the first, but for a cell cut by a rigid body "
-                "over the remaining volume, and with the adhesion on each face of a rigid body from the particles beside it: for shaft "
+                "its particles'; each particle over its own everywhere, as published; or as the first, except that a cell cut by a rigid "
+                "body is integrated over the remaining volume, and with the adhesion on each face of a rigid body from the particles "
+                "beside it: for shaft "
                 "friction and for soil that settles along a structure (docs/how_to/penetrate.md)"});
   d.value("min_volume_ratio", mpm.min_volume_ratio,
           {.meaning = "smallest volume of a particle, over its initial one", .range = {0, 1, true}});
@@ -428,7 +429,7 @@ void describe(Describe& d, ReportSettings& report)
 
 void describe(Describe& d, Case& c)
 {
-  d.value("title", c.title, {.meaning = "one line that says what this is"});
+  d.value("title", c.title, {.meaning = "description of the case in one line"});
   d.choice("method", c.method, {"mpm", "fem"},
            {.meaning = "material point method, or small-strain finite elements around a rigid body wished in place"});
   d.choice("geometry", c.geometry, {"plane_strain", "axisymmetric", "space"},
@@ -440,7 +441,7 @@ void describe(Describe& d, Case& c)
   d.value("gravity", c.gravity,
           {.meaning = "gravity, one number per direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
   d.value("gravity_ramp", c.gravity_ramp,
-          {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
+          {.meaning = "time over which gravity grows from zero to its full value at the start", .unit = "s", .range = not_negative});
   std::optional<Real> level = c.surface_given || c.surface != 0 ? std::optional(c.surface) : std::nullopt;
   d.value("surface", level,
           {.meaning = "level y of the bed's surface at the start, from which embedment is measured; absent = 0 for a level bed, and on a "
@@ -468,8 +469,7 @@ void describe(Describe& d, Case& c)
   d.optional_table(
       "safety", c.safety,
       {.meaning = "a trial of the factor of safety: whether the soil is stable with reduced strength; berm safety makes such trials"});
-  d.optional_table("pipeline", c.pipeline,
-                   {.meaning = "the pipeline of which the case is a slice: a bending line on slices of deforming soil"});
+  d.optional_table("pipeline", c.pipeline, {.meaning = "makes the case a slice of a pipeline: a bending line on slices of deforming soil"});
   d.table("output", c.output, {.meaning = "output"});
   d.table("report", c.report, {.meaning = "project data for berm report; no effect on results"});
 

@@ -47,7 +47,7 @@ std::string fault_of_motion(const Case& c, const boundary::SupportSettings& supp
   for (std::size_t k = 0; k < motion.velocity.size(); ++k) {
     const std::string axis = boundary::motion_axes[k];
     if (motion.velocity[k].empty()) continue;
-    if (static_cast<int>(k) >= c.dimension()) return axis + ": is no direction in the plane: x and y are";
+    if (static_cast<int>(k) >= c.dimension()) return axis + ": is not a direction in the plane: x and y are";
     if (!among(axis, support.fixed))
       return fmt::format("{0}: the support leaves the soil free along {0}, so it cannot move it: add \"{0}\" to `fixed`, or leave this out",
                          axis);

@@ -84,8 +84,9 @@ void add_rigid_contacts(const Case& c, Model<dim>& model)
     const auto proximity = bodies::proximity_of<dim>(c.rigid[first].second.shape, c.rigid[second].second.shape);
     if (!proximity)
       throw KeyError(
-          path + (dim == 2 ? ": two half-planes cannot meet"
-                           : ": in space bodies meet of which one is a sphere, two circles along z, or such a circle and a half-plane"));
+          path + (dim == 2
+                      ? ": two half-planes cannot be in contact"
+                      : ": in space one of the two must be a sphere, or they are two circles along z, or such a circle and a half-plane"));
     if (!may_move(c, s.rigid) && !may_move(c, s.other_rigid))
       throw KeyError(fmt::format("{}: neither \"{}\" nor \"{}\" moves: no stage drives them, and neither has motion = \"free\"", path,
                                  s.rigid, s.other_rigid));

@@ -205,7 +205,7 @@ void drive_otherwise(const Model<dim>& model, State<dim>& state, int freedom, bo
   const StageSettings& stage = model.stages[state.stage.index];
   const auto refuse = [&](const char* why) { throw InputError(fmt::format("the stage \"{}\" {}", stage.name, why)); };
   if (stage.kind != StageKind::drive && stage.kind != StageKind::pipeline)
-    refuse("is no drive, and its body cannot be driven otherwise: kind = \"drive\" can");
+    refuse("is not of kind = \"drive\", so its body cannot be driven from outside");
   if (stage.kind == StageKind::drive && has_load_history(stage)) refuse("has a load history, which drives its body");
   if (!std::isfinite(value)) refuse("cannot drive its body by a number that is not finite");
   bodies::Drive& drive = state.stage.drive[freedom];
@@ -214,7 +214,7 @@ void drive_otherwise(const Model<dim>& model, State<dim>& state, int freedom, bo
   const bool turns = freedom >= dim;
   if (by_force && !turns && !(body.mass > 0)) refuse("drives a body without a mass, which no force can move");
   if (by_force && turns && !(least_inertia(body.inertia) > 0))
-    refuse("drives a body without a moment of inertia, which no moment can turn");
+    refuse("drives a body without a moment of inertia, which no moment can rotate");
   if (turns && !is_bounded(body.shape)) refuse("drives a half-plane, which cannot rotate");
   drive = {by_force, value, value, 0};
 }

@@ -169,9 +169,10 @@ void refuse_off_symmetry_planes(const Model<dim>& model)
       const Real rounding = round_off + 4 * std::numeric_limits<Real>::epsilon() * center_of<dim>(rigid.shape).cwiseAbs().maxCoeff() /
                                             reach_of<dim>(rigid.shape);
       if (asymmetry<dim>(rigid.shape, d) > (of_file ? of_triangles : rounding))
-        throw KeyError(fmt::format("rigid.{0}: is not its own mirror image across the plane of symmetry {1} = {2:.6g} m: turn it, or leave "
-                                   "\"{1}\" out of symmetry",
-                                   rigid.name, axis_names[d], plane));
+        throw KeyError(
+            fmt::format("rigid.{0}: is not its own mirror image across the plane of symmetry {1} = {2:.6g} m: rotate it, or leave "
+                        "\"{1}\" out of symmetry",
+                        rigid.name, axis_names[d], plane));
     }
   }
 }

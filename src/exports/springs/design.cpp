@@ -42,7 +42,7 @@ void for_each_number(S& springs, const Visit& visit)
     visit(drag, "largest", Kind::force, "largest H, where it comes after the first peak and exceeds it", l.largest);
     visit(drag, "u_largest", Kind::displacement, "displacement at that largest H", l.u_largest);
     visit(drag, "residual", Kind::force, "residual H, its plateau: at the end of the drag, or before H grows against a berm", l.residual);
-    visit(drag, "berm_resistance", Kind::force, "H against a berm at the end of the drag, which is no residual", l.berm);
+    visit(drag, "berm_resistance", Kind::force, "H against a berm at the end of the drag, which is not a residual", l.berm);
     visit(drag, "end", Kind::force,
           std::isnan(l.berm) ? "mean H over the end of the drag, steady or not" : "mean H over the end of the drag, against a berm", l.end);
     visit(drag, "u_residual", Kind::displacement, "displacement from which H is within 5 % of the residual", l.u_residual);

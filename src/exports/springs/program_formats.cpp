@@ -22,7 +22,7 @@ std::string why_no_component(const Lateral& l)
   if (!(l.V > 0)) return without_friction("travel " + l.stage);
   if (!(l.peak > 0))
     return fmt::format("travel {} has no component: {}", l.stage,
-                       l.only_berm() ? "its H grows against a berm, which is no residual" : "no resistance of it is known");
+                       l.only_berm() ? "its H grows against a berm, which is not a residual" : "no resistance of it is known");
   return is_stiffness(l.stiffness())
              ? ""
              : fmt::format("travel {} has no component: H begins with its peak, so that it has no stiffness", l.stage);

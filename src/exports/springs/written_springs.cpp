@@ -68,7 +68,7 @@ std::string origin_of(const Springs& s, const Lateral& l)
       {run_words(s), state_words(s), "travel " + l.stage + other, "computed",
        std::isnan(l.largest) ? "" : fmt::format("largest H {:.6g} N/m at u = {:.4g} m, behind its first peak", l.largest, l.u_largest),
        std::isnan(l.residual) ? "no residual" : "",
-       std::isnan(l.berm) ? "" : fmt::format("{:.6g} N/m against a berm at its end, which is no residual", l.berm)});
+       std::isnan(l.berm) ? "" : fmt::format("{:.6g} N/m against a berm at its end, which is not a residual", l.berm)});
 }
 
 std::string axial_origin(const Springs& s)

@@ -47,7 +47,7 @@ void check_backbone(const Backbone& backbone)
     if (!(point.displacement > last.displacement) || !(point.force > 0) || !std::isfinite(point.displacement) ||
         !std::isfinite(point.force))
       throw InputError(
-          fmt::format("a curve of resistance goes on to {} N/m at {} m after {} m: displacements ascend from 0, forces are positive",
+          fmt::format("a curve of resistance continues to {} N/m at {} m after {} m: displacements ascend from 0, forces are positive",
                       point.force, point.displacement, last.displacement));
     if (point.force - last.force > (1 + round_off) * backbone.stiffness() * (point.displacement - last.displacement))
       throw InputError(

@@ -23,7 +23,7 @@ Stations::Stations(const Line& line, std::vector<Real> places)
 {
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (!(places[k] >= line.x.front() && places[k] <= line.x.back()))
-      throw InputError(fmt::format("a station is at x = {} m: the line goes from {} to {} m", places[k], line.x.front(), line.x.back()));
+      throw InputError(fmt::format("a station is at x = {} m: the line extends from {} to {} m", places[k], line.x.front(), line.x.back()));
     if (k > 0 && !(places[k] > places[k - 1]))
       throw InputError(fmt::format("a station at x = {} m follows one at {} m: they ascend", places[k], places[k - 1]));
   }

@@ -151,7 +151,7 @@ void give_route(beam::Line& line, const problem::Route& route, bool mirrored)
   for (std::size_t k = 0; k < last; ++k)
     if (!(std::abs(chord(k, k + 1)) <= beam::largest_valid_slope))
       throw KeyError(fmt::format("pipeline.route.y: the route has a slope of {:.3g} from x = {:.6g} to {:.6g} m, and the strain measure of "
-                                 "the line is valid up to {:g}: turn the axes along the line",
+                                 "the line is valid up to {:g}: rotate the axes along the line",
                                  chord(k, k + 1), x[k], x[k + 1], beam::largest_valid_slope));
   const auto slope_at = [&](std::size_t k) { return k == 0 && mirrored ? 0 : chord(k == 0 ? 0 : k - 1, std::min(k + 1, last)); };
   const auto at = [&](Real place) {  // displacement and slope

@@ -237,7 +237,7 @@ void MpmRecorder<dim>::observe_earthworks(const problem::Model<dim>& model, cons
   for (std::size_t k = 0; k < model.earthworks.size(); ++k) {
     row_.of(model.earthworks[k].name);
     const problem::Earthwork<dim>& work = model.earthworks[k];
-    row_("mass", state.earthworks[k].mass, run_folder::kilograms<dim>, work.fills ? "mass placed so far" : "mass taken out so far");
+    row_("mass", state.earthworks[k].mass, run_folder::kilograms<dim>, work.fills ? "mass placed so far" : "mass removed so far");
     if (work.fills)
       row_("expected_mass", mass_of_room(model, work, state.earthworks[k]), run_folder::kilograms<dim>,
            "mass that its area would hold so far");

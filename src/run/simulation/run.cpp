@@ -67,7 +67,8 @@ bool Run<Method>::read_checkpoint()
     return false;
   }
   if (unit_ != own_unit)
-    spdlog::warn("the run was begun on the vector unit {}, and is resumed on {}: results are the same but for round-off", unit_, own_unit);
+    spdlog::warn("the run was begun on the vector unit {}, and is resumed on {}: results are the same except for round-off", unit_,
+                 own_unit);
   return true;
 }
 

@@ -133,7 +133,7 @@ void check_runner(const Runner& runner)
   if (std::holds_alternative<Slurm>(runner.by) && !has_program("sbatch"))
     throw InputError("--runner slurm: there is no sbatch in PATH: this machine does not submit jobs to Slurm");
   if (std::holds_alternative<LocalProcesses>(runner.by) && !runner.wait)
-    throw InputError("--no-wait goes with --runner: the processes of this machine end with the command that starts them");
+    throw InputError("--no-wait requires --runner: the processes of this machine end with the command that starts them");
 }
 
 bool handed_over(const fs::path& queue)

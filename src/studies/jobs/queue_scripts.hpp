@@ -14,7 +14,7 @@ if [ -n "$before" ] && [ "$before" -ne 75 ]; then exit "$before"; fi
 if [ ! -e "$folder.messages" ] && [ -e "$folder/summary.json" ]; then exit 0; fi
 rm -f "$folder.status"
 if [ -h "$folder.messages" ] || { [ -e "$folder.messages" ] && [ ! -f "$folder.messages" ]; }; then
-  echo "berm: cannot write $folder.messages: it is no regular file" >&2
+  echo "berm: cannot write $folder.messages: it is not a regular file" >&2
   echo 1 > "$folder.status.part" && mv "$folder.status.part" "$folder.status"
   exit 1
 fi

@@ -267,7 +267,7 @@ TEST_F(Report, refuses_what_is_no_run_folder)
 {
   fs::create_directory(file("empty"));
   for (const auto& [name, said] :
-       {std::pair{"nowhere", "there is no such folder"}, {"out/a/history.csv", "is a file"}, {"empty", "is no run folder"}}) {
+       {std::pair{"nowhere", "there is no such folder"}, {"out/a/history.csv", "is a file"}, {"empty", "is not a run folder"}}) {
     const Ended ended = berm({"report", name});
     EXPECT_EQ(ended.status, 2) << name;
     EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;

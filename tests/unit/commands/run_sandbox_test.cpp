@@ -309,7 +309,7 @@ TEST(TemporaryFolders, that_cannot_be_made_are_told_by_the_variable_that_names_t
   folder.write("case.toml", test::falling_stone);
   const Ended ended = run_program(folder.path(), {"check", "case.toml"}, {"TMPDIR=/not/there"});
   EXPECT_EQ(ended.status, 1);
-  EXPECT_EQ(ended.err, "berm: TMPDIR names /not/there for temporary files, which is no folder: No such file or directory\n");
+  EXPECT_EQ(ended.err, "berm: TMPDIR names /not/there for temporary files, which is not a folder: No such file or directory\n");
 }
 
 }  // namespace

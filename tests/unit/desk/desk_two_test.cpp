@@ -91,7 +91,7 @@ TEST_F(TwoDesks, are_not_held_by_a_fifo_where_messages_go)
   ASSERT_EQ(::mkfifo((folder_ / "out/case.messages").c_str(), 0600), 0);
   const Response refused = desk.post("/api/runs", {{"case", "case.toml"}, {"out", "out/case"}});
   EXPECT_EQ(refused.status, 409) << refused.body;
-  EXPECT_NE(refused.json().value("error", "").find("case.messages: it is no regular file"), std::string::npos) << refused.body;
+  EXPECT_NE(refused.json().value("error", "").find("case.messages: it is not a regular file"), std::string::npos) << refused.body;
   EXPECT_EQ(desk.get("/api/runs").status, 200);
   // Without a name it goes to the next place.
   EXPECT_EQ(desk.post("/api/runs", {{"case", "case.toml"}}).json().value("path", ""), "out/case_2");

@@ -200,7 +200,7 @@ TEST(Expectation, of_a_claim_needs_a_label_and_a_run_of_its_own_or_of_the_claim)
       {claim("runs = [\"a\"]\n", number + ", partly = 1"), "needs exact or bounds"},
       {claim("runs = [\"a\"]\n", number + ", exact = 1"), "tolerance"},
       {claim("runs = [\"a\"]\n", number + ", colour = 1"), "colour"},
-      {head + "partly = 1\n", "only a claim holds in part"}};
+      {head + "partly = 1\n", "only a claim can hold partly"}};
   for (const auto& [text, said] : wrong) EXPECT_NE(complaint(text).find(said), std::string::npos) << complaint(text);
 }
 

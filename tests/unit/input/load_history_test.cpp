@@ -100,10 +100,10 @@ TEST_F(LoadHistory, in_a_shorter_time_keeps_its_forces_and_its_travels)
 TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
 {
   EXPECT_NE(refusal("0,1\n1\n").find("storm.csv:2: a line of a load history is two numbers"), std::string::npos);
-  EXPECT_NE(refusal("0,1\n1,x\n").find("storm.csv:2: \"x\" in column 2 is no finite number"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n1,x\n").find("storm.csv:2: \"x\" in column 2 is not a finite number"), std::string::npos);
   EXPECT_NE(refusal("0,1\n2,2\n1,3\n").find("storm.csv:3: times must ascend"), std::string::npos);
   EXPECT_NE(refusal("0\n").find("storm.csv:1: "), std::string::npos);
-  EXPECT_NE(refusal("0,nan\n").find("storm.csv:1: \"nan\" in column 2 is no finite number"), std::string::npos);
+  EXPECT_NE(refusal("0,nan\n").find("storm.csv:1: \"nan\" in column 2 is not a finite number"), std::string::npos);
   EXPECT_NE(refusal("-1,1\n").find("storm.csv:1: times are measured from the start"), std::string::npos);
   for (const char* one_line : {"0,1\n", "2,1\n"})
     EXPECT_NE(refusal(one_line).find("storm.csv: has one line of numbers: it needs two at least"), std::string::npos) << one_line;
@@ -172,7 +172,7 @@ TEST_F(LoadHistory, with_a_wrong_number_names_its_line_and_column)
 {
   for (const char* word : {"nan", "inf", "strong", ""}) {
     const std::string answer = refusal(std::string("time_s,H_N_m,V_N_m\n0,1,2\n1,") + word + ",2\n", false);
-    EXPECT_NE(answer.find(std::string("storm.csv:3: \"") + word + "\" in column \"H_N_m\" is no finite number"), std::string::npos)
+    EXPECT_NE(answer.find(std::string("storm.csv:3: \"") + word + "\" in column \"H_N_m\" is not a finite number"), std::string::npos)
         << answer;
   }
   EXPECT_NE(refusal("time_s,factor\n0,1\n1,x\n").find("storm.csv:3: \"x\" in column \"factor\""), std::string::npos);
@@ -197,10 +197,10 @@ TEST_F(LoadHistory, is_read_as_spreadsheets_and_programs_write_it)
   EXPECT_EQ(read("\"time_s\",\"factor\"\n\"0\",\"1\"\n\"2\",\"3\"\n").load_factors, (std::vector<Real>{1, 3}));
   for (const char* word : {"+nan", "+inf", "++1", "+-1", "+", "1.0.0", "1e", "0x10"})
     EXPECT_NE(
-        refusal(std::string("0,1\n1,") + word + "\n").find(std::string("storm.csv:2: \"") + word + "\" in column 2 is no finite number"),
+        refusal(std::string("0,1\n1,") + word + "\n").find(std::string("storm.csv:2: \"") + word + "\" in column 2 is not a finite number"),
         std::string::npos)
         << word;
-  EXPECT_NE(refusal("nan,1\n1,2\n").find("storm.csv:1: \"nan\" in column 1 is no finite number"), std::string::npos);
+  EXPECT_NE(refusal("nan,1\n1,2\n").find("storm.csv:1: \"nan\" in column 1 is not a finite number"), std::string::npos);
   EXPECT_NE(refusal("0,1\n1,1 000\n").find("storm.csv:2: \"1 000\" in column 2 has blanks between thousands: write 1000"),
             std::string::npos);
   EXPECT_NE(refusal("\xFF\xFEt\n").find("storm.csv: is text in UTF-16: save it as text in UTF-8"), std::string::npos);

@@ -45,7 +45,7 @@ TEST(Motion, that_is_wrong_says_what_is_allowed)
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"support.base.stages=[\"push\"]"}), "the support does not act in \"drag\"");
   EXPECT_SAYS(refusal_of_motion(drag + rows, {"support.base.fixed=[\"y\"]"}),
               "support.base.motion.x: the support leaves the soil free along x");
-  EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1], z=[0, 0.1]"), "z: is no direction in the plane");
+  EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1], z=[0, 0.1]"), "z: is not a direction in the plane");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0.5, 1], x=[0, 0.1]"), "begins at 0.5 s: times are measured from the start of each stage");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1, 1], x=[0, 0.1, 0]"), "cannot jump to another velocity");
   EXPECT_SAYS(refusal_of_motion(drag + "times=[0, 1], x=[0]"), "needs as many velocities as times has times, 2, and has 1");
@@ -93,7 +93,7 @@ TEST_F(MotionFile, that_is_wrong_is_refused_with_its_line)
 {
   EXPECT_SAYS(refusal("time_s,x_m\n0,0\n1,0\n"),
               "quake.csv:1: \"x_m\" has no unit of a velocity, such as \"0.1 m/s\" or \"20 mm/s\": write \"x_m_s\"");
-  EXPECT_SAYS(refusal("time_s,z_m_s\n0,0\n1,0\n"), "\"z_m_s\" is no column of this motion");
+  EXPECT_SAYS(refusal("time_s,z_m_s\n0,0\n1,0\n"), "\"z_m_s\" is not a column of this motion");
   EXPECT_SAYS(refusal("0,0\n1,0\n"), "the first line is to name the columns: time_s,x_m_s,y_m_s");
   EXPECT_SAYS(refusal("time_s,x_m_s\n0.1,0\n1,0\n"), "quake.csv:2: begins at 0.1 s");
   EXPECT_SAYS(refusal("time_s,x_m_s\n0,0\n1,0\n1,1\n"), "quake.csv:4: times must ascend");

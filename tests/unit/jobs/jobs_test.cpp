@@ -115,7 +115,7 @@ TEST_F(Runners, that_cannot_work_are_one_clear_error)
 {
   const std::pair<Words, const char*> wrong[] = {{{"--runner", "slrum"}, "--runner \"slrum\" is neither slurm nor a command with {jobs}"},
                                                  {{"--runner", "parallel"}, "is neither slurm nor a command with {jobs}"},
-                                                 {{"--no-wait"}, "--no-wait goes with --runner"},
+                                                 {{"--no-wait"}, "--no-wait requires --runner"},
                                                  {{"--sbatch", "-p x"}, "--sbatch goes with --runner slurm"},
                                                  {{"--pack", "3", "--runner", one_by_one}, "--pack goes with --runner slurm"},
                                                  {{"--pack", "0", "--runner", "slurm"}, "--pack"}};

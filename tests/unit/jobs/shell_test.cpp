@@ -39,7 +39,7 @@ TEST(Shell, does_no_job_of_a_queue_whose_messages_go_to_no_regular_file)
   for (const std::string name : {"fifo", "link"}) {
     const ShellEnd end = run_shell("cd " + quoted(place.path().string()) + " && sh run_job " + name + " echo run");
     EXPECT_EQ(end.status, 1) << end.out;
-    EXPECT_NE(end.out.find(name + ".messages: it is no regular file"), std::string::npos) << end.out;
+    EXPECT_NE(end.out.find(name + ".messages: it is not a regular file"), std::string::npos) << end.out;
     EXPECT_EQ(place.read(name + ".status"), "1\n");
   }
   EXPECT_FALSE(std::filesystem::exists(place / "target"));

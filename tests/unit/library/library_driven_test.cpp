@@ -196,7 +196,7 @@ TEST_F(DrivenRun, may_have_others_beside_it)
 TEST_F(DrivenRun, is_not_driven_where_that_makes_no_sense)
 {
   OneRun run = run_of("still.toml");
-  EXPECT_NE(test::error_of<InputError>([&] { run.drive_by_velocity(Freedom::x, 1); }).find("is no drive"), std::string::npos);
+  EXPECT_NE(test::error_of<InputError>([&] { run.drive_by_velocity(Freedom::x, 1); }).find("is not of kind"), std::string::npos);
   while (run.stage() != "follow") run.step();
   EXPECT_NE(test::error_of<InputError>([&] { run.drive_by_velocity(Freedom::z, 1); }).find("x, y and rotation are"), std::string::npos);
   EXPECT_NE(test::error_of<InputError>([&] { run.drive_by_force(Freedom::x, std::nan("")); }).find("not finite"), std::string::npos);

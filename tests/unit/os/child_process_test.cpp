@@ -64,9 +64,9 @@ TEST(ChildProcess, writes_messages_to_a_regular_file_only)
     }
   };
   const std::string fifo = (folder / "fifo").string(), link = (folder / "link").string();
-  EXPECT_EQ(why(fifo), "cannot write " + fifo + ": it is no regular file");
+  EXPECT_EQ(why(fifo), "cannot write " + fifo + ": it is not a regular file");
   EXPECT_EQ(why(link), "cannot write " + link + ": it is a link, and berm writes through none");
-  EXPECT_EQ(why("/dev/null"), "cannot write /dev/null: it is no regular file");
+  EXPECT_EQ(why("/dev/null"), "cannot write /dev/null: it is not a regular file");
   EXPECT_EQ(folder.read("target"), "kept");
 }
 

@@ -123,7 +123,7 @@ TEST(Formats, say_run_and_state_in_each_file_and_the_travel_and_formula_of_each_
     for (const char* words : {"sweep_1", "sweep_2", "White and Randolph 2007"})
       EXPECT_NE(all.find(words), std::string::npos) << format.name << ": " << words;
     if (std::string(format.name) == "table" || std::string(format.name) == "json") continue;
-    EXPECT_NE(all.find("travel sweep_2, computed, no residual, 1129 N/m against a berm at its end, which is no residual"),
+    EXPECT_NE(all.find("travel sweep_2, computed, no residual, 1129 N/m against a berm at its end, which is not a residual"),
               std::string::npos)
         << format.name << "\n"
         << all;

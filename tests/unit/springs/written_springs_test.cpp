@@ -14,7 +14,7 @@ TEST(WrittenSprings, tell_run_state_travel_and_what_they_are_found_by)
   const std::vector<WrittenSpring> all = springs_to_write(made_springs());
   ASSERT_EQ(all.size(), 4u) << "two travels, along the axis, downwards";
   EXPECT_EQ(all[0].origin, "run b1, state operation (end of stage unload, w = 0.136 m, V = 1000 N/m), travel sweep_1, computed");
-  EXPECT_NE(all[1].origin.find("travel sweep_2, computed, no residual, 1129 N/m against a berm at its end, which is no residual"),
+  EXPECT_NE(all[1].origin.find("travel sweep_2, computed, no residual, 1129 N/m against a berm at its end, which is not a residual"),
             std::string::npos)
       << all[1].origin;
   EXPECT_NE(all[2].origin.find("undrained, by White and Randolph 2007, displacement by DNVGL-RP-F114, table 4-2"), std::string::npos)

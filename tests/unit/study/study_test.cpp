@@ -148,7 +148,7 @@ TEST_F(StudyCommand, ends_with_a_message_where_a_fifo_lies_in_the_way_of_those_o
   ASSERT_EQ(::mkfifo((folder_ / "results/runs/low.earth.messages").c_str(), 0600), 0);
   const Ended ended = study();
   EXPECT_EQ(ended.status, 1);
-  EXPECT_NE(ended.err.find("low.earth.messages: it is no regular file"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("low.earth.messages: it is not a regular file"), std::string::npos) << ended.err;
 }
 TEST_F(StudyCommand, draws_what_is_missing_of_a_run_that_was_killed_between_its_summary_and_its_pictures)
 {

@@ -38,7 +38,7 @@ async function ask(method: string, path: string, query: Record<string, string | 
       body: body === undefined ? undefined : JSON.stringify(body),
     });
   } catch {
-    throw new Refusal(0, "berm desk does not answer: it was closed, or this machine sleeps. Start it again in a terminal; runs go on without it.");
+    throw new Refusal(0, "berm desk does not answer: it was closed, or this machine sleeps. Start it again in a terminal; runs continue without it.");
   }
   if (answer.ok) return answer;
   const why = await answer.json().catch(() => ({}));

@@ -86,7 +86,7 @@ export class CaseView implements Place {
 
   /** Asks before changes are lost. */
   may_leave(): boolean {
-    return this.editor.text() === this.saved || confirm(`${this.path} has changes that are not saved. Leave it all the same?`);
+    return this.editor.text() === this.saved || confirm(`${this.path} has changes that are not saved. Leave it anyway?`);
   }
 
   leave(): void {

@@ -116,7 +116,7 @@ export class VaryView implements Place {
     if (varied.length === 0 || measured.length === 0) return;
     try {
       const there = await api.read(file).catch(() => null), study = study_of(case_name, varied, measured, Number(this.sample.value));
-      if (there !== null && there.text !== study && !confirm(`${file} is there with other contents. Replace it?`)) return;
+      if (there !== null && there.text !== study && !confirm(`${file} exists with different contents. Replace it?`)) return;
       await api.save(file, study, there?.modified ?? null);
       const { job } = await api.work("study", file);
       location.hash = `#/job?job=${encodeURIComponent(job)}`;

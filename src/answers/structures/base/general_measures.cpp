@@ -22,8 +22,8 @@ inline constexpr Limit energy{
     "a smaller mpm.courant lowers it; finer cells (examples/mesh_study) and another contact scheme (examples/contact_schemes) may, too"};
 inline constexpr Limit energy_of_fem{
     0.02, 0.15, Effect::energy,
-    "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step "
-    "lowers it; a footing on sand whose energy has an energy error of 10 % is right to 2 % (examples/circular_footing)"};
+    "stress and contact forces are linear within an increment: a smaller fem.largest_step "
+    "lowers it; a footing on sand with an energy error of 10 % is right to 2 % (examples/circular_footing)"};
 inline constexpr Limit filter = too_large({0.02, 0.05, Effect::energy,
                                            "a filter that dissipates 4 % of the work makes the run-out of a sand column 5 % too short, one "
                                            "that dissipates 12 % makes it 23 % too short "

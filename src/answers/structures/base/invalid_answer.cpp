@@ -31,7 +31,7 @@ void add_no_numbers(Run run, std::vector<std::string>& found)
     const std::vector<Real>& values = h.by_label(label);
     const auto first = std::find_if(values.begin(), values.end(), [](Real value) { return !std::isfinite(value); });
     if (first == values.end()) continue;
-    found.push_back(fmt::format("{} is no number from t = {} on", label,
+    found.push_back(fmt::format("{} is not a number from t = {} on", label,
                                 text::time_words(h["time_s"][static_cast<std::size_t>(first - values.begin())])));
     return;
   }

@@ -305,10 +305,10 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
           ? fmt::format("{} at u = {}", force(resistance.largest->H), shown.length_text(run.scale, resistance.largest->u))
           : "";
   if (resistance.berm)  // the plateau is before the largest H
-    return fmt::format("{}{}{}{}.", words, resistance.residual ? ", then comes to " + force(*resistance.residual) : ", without a residual",
+    return fmt::format("{}{}{}{}.", words, resistance.residual ? ", then tends to " + force(*resistance.residual) : ", without a residual",
                        berm, largest.empty() ? "" : "; the largest H is " + largest);
   if (!largest.empty()) words += ", grows to " + largest;
-  return resistance.residual ? fmt::format("{}, then comes to {}.", words, force(*resistance.residual))
+  return resistance.residual ? fmt::format("{}, then tends to {}.", words, force(*resistance.residual))
                              : fmt::format("{}, and still changes {}.", words, end.reached ? "at the " + end.at : end.at);
 }
 

@@ -199,9 +199,9 @@ std::string stages_table(const DrivenRuns& runs, const base::DisplayUnits& shown
          text::html_paragraph(
              fmt::format(
                  "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D "
-                 "but over a third of it at most; where that is resistance against a berm it is H<sub>berm</sub> and no residual. The berm "
+                 "but over a third of it at most; where that is resistance against a berm it is H<sub>berm</sub>, not a residual. The berm "
                  "is the highest soil ahead of the pipe at the end of the drag, above the "
-                 "surface as it was, and its distance from the axis of the pipe.{}",
+                 "original surface, and its distance from the axis of the pipe.{}",
                  softens ? " Clay below the invert counts as remoulded where it has lost half of the strength that full remoulding takes."
                          : ""),
              "quiet");

@@ -85,7 +85,7 @@ inline constexpr base::Limit moved = base::too_large({40, 20, base::Effect::cell
 inline constexpr base::Limit radius{16, 5, base::Effect::cells,
                                     "the rim of an elastic disk is straight across a cell: with 16 cells over its radius it rolls 2 % too "
                                     "slowly, with 8 some 4 % (examples/cylinder); "
-                                    "with 4 it loses 3 % of its angular momentum in a turn (examples/spinning_disk)",
+                                    "with 4 it loses 3 % of its angular momentum per revolution (examples/spinning_disk)",
                                     true};
 
 }  // namespace limits
@@ -123,7 +123,7 @@ base::TrustMeasure cells_of_disk()
           base::as_number,
           [](const record::RunRecord&, Real value) {
             return fmt::format(
-                "there are {:.2g} cells over the radius of a disk: its rim is not a circle, so it turns and rolls too slowly", value);
+                "there are {:.2g} cells over the radius of a disk: its rim is not a circle, so it rotates and rolls too slowly", value);
           },
           base::bare_limit,
           true};

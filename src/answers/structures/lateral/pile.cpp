@@ -19,7 +19,7 @@ std::vector<penetration::Comparison> published_of_pile(const penetration::Penetr
   const Real N = run.last().factor;
   return {{"N<sub>c</sub>", N, formulas::deep_plate_factor(soil.interface_ratio),
            "soil flows around a plate, but the shaft is above the base of a pile", true},
-          {"N<sub>c</sub>, beside (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity", N, formulas::sphere_limit(soil.rigidity_index),
+          {"N<sub>c</sub>, compared with (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity", N, formulas::sphere_limit(soil.rigidity_index),
            "the cavity is spherical around a point"}};
 }
 

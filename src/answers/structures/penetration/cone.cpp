@@ -18,12 +18,13 @@ std::vector<penetration::Comparison> published_of_cone(const penetration::Penetr
   const penetration::SoilAt soil = run.soil.at(run.z_end());
   const Real N = run.last().factor;
   const formulas::DeepInClay cone{soil.rigidity_index, soil.interface_ratio, soil.anisotropy};
-  const char *symbol = "N<sub>kt</sub>", *cavity = "N<sub>kt</sub>, beside (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity";
-  return {{symbol, N, formulas::cone_factor_strain_path(cone), "", true},
-          {symbol, N, formulas::cone_factor_remeshed(cone), "", true},
-          {symbol, N, formulas::cone_factor_steady(cone), "", true},
-          {cavity, N, formulas::sphere_limit(soil.rigidity_index), "a cone meets more: the cavity is spherical around a point"},
-          {cavity, N, formulas::cylinder_limit(soil.rigidity_index), "a cone meets more: the cavity is cylindrical, around an axis"}};
+  const char *symbol = "N<sub>kt</sub>", *cavity = "N<sub>kt</sub>, compared with (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity";
+  return {
+      {symbol, N, formulas::cone_factor_strain_path(cone), "", true},
+      {symbol, N, formulas::cone_factor_remeshed(cone), "", true},
+      {symbol, N, formulas::cone_factor_steady(cone), "", true},
+      {cavity, N, formulas::sphere_limit(soil.rigidity_index), "a cone has more resistance: the cavity is spherical around a point"},
+      {cavity, N, formulas::cylinder_limit(soil.rigidity_index), "a cone has more resistance: the cavity is cylindrical, around an axis"}};
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void visit_sides(const std::vector<Vec<2>>& corners, const Visit& visit)
 
 void describe(Describe& d, PolygonSettings& polygon)
 {
-  d.value("x", polygon.x, {.meaning = "x of the corners, one after the other, either way round", .unit = "m", .required = true});
+  d.value("x", polygon.x, {.meaning = "x of the corners, one after the other, in either direction", .unit = "m", .required = true});
   d.value("y", polygon.y, {.meaning = "y of the corners", .unit = "m", .required = true});
 }
 

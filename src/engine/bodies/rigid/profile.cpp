@@ -38,9 +38,10 @@ bool leaves_sides(const std::vector<Vec<2>>& corners, const std::vector<Vec<2>>&
 
 void describe(Describe& d, ProfileSettings& profile)
 {
-  d.value(
-      "x", profile.x,
-      {.meaning = "x of the corners of the right half, from the axis x = 0 to the axis, either way round", .unit = "m", .required = true});
+  d.value("x", profile.x,
+          {.meaning = "x of the corners of the right half, from the axis x = 0 to the axis, in either direction",
+           .unit = "m",
+           .required = true});
   d.value("y", profile.y, {.meaning = "y of the corners", .unit = "m", .required = true});
   d.value("corner_radius", profile.corner_radius,
           {.meaning = "radius of its convex corners, the tip included; 0 = sharp, which acts on particles half a width away like an arc",

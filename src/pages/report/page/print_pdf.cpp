@@ -54,7 +54,7 @@ fs::path printing_browser()
 {
   if (const char* named = std::getenv("BERM_BROWSER"); named != nullptr && *named != '\0') {
     if (is_program(named)) return named;
-    throw RunError(fmt::format("--pdf: BERM_BROWSER names \"{}\", which is no program", named));
+    throw RunError(fmt::format("--pdf: BERM_BROWSER names \"{}\", which is not a program", named));
   }
   for (const char* name : names)
     if (const fs::path found = in_path(name); !found.empty()) return found;

@@ -65,7 +65,7 @@ std::vector<fs::path> run_folders(const std::vector<std::string>& names)
     }
     const std::vector<fs::path> within = run_folders_in(path);
     if (within.empty())
-      throw InputError(fmt::format("{}: is no run folder and holds none (there is no resolved.toml that can be read)", name));
+      throw InputError(fmt::format("{}: is not a run folder and contains none (there is no resolved.toml that can be read)", name));
     folders.insert(folders.end(), within.begin(), within.end());
   }
   std::vector<fs::path> unique;

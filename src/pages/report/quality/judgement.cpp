@@ -49,7 +49,7 @@ std::string opposite_words(const std::vector<JudgedMeasure>& measures)
   const Words large = named(base::Sense::too_large), small = named(base::Sense::too_small);
   if (large.empty() || small.empty()) return "";
   return fmt::format("The measures that are not good have opposite effects, and the sign of their sum is not known. Resistance is too "
-                     "large because of: {}. Too small because of: {}. Improve each of them by itself, and compare.",
+                     "large because of: {}. Too small because of: {}. Improve them one at a time, and compare.",
                      fmt::join(large, "; "), fmt::join(small, "; "));
 }
 

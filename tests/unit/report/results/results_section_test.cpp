@@ -175,7 +175,7 @@ TEST(answer, breakout_is_told_where_there_is_one)
   made.H = [](Real u) { return u < 0.006 ? 5e4 * u : u < 0.012 ? std::lerp(300, 200, (u - 0.006) / 0.006) : 200; };
   const std::string html = answer_of({made.record()});
   EXPECT_TRUE(holds(html, "H peaks first at u = 0.304 D (6.08 mm, 0.304 m in the prototype) with 0.298 kN/m")) << html;
-  EXPECT_TRUE(holds(html, "then comes to 0.2 kN/m")) << html;
+  EXPECT_TRUE(holds(html, "then tends to 0.2 kN/m")) << html;
   EXPECT_TRUE(holds(html, "Displacement at breakout of the drag from w = 0.1 D<")) << html;
   EXPECT_TRUE(holds(html, "Breakout of the drag at u = 0.304 D: ")) << html;
   EXPECT_FALSE(holds(html, "no peak"));

@@ -46,7 +46,7 @@ TEST(InvalidAnswer, by_forces_that_are_no_numbers)
 {
   MadeRun made;
   made.V = [](Real w) { return w > 0.001 ? nan : 1e5 * w; };
-  EXPECT_TRUE(says(invalid_because(made.record()), "V is no number from t = "));
+  EXPECT_TRUE(says(invalid_because(made.record()), "V is not a number from t = "));
 }
 
 TEST(InvalidAnswer, by_a_body_that_left_the_soil_and_not_by_one_that_comes_down_on_it)
