@@ -438,6 +438,13 @@ PROSE = {
     r"driven body's way|pipe's way": "travel",
     r"larger by a part of": "larger by a fraction of",
     r"(?:is|are) told (?:as|with|in|for|velocities|beside)": "is given, is reported",
+    r"\bswings?\b|\bswinging\b": "oscillates; of results: range",
+    r"\bbut for (?:the|that|what|a)\b": "except for",
+    r"(?:is|are) no (?:number|residual|result|bound|limit loads?|test)\b": "is not a",
+    r"over one another": "in one figure",
+    r"(?:minutes?|hours?|[0-9] s) of (?:one|two) (?:processor|core)": "on one processor",
+    r"(?:particles|points) a (?:cell|square)\b": "per cell",
+    r"half as (?:much|large|long) again": "1.5 times",
 }
 PAGE_LINES = 60  # of README.md, of an example's and of a decision; measurements stand in results.md or in the annex beside
 

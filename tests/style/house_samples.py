@@ -124,7 +124,7 @@ SAMPLES = {
         [{"src/a.hpp": '/// spin, does not go with it\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n", "python/a.py": "# spin\na = 'sticky'\n"}],
     ),
     "prose": (
-        [{"README.md": "a\n" * 61}, {"examples/a/README.md": "a\n" * 61}, {"docs/a.md": "at zero cells.\nThe number wavers.\n"}],
+        [{"README.md": "a\n" * 61}, {"examples/a/README.md": "a\n" * 61}, {"docs/a.md": "at zero cells.\nThe number wavers.\n"}, {"docs/a.md": "V swings.\n"}, {"docs/a.md": "All but for the last.\n"}, {"docs/a.md": "9 particles a cell\n"}],
         [{"README.md": "a\n" * 60, "docs/README.md": "a\n" * 61, "docs/decisions/0001-a.md": "It wavers.\n", "examples/a/results.md": "a\n" * 61}],
     ),
     "decisions": (
