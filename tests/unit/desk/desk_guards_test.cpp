@@ -95,7 +95,6 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
        replaced(about, host, fmt::format("localhost.evil.example:{}", desk.port)) + "\r\n"},
       {403, "a port that is none", replaced(about, host, "127.0.0.1:80.evil.example") + "\r\n"},
       {403, "another address of this machine", replaced(about, host, fmt::format("127.0.0.2:{}", desk.port)) + "\r\n"},
-      {403, "no host", replaced(about, "Host: " + host + "\r\n", "") + "\r\n"},
       {403, "two hosts", about + "Host: " + host + "\r\n\r\n"},
       {403, "the page itself by another name", replaced(replaced(about, host, "evil.example"), "/api/about", "/") + "\r\n"},
       {403, "a page of another origin", about + "Origin: http://evil.example\r\n\r\n"},
@@ -118,13 +117,9 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
       {415, "a body without a type", start + length(run)},
       {415, "a compressed body", start + json + "Content-Encoding: gzip\r\n" + length("\x1f\x8b")},
       {413, "a length of five million", start + json + "Content-Length: 5000000\r\n\r\n"},
-      {413, "a length beyond all numbers", start + json + "Content-Length: 99999999999999999999\r\n\r\n"},
       {411, "a body in chunks", start + json + "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"},
-      {400, "a length that is no number", start + json + "Content-Length: -1\r\n\r\n{}"},
       {400, "two lengths", start + json + "Content-Length: 2\r\nContent-Length: 3\r\n\r\n{}"},
-      {400, "no HTTP", "hello\r\n\r\n"},
-      {431, "a line without end", about + "X: " + std::string(20000, 'a')},
-      {431, "lines without end", about + many_lines(7000)},
+      {431, "lines that are too long", about + "X: " + std::string(16300, 'a') + "\r\n\r\n"},
       {400, "JSON of a thousand levels", post("/api/runs", nested(1000))},
       {400, "no JSON", post("/api/runs", "case=x")},
       {400, "JSON that is no object", post("/api/runs", "[1]")},
@@ -178,6 +173,16 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
     EXPECT_TRUE(response.json().contains("error")) << row.what;
     EXPECT_EQ(response.head.find("Access-Control"), std::string::npos) << row.what;
   }
+  // What libmicrohttpd refuses by itself.
+  const std::pair<int, std::string> of_library[] = {
+      {400, replaced(about, "Host: " + host + "\r\n", "") + "\r\n"},
+      {413, start + json + "Content-Length: 99999999999999999999\r\n\r\n"},
+      {400, start + json + "Content-Length: -1\r\n\r\n{}"},
+      {431, about + "X: " + std::string(20000, 'a')},
+      {431, about + many_lines(7000)},
+      {0, "hello\r\n\r\n"},
+  };
+  for (const auto& [status, request] : of_library) EXPECT_EQ(desk.raw(request).status, status) << request.substr(0, 400);
   EXPECT_EQ(all_files(), before);
   EXPECT_EQ(desk.get("/api/about").status, 200);
 }
