@@ -57,7 +57,7 @@ Reading reading_of(const run_folder::Quantity& number)
 
 /// One of these quantities, of checks and timing of a summary, or of the details; both may be null.
 Reading quantity_of(const Observable& observable, std::vector<run_folder::Quantity> numbers, const run_folder::RunSummary* summary,
-                    const base::RunDetails* details)
+                    const base::RunDetails& details)
 {
   if (summary != nullptr) {
     for (const auto& [name, value] : summary->checks) numbers.push_back({name, value, "1"});
@@ -68,10 +68,9 @@ Reading quantity_of(const Observable& observable, std::vector<run_folder::Quanti
     if (number.name == observable.quantity) return reading_of(number);
     known.push_back(number.name);
   }
-  if (details != nullptr) {
-    if (const auto found = details->find(observable.quantity, observable.at)) return reading_of(*found);
-    for (const std::string& name : details->names()) known.push_back(name);
-  }
+  if (details.find)
+    if (const auto found = details.find(observable.quantity, observable.at)) return reading_of(*found);
+  known.insert(known.end(), details.names.begin(), details.names.end());
   throw InputError(one_line(fmt::format("summary.json has no quantity {}{}", input::in_quotes(observable.quantity),
                                         input::suggestion(observable.quantity, known))));
 }
@@ -174,12 +173,12 @@ Reading evaluate(const Observable& observable, const std::filesystem::path& run_
   if (!summary) throw RunError(fmt::format("there is no {}", (run_folder / "summary.json").string()));
   const bool known = std::any_of(summary->quantities.begin(), summary->quantities.end(),
                                  [&](const run_folder::Quantity& q) { return q.name == observable.quantity; });
-  if (known || !record::is_run_folder(run_folder)) return quantity_of(observable, summary->quantities, &*summary, nullptr);
+  if (known || !record::is_run_folder(run_folder)) return quantity_of(observable, summary->quantities, &*summary, {});
   const record::RunRecord run = structures::read_run(run_folder);
-  return evaluate(observable, run, structures::structure_of(run.settings).details(run).get());
+  return evaluate(observable, run, structures::structure_of(run.settings).details(run));
 }
 
-Reading evaluate(const Observable& observable, const record::RunRecord& run, const base::RunDetails* details)
+Reading evaluate(const Observable& observable, const record::RunRecord& run, const base::RunDetails& details)
 {
   if (!observable.column.empty()) return reading_of_column(observable, run.history);
   return quantity_of(observable, run.quantities, run.summary ? &*run.summary : nullptr, details);

@@ -65,9 +65,9 @@ struct Reading {
   std::string label;  ///< of the column, or the quantity
 };
 
-/// The number, from the files of a run folder, or from what was read of it with the details of its structure (or null); true is 1, false 0, and what was not finite
+/// The number, from the files of a run folder, or from what was read of it with the details of its structure (or none); true is 1, false 0, and what was not finite
 /// NaN. Throw InputError where there is no such quantity or column, RunError where there is no such file or a frame is damaged.
 Reading evaluate(const Observable& observable, const std::filesystem::path& run_folder);
-Reading evaluate(const Observable& observable, const record::RunRecord& run, const base::RunDetails* details);
+Reading evaluate(const Observable& observable, const record::RunRecord& run, const base::RunDetails& details);
 
 }  // namespace berm::expectations

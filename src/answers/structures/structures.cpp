@@ -2,38 +2,42 @@
 #include "structures/structures.hpp"
 
 #include "structures/anchor/anchor.hpp"
+#include "structures/depth/profile_page.hpp"
 #include "structures/generic/generic.hpp"
-#include "structures/lateral/pile.hpp"
 #include "structures/lateral/shaft.hpp"
-#include "structures/lateral/skirt.hpp"
 #include "structures/line/line.hpp"
-#include "structures/penetration/footing.hpp"
-#include "structures/penetration/readings.hpp"
+#include "structures/penetration/penetration.hpp"
+#include "structures/penetration/penetrometers.hpp"
 #include "structures/pipe/pipe.hpp"
 
 #include <algorithm>
 
 namespace berm::structures {
 
-const std::vector<const base::Structure*>& all_structures()
+const std::vector<base::Structure>& all_structures()
 {
-  static const penetration::Penetration cone(penetration::cone_reading()), ball(penetration::ball_reading()),
-      t_bar(penetration::t_bar_reading());
-  static const lateral::Shaft pile(lateral::pile_reading());
-  static const lateral::Skirt skirt;
-  static const penetration::Footing footing;
-  static const anchor::Anchor anchor;
-  static const pipe::Pipe pipe;
-  static const line::Line line;
-  static const generic::Generic generic;
-  static const std::vector<const base::Structure*> all = {&cone, &ball, &t_bar, &pile, &skirt, &footing, &anchor, &line, &pipe, &generic};
+  static const std::vector<base::Structure> all = [] {
+    std::vector<base::Structure> list = {
+        penetration::pushed_down(penetration::cone()),
+        penetration::pushed_down(penetration::ball()),
+        penetration::pushed_down(penetration::t_bar()),
+        lateral::shaft(lateral::pile()),
+        lateral::shaft(lateral::skirt()),
+        penetration::pushed_down(penetration::footing()),
+        anchor::anchor(),
+        line::pipeline(),
+        pipe::pipe(),
+        generic::other(),
+    };
+    for (base::Structure& structure : list) structure.readings.push_back(depth::reading());
+    return list;
+  }();
   return all;
 }
 
 const base::Structure& structure_of(const problem::Case& c)
 {
-  const std::vector<const base::Structure*>& all = all_structures();
-  return **std::find_if(all.begin(), all.end(), [&](const base::Structure* structure) { return structure->applies_to(c); });
+  return *std::ranges::find_if(all_structures(), [&](const base::Structure& structure) { return structure.applies_to(c); });
 }
 
 base::Runs runs_of(const base::Structure& structure, const std::vector<record::RunRecord>& runs)

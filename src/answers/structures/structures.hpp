@@ -6,7 +6,7 @@
 namespace berm::structures {
 
 /// All structures that berm knows; the last applies to every case.
-const std::vector<const base::Structure*>& all_structures();
+const std::vector<base::Structure>& all_structures();
 
 /// The structure of a case: the first that applies to it.
 const base::Structure& structure_of(const problem::Case& c);

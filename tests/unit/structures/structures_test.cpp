@@ -34,11 +34,11 @@ problem::Case free_bodies()
 
 TEST(Structures, one_applies_to_each_case_and_the_last_to_every_case)
 {
-  const std::vector<const base::Structure*>& all = all_structures();
-  EXPECT_EQ(&structure_of(MadeRun{}.settings()), all[all.size() - 2]);
+  const std::vector<base::Structure>& all = all_structures();
+  EXPECT_EQ(&structure_of(MadeRun{}.settings()), &all[all.size() - 2]);
   EXPECT_NE(&structure_of(footing()), &structure_of(MadeRun{}.settings()));
-  EXPECT_EQ(&structure_of(free_bodies()), all.back());
-  for (const problem::Case& c : {MadeRun{}.settings(), footing(), free_bodies(), problem::Case{}}) EXPECT_TRUE(all.back()->applies_to(c));
+  EXPECT_EQ(&structure_of(free_bodies()), &all.back());
+  for (const problem::Case& c : {MadeRun{}.settings(), footing(), free_bodies(), problem::Case{}}) EXPECT_TRUE(all.back().applies_to(c));
 }
 
 /// The message that refuses a case of a pipe in plane strain, or of a ball around an axis, whose body is called this; "" where it is taken.
@@ -65,12 +65,12 @@ std::string refusal(const std::string& word, bool around_an_axis)
 TEST(Structures, the_input_names_one_that_there_is_and_that_the_geometry_can_have)
 {
   ASSERT_EQ(input::structure_words().size(), all_structures().size());
-  for (const base::Structure* structure : all_structures()) {
+  for (const base::Structure& structure : all_structures()) {
     const auto words = std::ranges::find_if(input::structure_words(),
-                                            [&](const input::StructureWord& one) { return one.word == std::string(structure->word()); });
-    ASSERT_NE(words, input::structure_words().end()) << structure->word();
-    EXPECT_EQ(refusal(structure->word(), true).empty(), words->geometry != input::StructureGeometry::plane) << structure->word();
-    EXPECT_EQ(refusal(structure->word(), false).empty(), words->geometry != input::StructureGeometry::round) << structure->word();
+                                            [&](const input::StructureWord& one) { return one.word == std::string(structure.word); });
+    ASSERT_NE(words, input::structure_words().end()) << structure.word;
+    EXPECT_EQ(refusal(structure.word, true).empty(), words->geometry != input::StructureGeometry::plane) << structure.word;
+    EXPECT_EQ(refusal(structure.word, false).empty(), words->geometry != input::StructureGeometry::round) << structure.word;
   }
   EXPECT_EQ(refusal("automatic", false), "");
   const auto expect = [](const std::string& message, const std::vector<std::string>& parts) {
@@ -149,7 +149,7 @@ TEST(Structures, without_a_driven_body_have_the_measures_of_any_run)
   for (const base::TrustMeasure& measure : structure_of(c).measures(c)) what.push_back(measure.what);
   EXPECT_EQ(what.size(), 16u);
   EXPECT_EQ(std::count(what.begin(), what.end(), "momentum that does not balance"), 1);
-  EXPECT_EQ(structure_of(c).details(MadeRun{}.record()), nullptr);
+  EXPECT_FALSE(structure_of(c).details(MadeRun{}.record()).find);
 }
 
 TEST(Structures, have_no_envelope_where_they_know_none)

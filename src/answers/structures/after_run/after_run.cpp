@@ -9,7 +9,6 @@
 #include "structures/base/soil_words.hpp"
 #include "structures/base/still_moving.hpp"
 #include "structures/base/support_reactions.hpp"
-#include "structures/depth/profile_page.hpp"
 #include "structures/driven/displacements.hpp"
 #include "structures/structures.hpp"
 
@@ -110,8 +109,11 @@ simulation::AfterRun answers_and_drawings()
 {
   using simulation::EndedRun;
   return {answers_of,
-          {[](const EndedRun& ended) { structures::structure_of(ended.run.settings).draw_curves(ended.folder, ended.run, {}); },
-           [](const EndedRun& ended) { depth::write_files(ended.folder, ended.run); },
+          {[](const EndedRun& ended) {
+             const base::Structure& structure = structures::structure_of(ended.run.settings);
+             structure.write_files(ended.folder, ended.run);
+             structure.draw_curves(ended.folder, ended.run, {});
+           },
            [](const EndedRun& ended) {
              std::visit([&](const auto& last) { draw_soil(ended.run.settings, ended.folder, last); }, ended.last);
            }}};

@@ -132,7 +132,7 @@ TrustMeasure part_of_soil(const char* what, const char* check, const Limit& limi
           has_soil,
           [check](Run run) { return run.check(check); },
           in_percent,
-          [what](Run, Real value) { return fmt::format("{}: {}", what, text::percent_words(value)); },
+          fmt::format("{}: {{}}", what),
           text::percent_words};
 }
 
@@ -204,28 +204,16 @@ TrustMeasures energy_that_the_method_takes()
   return {{"energy dissipated by the velocity filter, over the work", &limits::filter,
            [](Run run) { return has_soil(run) && run.settings.mpm.velocity_filter > 0; },
            [](Run run) { return run.check("filter_over_work"); }, in_percent,
-           [](Run, Real value) {
-             return fmt::format("the velocity filter dissipated {} of the work, which slows flowing soil: take finer cells, or a smaller "
-                                "mpm.velocity_filter",
-                                text::percent_words(value));
-           },
+           "the velocity filter dissipated {} of the work, which slows flowing soil: take finer cells, or a smaller mpm.velocity_filter",
            text::percent_words},
           {"energy dissipated by the bulk viscosity, over the work", &limits::viscosity,
            [](Run run) { return has_soil(run) && run.settings.mpm.bulk_viscosity > 0; },
            [](Run run) { return run.check("viscosity_over_work"); }, in_percent,
-           [](Run, Real value) {
-             return fmt::format(
-                 "the bulk viscosity dissipated {} of the work: drive slower, take finer cells, or a smaller mpm.bulk_viscosity",
-                 text::percent_words(value));
-           },
+           "the bulk viscosity dissipated {} of the work: drive slower, take finer cells, or a smaller mpm.bulk_viscosity",
            text::percent_words},
           {"energy dissipated by local damping while a body is driven, over the work", &limits::damping,
            [](Run run) { return drives_a_body(run.settings) && !std::isnan(damping_over_work(run)); }, damping_over_work, in_percent,
-           [](Run, Real value) {
-             return fmt::format(
-                 "local damping dissipated {} of the work while the body was driven: take a smaller damping there, or drive slower",
-                 text::percent_words(value));
-           },
+           "local damping dissipated {} of the work while the body was driven: take a smaller damping there, or drive slower",
            text::percent_words}};
 }
 
@@ -236,9 +224,7 @@ TrustMeasure balance_after_geostatic(const std::string& when)
           settles,
           [](Run run) { return run.check("out_of_balance_after_geostatic"); },
           as_number,
-          [when](Run, Real value) {
-            return fmt::format("the bed was out of balance by {:.2g} of its weight {}: give the geostatic stage more time", value, when);
-          },
+          fmt::format("the bed was out of balance by {{}} of its weight {}: give the geostatic stage more time", when),
           bare_limit};
 }
 
@@ -255,13 +241,9 @@ TrustMeasures soil_volumes()
 
 TrustMeasure momentum_balance()
 {
-  return {"momentum that does not balance",
-          &limits::momentum,
-          always,
-          [](Run run) { return run.check("momentum_error"); },
-          as_number,
-          [](Run, Real value) { return fmt::format("{:.2g} of the momentum is not accounted for", value); },
-          bare_limit};
+  return {
+      "momentum that does not balance",          &limits::momentum, always, [](Run run) { return run.check("momentum_error"); }, as_number,
+      "{} of the momentum is not accounted for", bare_limit};
 }
 
 TrustMeasure shear_bands()
@@ -338,7 +320,7 @@ TrustMeasures convergence()
   return {
       {"largest unbalanced force, over the accepted one", &limits::unbalance, always,
        [](Run run) { return run.check("largest_unbalance") / run.settings.fem.tolerance; }, as_number,
-       [](Run, Real value) { return fmt::format("unbalanced forces are {:.2g} times what fem.tolerance accepts", value); }, bare_limit},
+       "unbalanced forces are {} times what fem.tolerance accepts", bare_limit},
       {"increments that did not converge", &limits::loose, always,
        [](Run run) { return run.check("loose_increments") / run.timing("steps"); },
        [](Run run, Real) {
@@ -349,20 +331,14 @@ TrustMeasures convergence()
        },
        text::percent_words},
       {"fraction of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
-       in_percent,
-       [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", text::percent_words(value)); },
-       text::percent_words},
+       in_percent, "{} of the stress is beyond the soil's strength", text::percent_words},
       {"strength that lags behind the pressure, psi < phi, over plastic dissipation", &limits::lag,
        [](Run run) {
          return std::any_of(run.settings.material.begin(), run.settings.material.end(),
                             [](const auto& material) { return non_associated(material.second); });
        },
        [](Run run) { return run.check("strength_lag"); }, in_percent,
-       [](Run, Real value) {
-         return fmt::format(
-             "the strength of the soil lags behind the pressure by {} of the plastic dissipation: take a smaller fem.largest_step",
-             text::percent_words(value));
-       },
+       "the strength of the soil lags behind the pressure by {} of the plastic dissipation: take a smaller fem.largest_step",
        text::percent_words},
   };
 }

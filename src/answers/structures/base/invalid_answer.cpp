@@ -20,7 +20,7 @@ void add_bad(const TrustMeasure& measure, Run run, std::vector<std::string>& fou
 {
   if (!measure.applies(run)) return;
   const Real value = measure.value(run);
-  if (!std::isnan(value) && judge(*measure.limit, value) == text::Standing::bad) found.push_back(measure.warning(run, value));
+  if (!std::isnan(value) && judge(*measure.limit, value) == text::Standing::bad) found.push_back(measure.warning_of(run, value));
 }
 
 void add_no_numbers(Run run, std::vector<std::string>& found)

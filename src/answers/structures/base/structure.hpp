@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "os/error.hpp"
 #include "record/travel_curve.hpp"
 #include "run_folder/run_folder.hpp"
 #include "structures/base/display_units.hpp"
@@ -11,7 +10,7 @@
 #include "structures/base/run_details.hpp"
 #include "structures/base/trust_measure.hpp"
 
-#include <memory>
+#include <functional>
 
 namespace berm::base {
 
@@ -64,67 +63,89 @@ struct ChartCurve {
 using ChartCurves = std::vector<ChartCurve>;
 using CurveBands = std::vector<run_folder::CurveBand>;
 
-/// What berm knows of a structure, beyond its being a rigid body: the numbers that matter of it and how they are told. A structure says what it has; the rest
-/// stays empty. structures/structures.hpp lists all.
-class Structure {
-public:
-  virtual ~Structure() = default;
+/// Something that a run can be read as: a body that travels, one that is pushed down, a tow. What a reading does not have stays empty. `Runs`: those that it applies to.
+struct Reading {
+  using Run = const record::RunRecord&;
+  using Quantities = std::vector<run_folder::Quantity>;
+  using Names = std::vector<std::string>;
+  template <class Answer, class... Of>
+  using Says = std::function<Answer(Of...)>;
 
-  /// rigid.NAME.structure, a row of input/structure_words.cpp.
-  virtual const char* word() const = 0;
-  /// Whether a case is of this structure.
-  virtual bool applies_to(const problem::Case& c) const { return kind_of(c) == word(); }
+  Says<bool, const problem::Case&> applies{};  ///< to a case of its structure; empty: to each
 
-  /// The key results of a run (its folder with the frames, case and history, which may be without rows). `held_forces`: V that each stage of the case was to
-  /// hold, N/m, NaN where none; empty where they are not known.
-  virtual std::vector<run_folder::Quantity> quantities(const record::RunRecord&, const std::vector<Real>&) const { return {}; }
-  /// The names of all key results that a run of a case may have, with # for the number in V_at_w_0.1D; empty where they are not known beforehand.
-  virtual std::vector<std::string> quantity_names(const problem::Case&) const { return {}; }
-  /// The key results of a run, its quantities, as a table of the log; "" where there is none.
-  virtual std::string table_of(const record::RunRecord&) const { return ""; }
+  /// The answers of a run (its folder with the frames, case and history, which may be without rows), for summary.json and the log. The second: V that each stage of the
+  /// case was to hold, N/m, NaN where none; empty where they are not known.
+  Says<Quantities, Run, const std::vector<Real>&> answers{};
+  /// The names of all that a run of a case may have of these, with # for the number in V_at_w_0.1D; none where they are not known beforehand.
+  Says<Names, const problem::Case&> names{};
+  Says<std::string, Run> notes{};  ///< lines below the answers in the log
+  Says<std::string, Run> table{};  ///< a table of the log, instead of the one in which the answers of all readings stand
+
+  Says<void, const run_folder::RunFolder&, Run> write_files{};  ///< tables of a run, into its folder
   /// Draws curves.png of a run into its folder, with the bands of its curves. False, with a warning, where it could not be drawn.
-  virtual bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const CurveBands& bands) const = 0;
-  /// The curves that have bands.
-  virtual ChartCurves chart_curves(const record::RunRecord&) const { return {}; }
+  Says<bool, const run_folder::RunFolder&, Run, const CurveBands&> draw_curves{};
+  Says<ChartCurves, Run> chart_curves{};  ///< the curves that have bands
 
   /// What a run did and met, in a few sentences, HTML without the run's name.
-  virtual std::string in_words(const record::RunRecord& run, const DisplayUnits& shown) const = 0;
-  /// The key results of runs as HTML tables; "" where there is none.
-  virtual std::string key_results(const Runs&, const DisplayUnits&) const { return ""; }
-  /// What design codes and published formulas give beside the runs, as HTML with its heading; "" where there is none.
-  virtual std::string published_values(const Runs&, const DisplayUnits&) const { return ""; }
-  /// Results that stand at the end of the section, a run after the other, as HTML; `id` begins the names of its tables.
-  virtual std::string other_results(const record::RunRecord&, const std::string&) const { return ""; }
+  Says<std::string, Run, const DisplayUnits&> words{};
+  /// The key results of runs as HTML tables.
+  Says<std::string, const Runs&, const DisplayUnits&> key_results{};
+  /// What design codes and published formulas give beside the runs, as HTML with its heading.
+  Says<std::string, const Runs&, const DisplayUnits&> published{};
+  /// Results that stand at the end of the section, a run after the other, as HTML; the string begins the names of its tables.
+  Says<std::string, Run, const std::string&> other_results{};
 
   /// What is looked at in a run of a case to know whether it can be trusted, in the order of the page.
-  virtual TrustMeasures measures(const problem::Case& c) const = 0;
+  Says<TrustMeasures, const problem::Case&> measures{};
   /// What a reader must know of the quality of these runs beyond their measures, as HTML.
-  virtual std::string quality_note(const Runs&) const { return ""; }
+  Says<std::string, const Runs&> quality_note{};
 
-  /// Push and drag of a run, for the charts of the page.
-  virtual StagePaths paths(const record::RunRecord&) const { return {}; }
+  Says<StagePaths, Run> paths{};  ///< push and drag of a run, for the charts of the page
   /// Draw the curves of the runs over one another, with what is published, and the soil of each, as SVG and PNG. Give the names of what was drawn.
-  virtual std::vector<std::string> draw_report_curves(const Runs&, const PublishedPoints&, const std::filesystem::path&) const
-  {
-    return {};
-  }
-  virtual std::vector<std::string> draw_report_soil(const Runs&, const std::filesystem::path&) const { return {}; }
+  Says<Names, const Runs&, const PublishedPoints&, const std::filesystem::path&> draw_report_curves{};
+  Says<Names, const Runs&, const std::filesystem::path&> draw_report_soil{};
+  Says<std::vector<OwnChart>, Run> own_charts{};         ///< the charts that answer its question, the first of the page
+  Says<std::optional<PointTravel>, Run> point_travel{};  ///< what u is of on the page where that is not the centre of the body
+  Says<RunDetails, Run> details{};                       ///< further numbers of a run, which must outlive them
+  Says<EmbeddedBody, const problem::Case&>
+      embedded{};  ///< how the body lies before the first stage, for its envelope; throws InputError where a case has none
+  Says<PublishedEnvelope, const problem::Case&, const EnvelopeEnds&> published_envelope{};  ///< beside an envelope that was found
+};
 
-  /// Further numbers of a run, which must outlive them; null where there are none.
-  virtual std::unique_ptr<RunDetails> details(const record::RunRecord&) const { return nullptr; }
+/// What berm knows of a structure, beyond its being a rigid body: how a run of it is read. Its results are those of its readings that apply, in their order.
+/// structures/structures.hpp lists all.
+struct Structure {
+  const char* word;  ///< rigid.NAME.structure, a row of input/structure_words.cpp
+  std::vector<Reading> readings;
+  bool (*applies)(const problem::Case&) = nullptr;  ///< to a case; null: where kind_of gives its word
 
-  /// How the structure lies before the first stage, for its envelope. Throws InputError where a case has none.
-  virtual EmbeddedBody embedded(const problem::Case&) const
-  {
-    throw KeyError("stage: an envelope needs a push or a drag by velocity, of a rigid body whose envelope is known");
-  }
-  /// What is published beside an envelope that was found.
-  virtual PublishedEnvelope published_envelope(const problem::Case&, const EnvelopeEnds&) const { return {}; }
+  bool applies_to(const problem::Case& c) const { return applies != nullptr ? applies(c) : kind_of(c) == word; }
 
-  /// The charts that answer the question of the structure, the first of the page.
-  virtual std::vector<OwnChart> own_charts(const record::RunRecord&) const { return {}; }
-  /// What u is of on the page where that is not the centre of the body.
-  virtual std::optional<PointTravel> point_travel(const record::RunRecord&) const { return {}; }
+  std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const;
+  /// Empty where a reading that has answers does not know them beforehand.
+  std::vector<std::string> quantity_names(const problem::Case& c) const;
+  /// The quantities of a run for the log; "" where there is none.
+  std::string table_of(const record::RunRecord& run) const;
+  void write_files(const run_folder::RunFolder& folder, const record::RunRecord& run) const;
+  /// By the first reading that draws.
+  bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const CurveBands& bands) const;
+  ChartCurves chart_curves(const record::RunRecord& run) const;
+  std::string in_words(const record::RunRecord& run, const DisplayUnits& shown) const;
+  std::string key_results(const Runs& runs, const DisplayUnits& shown) const;
+  std::string published_values(const Runs& runs, const DisplayUnits& shown) const;
+  std::string other_results(const record::RunRecord& run, const std::string& id) const;
+  TrustMeasures measures(const problem::Case& c) const;
+  std::string quality_note(const Runs& runs) const;
+  StagePaths paths(const record::RunRecord& run) const;
+  std::vector<std::string> draw_report_curves(const Runs& runs, const PublishedPoints& published,
+                                              const std::filesystem::path& folder) const;
+  std::vector<std::string> draw_report_soil(const Runs& runs, const std::filesystem::path& folder) const;
+  std::vector<OwnChart> own_charts(const record::RunRecord& run) const;
+  std::optional<PointTravel> point_travel(const record::RunRecord& run) const;
+  RunDetails details(const record::RunRecord& run) const;
+  /// Throws InputError where no reading has one.
+  EmbeddedBody embedded(const problem::Case& c) const;
+  PublishedEnvelope published_envelope(const problem::Case& c, const EnvelopeEnds& ends) const;
 };
 
 }  // namespace berm::base

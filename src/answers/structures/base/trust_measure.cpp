@@ -24,6 +24,12 @@ text::Standing judge(const Limit& limit, Real value)
   return (limit.large ? value < limit.bad : value > limit.bad) ? text::Standing::bad : text::Standing::fair;
 }
 
+std::string TrustMeasure::warning_of(const record::RunRecord& run, Real of) const
+{
+  if (warning.made) return warning.made(run, of);
+  return fmt::format(fmt::runtime(warning.text), words(run, of));
+}
+
 TrustMeasures joined(std::initializer_list<TrustMeasures> parts)
 {
   TrustMeasures all;

@@ -56,16 +56,34 @@ constexpr Limit too_small(Limit limit)
 /// How a value stands; unknown where it is NaN.
 text::Standing judge(const Limit& limit, Real value);
 
+/// What is said of a value that is not good, as a sentence without its full stop: a text in which {} stands for the value in the words of its measure, or made.
+struct Warning {
+  using Made = std::function<std::string(const record::RunRecord&, Real)>;
+
+  Warning() = default;
+  Warning(const char* words) : text(words) {}
+  Warning(std::string words) : text(std::move(words)) {}
+  template <std::convertible_to<Made> Function>
+  Warning(Function function) : made(std::move(function))
+  {
+  }
+
+  std::string text{};
+  Made made{};
+};
+
 /// One thing that shows whether a run can be trusted.
 struct TrustMeasure {
   std::string what;
   const Limit* limit;  ///< null: it is stated, not judged
   std::function<bool(const record::RunRecord&)> applies;
   std::function<Real(const record::RunRecord&)> value;
-  std::function<std::string(const record::RunRecord&, Real)> words;    ///< of a value that is known
-  std::function<std::string(const record::RunRecord&, Real)> warning;  ///< where it is not good, as a sentence without its full stop
-  std::string (*limit_words)(Real);                                    ///< a limit in the unit of the value
+  std::function<std::string(const record::RunRecord&, Real)> words;  ///< of a value that is known
+  Warning warning;                                                   ///< where it is not good
+  std::string (*limit_words)(Real);                                  ///< a limit in the unit of the value
   bool of_cells = false;  ///< whether it judges if cells are fine enough where no body of a width is driven
+
+  std::string warning_of(const record::RunRecord& run, Real of) const;
 };
 using TrustMeasures = std::vector<TrustMeasure>;
 

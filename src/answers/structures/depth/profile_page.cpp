@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
+#include "plot/panels.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -12,8 +13,6 @@
 
 namespace berm::depth {
 namespace {
-
-constexpr Real panel_width = 300, panel_height = 320, left = 74, gap = 40, top = 58, room = 20;  // of the picture, in its units
 
 /// A panel of the picture: numbers in kN over depth, as steps or from level to level.
 struct Panel {
@@ -60,52 +59,21 @@ std::vector<Panel> panels_of(const Profile& p)
   return panels;
 }
 
-std::string label_at(Real x, Real y, const char* anchor, const std::string& text)
-{
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, text::html_text(text));
-}
-
-std::string line(Real x1, Real y1, Real x2, Real y2, const char* color)
-{
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" style=\"stroke:var(--{});stroke-width:1\"/>\n", x1, y1,
-                     x2, y2, color);
-}
-
-std::string svg_of(const Panel& panel, Real deepest, Real x0)
-{
-  const auto [low, high] = std::minmax_element(panel.value.begin(), panel.value.end());
-  const Real from = std::min(Real(0), *low), to = std::max(Real(0), *high), width = to > from ? to - from : 1;
-  const auto across = [&](Real value) { return x0 + (value - from) / width * panel_width; };
-  const auto down = [&](Real depth) { return top + depth / deepest * panel_height; };
-  std::string svg = label_at(x0 + panel_width / 2, top - 34, "middle", panel.label);
-  const Real step = plot::tic_step(width);
-  for (Real tic = std::ceil(from / step - 1e-9) * step; tic <= from + width * (1 + 1e-9); tic += step)
-    svg += line(across(tic), top, across(tic), top + panel_height, std::abs(tic) < 1e-9 * step ? "quiet" : "grid") +
-           label_at(across(tic), top - 8, "middle", text::short_number(std::abs(tic) < 1e-9 * step ? 0 : tic));
-  for (Real depth = 0; depth <= deepest * (1 + 1e-9); depth += plot::tic_step(deepest))
-    svg += line(x0, down(depth), x0 + panel_width, down(depth), "grid");
-  std::string points;
-  for (std::size_t k = 0; k < panel.value.size(); ++k)
-    points += fmt::format("{:.1f},{:.1f} ", across(panel.value[k]), down(panel.depth[k]));
-  return svg + fmt::format("<polyline points=\"{}\" style=\"fill:none;stroke:{};stroke-width:2\"/>\n", points, plot::curve_color(0));
-}
-
 /// Panels beside one another, depth downwards.
 std::string svg_of(const Profile& p)
 {
-  const std::vector<Panel> panels = panels_of(p);
-  const Real count = static_cast<Real>(panels.size()), width = left + count * panel_width + (count - 1) * gap + room,
-             deepest = p.level(p.v.size());
-  std::string svg = fmt::format(
-      "<figure class=\"depth_log\"><svg viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" style=\"max-width:100%;height:auto;font:13px "
-      "sans-serif;fill:var(--text)\" role=\"img\">\n<title>Forces of the soil on {} by depth</title>\n",
-      width, top + panel_height + room, width, text::html_text(p.body));
-  for (std::size_t k = 0; k < panels.size(); ++k) svg += svg_of(panels[k], deepest, left + static_cast<Real>(k) * (panel_width + gap));
-  for (Real depth = 0; depth <= deepest * (1 + 1e-9); depth += plot::tic_step(deepest))
-    svg += label_at(left - 7, top + depth / deepest * panel_height + 4, "end", text::short_number(depth));
-  svg += fmt::format("<text transform=\"translate(18 {:.0f}) rotate(-90)\" text-anchor=\"middle\">depth below the bed, m</text>\n",
-                     top + panel_height / 2);
-  return svg + "</svg></figure>\n";
+  plot::Panels all{.title = fmt::format("Forces of the soil on {} by depth", p.body),
+                   .css_class = "depth_log",
+                   .y_label = "depth below the bed, m",
+                   .downwards = true,
+                   .height = 320};
+  for (const Panel& panel : panels_of(p)) {
+    const auto [low, high] = std::minmax_element(panel.value.begin(), panel.value.end());
+    const Real from = std::min(Real(0), *low), to = std::max(Real(0), *high);
+    all.panels.push_back(
+        {panel.label, from, to > from ? to : from + 1, 0, p.level(p.v.size()), {{"", plot::thick_style(0), panel.value, panel.depth}}});
+  }
+  return plot::svg_of(all);
 }
 
 std::string words_of(const Profile& p)
@@ -191,7 +159,10 @@ std::string profile_section(const record::RunRecord& run, const std::string& id)
   return html;
 }
 
-std::vector<std::string> draw_profiles(const std::vector<record::RunRecord>& runs, const std::filesystem::path& folder)
+namespace {
+
+/// The picture as SVG and PNG for a run after the other. Gives the names of what was drawn.
+std::vector<std::string> draw_profiles(const base::Runs& runs, const base::PublishedPoints&, const std::filesystem::path& folder)
 {
   std::vector<std::string> drawn;
   const auto draw = [&](const std::string& name, plot::Figure figure, const std::vector<Panel>& panels,
@@ -200,10 +171,10 @@ std::vector<std::string> draw_profiles(const std::vector<record::RunRecord>& run
       figure.curves.push_back({names[k], plot::curve_style(k, k), panels[k].value, panels[k].depth});
     if (draw_png_and_svg(folder, name, figure)) drawn.push_back(name);
   };
-  for (std::size_t n = 0; n < runs.size(); ++n)
-    for (const Profile& p : last_profiles(runs[n])) {
+  for (const auto& [run, n] : runs)
+    for (const Profile& p : last_profiles(*run)) {
       std::vector<Panel> panels = panels_of(p);
-      plot::Figure figure{fmt::format("{}: forces of the soil on {} by depth", runs[n].name, p.body),
+      plot::Figure figure{fmt::format("{}: forces of the soil on {} by depth", run->name, p.body),
                           per_depth(p),
                           "depth below the bed (m)",
                           {},
@@ -217,6 +188,13 @@ std::vector<std::string> draw_profiles(const std::vector<record::RunRecord>& run
       draw(fmt::format("depth_profile_{}_{}", body, n), figure, panels, {"V on the shaft", "axial force, from the base upwards"});
     }
   return drawn;
+}
+
+}  // namespace
+
+base::Reading reading()
+{
+  return {.write_files = write_files, .other_results = profile_section, .draw_report_curves = draw_profiles};
 }
 
 }  // namespace berm::depth

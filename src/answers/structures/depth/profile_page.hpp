@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "run_folder/run_folder.hpp"
+#include "structures/base/structure.hpp"
 #include "structures/depth/profile.hpp"
 
 namespace berm::depth {
@@ -20,7 +20,7 @@ void write_files(const run_folder::RunFolder& folder, const record::RunRecord& r
 /// the names of the tables.
 std::string profile_section(const record::RunRecord& run, const std::string& id);
 
-/// The picture as SVG and PNG for a run after the other. Gives the names of what was drawn.
-std::vector<std::string> draw_profiles(const std::vector<record::RunRecord>& runs, const std::filesystem::path& folder);
+/// The same of any structure, with a picture for a run after the other.
+base::Reading reading();
 
 }  // namespace berm::depth

@@ -61,24 +61,15 @@ inline constexpr Answer<Results> push_answers[] = {
     {"V_noise", ratio, "noise of V in the push over the mean of |V|", number<Results, &Results::V_noise>, quality},
 };
 
-/// A row at multiples of D in a drag; what the drag is given is the drag's.
-struct PointAnswer {
-  const char* name;
-  base::AnswerUnit unit;
-  const char* meaning;
-  base::Access<DragPoint> number;
-  bool (*given)(const DragResults&);
-  run_folder::QuantityKind kind = run_folder::QuantityKind::answer;
-};
-inline constexpr PointAnswer point_answers[] = {
-    {"H_at_u", force, "horizontal resistance in the drag at a displacement", number<DragPoint, &DragPoint::H>, given_H},
-    {"w_at_u", length, "embedment in the drag at a displacement", number<DragPoint, &DragPoint::w>, given_w},
+/// At multiples of D in a drag; what the drag is given is the drag's.
+inline constexpr base::Answer<DragPoint, Stage, DragResults> point_answers[] = {
+    {"H_at_u", force, "horizontal resistance in the drag at a displacement", number<DragPoint, &DragPoint::H>, answer, given_H},
+    {"w_at_u", length, "embedment in the drag at a displacement", number<DragPoint, &DragPoint::w>, answer, given_w},
     {"H_over_V_at_u",
      ratio,
      "H over V in the drag at a displacement",
      {[](const DragPoint&) { return true; }, [](const DragPoint& p) { return p.H / p.V; },
-      [](DragPoint& p, Real over_V) { p.V = p.H / over_V; }},
-     [](const DragResults&) { return false; }},
+      [](DragPoint& p, Real over_V) { p.V = p.H / over_V; }}},
 };
 
 template <auto... Path>
@@ -101,22 +92,29 @@ inline constexpr Answer<DragResults> drag_answers[] = {
      [](const DragResults& r) { return r.given.u; }, nullptr, true},
     {"w_end_of_drag", length, "embedment at the end of the drag", of_drag<&DragResults::end, &DragPoint::w>, answer, given_w, nullptr,
      true},
-    {"u_largest", length, "largest displacement from the start of the stage, along x",
-     of_drag<&DragResults::moved, &Displacements::u_largest>, answer, nullptr, by_force},
-    {"u_end", length, "residual displacement at the end of the stage, along x", of_drag<&DragResults::moved, &Displacements::u_end>, answer,
-     nullptr, by_force, true},
-    {"w_largest", length, "largest embedment in the stage", of_drag<&DragResults::moved, &Displacements::w_largest>, answer, nullptr,
-     by_force},
+    Answer<DragResults>{"u_largest", length, "largest displacement from the start of the stage, along x",
+                        of_drag<&DragResults::moved, &Displacements::u_largest>, answer, nullptr, by_force}
+        .headed({"largest u"}),
+    Answer<DragResults>{"u_end", length, "residual displacement at the end of the stage, along x",
+                        of_drag<&DragResults::moved, &Displacements::u_end>, answer, nullptr, by_force, true}
+        .headed({"u at the end"}),
+    Answer<DragResults>{"w_largest", length, "largest embedment in the stage", of_drag<&DragResults::moved, &Displacements::w_largest>,
+                        answer, nullptr, by_force}
+        .headed({"largest w"}),
     {"w_end", length, "embedment at the end of the stage", of_drag<&DragResults::moved, &Displacements::w_end>, answer, nullptr, by_force,
      true},
-    {"u_largest_half_cycle", length, "largest travel between two reversals of the body",
-     of_drag<&DragResults::moved, &Displacements::largest_half_cycle>, answer, nullptr, by_force},
-    {"half_cycles", ratio, "number of half cycles: travels of at least 0.01 D between two reversals of the body",
-     of_drag<&DragResults::moved, &Displacements::half_cycles>, quality, nullptr, by_force},
-    {"time_to_0.5D", time, "time of the load history until the body is 0.5 D from its start",
-     of_drag<&DragResults::moved, &Displacements::time_half_D>, answer, nullptr, by_force},
-    {"time_to_1D", time, "time of the load history until the body is 1 D from its start",
-     of_drag<&DragResults::moved, &Displacements::time_D>, answer, nullptr, by_force},
+    Answer<DragResults>{"u_largest_half_cycle", length, "largest travel between two reversals of the body",
+                        of_drag<&DragResults::moved, &Displacements::largest_half_cycle>, answer, nullptr, by_force}
+        .headed({"largest half cycle"}),
+    Answer<DragResults>{"half_cycles", ratio, "number of half cycles: travels of at least 0.01 D between two reversals of the body",
+                        of_drag<&DragResults::moved, &Displacements::half_cycles>, quality, nullptr, by_force}
+        .headed({.words = "half cycles", .whole = true}),
+    Answer<DragResults>{"time_to_0.5D", time, "time of the load history until the body is 0.5 D from its start",
+                        of_drag<&DragResults::moved, &Displacements::time_half_D>, answer, nullptr, by_force}
+        .headed({.words = "u = 0.5 D after, s of the record", .missing = "never"}),
+    Answer<DragResults>{"time_to_1D", time, "time of the load history until the body is 1 D from its start",
+                        of_drag<&DragResults::moved, &Displacements::time_D>, answer, nullptr, by_force}
+        .headed({.words = "u = 1 D after, s of the record", .missing = "never"}),
     {"time_scale", ratio, "time of the run over that of the load history", of_drag<&DragResults::moved, &Displacements::time_scale>,
      prescribed, nullptr, [](const Stage& stage) { return stage.by_force && stage.varies; }},
     {"berm_height", length, "height of the berm ahead at the end of the drag", of_drag<&DragResults::berm_height>},
@@ -144,14 +142,23 @@ inline constexpr Answer<OtherPushResults> other_push_answers[] = {
      [](const OtherPushResults& push) { return push.given.w; }, nullptr, true},
 };
 
+template <auto... Path>
+constexpr base::Access<UpliftResults> of_uplift = number<UpliftResults, Path...>;
+
 inline constexpr Answer<UpliftResults> uplift_answers[] = {
-    {"R_max", force, "largest uplift resistance: the force of the soil against the lift",
-     number<UpliftResults, &UpliftResults::largest, &DragPeak::H>},
-    {"travel_at_R_max", length, "travel upwards at which it is", number<UpliftResults, &UpliftResults::largest, &DragPeak::u>},
-    {"travel_at_half_R_max", length, "travel upwards at which half of it is mobilised", number<UpliftResults, &UpliftResults::half_travel>},
-    {"w_begin", length, "embedment from which the body is lifted", number<UpliftResults, &UpliftResults::w_begin>},
-    {"R_end", force, "mean uplift resistance over the end of the lift", number<UpliftResults, &UpliftResults::end, &DragPoint::H>},
-    {"travel_end", length, "travel upwards in the stage", number<UpliftResults, &UpliftResults::end, &DragPoint::u>},
+    Answer<UpliftResults>{"R_max", force, "largest uplift resistance: the force of the soil against the lift",
+                          of_uplift<&UpliftResults::largest, &DragPeak::H>}
+        .headed({"R<sub>max</sub>"}),
+    Answer<UpliftResults>{"travel_at_R_max", length, "travel upwards at which it is", of_uplift<&UpliftResults::largest, &DragPeak::u>}
+        .headed({"after"}),
+    Answer<UpliftResults>{"travel_at_half_R_max", length, "travel upwards at which half of it is mobilised",
+                          of_uplift<&UpliftResults::half_travel>}
+        .headed({"half of it at"}),
+    Answer<UpliftResults>{"w_begin", length, "embedment from which the body is lifted", of_uplift<&UpliftResults::w_begin>}.headed(
+        {"w at the start"}),
+    Answer<UpliftResults>{"R_end", force, "mean uplift resistance over the end of the lift", of_uplift<&UpliftResults::end, &DragPoint::H>}
+        .headed({"R at the end"}),
+    {"travel_end", length, "travel upwards in the stage", of_uplift<&UpliftResults::end, &DragPoint::u>},
 };
 
 inline constexpr Answer<StateResults> state_answers[] = {

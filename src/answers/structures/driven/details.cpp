@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <memory>
 
 namespace berm::driven {
 namespace {
@@ -170,24 +171,6 @@ const Detail details[] = {
      }},
     {"w_of_frame", "1", Place::may_have, w_of_frame}};
 
-class DrivenDetails : public base::RunDetails {
-public:
-  explicit DrivenDetails(const record::RunRecord& run) : run_(run) {}
-
-  std::vector<std::string> names() const override { return detail_names(); }
-  std::optional<run_folder::Quantity> find(const std::string& name, std::optional<Real> at) const override
-  {
-    const Detail* const found = std::find_if(std::begin(details), std::end(details), [&](const Detail& d) { return name == d.name; });
-    if (found == std::end(details)) return {};
-    if (at.has_value() ? found->place == Place::none : found->place == Place::must_have)
-      throw InputError(fmt::format("{} {}", name, at ? "is not taken at a position: leave out at" : "needs at, its position"));
-    return run_folder::Quantity{name, found->take(run_, at.value_or(nan)), found->unit};
-  }
-
-private:
-  MeasuredRun run_;
-};
-
 }  // namespace
 
 std::vector<std::string> detail_names()
@@ -197,9 +180,17 @@ std::vector<std::string> detail_names()
   return all;
 }
 
-std::unique_ptr<base::RunDetails> details_of(const record::RunRecord& run)
+base::RunDetails details_of(const record::RunRecord& record)
 {
-  return std::make_unique<DrivenDetails>(run);
+  const auto run = std::make_shared<const MeasuredRun>(record);
+  return {detail_names(), [run](const std::string& name, std::optional<Real> at) -> std::optional<run_folder::Quantity> {
+            const Detail* const found =
+                std::find_if(std::begin(details), std::end(details), [&](const Detail& d) { return name == d.name; });
+            if (found == std::end(details)) return {};
+            if (at.has_value() ? found->place == Place::none : found->place == Place::must_have)
+              throw InputError(fmt::format("{} {}", name, at ? "is not taken at a position: leave out at" : "needs at, its position"));
+            return run_folder::Quantity{name, found->take(*run, at.value_or(nan)), found->unit};
+          }};
 }
 
 }  // namespace berm::driven

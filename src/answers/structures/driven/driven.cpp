@@ -35,9 +35,7 @@ std::map<std::string, std::string> moving_at_ends(const record::RunRecord& run, 
   return words;
 }
 
-}  // namespace
-
-std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
+std::vector<run_folder::Quantity> answers_of(const record::RunRecord& run, const std::vector<Real>& held_forces)
 {
   if (run.history.rows() == 0) return {};
   const base::BodyScale scale = base::body_scale(run);
@@ -52,29 +50,30 @@ std::vector<run_folder::Quantity> Driven::quantities(const record::RunRecord& ru
   return list;
 }
 
-std::vector<std::string> Driven::quantity_names(const problem::Case& c) const
+/// How drags by a force that varies were run.
+std::string notes_of(const record::RunRecord& run)
 {
-  return known_names(c);
-}
-
-std::string Driven::table_of(const record::RunRecord& run) const
-{
-  std::string table = key_results_table(run.quantities, base::body_scale(run));
+  std::string notes;
   for (const std::string& line : time_scale_lines(run))
-    table += line + "; times above are those of the record, half_cycles.csv has each half cycle\n";
-  for (const std::string& doubt : lower_estimates(run)) table += doubt + "\n";
-  return table;
+    notes += line + "; times above are those of the record, half_cycles.csv has each half cycle\n";
+  for (const std::string& doubt : lower_estimates(run)) notes += doubt + "\n";
+  return notes;
 }
 
-bool Driven::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
+void write_files(const run_folder::RunFolder& folder, const record::RunRecord& run)
 {
-  if (run.history.rows() == 0) return false;
+  if (run.history.rows() == 0) return;
   const std::string half_cycles = half_cycles_csv(run.history, stages_of(run.settings), base::body_scale(run).width);
   if (!half_cycles.empty()) io::write_atomically(folder.file("half_cycles.csv"), half_cycles);
+}
+
+bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands)
+{
+  if (run.history.rows() == 0) return false;
   return draw_run_curves(folder, run.history, base::body_scale(run), stages_of(run.settings), run.settings.title, bands);
 }
 
-base::ChartCurves Driven::chart_curves(const record::RunRecord& run) const
+base::ChartCurves chart_curves(const record::RunRecord& run)
 {
   if (run.history.rows() == 0) return {};
   const Path path = path_of(run.history, stages_of(run.settings));
@@ -90,22 +89,7 @@ base::ChartCurves Driven::chart_curves(const record::RunRecord& run) const
   return curves;
 }
 
-std::string Driven::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
-{
-  return results_in_words(DrivenRun(run), shown);
-}
-
-std::string Driven::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
-{
-  return driven::key_results(driven_runs(runs), shown);
-}
-
-base::TrustMeasures Driven::measures(const problem::Case& c) const
-{
-  return driven_measures(c);
-}
-
-std::string Driven::quality_note(const base::Runs& runs) const
+std::string quality_note(const base::Runs& runs)
 {
   const auto may_localise = [](const base::PageRun& run) {
     const problem::Case& c = run.record->settings;
@@ -120,7 +104,7 @@ std::string Driven::quality_note(const base::Runs& runs) const
          "(<code>berm study examples/mesh_study</code>).</p>\n";
 }
 
-base::StagePaths Driven::paths(const record::RunRecord& run) const
+base::StagePaths paths_of(const record::RunRecord& run)
 {
   if (run.history.rows() == 0) return {};
   const Path path = path_of(run.history, stages_of(run.settings));
@@ -134,20 +118,46 @@ base::StagePaths Driven::paths(const record::RunRecord& run) const
   return paths;
 }
 
-std::vector<std::string> Driven::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
-                                                    const std::filesystem::path& folder) const
+}  // namespace
+
+base::Reading reading()
 {
-  return draw_travel_figures(driven_runs(runs), published, folder);
+  using Run = const record::RunRecord&;
+  return {
+      .answers = answers_of,
+      .names = known_names,
+      .notes = notes_of,
+      .write_files = write_files,
+      .draw_curves = draw_curves,
+      .chart_curves = chart_curves,
+      .words = [](Run run, const base::DisplayUnits& shown) { return results_in_words(DrivenRun(run), shown); },
+      .key_results = [](const base::Runs& runs, const base::DisplayUnits& shown) { return key_results(driven_runs(runs), shown); },
+      .measures = [](const problem::Case& c) { return driven_measures(c); },
+      .quality_note = quality_note,
+      .paths = paths_of,
+      .draw_report_curves = [](const base::Runs& runs, const base::PublishedPoints& published,
+                               const std::filesystem::path& folder) { return draw_travel_figures(driven_runs(runs), published, folder); },
+      .draw_report_soil = [](const base::Runs& runs,
+                             const std::filesystem::path& folder) { return draw_soil_figures(driven_runs(runs), folder); },
+      .details = details_of};
 }
 
-std::vector<std::string> Driven::draw_report_soil(const base::Runs& runs, const std::filesystem::path& folder) const
+base::Reading reading_without_push()
 {
-  return draw_soil_figures(driven_runs(runs), folder);
-}
-
-std::unique_ptr<base::RunDetails> Driven::details(const record::RunRecord& run) const
-{
-  return details_of(run);
+  const auto is_of_push = [](const std::string& name) { return name.starts_with("V_at_w_") || name.starts_with("V_at_travel_"); };
+  base::Reading rest = reading();
+  rest.answers = [=](const record::RunRecord& run, const std::vector<Real>& held_forces) {
+    std::vector<run_folder::Quantity> list = answers_of(run, held_forces);
+    std::erase_if(list, [&](const run_folder::Quantity& q) { return is_of_push(q.name); });
+    return list;
+  };
+  rest.names = [=](const problem::Case& c) {
+    std::vector<std::string> names = known_names(c);
+    std::erase_if(names, is_of_push);
+    return names;
+  };
+  rest.draw_curves = {}, rest.words = {}, rest.key_results = {}, rest.measures = {}, rest.quality_note = {};
+  return rest;
 }
 
 }  // namespace berm::driven

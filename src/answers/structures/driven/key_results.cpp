@@ -2,6 +2,8 @@
 // Tests: tests/unit/report/results/results_section_test.cpp
 #include "structures/driven/report.hpp"
 
+#include "structures/base/answer_table.hpp"
+#include "structures/driven/answers.hpp"
 #include "structures/driven/resistance.hpp"
 #include "structures/driven/run_points.hpp"
 #include "structures/driven/states.hpp"
@@ -306,55 +308,35 @@ std::string states_table(const DrivenRuns& runs, const base::DisplayUnits& shown
   return table.empty() ? "" : table.html();
 }
 
+/// What the rows of a stage are called: with its run, of several.
+std::string stage_of(const DrivenRuns& runs, const DrivenRun& run, const std::string& stage)
+{
+  return runs.size() > 1 ? run.name + ", " + stage : stage;
+}
+
 /// How far forces move the bodies.
 std::string displacements_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
-  text::HtmlTable table("key-displacements", "Displacement under a given force");
-  table.columns(side_by_side({{{"stage"}},
-                              shown.length_columns("largest u"),
-                              shown.length_columns("u at the end"),
-                              shown.length_columns("largest w"),
-                              {{"half cycles", true}},
-                              shown.length_columns("largest half cycle"),
-                              {{"u = 0.5 D after, s of the record", true}, {"u = 1 D after, s of the record", true}}}));
-  for (const DrivenRun& run : runs)
-    for (const DragResults& drag : run.results().drags) {
-      if (!drag.moved) continue;
-      const Displacements& m = *drag.moved;
-      const auto time = [](const std::optional<Real>& t) { return text::HtmlCell{t ? text::table_number(*t) : "never", true}; };
-      table.row(side_by_side({{{text::html_text(runs.size() > 1 ? run.name + ", " + drag.stage : drag.stage)}},
-                              shown.length_cells(run.scale, m.u_largest),
-                              shown.length_cells(run.scale, m.u_end),
-                              shown.length_cells(run.scale, m.w_largest),
-                              {{text::count_words(m.half_cycles), true}},
-                              shown.length_cells(run.scale, m.largest_half_cycle),
-                              {time(m.time_half_D), time(m.time_D)}}));
-    }
-  if (table.empty()) return "";
-  return table.html() + text::html_paragraph("u is the displacement along x since the start of the stage; a half cycle ends where the body "
-                                             "reverses by 0.01 D. Times are those of the load history (the record), whatever time_scale "
-                                             "was. half_cycles.csv in the run folder lists each half cycle of a varying force.",
-                                             "quiet");
+  base::AnswerTable table({"key-displacements", "Displacement under a given force"}, shown, drag_answers);
+  for (const DrivenRun& run : runs) {
+    const Results results = run.results();
+    for (const DragResults& drag : results.drags)
+      if (drag.moved) table.add(stage_of(runs, run, drag.stage), run.record, results.prefix_of(drag));
+  }
+  const std::string html = table.html({{"stage"}});
+  if (html.empty()) return "";
+  return html + text::html_paragraph("u is the displacement along x since the start of the stage; a half cycle ends where the body "
+                                     "reverses by 0.01 D. Times are those of the load history (the record), whatever time_scale "
+                                     "was. half_cycles.csv in the run folder lists each half cycle of a varying force.",
+                                     "quiet");
 }
 
 std::string uplift_table(const DrivenRuns& runs, const base::DisplayUnits& shown)
 {
-  text::HtmlTable table("key-uplift", "Uplift: resistance R against the lift");
-  table.columns(side_by_side({{{"stage"}},
-                              shown.length_columns("w at the start"),
-                              shown.force_columns("R<sub>max</sub>"),
-                              shown.length_columns("after"),
-                              shown.length_columns("half of it at"),
-                              shown.force_columns("R at the end")}));
+  base::AnswerTable table({"key-uplift", "Uplift: resistance R against the lift"}, shown, uplift_answers);
   for (const DrivenRun& run : runs)
-    for (const UpliftResults& u : run.results().uplifts)
-      table.row(side_by_side({{{text::html_text(runs.size() > 1 ? run.name + ", " + u.stage : u.stage)}},
-                              shown.length_cells(run.scale, u.w_begin),
-                              shown.force_cells(run.scale, u.largest.H),
-                              shown.length_cells(run.scale, u.largest.u),
-                              shown.length_cells(run.scale, u.half_travel),
-                              shown.force_cells(run.scale, u.end ? u.end->H : nan)}));
-  return table.empty() ? "" : table.html();
+    for (const UpliftResults& u : run.results().uplifts) table.add(stage_of(runs, run, u.stage), run.record, u.stage + ".");
+  return table.html({{"stage"}});
 }
 
 /// R by the travel upwards, and where it is largest.
@@ -372,7 +354,7 @@ std::string uplift_travel_table(const DrivenRuns& runs, const base::DisplayUnits
       for (const Real part : told_at) {
         const Real travel = part * run.scale.width;
         if (R.empty() || !(travel <= R.end())) break;
-        table.row(side_by_side({{{text::html_text(runs.size() > 1 ? run.name + ", " + push.stage : push.stage)}},
+        table.row(side_by_side({{{text::html_text(stage_of(runs, run, push.stage))}},
                                 shown.length_cells(run.scale, travel),
                                 shown.force_cells(run.scale, R.at(travel, averaging_half(run.scale)))}));
       }

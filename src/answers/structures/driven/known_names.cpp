@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <regex>
+#include <span>
 
 namespace berm::driven {
 namespace {
@@ -30,26 +31,12 @@ bool may_come_to(const std::string& state, const problem::Case& c, const Stages&
   return true;
 }
 
-/// Names of rows at a multiple of D.
+/// Names of rows at multiples of D.
 template <class Rows>
-void add_names_at(base::AnswerList& list, const Rows& rows, Real part)
+void add_names_at(base::AnswerList& list, const Rows& rows, std::span<const Real> parts)
 {
-  for (const auto& row : rows) list.add(name_at(row.name, part), row.unit, nan, row.meaning);
-}
-
-void add_push_names(base::AnswerList& list)
-{
-  list.of("push", "");
-  add_names_at(list, depth_answers, push_spacing);  // one stands for all: without_number
-  list.add_names(push_answers, Stage{});
-  for (const Real point : travel_points) add_names_at(list, travel_answers, point);
-}
-
-void add_drag_names(base::AnswerList& list, const Stage& stage)
-{
-  if (resists(stage))
-    for (const Real point : drag_points) add_names_at(list, point_answers, point);
-  list.add_names(drag_answers, stage);
+  for (const Real part : parts) list.at(part), list.add_names(rows, Stage{});
+  list.at({});
 }
 
 }  // namespace
@@ -79,11 +66,18 @@ std::vector<std::string> known_names(const problem::Case& c)
     const std::string prefix = stage.name + ".";
     if (stage.kind == problem::StageKind::drag) {
       list.of(stage.name, dragged ? prefix : "");
-      add_drag_names(list, stage);
+      if (resists(stage)) add_names_at(list, point_answers, drag_points);
+      list.add_names(drag_answers, stage);
       dragged = true;
       continue;
     }
-    if (!dragged && !stage.upwards && !went_down) add_push_names(list), went_down = true;
+    if (!dragged && !stage.upwards && !went_down) {
+      went_down = true;
+      list.of("push", "");
+      add_names_at(list, depth_answers, {&push_spacing, 1});  // one stands for all: without_number
+      list.add_names(push_answers, stage);
+      add_names_at(list, travel_answers, travel_points);
+    }
     list.of(stage.name, prefix);
     if (dragged || stage.upwards || stage.force) list.add_names(other_push_answers, stage);
     if (stage.upwards) list.add_names(uplift_answers, stage);
@@ -93,8 +87,8 @@ std::vector<std::string> known_names(const problem::Case& c)
   list.of("", "");
   for (const auto& row : run_answers)
     if (went_down || std::string_view(row.name) != "second_impulse_over_V") list.add(row.name, row.unit, nan, row.meaning);
-  std::vector<std::string> names;
-  for (const run_folder::Quantity& q : list.list()) names.push_back(without_number(q.name));
+  std::vector<std::string> names = list.names();
+  for (std::string& name : names) name = without_number(name);
   if (c.geometry == problem::Geometry::space)
     for (const char* axis : {"Mx", "My", "Mz"})
       for (const char* end : {"_end_of_push", "_end_of_drag"}) names.push_back(std::string(axis) + end);

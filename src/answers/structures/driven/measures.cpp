@@ -136,9 +136,7 @@ TrustMeasure kinetic(const char* stage, bool (*applies)(Run), problem::StageKind
           applies,
           [kind](Run run) { return kinetic_over_work(run, kind); },
           in_percent,
-          [stage](Run, Real value) {
-            return fmt::format("kinetic energy is {} of the work in the {}: drive slower", text::percent_words(value), stage);
-          },
+          fmt::format("kinetic energy is {{}} of the work in the {}: drive slower", stage),
           text::percent_words};
 }
 
@@ -149,9 +147,7 @@ TrustMeasure noise(const char* force, const char* stage, const Limit& limit, boo
           applies,
           std::move(value_of),
           in_percent,
-          [force](Run, Real value) {
-            return fmt::format("{} scatters by {} about its mean: use means, not single values", force, text::percent_words(value));
-          },
+          fmt::format("{} scatters by {{}} about its mean: use means, not single values", force),
           text::percent_words};
 }
 
@@ -162,10 +158,7 @@ TrustMeasure held(const std::string& body)
           holds,
           [](Run run) { return worst_of_drags(run, &DragResults::V_rms_error); },
           in_percent,
-          [body](Run, Real value) {
-            return fmt::format("V is held to within {} only: give the drag a longer ramp, or the {} less mass", text::percent_words(value),
-                               body);
-          },
+          fmt::format("V is held to within {{}} only: give the drag a longer ramp, or the {} less mass", body),
           text::percent_words};
 }
 
@@ -176,11 +169,9 @@ TrustMeasure shaking(const std::string& body)
           has_soil,
           [](Run run) { return run.check("shaking_at_body"); },
           as_number,
-          [body](Run, Real value) {
-            return fmt::format("the soil at the {} vibrates with {:.2g} of the pressure p + c cot φ that gives it its strength: it has "
-                               "lost strength, and resistance is too small",
-                               body, value);
-          },
+          fmt::format("the soil at the {} vibrates with {{}} of the pressure p + c cot φ that gives it its strength: it has lost strength, "
+                      "and resistance is too small",
+                      body),
           bare_limit};
 }
 
@@ -220,10 +211,7 @@ TrustMeasure second_impulse()
           pushes,
           [](Run run) { return quantity_value(run, "second_impulse_over_V"); },
           in_percent,
-          [](Run, Real value) {
-            return fmt::format("the second contact correction is {} of V: the two contact corrections oppose each other",
-                               text::percent_words(value));
-          },
+          "the second contact correction is {} of V: the two contact corrections oppose each other",
           text::percent_words};
 }
 
@@ -268,11 +256,7 @@ TrustMeasure depth_of_push(const std::string& body)
           [](Run run) { return kind_of(run.settings) == "pipe" && has_soil(run) && quantity_value(run, "w_end_of_push") > 0; },
           [](Run run) { return quantity_value(run, "w_end_of_push") / near_cells(run).first; },
           as_number,
-          [body](Run, Real value) {
-            return fmt::format(
-                "the push ends {:.2g} cells deep: take cells of a fraction of the embedment at the {}, or take it as not known", value,
-                body);
-          },
+          fmt::format("the push ends {{}} cells deep: take cells of a fraction of the embedment at the {}, or take it as not known", body),
           cells_limit};
 }
 

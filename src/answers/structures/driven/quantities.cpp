@@ -257,16 +257,6 @@ void take_second_impulse(Results& results, const PushPath& path, const run_folde
   if (V != 0) results.second_impulse_over_V = second / std::abs(V);
 }
 
-/// Four digits that count, without an exponent in the range of engineering numbers.
-std::string four_digits(Real value)
-{
-  const Real size = std::abs(value);
-  if (std::isnan(value)) return "not known";
-  if (!std::isfinite(value) || (size > 0 && (size < 1e-5 || size >= 1e7))) return fmt::format("{:.3e}", value);
-  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-  return fmt::format("{:.{}f}", value, std::max(0, 4 - before));
-}
-
 }  // namespace
 
 Real V_at_end(const PushPath& push, const run_folder::History& history, const Stages& stages, const BodyScale& scale)
@@ -289,48 +279,6 @@ Results results_from(const run_folder::History& history, const BodyScale& scale,
   take_second_impulse(results, path.push, history);
   take_contact(results, path, history);
   return results;
-}
-
-std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const BodyScale& scale)
-{
-  const auto find = [&](const std::string& name) {
-    return std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == name; });
-  };
-  // R_end of a lift is the mean of -V over its end; V in its last row beside it would be a second number for one thing.
-  const auto is_lift = [&](const std::string& V_end) {
-    return find(V_end.substr(0, V_end.size() - std::string_view("V_end").size()) + "R_end") != quantities.end();
-  };
-  const bool prototype = has_prototype(scale);
-  const base::ForceMeasure measure = base::force_measure(scale);
-  std::string table = fmt::format("{:<24}{:>18}{:>16}", "", "model", "dimensionless");
-  if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
-  table += '\n';
-  for (const run_folder::Quantity& q : quantities) {
-    if (q.kind == run_folder::QuantityKind::ratio || (q.name.ends_with(".V_end") && is_lift(q.name))) continue;
-    const bool force = q.unit == "N/m" || q.unit == "N", length = q.unit == "m";
-    const auto twin = find(q.name + "_over_D");
-    const bool moment = q.unit == "N m", time = q.unit == "s";
-    const std::string model = force    ? four_digits(q.value) + (q.unit == "N" ? " N   " : " N/m ")
-                              : length ? four_digits(1000 * q.value) + " mm  "
-                              : moment ? four_digits(q.value) + " N m "
-                              : time   ? four_digits(q.value) + " s   "
-                                       : "";
-    const std::string bare = !force && !length && !moment && !time ? four_digits(q.value)
-                             : force && measure.size > 0           ? four_digits(q.value / measure.size)
-                             : twin != quantities.end()            ? four_digits(twin->value)
-                                                                   : "";
-    table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
-    const Real scaled = q.value * scale.gravity_level;
-    if (prototype && q.unit == "N/m") table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");
-    if (prototype && length) table += fmt::format("{:>20}", four_digits(scaled) + " m   ");
-    table.erase(table.find_last_not_of(' ') + 1);
-    table += '\n';
-  }
-  if (measure.kind == base::ForceMeasure::Kind::strength)
-    table += fmt::format("dimensionless: forces over D s_u with s_u = {}, lengths over D\n", text::stress_words(scale.strength));
-  else
-    table += fmt::format("dimensionless: {}lengths over D\n", measure.size > 0 ? "forces over gamma' D^2, " : "");
-  return table;
 }
 
 namespace {

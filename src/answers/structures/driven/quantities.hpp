@@ -30,10 +30,6 @@ Results results_from(const run_folder::History& history, const BodyScale& scale,
 /// V where the way down ends, N/m: the limit of force that ended it, else that of the line fitted there.
 Real V_at_end(const PushPath& push, const run_folder::History& history, const Stages& stages, const BodyScale& scale);
 
-/// Quantities as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model has
-/// one.
-std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const BodyScale& scale);
-
 /// Moments of the soil on the driven body in space about its centre, N m, averaged as V is: Mx_end_of_push, ... at the end of the way down, Mx_end_of_drag, ... at that of
 /// the first drag. Components below a thousandth of V D (H D) are noise and left out; in the plane and around an axis there are none.
 std::vector<run_folder::Quantity> moments_in_space(const record::RunRecord& run);

@@ -13,22 +13,6 @@ namespace {
 using run_folder::Quantity;
 using Values = std::map<std::string, Real>;
 
-template <class Point, class Rows>
-void add_points(base::AnswerList& list, const std::vector<Point>& points, Real Point::*travel, const Rows& rows, Real D)
-{
-  for (const Point& point : points)
-    for (const auto& row : rows) list.add(name_at(row.name, point.*travel / D), row.unit, row.number.value(point), row.meaning, row.kind);
-}
-
-/// In a drag the input may prescribe them.
-void add_points(base::AnswerList& list, const DragResults& drag, Real D)
-{
-  for (const DragPoint& point : drag.points)
-    for (const auto& row : point_answers)
-      list.add(name_at(row.name, point.u / D), row.unit, row.number.value(point), row.meaning,
-               row.given(drag) ? run_folder::QuantityKind::prescribed : row.kind);
-}
-
 /// What stands at a multiple of D: the place where the name says it.
 template <class Point, class Rows, class Parts>
 void take_points(std::vector<Point>& points, Real Point::*travel, const Rows& rows, const Parts& parts, const Values& values,
@@ -65,7 +49,7 @@ std::string begin_of(const std::string& stage)
 
 std::string name_at(const char* what, Real part)
 {
-  return fmt::format("{}_{:g}D", what, part);
+  return what + base::AnswerList::ending_at(part);
 }
 
 std::vector<Quantity> quantities_of(const Results& results, const BodyScale& scale, const std::map<std::string, std::string>& moving)
@@ -75,12 +59,15 @@ std::vector<Quantity> quantities_of(const Results& results, const BodyScale& sca
   list.twins(scale.unit_weight * D * D, D);
   list.moving(moving);
   list.of("push", "");
-  add_points(list, results.push, &PushPoint::w, depth_answers, D);
+  for (const PushPoint& point : results.push) list.at(point.w / D), list.add(depth_answers, point);
+  list.at({});
   list.add(push_answers, results);
-  add_points(list, results.travel, &TravelPoint::travel, travel_answers, D);
+  for (const TravelPoint& point : results.travel) list.at(point.travel / D), list.add(travel_answers, point);
+  list.at({});
   for (const DragResults& drag : results.drags) {
     list.of(drag.stage, results.prefix_of(drag));
-    add_points(list, drag, D);
+    for (const DragPoint& point : drag.points) list.at(point.u / D), list.add(point_answers, point, drag);
+    list.at({});
     list.add(drag_answers, drag);
   }
   for (const OtherPushResults& push : results.other_pushes) {

@@ -97,10 +97,7 @@ base::TrustMeasure cells_of_mechanism()
           base::has_mechanism_cells,
           [](const record::RunRecord& run) { return base::cells_across_mechanism(run); },
           base::as_number,
-          [](const record::RunRecord&, Real value) {
-            return fmt::format("there are {:.2g} cells across the sheared soil: its resistance depends on them; take finer cells there",
-                               value);
-          },
+          "there are {} cells across the sheared soil: its resistance depends on them; take finer cells there",
           base::bare_limit,
           true};
 }
@@ -121,10 +118,7 @@ base::TrustMeasure cells_of_disk()
           [](const record::RunRecord& run) { return !std::isnan(cells_over_radius(run.settings)); },
           [](const record::RunRecord& run) { return cells_over_radius(run.settings); },
           base::as_number,
-          [](const record::RunRecord&, Real value) {
-            return fmt::format(
-                "there are {:.2g} cells over the radius of a disk: its rim is not a circle, so it rotates and rolls too slowly", value);
-          },
+          "there are {} cells over the radius of a disk: its rim is not a circle, so it rotates and rolls too slowly",
           base::bare_limit,
           true};
 }
@@ -167,30 +161,16 @@ base::TrustMeasure cells_at_moved_body(const problem::Case& c)
           true};
 }
 
-}  // namespace
-
-bool Generic::applies_to(const problem::Case&) const
-{
-  return true;
-}
-
-bool Generic::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands&) const
-{
-  return soil_plot::draw_columns(folder, run.history, curve_columns(run.settings, run.history), run.settings.title);
-}
-
-std::string Generic::in_words(const record::RunRecord&, const base::DisplayUnits&) const
-{
-  return "This run has no key results: no push or drag drives a body with a width.";
-}
-
-std::string Generic::other_results(const record::RunRecord& run, const std::string& id) const
+/// What it watches, its own quantities, else its checks.
+std::string results_of(const record::RunRecord& run, const std::string& id)
 {
   const std::string results = quantities_table(run, id + "-quantities") + watched_table(run, id + "-watched");
   return results.empty() ? checks_table(run, id + "-checks") : results;
 }
 
-base::TrustMeasures Generic::measures(const problem::Case& c) const
+}  // namespace
+
+base::TrustMeasures measures_of_any_run(const problem::Case& c)
 {
   using namespace base;
   if (c.method == problem::Method::fem)
@@ -203,6 +183,21 @@ base::TrustMeasures Generic::measures(const problem::Case& c) const
                  soil_volumes(),
                  {momentum_balance(), cells_of_mechanism(), cells_of_disk(), cells_at_moved_body(c), shear_bands(), friction_of_cells(),
                   counted("particles", "particles"), counted("cells", "cells")}});
+}
+
+base::Structure other()
+{
+  using Run = const record::RunRecord&;
+  return {
+      "other",
+      {{.draw_curves =
+            [](const run_folder::RunFolder& folder, Run run, const base::CurveBands&) {
+              return soil_plot::draw_columns(folder, run.history, curve_columns(run.settings, run.history), run.settings.title);
+            },
+        .words = [](Run, const base::DisplayUnits&) { return "This run has no key results: no push or drag drives a body with a width."; },
+        .other_results = results_of,
+        .measures = measures_of_any_run}},
+      [](const problem::Case&) { return true; }};
 }
 
 }  // namespace berm::generic

@@ -6,14 +6,9 @@
 namespace berm::generic {
 
 /// Any case that is of no other structure: it has no key results; what it watches, its own quantities and its checks are told.
-class Generic : public base::Structure {
-public:
-  const char* word() const override { return "other"; }
-  bool applies_to(const problem::Case& c) const override;
-  bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
-  std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
-  std::string other_results(const record::RunRecord& run, const std::string& id) const override;
-  base::TrustMeasures measures(const problem::Case& c) const override;
-};
+base::Structure other();
+
+/// What is looked at in any run, whatever it is of.
+base::TrustMeasures measures_of_any_run(const problem::Case& c);
 
 }  // namespace berm::generic

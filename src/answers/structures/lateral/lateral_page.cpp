@@ -24,42 +24,6 @@ std::string height_words(Real height)
   return fmt::format("{} {} the bed", text::length_words(std::abs(height)), height < 0 ? "below" : "above");
 }
 
-std::string summary_table(const LateralRuns& runs, const std::string& id)
-{
-  text::HtmlTable table(id, "Lateral load: at the end");
-  table.columns({{"run"},
-                 {"D, m", true},
-                 {"L in the bed, m", true},
-                 {"load above the bed, m", true},
-                 {"H, kN", true},
-                 {"M at the bed, kN m", true},
-                 {"u at the bed, mm", true},
-                 {"u at the load, mm", true},
-                 {"tilt, °", true},
-                 {"pivot below the bed, m", true},
-                 {"H/(s<sub>u</sub> D L)", true},
-                 {"largest H, kN", true},
-                 {"at u, mm", true}});
-  for (const LateralRun& run : runs) {
-    const LateralResults& r = run.results();
-    const auto number = [](Real value) { return HtmlCell{text::table_number(value), true}; };
-    table.row({{text::html_text(run.record.name)},
-               number(run.width),
-               number(run.path.length),
-               number(r.height),
-               number(r.H / 1e3),
-               number(r.M / 1e3),
-               number(r.u * 1e3),
-               number(r.u_load * 1e3),
-               number(r.tilt / degree),
-               number(r.pivot),
-               number(run.over_strength(r.H)),
-               number(r.max_H / 1e3),
-               number(r.u_at_max * 1e3)});
-  }
-  return table.html();
-}
-
 std::string travel_table(const LateralRuns& runs, const std::string& id)
 {
   text::HtmlTable table(id, "Lateral load H by the displacement u at the bed");
@@ -135,7 +99,7 @@ std::string lateral_key_results(const LateralRuns& runs, const std::string& id)
   for (const LateralRun& run : runs)
     if (!run.empty() && !run.H_curve().empty()) known.push_back(run);
   if (known.empty()) return "";
-  std::string html = summary_table(known, id + "-sideways-end") + travel_table(known, id + "-sideways-u");
+  std::string html = lateral_table(known, id + "-sideways-end") + travel_table(known, id + "-sideways-u");
   for (const LateralRun& run : known) html += py_table(run, fmt::format("{}-p-y-{}", id, run.number));
   return html;
 }

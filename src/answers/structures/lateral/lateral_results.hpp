@@ -20,13 +20,10 @@ std::string name_at(Real over_D);
 /// None where nothing loads the body sideways.
 std::vector<run_folder::Quantity> lateral_quantities(const LateralRun& run);
 
+/// Those at the end as a table of the page.
+std::string lateral_table(const LateralRuns& runs, const std::string& id);
+
 /// The names of all that a run may have of these.
 std::vector<std::string> lateral_names();
-
-/// Whether a quantity is one of these.
-bool is_lateral(const run_folder::Quantity& quantity);
-
-/// The same as a table of the log; "" where there is none.
-std::string lateral_table(const std::vector<run_folder::Quantity>& quantities);
 
 }  // namespace berm::lateral

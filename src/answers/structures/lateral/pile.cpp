@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
-#include "structures/lateral/pile.hpp"
+#include "structures/lateral/shaft.hpp"
 
 #include "formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
@@ -25,23 +25,23 @@ std::vector<penetration::Comparison> published_of_pile(const penetration::Penetr
 
 }  // namespace
 
-const penetration::Reading& pile_reading()
+const penetration::Penetrometer& pile()
 {
-  static const penetration::Reading pile{.word = "pile",
-                                         .level = "base of the pile",
-                                         .resistance = {"q_b", "q<sub>b</sub>"},
-                                         .in_clay = {"N_c", "N<sub>c</sub>"},
-                                         .in_sand = {"N_q", "N<sub>q</sub>"},
-                                         .sand_measure = penetration::SandMeasure::overburden,
-                                         .flows_around = false,
-                                         .averaging = 0.1,
-                                         .last_travel = 1,
-                                         .depths = {0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30},
-                                         .keeps_push = false,
-                                         .cells = &pile_cells,
-                                         .published = published_of_pile,
-                                         .remark = "",
-                                         .pushes_aside = true};
+  static const penetration::Penetrometer pile{.word = "pile",
+                                              .level = "base of the pile",
+                                              .resistance = {"q_b", "q<sub>b</sub>"},
+                                              .in_clay = {"N_c", "N<sub>c</sub>"},
+                                              .in_sand = {"N_q", "N<sub>q</sub>"},
+                                              .sand_measure = penetration::SandMeasure::overburden,
+                                              .flows_around = false,
+                                              .averaging = 0.1,
+                                              .last_travel = 1,
+                                              .depths = {0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30},
+                                              .keeps_push = false,
+                                              .cells = &pile_cells,
+                                              .published = published_of_pile,
+                                              .remark = "",
+                                              .pushes_aside = true};
   return pile;
 }
 

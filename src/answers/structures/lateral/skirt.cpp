@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structures/lateral/skirt.hpp"
+#include "structures/lateral/shaft.hpp"
 
 #include "formulas/axial.hpp"
 #include "formulas/footing.hpp"
@@ -55,56 +55,55 @@ std::vector<penetration::Comparison> published_of_skirt(const PenetrationRun& ru
   return list;
 }
 
-}  // namespace
-
-const penetration::Reading& skirt_reading()
+/// How tip and faces share the load.
+std::string share_words(const record::RunRecord& run, const base::DisplayUnits&)
 {
-  static const penetration::Reading skirt{.word = "skirt",
-                                          .level = "tip of the skirt",
-                                          .resistance = {"q_b", "q<sub>b</sub>"},
-                                          .in_clay = {"N_c", "N<sub>c</sub>"},
-                                          .in_sand = {"N_q", "N<sub>q</sub>"},
-                                          .sand_measure = penetration::SandMeasure::overburden,
-                                          .flows_around = false,
-                                          .averaging = 0.02,
-                                          .last_travel = 0.2,
-                                          .depths = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1, 1.5, 2, 3, 4, 5, 6, 8, 10},
-                                          .keeps_push = false,
-                                          .cells = &skirt_cells,
-                                          .published = published_of_skirt,
-                                          .remark = ""};
-  return skirt;
-}
-
-std::string Skirt::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
-{
-  const std::string words = Shaft::in_words(run, shown);
-  const PenetrationRun pushed(run, skirt_reading());
-  if (pushed.z().empty() || !(pushed.body.bore > 0) || !std::isfinite(pushed.last().friction)) return words;
+  const PenetrationRun pushed(run, skirt());
+  if (pushed.z().empty() || !(pushed.body.bore > 0) || !std::isfinite(pushed.last().friction)) return "";
   const auto force = [](Real newtons) { return text::force_words(newtons, 3); };
-  return words +
-         fmt::format(" Over that travel the tip carries {} and friction {}, {} on average over both faces{}.",
+  return fmt::format("Over that travel the tip carries {} and friction {}, {} on average over both faces{}.",
                      force(pushed.last().q * pushed.area()), force(pushed.last().friction * pushed.shaft_area(middle_of_end(pushed))),
                      text::stress_words(pushed.last().friction),
                      std::isinf(pushed.body.lid) ? "" : fmt::format("; the lid is {} above the tip", text::length_words(pushed.body.lid)));
 }
 
-base::TrustMeasures Skirt::measures(const problem::Case& c) const
+base::TrustMeasures wall_measures(const problem::Case&)
 {
   using Run = const record::RunRecord&;
   const auto across_wall = [](Run run) {
     const std::optional<base::BodyProfile> body = base::body_profile(run.settings.rigid[main_rigid(run.settings)].second.shape);
     return body && body->bore > 0 ? body->wall() / base::near_cells(run).first : nan;
   };
-  const base::TrustMeasure wall{
-      "cells in the thickness of the wall",
-      &skirt_wall_cells,
-      base::always,
-      across_wall,
-      base::as_number,
-      [](Run, Real value) { return fmt::format("the wall is {:.2g} cells thick: make mesh.near_size smaller", value); },
-      base::bare_limit};
-  return base::joined({Shaft::measures(c), {wall}});
+  const base::TrustMeasure wall{"cells in the thickness of the wall",
+                                &skirt_wall_cells,
+                                base::always,
+                                across_wall,
+                                base::as_number,
+                                "the wall is {} cells thick: make mesh.near_size smaller",
+                                base::bare_limit};
+  return {wall};
+}
+
+}  // namespace
+
+const penetration::Penetrometer& skirt()
+{
+  static const penetration::Penetrometer skirt{.word = "skirt",
+                                               .level = "tip of the skirt",
+                                               .resistance = {"q_b", "q<sub>b</sub>"},
+                                               .in_clay = {"N_c", "N<sub>c</sub>"},
+                                               .in_sand = {"N_q", "N<sub>q</sub>"},
+                                               .sand_measure = penetration::SandMeasure::overburden,
+                                               .flows_around = false,
+                                               .averaging = 0.02,
+                                               .last_travel = 0.2,
+                                               .depths = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1, 1.5, 2, 3, 4, 5, 6, 8, 10},
+                                               .keeps_push = false,
+                                               .cells = &skirt_cells,
+                                               .published = published_of_skirt,
+                                               .remark = "",
+                                               .also = {.words = share_words, .measures = wall_measures}};
+  return skirt;
 }
 
 }  // namespace berm::lateral

@@ -9,14 +9,11 @@
 #include "structures/line/buckle.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 namespace berm::line {
 namespace {
-
-using run_folder::QuantityKind;
 
 /// The rows over which forces at the end of a stage are means: those of its last twentieth.
 Index first_row_of_end(const run_folder::History& history, const StageEnd& end)
@@ -47,8 +44,8 @@ Real mobilised_friction(const record::RunRecord& run, const StageEnd& end, const
   return down > 0 ? across / down : nan;
 }
 
-/// What an answer may be made from.
-struct ReportedQuantity {
+/// A stage at its end.
+struct AtEnd {
   const record::RunRecord& run;
   const StageEnd& end;
   const Shape* shape;       ///< at that moment; null where line.csv has none
@@ -56,61 +53,75 @@ struct ReportedQuantity {
   const Buckle& buckle;     ///< of the shape
   Real limit;               ///< of the strain in compression
 
-  Real at_end(const char* column) const { return run.history.has(column) ? run.history[column][static_cast<std::size_t>(end.row)] : nan; }
+  Real at(const char* column) const { return run.history.has(column) ? run.history[column][static_cast<std::size_t>(end.row)] : nan; }
+  Real of_shape(Real value) const { return shape == nullptr ? nan : value; }
   /// Strain that makes stress: what the warmed wall would have by itself is none.
-  Real compression() const { return run.settings.pipeline->expansion * at_end("line_T_K") - at_end("line_strain_min"); }
+  Real compression() const { return run.settings.pipeline->expansion * at("line_T_K") - at("line_strain_min"); }
 };
 
-/// A number of the line at the end of a stage: that of a column of the history, or made.
-struct Answer {
-  const char *name, *unit, *meaning;
-  const char* column;  ///< null: `of` makes it
-  Real (*of)(const ReportedQuantity&) = nullptr;
-  QuantityKind kind = QuantityKind::answer;
-};
-constexpr std::array line_answers = {
-    Answer{"y", "m", "largest lateral displacement of the line, from its straight axis", "line_y_m"},
-    Answer{"x_of_y", "m", "where it is, along the line", "line_x_m"},
-    Answer{"crossing", "m", "position beyond it where the line crosses its axis", "line_crossing_m"},
-    Answer{"z", "m", "height of the line there, relative to where it was laid", "line_z_m"},
-    Answer{"P", "N", "effective compression at x = 0", "line_P_N"},
-    Answer{"M", "N m", "largest lateral bending moment", "line_M_Nm"},
-    Answer{"strain_max", "1", "largest longitudinal strain", "line_strain_max"},
-    Answer{"strain_min", "1", "smallest longitudinal strain: the largest in compression", "line_strain_min"},
-    Answer{"feed_in", "m", "axial displacement at the last slice, towards x = 0", "line_feed_in_m"},
-    Answer{"springs_y", "m", "largest lateral displacement of the same line on springs", "springs_y_m"},
-    Answer{"springs_P", "N", "effective compression of the same line on springs, at x = 0", "springs_P_N"},
-    Answer{"springs_M", "N m", "largest lateral bending moment of the same line on springs", "springs_M_Nm"},
-    Answer{"lobe_length", "m", "length of the largest lobe", nullptr, [](const ReportedQuantity& t) { return t.buckle.lobe_length; }},
-    Answer{"lobes", "1", "lobes of the whole buckle", nullptr,
-           [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : static_cast<Real>(t.buckle.lobes); }},
-    Answer{"slip_length", "m", "distance from x = 0 to where the line has slipped along its axis", nullptr,
-           [](const ReportedQuantity& t) { return t.buckle.slip_length; }},
-    Answer{"friction", "1", "mean |H|/V of the slices in the buckle", nullptr,
-           [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : mobilised_friction(t.run, t.end, t.buckle); }},
-    Answer{"strain_bending", "1", "largest strain by bending, in both planes together", nullptr,
-           [](const ReportedQuantity& t) { return t.shape == nullptr ? nan : t.buckle.bending; }},
-    Answer{"strain_compressive", "1", "largest stress-inducing longitudinal strain in compression, positive", nullptr,
-           [](const ReportedQuantity& t) { return t.compression(); }},
-    Answer{"utilisation", "1", "that strain over the strain at which the wall may buckle", nullptr,
-           [](const ReportedQuantity& t) { return t.compression() / t.limit; }, QuantityKind::ratio},
-    Answer{"ratchet", "m", "growth of |y|", nullptr,
-           [](const ReportedQuantity& t) {
-             const auto like = std::find(t.run.history.stage.rbegin(), t.run.history.stage.rend(), t.end.like);
-             if (t.end.like.empty() || !t.run.history.has("line_y_m")) return nan;
-             const std::vector<Real>& y = t.run.history["line_y_m"];
-             return std::abs(t.at_end("line_y_m")) - std::abs(y[static_cast<std::size_t>(t.run.history.stage.rend() - like - 1)]);
-           }},
-    Answer{"walking", "m", "mean axial displacement of the line", nullptr,
-           [](const ReportedQuantity& t) {
-             return t.shape == nullptr || t.like_shape == nullptr ? nan : mean_axial(*t.shape) - mean_axial(*t.like_shape);
-           }},
-};
-
-bool is_of_cycle(const Answer& answer)
+/// Growth of |y| since the end of the stage that it is like.
+Real ratchet_of(const AtEnd& e)
 {
-  return std::string_view(answer.name) == "ratchet" || std::string_view(answer.name) == "walking";
+  const std::vector<std::string>& stages = e.run.history.stage;
+  const auto like = std::find(stages.rbegin(), stages.rend(), e.end.like);
+  if (e.end.like.empty() || !e.run.history.has("line_y_m")) return nan;
+  return std::abs(e.at("line_y_m")) - std::abs(e.run.history["line_y_m"][static_cast<std::size_t>(stages.rend() - like - 1)]);
 }
+
+Real walking_of(const AtEnd& e)
+{
+  return e.shape == nullptr || e.like_shape == nullptr ? nan : mean_axial(*e.shape) - mean_axial(*e.like_shape);
+}
+
+using enum base::AnswerUnit;
+using Row = base::Answer<AtEnd>;
+
+constexpr Row load_answers[] = {
+    Row{"y", length, "largest lateral displacement of the line, from its straight axis", [](const AtEnd& e) { return e.at("line_y_m"); }}
+        .headed({"y", "m"}),
+    {"x_of_y", length, "where it is, along the line", [](const AtEnd& e) { return e.at("line_x_m"); }},
+    {"crossing", length, "position beyond it where the line crosses its axis", [](const AtEnd& e) { return e.at("line_crossing_m"); }},
+    Row{"z", length, "height of the line there, relative to where it was laid", [](const AtEnd& e) { return e.at("line_z_m"); }}.headed(
+        {"z", "mm", 1e-3}),
+    Row{"P", force, "effective compression at x = 0", [](const AtEnd& e) { return e.at("line_P_N"); }}.headed({"P", "kN", 1e3}),
+    Row{"M", moment, "largest lateral bending moment", [](const AtEnd& e) { return e.at("line_M_Nm"); }}.headed({"M", "kN m", 1e3}),
+    Row{"strain_max", ratio, "largest longitudinal strain", [](const AtEnd& e) { return e.at("line_strain_max"); }}.headed(
+        {"max strain", "%", 0.01}),
+    Row{"strain_min", ratio, "smallest longitudinal strain: the largest in compression",
+        [](const AtEnd& e) { return e.at("line_strain_min"); }}
+        .headed({"min strain", "%", 0.01}),
+    Row{"feed_in", length, "axial displacement at the last slice, towards x = 0", [](const AtEnd& e) { return e.at("line_feed_in_m"); }}
+        .headed({"feed-in", "m"}),
+    {"springs_y", length, "largest lateral displacement of the same line on springs", [](const AtEnd& e) { return e.at("springs_y_m"); }},
+    {"springs_P", force, "effective compression of the same line on springs, at x = 0", [](const AtEnd& e) { return e.at("springs_P_N"); }},
+    {"springs_M", moment, "largest lateral bending moment of the same line on springs",
+     [](const AtEnd& e) { return e.at("springs_M_Nm"); }},
+};
+constexpr Row shape_answers[] = {
+    Row{"lobe_length", length, "length of the largest lobe", [](const AtEnd& e) { return e.buckle.lobe_length; }}.headed({"lobe", "m"}),
+    Row{"lobes", ratio, "lobes of the whole buckle", [](const AtEnd& e) { return e.of_shape(e.buckle.lobes); }}.headed(
+        {.words = "lobes", .whole = true}),
+    Row{"slip_length", length, "distance from x = 0 to where the line has slipped along its axis",
+        [](const AtEnd& e) { return e.buckle.slip_length; }}
+        .headed({"slip", "m"}),
+    Row{"friction", ratio, "mean |H|/V of the slices in the buckle",
+        [](const AtEnd& e) { return e.shape == nullptr ? nan : mobilised_friction(e.run, e.end, e.buckle); }}
+        .headed({"H/V of the slices"}),
+    Row{"strain_bending", ratio, "largest strain by bending, in both planes together",
+        [](const AtEnd& e) { return e.of_shape(e.buckle.bending); }}
+        .headed({"bending strain", "%", 0.01}),
+    Row{"strain_compressive", ratio, "largest stress-inducing longitudinal strain in compression, positive",
+        [](const AtEnd& e) { return e.compression(); }}
+        .headed({"compressive", "%", 0.01}),
+    Row{"utilisation", ratio, "that strain over the strain at which the wall may buckle",
+        [](const AtEnd& e) { return e.compression() / e.limit; }, run_folder::QuantityKind::ratio}
+        .headed({"utilisation"}),
+};
+/// Since the end of the stage that it is like.
+constexpr Row cycle_answers[] = {
+    Row{"ratchet", length, "growth of |y|", ratchet_of}.headed({"ratchet", "m"}),
+    Row{"walking", length, "mean axial displacement of the line", walking_of}.headed({"walking", "mm", 1e-3}),
+};
 
 /// The last row of a stage, or none.
 Index last_row_of(const run_folder::History& history, const std::string& stage)
@@ -165,9 +176,9 @@ std::vector<StageEnd> stage_ends(const record::RunRecord& run)
 
 std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run)
 {
-  std::vector<run_folder::Quantity> list;
+  base::AnswerList list(3);
   const std::vector<StageEnd> ends = stage_ends(run);
-  if (ends.empty()) return list;
+  if (ends.empty()) return {};
   const std::vector<base::StillMoving> moving = base::still_moving(run);
   const std::vector<Shape> shapes = shapes_of(run);
   const formulas::Formula strain = strain_limit(run.settings);
@@ -177,23 +188,36 @@ std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run)
     const std::string still = moves == moving.end() ? "" : "; " + still_moving_words(*moves);
     const Shape* shape = shape_at(shapes, run.history, end.name);
     const Buckle buckle = shape == nullptr ? Buckle{} : buckle_of(*shape, *run.settings.pipeline);
-    const ReportedQuantity told{run, end, shape, shape_at(shapes, run.history, end.like), buckle, limit};
-    for (const Answer& answer : line_answers)
-      if (const Real value = answer.column != nullptr ? told.at_end(answer.column) : answer.of(told); std::isfinite(value))
-        list.push_back({fmt::format("{}.{}", end.name, answer.name), value, answer.unit,
-                        (is_of_cycle(answer) ? fmt::format("{} since the end of {}, a cycle before", answer.meaning, end.like)
-                                             : fmt::format("{} at the end of the stage", answer.meaning)) +
-                            still,
-                        answer.kind, end.name});
+    const AtEnd at_end{run, end, shape, shape_at(shapes, run.history, end.like), buckle, limit};
+    list.of(end.name, end.name + ".");
+    list.behind(" at the end of the stage" + still);
+    list.add(load_answers, at_end);
+    list.add(shape_answers, at_end);
+    list.behind(fmt::format(" since the end of {}, a cycle before{}", end.like, still));
+    list.add(cycle_answers, at_end);
   }
-  return list;
+  return list.list();
 }
 
-std::vector<std::string> line_quantity_names(const std::string& stage)
+std::vector<std::string> line_names(const problem::Case& c)
 {
-  std::vector<std::string> names;
-  for (const Answer& answer : line_answers) names.push_back(fmt::format("{}.{}", stage, answer.name));
-  return names;
+  base::AnswerList list(3);
+  for (const problem::StageSettings& stage : c.stage) {
+    if (stage.kind != problem::StageKind::pipeline) continue;
+    list.of(stage.name, stage.name + ".");
+    list.add_names(load_answers), list.add_names(shape_answers), list.add_names(cycle_answers);
+  }
+  return list.names();
+}
+
+std::array<base::AnswerTable, 2> answer_tables(const record::RunRecord& run, const std::string& id)
+{
+  std::array tables{base::AnswerTable({id + "-line", run.name + ": the line at the end of each of its stages"}, 3, load_answers),
+                    base::AnswerTable({id + "-shape", run.name + ": shape, strain and cycles at the end of each stage"}, 3, shape_answers,
+                                      cycle_answers)};
+  for (const StageEnd& end : stage_ends(run))
+    for (base::AnswerTable& table : tables) table.add(end.name, run, end.name + ".");
+  return tables;
 }
 
 formulas::Formula strain_limit(const problem::Case& c)

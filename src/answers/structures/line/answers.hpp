@@ -2,7 +2,9 @@
 #pragma once
 
 #include "formulas/hobbs.hpp"
-#include "record/run_record.hpp"
+#include "structures/base/answer_table.hpp"
+
+#include <array>
 
 namespace berm::line {
 
@@ -21,8 +23,11 @@ std::vector<StageEnd> stage_ends(const record::RunRecord& run);
 /// The key results of the line at the ends of its stages: of the history, of the shapes in line.csv, and of cycles.
 std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run);
 
-/// Their names in a stage, all that there may be.
-std::vector<std::string> line_quantity_names(const std::string& stage);
+/// The names of all that a run of a case may have of these.
+std::vector<std::string> line_names(const problem::Case& c);
+
+/// The same as tables of the log and of the page, whose names begin with `id`: of loads, and of shapes, strains and cycles.
+std::array<base::AnswerTable, 2> answer_tables(const record::RunRecord& run, const std::string& id);
 
 /// The strain in compression that utilisation is of: f101_compressive_strain of the wall over its factors; NaN of a line without a wall.
 formulas::Formula strain_limit(const problem::Case& c);

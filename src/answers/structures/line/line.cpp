@@ -2,6 +2,7 @@
 // Tests: tests/unit/library/library_pipeline_test.cpp
 #include "structures/line/line.hpp"
 
+#include "structures/generic/generic.hpp"
 #include "structures/line/answers.hpp"
 #include "structures/line/load_curves.hpp"
 #include "structures/line/tables.hpp"
@@ -12,33 +13,10 @@
 #include <functional>
 
 namespace berm::line {
-
-std::vector<run_folder::Quantity> Line::quantities(const record::RunRecord& run, const std::vector<Real>&) const
-{
-  return line_quantities(run);
-}
-
-std::vector<std::string> Line::quantity_names(const problem::Case& c) const
-{
-  std::vector<std::string> names;
-  for (const problem::StageSettings& stage : c.stage)
-    if (stage.kind == problem::StageKind::pipeline)
-      for (std::string& name : line_quantity_names(stage.name)) names.push_back(std::move(name));
-  return names;
-}
-
-std::string Line::table_of(const record::RunRecord& run) const
-{
-  return log_tables(run);
-}
-
-bool Line::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands&) const
-{
-  return draw_load_curves(folder, run);
-}
+namespace {
 
 /// The extremes of all stages, and in which they came: the numbers of each stage are in the table.
-std::string Line::in_words(const record::RunRecord& run, const base::DisplayUnits&) const
+std::string words_of(const record::RunRecord& run, const base::DisplayUnits&)
 {
   const std::vector<StageEnd> ends = stage_ends(run);
   struct Extreme {
@@ -68,22 +46,31 @@ std::string Line::in_words(const record::RunRecord& run, const base::DisplayUnit
       tension.stage);
 }
 
-std::string Line::published_values(const base::Runs& runs, const base::DisplayUnits&) const
+std::string published_beside(const base::Runs& runs, const base::DisplayUnits&)
 {
   std::string tables;
   for (const base::PageRun& run : runs) tables += tables_beside(*run.record, fmt::format("beside-line-{}", run.number));
   return tables.empty() ? "" : "<h3>For comparison: theory and springs</h3>\n" + tables;
 }
 
-std::string Line::other_results(const record::RunRecord& run, const std::string& id) const
-{
-  return load_chart(run) + page_tables(run, id);
-}
+}  // namespace
 
-std::vector<std::string> Line::draw_report_curves(const base::Runs& runs, const base::PublishedPoints&,
-                                                  const std::filesystem::path& folder) const
+base::Structure pipeline()
 {
-  return draw_load_figures(runs, folder);
+  using Run = const record::RunRecord&;
+  return {
+      "pipeline",
+      {{.answers = [](Run run, const std::vector<Real>&) { return line_quantities(run); },
+        .names = line_names,
+        .table = log_tables,
+        .draw_curves = [](const run_folder::RunFolder& folder, Run run, const base::CurveBands&) { return draw_load_curves(folder, run); },
+        .words = words_of,
+        .published = published_beside,
+        .other_results = [](Run run, const std::string& id) { return load_chart(run) + page_tables(run, id); },
+        .measures = generic::measures_of_any_run,
+        .draw_report_curves = [](const base::Runs& runs, const base::PublishedPoints&,
+                                 const std::filesystem::path& folder) { return draw_load_figures(runs, folder); }}},
+      [](const problem::Case& c) { return c.pipeline.has_value(); }};
 }
 
 }  // namespace berm::line

@@ -3,6 +3,7 @@
 #include "structures/line/tables.hpp"
 
 #include "formulas/strain_limit.hpp"
+#include "structures/base/general_measures.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -13,66 +14,6 @@ namespace berm::line {
 namespace {
 
 using text::HtmlCell, text::table_number;
-
-/// An answer as a table has it.
-struct ShownAnswer {
-  const char *name, *heading;
-  Real scale = 1;
-  bool counts = false;  ///< a whole number
-};
-using ShownAnswers = std::vector<ShownAnswer>;
-const ShownAnswers of_loads{{"y", "y, m"},
-                            {"z", "z, mm", 1e3},
-                            {"P", "P, kN", 1e-3},
-                            {"M", "M, kN m", 1e-3},
-                            {"strain_max", "max strain, %", 100},
-                            {"strain_min", "min strain, %", 100},
-                            {"feed_in", "feed-in, m"}};
-const ShownAnswers of_shapes{{"lobe_length", "lobe, m"},
-                             {"lobes", "lobes", 1, true},
-                             {"slip_length", "slip, m"},
-                             {"friction", "H/V of the slices"},
-                             {"strain_bending", "bending strain, %", 100},
-                             {"strain_compressive", "compressive, %", 100},
-                             {"utilisation", "utilisation"},
-                             {"ratchet", "ratchet, m"},
-                             {"walking", "walking, mm", 1e3}};
-
-Real value_of(const record::RunRecord& run, const StageEnd& end, const char* answer)
-{
-  const run_folder::Quantity* found = run.quantity(fmt::format("{}.{}", end.name, answer));
-  return found == nullptr ? nan : found->value;
-}
-
-/// Those that at least one stage has.
-ShownAnswers known_of(const ShownAnswers& shown, const record::RunRecord& run, const std::vector<StageEnd>& ends)
-{
-  ShownAnswers known;
-  for (const ShownAnswer& answer : shown)
-    if (std::ranges::any_of(ends, [&](const StageEnd& end) { return !std::isnan(value_of(run, end, answer.name)); }))
-      known.push_back(answer);
-  return known;
-}
-
-std::string html_of(const ShownAnswers& shown, const record::RunRecord& run, const std::string& id, const std::string& caption)
-{
-  const std::vector<StageEnd> ends = stage_ends(run);
-  const ShownAnswers known = known_of(shown, run, ends);
-  if (known.empty()) return "";
-  text::HtmlTable table(id, fmt::format("{}: {}", run.name, caption));
-  std::vector<HtmlCell> columns{{"stage"}};
-  for (const ShownAnswer& answer : known) columns.push_back({answer.heading, true});
-  table.columns(columns);
-  for (const StageEnd& end : ends) {
-    std::vector<HtmlCell> row{{text::html_text(end.name)}};
-    for (const ShownAnswer& answer : known) {
-      const Real value = answer.scale * value_of(run, end, answer.name);
-      row.push_back({answer.counts ? text::short_number(value) : table_number(value), true});
-    }
-    table.row(row);
-  }
-  return table.html();
-}
 
 /// What the utilisation stands on, HTML; "" where there is none.
 std::string strain_words(const problem::Case& c)
@@ -105,30 +46,15 @@ std::vector<HtmlCell> row_beside(const std::string& stage, const std::string& by
 
 std::string log_tables(const record::RunRecord& run)
 {
-  const std::vector<StageEnd> ends = stage_ends(run);
-  std::string tables;
-  for (const ShownAnswers* shown : {&of_loads, &of_shapes}) {
-    const ShownAnswers known = known_of(*shown, run, ends);
-    if (known.empty()) continue;
-    std::string head = fmt::format("{:<16}", "");
-    const auto width = [](const ShownAnswer& answer) { return std::max<std::size_t>(8, std::string_view(answer.heading).size()) + 2; };
-    for (const ShownAnswer& answer : known) head += fmt::format("{:>{}}", answer.heading, width(answer));
-    tables += head + '\n';
-    for (const StageEnd& end : ends) {
-      tables += fmt::format("{:<16}", end.name);
-      for (const ShownAnswer& answer : known)
-        tables += fmt::format("{:>{}}", text::short_number(answer.scale * value_of(run, end, answer.name)), width(answer));
-      tables += '\n';
-    }
-  }
-  return tables;
+  const auto [loads, shapes] = answer_tables(run, "");
+  return loads.text() + shapes.text();
 }
 
 std::string page_tables(const record::RunRecord& run, const std::string& id)
 {
-  const std::string shapes = html_of(of_shapes, run, id + "-shape", "shape, strain and cycles at the end of each stage");
-  return html_of(of_loads, run, id + "-line", "the line at the end of each of its stages") + shapes +
-         (shapes.empty() ? "" : strain_words(run.settings));
+  auto [loads, shapes] = answer_tables(run, id);
+  const std::string of_shapes = shapes.html({{"stage"}});
+  return loads.html({{"stage"}}) + of_shapes + (of_shapes.empty() ? "" : strain_words(run.settings));
 }
 
 std::string tables_beside(const record::RunRecord& run, const std::string& id)
@@ -142,7 +68,7 @@ std::string tables_beside(const record::RunRecord& run, const std::string& id)
   Real none_at = 0;  // N, the largest constrained force at which Hobbs has none
   for (const StageEnd& end : stage_ends(run)) {
     if (!end.heated) continue;
-    const auto of = [&](const char* name) { return value_of(run, end, name); };
+    const auto of = [&](const char* name) { return base::quantity_value(run, end.name + "." + name); };
     const Real P0 = run.history["line_P0_N"][static_cast<std::size_t>(end.row)];
     const formulas::HobbsBuckle b = hobbs.at(P0);
     const bool has_springs = !std::isnan(of("springs_y")), has_hobbs = !std::isnan(b.lobe);

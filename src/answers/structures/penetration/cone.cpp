@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
-#include "structures/penetration/readings.hpp"
+#include "structures/penetration/penetrometers.hpp"
 
 #include "formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
@@ -12,10 +12,10 @@ constexpr base::Limit cone_cells = base::too_large(
     {32, 10, base::Effect::contact_width,
      "soil beside the edge moves with the cone up to a cell beyond it, so that N_kt is too large (examples/cone_in_clay)", true});
 
-std::vector<penetration::Comparison> published_of_cone(const penetration::PenetrationRun& run)
+std::vector<Comparison> published_of_cone(const PenetrationRun& run)
 {
-  if (run.measure() != penetration::Measure::strength) return {};
-  const penetration::SoilAt soil = run.soil.at(run.z_end());
+  if (run.measure() != Measure::strength) return {};
+  const SoilAt soil = run.soil.at(run.z_end());
   const Real N = run.last().factor;
   const formulas::DeepInClay cone{soil.rigidity_index, soil.interface_ratio, soil.anisotropy};
   const char *symbol = "N<sub>kt</sub>", *cavity = "N<sub>kt</sub>, compared with (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity";
@@ -29,15 +29,15 @@ std::vector<penetration::Comparison> published_of_cone(const penetration::Penetr
 
 }  // namespace
 
-const penetration::Reading& cone_reading()
+const Penetrometer& cone()
 {
-  static const penetration::Reading cone{
+  static const Penetrometer cone{
       .word = "cone",
       .level = "shoulder of the cone",
       .resistance = {"q_t", "q<sub>t</sub>"},
       .in_clay = {"N_kt", "N<sub>kt</sub>"},
       .in_sand = {"Q_t", "Q<sub>t</sub>"},
-      .sand_measure = penetration::SandMeasure::overburden,
+      .sand_measure = SandMeasure::overburden,
       .flows_around = false,
       .averaging = 0.2,
       .last_travel = 2,

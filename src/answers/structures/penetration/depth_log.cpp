@@ -15,7 +15,7 @@ constexpr Real margin = 1.05;         // of the axis beyond the largest mean
 constexpr Real begins_deep = 1. / 3;  // of the deepest point
 constexpr Real same_width = 1e-9;
 
-using record::TravelCurve;
+using plot::Panel, record::TravelCurve;
 
 plot::PlotUnit stress_unit(Real max)
 {
@@ -31,72 +31,71 @@ Real largest_of(const TravelCurve& mean)
   return max;
 }
 
-void add_run(LogPanel& panel, const PenetrationRun& run, const TravelCurve& rows, Real value_unit, Real depth_unit, const std::string& name)
+void add_run(Panel& panel, const PenetrationRun& run, const TravelCurve& rows, Real value_unit, Real depth_unit, const std::string& name)
 {
   using plot::scaled;
   if (rows.empty()) return;
   const TravelCurve mean = rows.drawn(run.half());
   if (run.half() > 0)
-    panel.curves.push_back({"", LogCurve::Line::rows, run.number, scaled(rows.value(), value_unit), scaled(rows.travel(), depth_unit)});
-  panel.curves.push_back({name, LogCurve::Line::mean, run.number, scaled(mean.value(), value_unit), scaled(mean.travel(), depth_unit)});
-  panel.max = std::max(panel.max, largest_of(mean) * value_unit);
+    panel.curves.push_back({"", plot::thin_style(run.number), scaled(rows.value(), value_unit), scaled(rows.travel(), depth_unit)});
+  panel.curves.push_back({name, plot::thick_style(run.number), scaled(mean.value(), value_unit), scaled(mean.travel(), depth_unit)});
+  panel.right = std::max(panel.right, largest_of(mean) * value_unit);
 }
 
 /// A number of the soil from the surface to the deepest point of a log.
-void add_of_soil(LogPanel& panel, const PenetrationRun& run, Real SoilAt::*member, Real value_unit, Real depth_unit,
-                 const std::string& name)
+void add_of_soil(Panel& panel, const PenetrationRun& run, Real SoilAt::*member, Real value_unit, Real depth_unit, const std::string& name)
 {
   constexpr int points = 60;
-  LogCurve curve{name, LogCurve::Line::level, run.number, {}, {}};
+  plot::PanelCurve curve{name, plot::published_style(), {}, {}, true};
   for (int k = 0; k <= points; ++k) {
     const Real from = std::min(run.z().front(), Real(0)), z = from + (run.z_end() - from) * k / points;
-    curve.depth.push_back(z * depth_unit);
-    curve.value.push_back(run.soil.at(z).*member * value_unit);
-    if (std::isfinite(curve.value.back())) panel.max = std::max(panel.max, curve.value.back());
+    curve.y.push_back(z * depth_unit);
+    curve.x.push_back(run.soil.at(z).*member * value_unit);
+    if (std::isfinite(curve.x.back())) panel.right = std::max(panel.right, curve.x.back());
   }
   panel.curves.push_back(std::move(curve));
 }
 
-LogPanel resistance_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
+Panel resistance_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
 {
   Real max = 0;
   for (const PenetrationRun& run : runs)
     if (!run.q_curve().empty()) max = std::max(max, largest_of(run.q_curve().smoothed(run.half())));
   const plot::PlotUnit unit = stress_unit(max);
-  LogPanel panel{fmt::format("{} ({})", runs.front().reading.resistance.plain, unit.name), {}};
+  Panel panel{.title = fmt::format("{} ({})", runs.front().how.resistance.plain, unit.name)};
   for (const PenetrationRun& run : runs) add_run(panel, run, run.q_curve(), unit.per_si, depth.per_si, run.record.name);
   const auto deep = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) { return !run.z().empty(); });
-  if (deep != runs.end() && !deep->reading.flows_around && deep->soil.at(deep->z_end()).overburden > 0)
+  if (deep != runs.end() && !deep->how.flows_around && deep->soil.at(deep->z_end()).overburden > 0)
     add_of_soil(panel, *deep, &SoilAt::overburden, unit.per_si, depth.per_si, "σ_v0");
   return panel;
 }
 
-LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, const DepthLog& log)
+Panel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, Real low, Real high)
 {
-  LogPanel panel;
+  Panel panel;
   const Symbol* symbol = nullptr;
   for (const PenetrationRun& run : runs) {
     if (run.symbol() == nullptr || (symbol != nullptr && symbol != run.symbol())) continue;
     symbol = run.symbol();
-    panel.label = symbol->plain;
+    panel.title = symbol->plain;
     add_run(panel, run, run.factor_curve(), 1, depth.per_si, "");
   }
   if (symbol == nullptr) return panel;
   const auto first = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) { return run.symbol() != nullptr; });
-  for (const Comparison& c : first->reading.published(*first)) {
+  for (const Comparison& c : first->how.published(*first)) {
     if (!c.level || c.published.source.label == formulas::Label::recalled || !std::isfinite(c.published.value)) continue;
     panel.curves.push_back({fmt::format("{:.4g}, {}", c.published.value, c.published.source.work),
-                            LogCurve::Line::level,
-                            first->number,
+                            plot::published_style(),
                             {c.published.value, c.published.value},
-                            {log.shallowest, log.deepest}});
-    panel.max = std::max(panel.max, c.published.value);
+                            {low, high},
+                            true});
+    panel.right = std::max(panel.right, c.published.value);
   }
   return panel;
 }
 
 /// Mean friction of the shaft; no curves where no run has one that counts.
-LogPanel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
+Panel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
 {
   constexpr Real counts = 1e-3;  // of q
   Real max = 0, q = 0;
@@ -106,7 +105,7 @@ LogPanel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth
     q = std::max(q, largest_of(run.q_curve().smoothed(run.half())));
   }
   const plot::PlotUnit unit = stress_unit(max);
-  LogPanel panel{fmt::format("f ({})", unit.name), {}};
+  Panel panel{.title = fmt::format("f ({})", unit.name)};
   if (!(max > counts * q)) return panel;
   for (const PenetrationRun& run : runs) add_run(panel, run, run.friction_curve(), unit.per_si, depth.per_si, "");
   return panel;
@@ -114,9 +113,9 @@ LogPanel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth
 
 }  // namespace
 
-DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
+plot::Panels depth_log(const PenetrationRuns& runs, const std::string& title)
 {
-  DepthLog log{title, "", 0, 0, 0, {}};
+  plot::Panels log{.title = title, .css_class = "depth_log", .downwards = true, .width = 270, .height = 440, .second_label = "z/D"};
   Real shallowest = infinity, deepest = -infinity, width = 0;
   bool one_width = true;
   for (const PenetrationRun& run : runs) {
@@ -128,23 +127,21 @@ DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
   if (!(deepest > shallowest)) return log;
   if (shallowest > 0 && shallowest < begins_deep * deepest) shallowest = 0;
   const plot::PlotUnit depth = plot::length_unit(std::max(deepest, -shallowest));
-  log.depth_label = fmt::format("depth z of the {} ({})", runs.front().reading.level, depth.name);
-  log.shallowest = shallowest * depth.per_si, log.deepest = deepest * depth.per_si;
-  log.per_width = one_width ? width * depth.per_si : 0;
-  log.panels.push_back(resistance_panel(runs, depth));
-  log.panels.push_back(friction_panel(runs, depth));
-  if (LogPanel factor = factor_panel(runs, depth, log); factor.max > 0) log.panels.push_back(std::move(factor));
+  log.y_label = fmt::format("depth z of the {} ({})", runs.front().how.level, depth.name);
+  log.second = one_width ? width * depth.per_si : 0;
+  const Real low = shallowest * depth.per_si, high = deepest * depth.per_si;
+  log.panels = {resistance_panel(runs, depth), friction_panel(runs, depth), factor_panel(runs, depth, low, high)};
   const auto varied = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) {
     return !run.z().empty() && run.measure() == Measure::strength && run.soil.varies();
   });
   if (varied != runs.end()) {
     const plot::PlotUnit unit = stress_unit(varied->soil.at(varied->z_end()).strength);
-    LogPanel panel{fmt::format("s_u ({})", unit.name), {}};
+    Panel panel{.title = fmt::format("s_u ({})", unit.name)};
     add_of_soil(panel, *varied, &SoilAt::strength, unit.per_si, depth.per_si, "");
     log.panels.push_back(std::move(panel));
   }
-  std::erase_if(log.panels, [](const LogPanel& panel) { return !(panel.max > 0); });
-  for (LogPanel& panel : log.panels) panel.max = plot::round_up(margin * panel.max);
+  std::erase_if(log.panels, [](const Panel& panel) { return !(panel.right > 0); });
+  for (Panel& panel : log.panels) panel.right = plot::round_up(margin * panel.right), panel.low = low, panel.high = high;
   return log;
 }
 

@@ -6,6 +6,7 @@
 #include "formulas/penetrometer.hpp"
 #include "structures/base/little_cohesion.hpp"
 #include "structures/penetration/penetration_run.hpp"
+#include "structures/penetration/penetrometers.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,7 +15,6 @@ namespace berm::penetration {
 namespace {
 
 using formulas::Base;
-using penetration::Comparison, penetration::PenetrationRun;
 
 constexpr base::Limit footing_cells =
     base::too_large({100, 20, base::Effect::contact_width,
@@ -39,12 +39,12 @@ const char* word_of(Base base)
 
 std::vector<Comparison> on_clay(const PenetrationRun& run, bool round)
 {
-  const penetration::SoilAt end = run.soil.at(run.z_end());
+  const SoilAt end = run.soil.at(run.z_end());
   const Real D = run.whole_width(), N = run.last().factor;
   std::vector<Comparison> list;
   if (run.z_end() > deep * D) return {{"N<sub>c</sub>", N, formulas::deep_plate_factor(end.interface_ratio), "deep round plate", true}};
   const Real z = std::max(Real(0), run.z_end() - run.last().travel / 2);  // of which N is the mean
-  const penetration::SoilAt here = run.soil.at(z);
+  const SoilAt here = run.soil.at(z);
   if (!(here.strength > 0)) return list;
   const Real growth = run.soil.growth(z, D) * D / here.strength;
   const std::string depth = fmt::format("z = {:.2g} D", z / D);
@@ -84,40 +84,33 @@ std::vector<Comparison> published_of_footing(const PenetrationRun& run)
   const bool round =
       c.geometry == problem::Geometry::axisymmetric || (in_space && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape));
   if (run.body.shoulder > 0 || (in_space && !round)) return {};
-  return run.measure() == penetration::Measure::strength      ? on_clay(run, round)
-         : run.measure() == penetration::Measure::half_weight ? on_sand(run, round)
-                                                              : std::vector<Comparison>{};
+  return run.measure() == Measure::strength      ? on_clay(run, round)
+         : run.measure() == Measure::half_weight ? on_sand(run, round)
+                                                 : std::vector<Comparison>{};
 }
 
 }  // namespace
 
-const penetration::Reading& footing_reading()
+const Penetrometer& footing()
 {
-  static const penetration::Reading footing{.word = "footing",
-                                            .level = "base of the footing",
-                                            .resistance = {"q", "q"},
-                                            .in_clay = {"N_c", "N<sub>c</sub>"},
-                                            .in_sand = {"N_gamma", "N<sub>γ</sub>"},
-                                            .sand_measure = penetration::SandMeasure::half_weight,
-                                            .flows_around = false,
-                                            .averaging = 0.01,
-                                            .last_travel = 0.2,
-                                            .depths = {0.0025, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1, 1.5, 2, 3, 4, 5},
-                                            .keeps_push = true,
-                                            .cells = &footing_cells,
-                                            .published = published_of_footing,
-                                            .remark = ""};
+  static const Penetrometer footing{
+      .word = "footing",
+      .level = "base of the footing",
+      .resistance = {"q", "q"},
+      .in_clay = {"N_c", "N<sub>c</sub>"},
+      .in_sand = {"N_gamma", "N<sub>γ</sub>"},
+      .sand_measure = SandMeasure::half_weight,
+      .flows_around = false,
+      .averaging = 0.01,
+      .last_travel = 0.2,
+      .depths = {0.0025, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1, 1.5, 2, 3, 4, 5},
+      .keeps_push = true,
+      .cells = &footing_cells,
+      .published = published_of_footing,
+      .remark = "",
+      .also = {.embedded = embedded_footing,
+               .published_envelope = [](const problem::Case& c, const base::EnvelopeEnds&) { return footing_envelope(c); }}};
   return footing;
-}
-
-base::EmbeddedBody Footing::embedded(const problem::Case& c) const
-{
-  return embedded_footing(c);
-}
-
-base::PublishedEnvelope Footing::published_envelope(const problem::Case& c, const base::EnvelopeEnds&) const
-{
-  return footing_envelope(c);
 }
 
 }  // namespace berm::penetration

@@ -33,9 +33,9 @@ inline constexpr base::Limit below{3, 1, base::Effect::walls,
 }  // namespace limits
 
 /// The change over the end of the push, of the factor or else the resistance.
-Real change_of(Run run, const Reading& reading)
+Real change_of(Run run, const Penetrometer& how)
 {
-  for (const char* symbol : {reading.in_clay.plain, reading.in_sand.plain, reading.resistance.plain})
+  for (const char* symbol : {how.in_clay.plain, how.in_sand.plain, how.resistance.plain})
     if (const Real change = base::quantity_value(run, fmt::format("{}_change", symbol)); std::isfinite(change)) return std::abs(change);
   return nan;
 }
@@ -51,22 +51,22 @@ Real nearest_wall(const PenetrationRun& pushed)
 }
 
 /// The same over the radius of the plastic zone around a cavity.
-Real walls_over_plastic(Run run, const Reading& reading)
+Real walls_over_plastic(Run run, const Penetrometer& how)
 {
-  const PenetrationRun pushed(run, reading);
+  const PenetrationRun pushed(run, how);
   if (pushed.z().empty()) return nan;
   return nearest_wall(pushed) / (pushed.body.width / 2 * std::sqrt(pushed.soil.at(pushed.z_end()).rigidity_index));
 }
 
-Real walls_over_D(Run run, const Reading& reading)
+Real walls_over_D(Run run, const Penetrometer& how)
 {
-  const PenetrationRun pushed(run, reading);
+  const PenetrationRun pushed(run, how);
   return pushed.z().empty() ? nan : nearest_wall(pushed) / pushed.whole_width();
 }
 
-Real base_over_D(Run run, const Reading& reading)
+Real base_over_D(Run run, const Penetrometer& how)
 {
-  const PenetrationRun pushed(run, reading);
+  const PenetrationRun pushed(run, how);
   if (pushed.z().empty()) return nan;
   const Real base = walls_of(run, pushed.body).base;
   return std::isfinite(base) ? (run.settings.surface - base - pushed.w_end()) / pushed.body.width : nan;
@@ -79,35 +79,28 @@ std::string plain_limit(Real value)
 
 }  // namespace
 
-base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& reading)
+base::TrustMeasures penetration_measures(const problem::Case& c, const Penetrometer& how)
 {
   const std::string body = base::body_word(c);
   base::TrustMeasures own = {
-      {fmt::format("change of {} over the end of the push", reading.in_clay.plain), &limits::steady, base::has_soil,
-       [&reading](Run run) { return change_of(run, reading); }, base::in_percent,
-       [](Run, Real value) {
-         return fmt::format("the resistance still changes by {} over the end of the push: push deeper", text::percent_words(value));
-       },
-       text::percent_words},
-      reading.pushes_aside
-          ? base::TrustMeasure{
-                "nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::has_soil,
-                [&reading](Run run) { return walls_over_plastic(run, reading); }, base::as_number,
-                [](Run, Real value) { return fmt::format("the nearest wall is {:.2g} plastic radii away: make the mesh wider", value); },
-                plain_limit}
-          : base::TrustMeasure{"nearest wall from the middle, over D",
-                               nullptr,
-                               base::has_soil,
-                               [&reading](Run run) { return walls_over_D(run, reading); },
-                               base::as_number,
-                               {},
-                               nullptr},
-      {fmt::format("soil below the {} at the end, over D", body), reading.keeps_push ? &limits::below_footing : &limits::below,
-       base::has_soil, [&reading](Run run) { return base_over_D(run, reading); }, base::as_number,
-       [body](Run, Real value) { return fmt::format("the base is {:.2g} D below the {}: make the mesh deeper", value, body); },
-       plain_limit}};
-  if (reading.keeps_push) own.erase(own.begin());  // on its way to failure a footing is not steady
-  return base::joined({driven::driven_measures(c, reading.cells), own});
+      {fmt::format("change of {} over the end of the push", how.in_clay.plain), &limits::steady, base::has_soil,
+       [&how](Run run) { return change_of(run, how); }, base::in_percent,
+       "the resistance still changes by {} over the end of the push: push deeper", text::percent_words},
+      how.pushes_aside ? base::TrustMeasure{"nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::has_soil,
+                                            [&how](Run run) { return walls_over_plastic(run, how); }, base::as_number,
+                                            "the nearest wall is {} plastic radii away: make the mesh wider", plain_limit}
+                       : base::TrustMeasure{"nearest wall from the middle, over D",
+                                            nullptr,
+                                            base::has_soil,
+                                            [&how](Run run) { return walls_over_D(run, how); },
+                                            base::as_number,
+                                            {},
+                                            nullptr},
+      {fmt::format("soil below the {} at the end, over D", body), how.keeps_push ? &limits::below_footing : &limits::below, base::has_soil,
+       [&how](Run run) { return base_over_D(run, how); }, base::as_number,
+       fmt::format("the base is {{}} D below the {}: make the mesh deeper", body), plain_limit}};
+  if (how.keeps_push) own.erase(own.begin());  // on its way to failure a footing is not steady
+  return base::joined({driven::driven_measures(c, how.cells), own});
 }
 
 }  // namespace berm::penetration

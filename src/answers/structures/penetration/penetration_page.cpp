@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_page.hpp"
 
+#include "structures/base/general_measures.hpp"
 #include "structures/driven/report.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
@@ -27,12 +28,6 @@ std::string angle_of(Real radians)
   return text::short_number(radians / degree) + "°";
 }
 
-Real value_of(const PenetrationRun& run, const std::string& name)
-{
-  const run_folder::Quantity* quantity = run.record.quantity(name);
-  return quantity == nullptr ? nan : quantity->value;
-}
-
 /// "8.3 ± 1.1" of a quantity that has a band; "" without one.
 std::string converged_of(const PenetrationRun& run, const std::string& quantity)
 {
@@ -44,7 +39,7 @@ std::string converged_of(const PenetrationRun& run, const std::string& quantity)
 /// The name of its factor, or else of its resistance.
 std::string judged_name(const PenetrationRun& run)
 {
-  return run.symbol() == nullptr ? run.reading.resistance.plain : run.symbol()->plain;
+  return run.symbol() == nullptr ? run.how.resistance.plain : run.symbol()->plain;
 }
 
 /// "0.0667 to 0.1 D": the depths over which the means of the end are taken.
@@ -57,8 +52,8 @@ std::string last_depths(const PenetrationRun& run)
 std::string last_words(const PenetrationRun& run, const base::DisplayUnits& shown)
 {
   const LastTravel& last = run.last();
-  const bool at_a_depth = run.reading.keeps_push;
-  const std::string q = fmt::format("{} = {}{}", run.reading.resistance.html, text::stress_words(last.q),
+  const bool at_a_depth = run.how.keeps_push;
+  const std::string q = fmt::format("{} = {}{}", run.how.resistance.html, text::stress_words(last.q),
                                     at_a_depth ? ", V = " + shown.force_text(run.scale, run.V_last()) : "");
   const std::string what =
       run.symbol() == nullptr ? q : fmt::format("{} = {} ({})", run.symbol()->html, text::short_number(last.factor), q);
@@ -83,7 +78,7 @@ std::string steady_words(const PenetrationRun& run)
 /// Whether an open cavity lies above a body around which soil shall flow.
 bool cavity_is_open(const PenetrationRun& run)
 {
-  return value_of(run, "soil_above") < closed_soil;
+  return base::quantity_value(run.record, "soil_above") < closed_soil;
 }
 
 std::string cavity_words(const PenetrationRun& run)
@@ -91,15 +86,16 @@ std::string cavity_words(const PenetrationRun& run)
   if (!cavity_is_open(run)) return "";
   return fmt::format(" The cavity above the {} is <strong>still open</strong>: soil fills {} of the D/2 above it. Full flow is not "
                      "reached, and the factor grows as the cavity closes: push deeper.",
-                     text::html_text(base::body_word(run.record.settings)), text::percent_words(value_of(run, "soil_above")));
+                     text::html_text(base::body_word(run.record.settings)),
+                     text::percent_words(base::quantity_value(run.record, "soil_above")));
 }
 
 /// What the factor is made of, at the end of the way.
 std::string soil_words(const PenetrationRun& run)
 {
   const SoilAt here = run.soil.at(run.z_end());
-  const std::string q = run.reading.resistance.html;
-  const std::string net = run.reading.flows_around
+  const std::string q = run.how.resistance.html;
+  const std::string net = run.how.flows_around
                               ? (here.unit_weight > 0 ? q + " less the weight of the soil that the body displaces, over the area" : q)
                               : (here.overburden > 0 ? fmt::format("{} − σ<sub>v0</sub>", q) : q);
   switch (run.measure()) {
@@ -107,7 +103,7 @@ std::string soil_words(const PenetrationRun& run)
     return "";
   case Measure::strength: {
     const std::string overburden =
-        here.overburden > 0 && !run.reading.flows_around ? fmt::format(" σ<sub>v0</sub> = {},", text::stress_words(here.overburden)) : "";
+        here.overburden > 0 && !run.how.flows_around ? fmt::format(" σ<sub>v0</sub> = {},", text::stress_words(here.overburden)) : "";
     std::string words =
         fmt::format(" {} = ({})/s<sub>u</sub>, all at z. At the end s<sub>u</sub> = {},{} I<sub>r</sub> = G/s<sub>u</sub> = {}",
                     run.symbol()->html, net, text::stress_words(here.strength), overburden, text::short_number(here.rigidity_index));
@@ -128,7 +124,7 @@ std::string soil_words(const PenetrationRun& run)
 std::string backflow_words(const PenetrationRun& run)
 {
   constexpr Real little = 0.02;  // of N_c
-  const Real back = value_of(run, "sigma_backflow_end"), N = value_of(run, "N_c_end_backflow");
+  const Real back = base::quantity_value(run.record, "sigma_backflow_end"), N = base::quantity_value(run.record, "N_c_end_backflow");
   if (!std::isfinite(N)) return "";
   const std::string name = text::html_text(base::body_word(run.record.settings));
   if (N < (1 + little) * run.last().factor)
@@ -143,7 +139,7 @@ std::string backflow_words(const PenetrationRun& run)
 std::string surface_words(const PenetrationRun& run)
 {
   std::string words;
-  for (const Comparison& c : run.reading.published(run))
+  for (const Comparison& c : run.how.published(run))
     if (!c.on_surface.empty() && std::isfinite(c.published.value))
       words +=
           fmt::format("{}{} ({})", words.empty() ? fmt::format(" On the surface of the soil below it {} is exactly ", c.quantity) : ", ",
@@ -173,7 +169,7 @@ std::string body_words(const PenetrationRun& run)
 std::string summary_table(const PenetrationRuns& runs, const std::string& id)
 {
   text::HtmlTable table(id, "At the end of the push");
-  const std::string q = runs.front().reading.resistance.html;
+  const std::string q = runs.front().how.resistance.html;
   const bool shaft = std::any_of(runs.begin(), runs.end(), [](const PenetrationRun& run) { return run.knows_shaft(); });
   const bool bands = std::any_of(runs.begin(), runs.end(),
                                  [](const PenetrationRun& run) { return !converged_of(run, judged_name(run) + "_end").empty(); });
@@ -195,17 +191,19 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
                          {"steady from z/D", true}}));
   for (const PenetrationRun& run : runs) {
     const std::string plain = judged_name(run);
-    const auto number = [&](const std::string& name, Real unit) { return HtmlCell{text::table_number(value_of(run, name) * unit), true}; };
+    const auto number = [&](const std::string& name, Real unit) {
+      return HtmlCell{text::table_number(base::quantity_value(run.record, name) * unit), true};
+    };
     const auto part = [&](const std::string& name) {
-      const Real value = value_of(run, name);
+      const Real value = base::quantity_value(run.record, name);
       return HtmlCell{std::isfinite(value) ? text::percent_words(value) : text::no_number, true};
     };
-    const Real from = value_of(run, fmt::format("z_at_{}_steady_over_D", plain));
+    const Real from = base::quantity_value(run.record, fmt::format("z_at_{}_steady_over_D", plain));
     table.row(
         without({{text::html_text(run.record.name)},
                  {body_words(run)},
-                 run.reading.keeps_push && std::isfinite(run.last().travel) ? HtmlCell{last_depths(run), true} : number("z_end_over_D", 1),
-                 number(std::string(run.reading.resistance.plain) + "_end", 1e-3),
+                 run.how.keeps_push && std::isfinite(run.last().travel) ? HtmlCell{last_depths(run), true} : number("z_end_over_D", 1),
+                 number(std::string(run.how.resistance.plain) + "_end", 1e-3),
                  number("f_shaft_end", 1e-3),
                  {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
                  number(run.symbol() == nullptr ? "" : plain + "_end", 1),
@@ -220,16 +218,16 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
 /// Resistance and factor by depth: of a single run two columns, of several the factor (without one: the resistance) of each. Of a single footing load and settlement, too.
 std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& shown, const std::string& id)
 {
-  const Reading& reading = runs.front().reading;
-  const bool alone = runs.size() == 1, settles = alone && reading.keeps_push;
+  const Penetrometer& how = runs.front().how;
+  const bool alone = runs.size() == 1, settles = alone && how.keeps_push;
   text::HtmlTable table(
-      id, settles ? fmt::format("Load V by the depth z of the {}, which is the settlement of one that begins on the bed", reading.level)
-                  : fmt::format("By depth z of the {}", reading.level));
-  const auto symbol = [](const PenetrationRun& run) { return run.symbol() == nullptr ? run.reading.resistance : *run.symbol(); };
+      id, settles ? fmt::format("Load V by the depth z of the {}, which is the settlement of one that begins on the bed", how.level)
+                  : fmt::format("By depth z of the {}", how.level));
+  const auto symbol = [](const PenetrationRun& run) { return run.symbol() == nullptr ? run.how.resistance : *run.symbol(); };
   std::vector<HtmlCell> columns{{"z/D"}};
   if (settles)
     for (const HtmlCell& cell : {shown.length_columns("z")[1], shown.force_columns("V").front()}) columns.push_back(cell);
-  if (alone) columns.push_back({std::string(reading.resistance.html) + ", kPa", true});
+  if (alone) columns.push_back({std::string(how.resistance.html) + ", kPa", true});
   for (const PenetrationRun& run : runs)
     if (!alone || run.symbol() != nullptr)
       columns.push_back(
@@ -237,12 +235,12 @@ std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& s
                  : fmt::format("{}{}, {}", symbol(run).html, run.symbol() == nullptr ? " (Pa)" : "", text::html_text(run.record.name)),
            true});
   table.columns(columns);
-  for (const Real part : reading.depths) {
+  for (const Real part : how.depths) {
     std::vector<HtmlCell> cells{{text::short_number(part)}};
     bool any = false;
     // Of a footing one number stands for the end.
     const auto before_end = [&](const PenetrationRun& run) {
-      return !reading.keeps_push || !(part * run.body.width > run.z_end() - run.last().travel);
+      return !how.keeps_push || !(part * run.body.width > run.z_end() - run.last().travel);
     };
     const auto add = [&](Real value) {
       any = any || std::isfinite(value);
@@ -254,9 +252,10 @@ std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& s
       cells.push_back(shown.length_cells(run.scale, z)[1]);
       add(before_end(run) && z <= run.q_curve().end() ? shown.in_force_unit(run.V_at(z)) : nan);
     }
-    if (alone) add(before_end(runs.front()) ? value_of(runs.front(), name_at(reading.resistance.plain, part)) / 1e3 : nan);
+    if (alone) add(before_end(runs.front()) ? base::quantity_value(runs.front().record, name_at(how.resistance.plain, part)) / 1e3 : nan);
     for (const PenetrationRun& run : runs)
-      if (!alone || run.symbol() != nullptr) add(before_end(run) ? value_of(run, name_at(symbol(run).plain, part)) : nan);
+      if (!alone || run.symbol() != nullptr)
+        add(before_end(run) ? base::quantity_value(run.record, name_at(symbol(run).plain, part)) : nan);
     if (any) table.row(cells);
   }
   if (const PenetrationRun& run = runs.front(); settles && std::isfinite(run.last().q)) {
@@ -276,11 +275,11 @@ std::string begin_words(const PenetrationRun& run, const std::string& name, cons
 {
   const std::string body = fmt::format("the {} ({}) meets ", name, body_words(run));
   std::string depth = fmt::format("{} ({}) deep", in_D(run.z_end(), run.body.width), text::length_words(run.z_end()));
-  if (run.reading.keeps_push && run.body.shoulder > 0) depth += fmt::format(", its lowest point {}", text::length_words(run.w_end()));
+  if (run.how.keeps_push && run.body.shoulder > 0) depth += fmt::format(", its lowest point {}", text::length_words(run.w_end()));
   if (std::isfinite(run.force_limit()))
-    return fmt::format("Pushed until V = {}: the {} is then {}. There {}", shown.force_text(run.scale, run.force_limit()),
-                       run.reading.level, depth, body);
-  return fmt::format("Pushed until the {} is {}, {}", run.reading.level, depth, body);
+    return fmt::format("Pushed until V = {}: the {} is then {}. There {}", shown.force_text(run.scale, run.force_limit()), run.how.level,
+                       depth, body);
+  return fmt::format("Pushed until the {} is {}, {}", run.how.level, depth, body);
 }
 
 }  // namespace
@@ -290,7 +289,7 @@ std::string penetration_words(const PenetrationRun& run, const base::DisplayUnit
   const std::string name = text::html_text(base::body_word(run.record.settings));
   if (run.z().empty() || !std::isfinite(run.area())) return fmt::format("The {} did not reach the soil, or its area is not known.", name);
   std::string words = begin_words(run, name, shown);
-  if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.reading.resistance.html, text::stress_words(run.q().back()));
+  if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.how.resistance.html, text::stress_words(run.q().back()));
   return words + last_words(run, shown) + ". " + steady_words(run) + cavity_words(run) + soil_words(run) + backflow_words(run) +
          surface_words(run);
 }
@@ -299,24 +298,24 @@ std::string penetration_key_results(const PenetrationRuns& runs, const base::Dis
 {
   PenetrationRuns known;
   for (const PenetrationRun& run : runs)
-    if (std::isfinite(value_of(run, "z_end"))) known.push_back(run);
+    if (std::isfinite(base::quantity_value(run.record, "z_end"))) known.push_back(run);
   if (known.empty()) return "";
-  const Reading& reading = known.front().reading;
-  const std::string title = fmt::format("Resistance over the depth of the {}", reading.level);
-  std::string html = svg_of(depth_log(known, title));
+  const Penetrometer& how = known.front().how;
+  const std::string title = fmt::format("Resistance over the depth of the {}", how.level);
+  std::string html = plot::svg_of(depth_log(known, title));
   const Real half = known.front().half() / known.front().body.width;
   const char* what = known.front().body.disk ? "V over its largest section"
                      : known.front().knows_shaft()
                          ? "V over the area, without the force on sides parallel to the axis: f is that force over the shaft in the soil, "
                            "its mean friction"
                          : "all of V over the area: friction on the sides of the body is included";
-  html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", reading.resistance.html, what,
+  html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", how.resistance.html, what,
                       half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
                                : "");
   driven::DrivenRuns driven;
   for (const PenetrationRun& run : known) driven.emplace_back(run.record, run.number);
   return html + summary_table(known, id + "-end") + depth_table(known, shown, id + "-depth") +
-         (reading.keeps_push ? "" : driven::converged_notes(driven));
+         (how.keeps_push ? "" : driven::converged_notes(driven));
 }
 
 std::string penetration_published(const PenetrationRuns& runs, const std::string& id)
@@ -329,7 +328,7 @@ std::string penetration_published(const PenetrationRuns& runs, const std::string
                           fmt::format("{}: exact and published values for its soil and depth", run.record.name));
     table.columns({{"quantity"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"kind"}, {"range of validity"}});
     const bool open = cavity_is_open(run);
-    for (const Comparison& c : run.reading.published(run)) {
+    for (const Comparison& c : run.how.published(run)) {
       const formulas::Source& source = c.published.source;
       if (source.label == formulas::Label::recalled || !std::isfinite(c.published.value)) continue;
       table.row({{c.quantity},
@@ -344,8 +343,7 @@ std::string penetration_published(const PenetrationRuns& runs, const std::string
     }
     if (!table.empty()) html += table.html();
   }
-  const std::string remark =
-      runs.empty() || *runs.front().reading.remark == '\0' ? "" : text::html_paragraph(runs.front().reading.remark, "quiet");
+  const std::string remark = runs.empty() || *runs.front().how.remark == '\0' ? "" : text::html_paragraph(runs.front().how.remark, "quiet");
   if (html.empty() && (remark.empty() || place == 0)) return "";
   return "<h3>Published values</h3>\n" + html + remark;
 }

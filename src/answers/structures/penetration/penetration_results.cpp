@@ -2,9 +2,9 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_results.hpp"
 
+#include "structures/base/answer.hpp"
 #include "structures/driven/path.hpp"
 #include "structures/penetration/soil_on_body.hpp"
-#include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,74 +12,103 @@
 namespace berm::penetration {
 namespace {
 
+using base::AnswerUnit, run_folder::QuantityKind;
+
 constexpr Real shallow = 0.25;  // of D: above a footing that is no deeper there is no hole to speak of
 constexpr Real reached = 1e-3;  // of D: a stage that ends at a depth may stop this much short of it
 
-}  // namespace
-
-std::string name_at(const std::string& what, Real over_D)
-{
-  return fmt::format("{}_at_z_{:g}D", what, over_D);
-}
-
-std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run)
-{
-  std::vector<run_folder::Quantity> list;
-  if (run.z().empty() || !std::isfinite(run.area())) return list;
-  const Reading& reading = run.reading;
-  const Real D = run.body.width;
-  const std::string q = reading.resistance.plain, N = run.symbol() == nullptr ? "" : run.symbol()->plain;
-  using enum run_folder::QuantityKind;
-  const auto add = [&](const std::string& name, Real value, const char* unit, const std::string& meaning,
-                       run_folder::QuantityKind kind = answer) {
-    if (std::isfinite(value)) list.push_back({name, value, unit, meaning, kind, "push"});
-  };
-  const std::string level = fmt::format("z is the depth of the {}", reading.level);
-  for (const Real part : reading.depths) {
-    if (part * D > run.q_curve().end() + reached * D) break;
-    const Real z = std::min(part * D, run.q_curve().end());
-    add(name_at(q, part), run.q_at(z), "Pa", "resistance over the area; " + level);
-    if (!N.empty()) add(name_at(N, part), run.factor_at(z), "1", "factor of the net resistance; " + level);
-  }
-  add("soil_above", reading.flows_around ? soil_above_at_end(run) : nan, "1",
-      "fraction of the space above the body, D/2 wide and D/2 high, that is filled with soil at the end of the push: 0 under an open "
-      "cavity, 1 "
-      "where "
-      "the soil has closed",
-      quality);
-  add("z_end", run.z_end(), "m", fmt::format("depth of the {} at the end of the push", reading.level), prescribed);
-  add("z_end_over_D", run.z_end() / D, "1", fmt::format("depth of the {} at the end of the push", reading.level), ratio);
-  add("area", run.area(), run.record.settings.force_dimension() == 2 ? "m" : "m2", "of the modelled part of the body on a level plane",
-      prescribed);
+/// A run at a depth, at the end of its push, and where H of its first drag is largest. In names q and N are the symbols of resistance and factor, J that which is judged: the
+/// factor, without one the resistance.
+struct AtDepth {
+  const PenetrationRun& run;
+  Real z;
+};
+struct AtEnd {
+  const PenetrationRun& run;
   const LastTravel& last = run.last();
-  const std::string over = fmt::format("over the last {:.3g} D of the push", last.travel / D), judged = N.empty() ? q : N;
-  add(q + "_end", last.q, "Pa", "mean resistance " + over);
-  add("f_shaft_end", last.friction, "Pa", "mean friction of the shaft in the soil, " + over);
-  if (!N.empty()) add(N + "_end", last.factor, "1", "mean factor " + over);
-  // Soil that has flowed back rests on the body: the bearing capacity of an open hole is net of sigma_v0, and of that weight it gets back.
-  const bool in_a_hole = reading.keeps_push && run.measure() == Measure::strength && run.z_end() > shallow * D;
-  if (const Real back = in_a_hole ? backflow_pressure(run) : nan; std::isfinite(back)) {
-    add("sigma_backflow_end", back, "Pa", "weight of the soil on the body at the end of the push, over the area");
-    add(N + "_end_backflow", last.factor + back / run.soil.at(run.z_end()).strength, "1",
-        "mean factor " + over + ", with that weight on the body");
-  }
-  add(judged + "_change", last.change, "1", "change of its straight line, over the mean, " + over, quality);
-  add(judged + "_scatter", last.scatter, "1", "standard deviation of the rows about that line, over the mean, " + over, quality);
-  if (!last.steady()) return list;
-  add(judged + "_steady", N.empty() ? last.q : last.factor, N.empty() ? "Pa" : "1", "steady value: it changes by less than 5 % " + over);
-  add(fmt::format("z_at_{}_steady", judged), last.steady_from, "m", "depth from which it stays within 5 % of that", quality);
-  add(fmt::format("z_at_{}_steady_over_D", judged), last.steady_from / D, "1", "depth from which it stays within 5 % of that", ratio);
-  return list;
+  Real backflow = nan;  ///< Pa
+  bool has_factor = run.symbol() != nullptr;
+};
+struct AtFailure {
+  Real V, H, M;                ///< N, N m; plane strain N/m, N m/m
+  Real area, width, strength;  ///< m2 (plane strain m), m, Pa; NaN of other soil
+};
+
+bool flows_around(const Penetrometer& how)
+{
+  return how.flows_around;
+}
+bool keeps_push(const Penetrometer& how)
+{
+  return how.keeps_push;
 }
 
-std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run)
+constexpr base::Answer<AtDepth, Penetrometer> depth_answers[] = {
+    {"{q}_at_z", AnswerUnit::stress, "resistance over the area; z is the depth of the {level}",
+     [](const AtDepth& at) { return at.run.q_at(at.z); }},
+    {"{N}_at_z", AnswerUnit::ratio, "factor of the net resistance; z is the depth of the {level}",
+     [](const AtDepth& at) { return at.run.factor_at(at.z); }},
+};
+
+constexpr base::Answer<AtEnd, Penetrometer> end_answers[] = {
+    {"soil_above", AnswerUnit::ratio,
+     "fraction of the space above the body, D/2 wide and D/2 high, that is filled with soil at the end of the push: 0 under an open "
+     "cavity, 1 "
+     "where the soil has closed",
+     [](const AtEnd& end) { return end.run.how.flows_around ? soil_above_at_end(end.run) : nan; }, QuantityKind::quality, nullptr,
+     flows_around},
+    {"z_end", AnswerUnit::length, "depth of the {level} at the end of the push", [](const AtEnd& end) { return end.run.z_end(); },
+     QuantityKind::prescribed},
+    {"area", AnswerUnit::area, "of the modelled part of the body on a level plane", [](const AtEnd& end) { return end.run.area(); },
+     QuantityKind::prescribed},
+    {"{q}_end", AnswerUnit::stress, "mean resistance {over}", [](const AtEnd& end) { return end.last.q; }},
+    {"f_shaft_end", AnswerUnit::stress, "mean friction of the shaft in the soil, {over}",
+     [](const AtEnd& end) { return end.last.friction; }},
+    {"{N}_end", AnswerUnit::ratio, "mean factor {over}", [](const AtEnd& end) { return end.last.factor; }},
+    {"sigma_backflow_end", AnswerUnit::stress, "weight of the soil on the body at the end of the push, over the area",
+     [](const AtEnd& end) { return end.backflow; }, QuantityKind::answer, nullptr, keeps_push},
+    {"{N}_end_backflow", AnswerUnit::ratio, "mean factor {over}, with that weight on the body",
+     [](const AtEnd& end) { return end.last.factor + end.backflow / end.run.soil.at(end.run.z_end()).strength; }, QuantityKind::answer,
+     nullptr, keeps_push},
+    {"{J}_change", AnswerUnit::ratio, "change of its straight line, over the mean, {over}",
+     [](const AtEnd& end) { return end.last.change; }, QuantityKind::quality},
+    {"{J}_scatter", AnswerUnit::ratio, "standard deviation of the rows about that line, over the mean, {over}",
+     [](const AtEnd& end) { return end.last.scatter; }, QuantityKind::quality},
+    {"{q}_steady", AnswerUnit::stress, "steady value: it changes by less than 5 % {over}",
+     [](const AtEnd& end) { return end.last.steady() && !end.has_factor ? end.last.q : nan; }},
+    {"{N}_steady", AnswerUnit::ratio, "steady value: it changes by less than 5 % {over}",
+     [](const AtEnd& end) { return end.last.steady() && end.has_factor ? end.last.factor : nan; }},
+    {"z_at_{J}_steady", AnswerUnit::length, "depth from which it stays within 5 % of that",
+     [](const AtEnd& end) { return end.last.steady() ? end.last.steady_from : nan; }, QuantityKind::quality},
+};
+
+constexpr base::Answer<AtFailure, Penetrometer> failure_answers[] = {
+    {"V_at_H_max", AnswerUnit::force, "vertical reaction where H of the first drag is largest", [](const AtFailure& f) { return f.V; }},
+    {"M_at_H_max", AnswerUnit::moment, "moment on the body about the middle of its base there, counter-clockwise",
+     [](const AtFailure& f) { return f.M; }},
+    {"V_at_H_max_over_As_u", AnswerUnit::ratio, "the same over area and strength",
+     [](const AtFailure& f) { return f.V / (f.area * f.strength); }},
+    {"H_max_over_As_u", AnswerUnit::ratio, "largest H of the first drag over area and strength",
+     [](const AtFailure& f) { return f.H / (f.area * f.strength); }},
+    {"M_at_H_max_over_ADs_u", AnswerUnit::ratio, "moment there over area, width and strength",
+     [](const AtFailure& f) { return f.M / (f.area * f.width * f.strength); }},
+};
+
+/// What the soil on a footing in a hole weighs: the bearing capacity of an open hole is net of sigma_v0, and of what has flowed back it gets that weight back.
+Real backflow_of(const PenetrationRun& run)
 {
-  std::vector<run_folder::Quantity> list;
+  const bool in_a_hole = run.how.keeps_push && run.measure() == Measure::strength && run.z_end() > shallow * run.body.width;
+  return in_a_hole ? backflow_pressure(run) : nan;
+}
+
+/// Empty where no drag follows the push, or its moments are not known.
+std::optional<AtFailure> failure_of(const PenetrationRun& run)
+{
   const run_folder::History& history = run.record.history;
-  if (history.rows() == 0 || !history.has_label("M") || run.record.settings.geometry == problem::Geometry::space) return list;
+  if (!run.how.keeps_push || !history.has_label("M") || run.record.settings.geometry == problem::Geometry::space) return {};
   const driven::Path path = driven::path_of(history, driven::stages_of(run.record.settings));
   const driven::DragPath& drag = path.drag();
-  if (drag.travel.size() < 3) return list;
+  if (drag.travel.size() < 3) return {};
   std::vector<Real> moment;
   for (std::size_t k = 0; k < drag.rows.size(); ++k)
     moment.push_back(history.by_label("M")[drag.rows[k]] + drag.stage.direction * drag.H[k] * run.body.height / 2);
@@ -87,40 +116,55 @@ std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run)
   const Real half = std::min(base::averaging_half(run.scale), (H.end() - H.begin()) / 20);
   const record::TravelCurve smooth = H.smoothed(half);
   const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
-  const Real u = smooth.travel()[largest - smooth.value().begin()], area = run.area(), strength = run.soil.at(run.z_end()).strength;
-  const bool plane = run.record.settings.force_dimension() == 2;
-  list.push_back({"V_at_H_max", V.at(u, half), plane ? "N/m" : "N", "vertical reaction where H of the first drag is largest"});
-  list.push_back(
-      {"M_at_H_max", M.at(u, half), plane ? "N m/m" : "N m", "moment on the body about the middle of its base there, counter-clockwise"});
-  if (!(strength > 0)) return list;
-  list.push_back({"V_at_H_max_over_As_u", V.at(u, half) / (area * strength), "1", "the same over area and strength"});
-  list.push_back({"H_max_over_As_u", *largest / (area * strength), "1", "largest H of the first drag over area and strength"});
-  list.push_back(
-      {"M_at_H_max_over_ADs_u", M.at(u, half) / (area * run.whole_width() * strength), "1", "moment there over area, width and strength"});
-  return list;
+  const Real u = smooth.travel()[largest - smooth.value().begin()], strength = run.soil.at(run.z_end()).strength;
+  return AtFailure{V.at(u, half), *largest, M.at(u, half), run.area(), run.whole_width(), strength > 0 ? strength : nan};
 }
 
-std::vector<std::string> penetration_names(const Reading& reading)
+}  // namespace
+
+std::string name_at(const std::string& what, Real over_D)
 {
-  std::vector<std::string> names = {"z_end", "z_end_over_D", "area", "f_shaft_end"};
-  for (const char* symbol : {reading.resistance.plain, reading.in_clay.plain, reading.in_sand.plain}) {
-    for (const Real part : reading.depths) names.push_back(name_at(symbol, part));
-    for (const char* end : {"end", "change", "scatter", "steady"}) names.push_back(fmt::format("{}_{}", symbol, end));
-    for (const char* end : {"", "_over_D"}) names.push_back(fmt::format("z_at_{}_steady{}", symbol, end));
+  return what + "_at_z" + base::AnswerList::ending_at(over_D);
+}
+
+std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run)
+{
+  base::AnswerList list(run.record.settings.force_dimension());
+  const Real D = run.body.width;
+  if (!run.z().empty() && std::isfinite(run.area())) {
+    const std::string q = run.how.resistance.plain, N = run.symbol() == nullptr ? q : run.symbol()->plain;
+    list.fill({{"q", q},
+               {"N", N},
+               {"J", N},
+               {"level", run.how.level},
+               {"over", fmt::format("over the last {:.3g} D of the push", run.last().travel / D)}});
+    list.of("push", "");
+    list.twins(0, D);
+    const Real end = run.q_curve().end();
+    for (const Real part : run.how.depths)
+      if (part * D <= end + reached * D) list.at(part), list.add(depth_answers, AtDepth{run, std::min(part * D, end)});
+    list.at({});
+    list.add(end_answers, AtEnd{.run = run, .backflow = backflow_of(run)});
+    list.of("", "");
   }
-  if (reading.flows_around) names.emplace_back("soil_above");
-  if (reading.keeps_push)
-    for (const char* name : {"sigma_backflow_end", "N_c_end_backflow", "V_at_H_max", "M_at_H_max", "V_at_H_max_over_As_u",
-                             "H_max_over_As_u", "M_at_H_max_over_ADs_u"})
-      names.emplace_back(name);
-  return names;
+  if (const std::optional<AtFailure> failure = failure_of(run)) list.add(failure_answers, *failure);
+  return list.list();
 }
 
-bool is_of_reading(const std::string& name, const Reading& reading)
+std::vector<std::string> penetration_names(const Penetrometer& how)
 {
-  const auto begins = [&](const char* symbol) { return name.starts_with(std::string(symbol) + "_"); };
-  return begins(reading.resistance.plain) || begins(reading.in_clay.plain) || begins(reading.in_sand.plain) || name.starts_with("z_") ||
-         name == "area" || name == "f_shaft_end" || name == "soil_above" || name == "sigma_backflow_end";
+  base::AnswerList list(3);
+  list.twins(0, 1);
+  const std::string q = how.resistance.plain;
+  for (const std::string N : {how.in_clay.plain, how.in_sand.plain})
+    for (const std::string& judged : {q, N}) {
+      list.fill({{"q", q}, {"N", N}, {"J", judged}});
+      for (const Real part : how.depths) list.at(part), list.add_names(depth_answers, how);
+      list.at({});
+      list.add_names(end_answers, how);
+    }
+  if (how.keeps_push) list.add_names(failure_answers, how);
+  return list.names();
 }
 
 std::string log_csv(const PenetrationRun& run)
@@ -135,20 +179,6 @@ std::string log_csv(const PenetrationRun& run)
                        q_mean.at(z, 0), factor_mean.at(z, 0), run.knows_shaft() ? run.friction()[k] : nan, soil.strength, soil.overburden);
   }
   return csv;
-}
-
-std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading)
-{
-  std::string table;
-  for (const run_folder::Quantity& quantity : quantities) {
-    if (!is_of_reading(quantity.name, reading) || quantity.kind == run_folder::QuantityKind::ratio) continue;
-    const std::string value = quantity.unit == "Pa" ? text::stress_words(quantity.value)
-                              : quantity.unit == "m"
-                                  ? text::length_words(quantity.value)
-                                  : fmt::format("{:.4g}{}", quantity.value, quantity.unit == "1" ? "" : " " + quantity.unit);
-    table += fmt::format("{:<32}{:>16}\n", quantity.name, value);
-  }
-  return table.empty() ? "" : table + fmt::format("z: depth of the {}\n", reading.level);
 }
 
 }  // namespace berm::penetration

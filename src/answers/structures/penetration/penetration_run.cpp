@@ -18,9 +18,9 @@ constexpr Real same_place = 1e-6;       // of D
 
 }  // namespace
 
-PenetrationRun::PenetrationRun(const record::RunRecord& run, const Reading& how, std::size_t number_on_page)
+PenetrationRun::PenetrationRun(const record::RunRecord& run, const Penetrometer& how_read, std::size_t number_on_page)
     : record(run),
-      reading(how),
+      how(how_read),
       scale(base::body_scale(run)),
       soil(run),
       number(number_on_page),
@@ -66,7 +66,7 @@ Measure PenetrationRun::measure_of_soil() const
   const SoilAt here = soil.at(z_.empty() ? base::reference_depth(record.settings, record.ground) : z_.back());
   if (here.strength > 0) return Measure::strength;
   if (!(here.friction_angle > 0)) return Measure::none;
-  if (reading.sand_measure == SandMeasure::half_weight) return here.unit_weight > 0 ? Measure::half_weight : Measure::none;
+  if (how.sand_measure == SandMeasure::half_weight) return here.unit_weight > 0 ? Measure::half_weight : Measure::none;
   return here.overburden > 0 ? Measure::overburden : Measure::none;
 }
 
@@ -80,7 +80,7 @@ void PenetrationRun::take_rows()
   const std::vector<Real>* shaft = history.has_label("V shaft") ? &history.by_label("V shaft") : nullptr;
   for (std::size_t k = 0; k < push.w.size(); ++k) {
     const Real z = push.w[k] - body.shoulder;
-    if (reading.flows_around ? push.w[k] < 0 : z < 0 && !begins_in_soil) continue;
+    if (how.flows_around ? push.w[k] < 0 : z < 0 && !begins_in_soil) continue;
     z_.push_back(z);
     const Real sides = shaft == nullptr ? 0 : (*shaft)[push.rows[k]];
     q_.push_back((push.V[k] - sides) / area_);
@@ -112,7 +112,7 @@ Real PenetrationRun::displaced(Real z) const
 Real PenetrationRun::net(Real z, Real q) const
 {
   const SoilAt here = soil.at(z);
-  return reading.flows_around ? q - here.unit_weight * displaced(z) / area_ : q - here.overburden;
+  return how.flows_around ? q - here.unit_weight * displaced(z) / area_ : q - here.overburden;
 }
 
 Real PenetrationRun::factor(Real z, Real q) const
@@ -133,13 +133,13 @@ Real PenetrationRun::factor(Real z, Real q) const
 
 const Symbol* PenetrationRun::symbol() const
 {
-  return measure_ == Measure::none ? nullptr : measure_ == Measure::strength ? &reading.in_clay : &reading.in_sand;
+  return measure_ == Measure::none ? nullptr : measure_ == Measure::strength ? &how.in_clay : &how.in_sand;
 }
 
 Real PenetrationRun::half() const
 {
   if (!scale.noisy || q_curve_.empty()) return 0;
-  return std::min(reading.averaging * body.width, largest_half * (q_curve_.end() - q_curve_.begin()));
+  return std::min(how.averaging * body.width, largest_half * (q_curve_.end() - q_curve_.begin()));
 }
 
 Real PenetrationRun::q_at(Real z) const
@@ -161,7 +161,7 @@ void PenetrationRun::take_last()
 {
   const TravelCurve& judged = factor_curve_.empty() ? q_curve_ : factor_curve_;
   if (judged.travel().size() < 3) return;
-  last_.travel = std::min(reading.last_travel * body.width, largest_end * (judged.end() - judged.begin()));
+  last_.travel = std::min(how.last_travel * body.width, largest_end * (judged.end() - judged.begin()));
   const Real window = last_.travel / 2, middle = judged.end() - window;
   last_.q = q_curve_.at(middle, window);
   if (!friction_curve_.empty()) last_.friction = friction_curve_.at(middle, window);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "record/travel_curve.hpp"
-#include "structures/penetration/reading.hpp"
+#include "structures/penetration/penetrometer.hpp"
 #include "structures/penetration/soil_profile.hpp"
 
 namespace berm::penetration {
@@ -31,10 +31,10 @@ struct LastTravel {
 /// the history tells it (V_shaft). The record must outlive it.
 class PenetrationRun {
 public:
-  PenetrationRun(const record::RunRecord& run, const Reading& reading, std::size_t number_on_page = 0);
+  PenetrationRun(const record::RunRecord& run, const Penetrometer& how, std::size_t number_on_page = 0);
 
   const record::RunRecord& record;
-  const Reading& reading;
+  const Penetrometer& how;
   base::BodyScale scale;
   base::BodyProfile body;
   SoilProfile soil;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
-#include "structures/penetration/readings.hpp"
+#include "structures/penetration/penetrometers.hpp"
 
 #include "formulas/pipe_in_clay.hpp"
 #include "structures/penetration/penetration_run.hpp"
@@ -12,11 +12,11 @@ constexpr base::Limit t_bar_cells =
     base::too_large({40, 10, base::Effect::contact_width,
                      "a bar acts as if up to a cell larger on each side, 2 h/D of its resistance (examples/t_bar)", true});
 
-std::vector<penetration::Comparison> published_of_t_bar(const penetration::PenetrationRun& run)
+std::vector<Comparison> published_of_t_bar(const PenetrationRun& run)
 {
-  if (run.measure() != penetration::Measure::strength) return {};
+  if (run.measure() != Measure::strength) return {};
   const Real alpha = run.soil.at(run.z_end()).interface_ratio;
-  std::vector<penetration::Comparison> list;
+  std::vector<Comparison> list;
   const auto add = [&](Real roughness, const char* about) {
     formulas::Formula deep = formulas::clay_deep({1, std::max(run.w_end() / run.body.width, Real(2)), 1, roughness});
     list.push_back({"N<sub>T-bar</sub>", run.last().factor, deep, about, true});
@@ -29,15 +29,15 @@ std::vector<penetration::Comparison> published_of_t_bar(const penetration::Penet
 
 }  // namespace
 
-const penetration::Reading& t_bar_reading()
+const Penetrometer& t_bar()
 {
-  static const penetration::Reading t_bar{
+  static const Penetrometer t_bar{
       .word = "t_bar",
       .level = "axis of the bar",
       .resistance = {"q_Tbar", "q<sub>T-bar</sub>"},
       .in_clay = {"N_Tbar", "N<sub>T-bar</sub>"},
       .in_sand = {"Q_Tbar", "Q<sub>T-bar</sub>"},
-      .sand_measure = penetration::SandMeasure::overburden,
+      .sand_measure = SandMeasure::overburden,
       .flows_around = true,
       .averaging = 0.05,
       .last_travel = 1,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/axial_results.hpp"
 
+#include "structures/base/answer.hpp"
 #include "structures/base/soil_words.hpp"
 
 #include <fmt/format.h>
@@ -31,22 +32,49 @@ std::vector<AxialGain> axial_gains(const record::RunRecord& run)
   return gains;
 }
 
+namespace {
+
+using base::AnswerUnit;
+
+constexpr base::Answer<AxialState> state_answers[] = {
+    {"wedging_of_{stage}", AnswerUnit::ratio, "effective normal force over V at the end of {stage}",
+     [](const AxialState& state) { return state.wedging(); }},
+    {"axial_friction_of_{stage}", AnswerUnit::force, "friction coefficient times the effective normal force at the end of {stage}",
+     [](const AxialState& state) { return state.resistance(); }},
+};
+constexpr base::Answer<AxialGain> gain_answers[] = {
+    {"axial_gain_of_{stage}", AnswerUnit::ratio,
+     "axial friction at the end of {stage} over that at the end of the stage before, at U = {degree} %",
+     [](const AxialGain& gain) { return gain.ratio(); }},
+};
+
+}  // namespace
+
 std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run)
 {
-  std::vector<run_folder::Quantity> quantities;
+  base::AnswerList list(2);
   for (const AxialState& state : axial_states(run)) {
-    quantities.push_back({"wedging_of_" + state.stage, state.wedging(), "1", "effective normal force over V at the end of " + state.stage,
-                          run_folder::QuantityKind::answer, state.stage});
-    quantities.push_back({"axial_friction_of_" + state.stage, state.resistance(), "N/m",
-                          "friction coefficient times the effective normal force at the end of " + state.stage,
-                          run_folder::QuantityKind::answer, state.stage});
+    list.of(state.stage, "");
+    list.fill({{"stage", state.stage}});
+    list.add(state_answers, state);
   }
-  for (const AxialGain& gain : axial_gains(run))
-    quantities.push_back({"axial_gain_of_" + gain.stage, gain.ratio(), "1",
-                          fmt::format("axial friction at the end of {} over that at the end of the stage before, at U = {:.0f} %",
-                                      gain.stage, 100 * gain.degree),
-                          run_folder::QuantityKind::answer, gain.stage});
-  return quantities;
+  for (const AxialGain& gain : axial_gains(run)) {
+    list.of(gain.stage, "");
+    list.fill({{"stage", gain.stage}, {"degree", fmt::format("{:.0f}", 100 * gain.degree)}});
+    list.add(gain_answers, gain);
+  }
+  return list.list();
+}
+
+std::vector<std::string> axial_names(const problem::Case& c)
+{
+  base::AnswerList list(2);
+  for (const problem::StageSettings& stage : c.stage) {
+    list.fill({{"stage", stage.name}});
+    list.add_names(state_answers);
+    list.add_names(gain_answers);
+  }
+  return list.names();
 }
 
 }  // namespace berm::pipe

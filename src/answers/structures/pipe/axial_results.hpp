@@ -34,4 +34,7 @@ std::vector<AxialGain> axial_gains(const record::RunRecord& run);
 /// The same for the summary: wedging_of_STAGE, axial_friction_of_STAGE, and axial_gain_of_STAGE of rests.
 std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run);
 
+/// The names of all that a run of a case may have of these.
+std::vector<std::string> axial_names(const problem::Case& c);
+
 }  // namespace berm::pipe

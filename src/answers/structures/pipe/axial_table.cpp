@@ -57,8 +57,8 @@ std::string consolidation_words(const driven::DrivenRun& run, const base::Displa
   std::string words;
   for (const AxialGain& gain : axial_gains(run.record))
     words += fmt::format(
-        "In \"{}\" {} of the excess pore pressure dissipates (U), and the axial friction resistance {} from {} to {}, {} times. ",
-        text::html_text(gain.stage), text::percent_words(gain.degree), gain.ratio() < 1 ? "falls" : "grows",
+        "{}In \"{}\" {} of the excess pore pressure dissipates (U), and the axial friction resistance {} from {} to {}, {} times.",
+        words.empty() ? "" : " ", text::html_text(gain.stage), text::percent_words(gain.degree), gain.ratio() < 1 ? "falls" : "grows",
         shown.force_text(run.scale, gain.before), shown.force_text(run.scale, gain.after), text::short_number(gain.ratio()));
   return words;
 }

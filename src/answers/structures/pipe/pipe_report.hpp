@@ -9,7 +9,7 @@ namespace berm::pipe {
 /// What pipes in soil with water could carry along their axis by friction at the ends of stages, beside the published wedging factor, as an HTML table; "" where no run has it.
 std::string axial_table(const driven::DrivenRuns& runs, const base::DisplayUnits& shown);
 
-/// What rests in which soil consolidates do to that resistance, a sentence each with a space behind it, HTML; "" without any.
+/// What rests in which soil consolidates do to that resistance, a sentence each, HTML; "" without any.
 std::string consolidation_words(const driven::DrivenRun& run, const base::DisplayUnits& shown);
 
 /// What design codes and published formulas give beside the runs, as HTML with its heading: of each run remarks, then a table with its states as groups. Of

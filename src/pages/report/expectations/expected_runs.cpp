@@ -31,7 +31,7 @@ expectations::ExpectationResult ExpectedRuns::compare(const Expectation& e, cons
 {
   const auto named = [&](const std::string& name) -> const ExpectedRun& { return name == run.name ? run : *find(name); };
   return compare_with_numbers(e, {[&](const std::string& name, const expectations::Observable& observable) {
-                                    return evaluate(observable, *named(name).record, named(name).details.get());
+                                    return evaluate(observable, *named(name).record, named(name).details);
                                   },
                                   [&](const std::string& name, const std::string& quantity) {
                                     return expectations::band_of(quantity, named(name).record->summary);

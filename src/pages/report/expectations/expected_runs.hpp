@@ -10,7 +10,7 @@ namespace berm::report {
 struct ExpectedRun {
   std::string name;
   const record::RunRecord* record;
-  std::unique_ptr<base::RunDetails> details;
+  base::RunDetails details;
 };
 
 /// An expected.toml and those runs of a page, in their order, that it tells of.

@@ -61,7 +61,7 @@ void add_measures(Judgement& all, const record::RunRecord& run, const Words& inv
     if (standing == Standing::unknown) not_known.push_back(measure.what);
     if (standing == Standing::bad) all.standing = Standing::bad;
     if (standing == Standing::unknown || standing == Standing::good) continue;
-    const std::string warning = measure.warning(run, value);
+    const std::string warning = measure.warning_of(run, value);
     if (!holds(invalid, warning)) all.warnings.push_back(warning + ".");
   }
   if (const std::string opposite = opposite_words(all.measures); !opposite.empty()) all.warnings.push_back(opposite);

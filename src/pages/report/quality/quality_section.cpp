@@ -94,8 +94,8 @@ std::string quality_section(const Runs& runs, const Judgements& judgements)
   content += table_of(runs, judgements, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
   content += "<p class=\"quiet\">See: sections of <cite>Common pitfalls</cite> in the documentation of berm "
              "(docs/how_to/what_will_catch_you.md), which say how large each effect is and what to do.</p>\n";
-  for (const base::Structure* structure : structures::all_structures())
-    content += structure->quality_note(structures::runs_of(*structure, runs));
+  for (const base::Structure& structure : structures::all_structures())
+    content += structure.quality_note(structures::runs_of(structure, runs));
   return text::html_section("trust", "Can it be trusted?", content);
 }
 

@@ -2,7 +2,6 @@
 #include "report/results/results_section.hpp"
 
 #include "structures/base/still_moving.hpp"
-#include "structures/depth/profile_page.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
 
@@ -69,16 +68,16 @@ std::string results_section(const Runs& runs, const std::vector<Judgement>& judg
 {
   const base::DisplayUnits shown = units_of(runs);
   std::string html, key, published;
-  for (const base::Structure* structure : structures::all_structures()) {
-    const base::Runs of_structure = structures::runs_of(*structure, runs);
-    key += structure->key_results(of_structure, shown);
-    published += structure->published_values(of_structure, shown);
+  for (const base::Structure& structure : structures::all_structures()) {
+    const base::Runs of_structure = structures::runs_of(structure, runs);
+    key += structure.key_results(of_structure, shown);
+    published += structure.published_values(of_structure, shown);
   }
   if (!key.empty()) html += "<h3>Key results</h3>\n" + key;
   html += consolidation_table(runs) + support_table(runs) + published;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::string id = fmt::format("results-{}", k);
-    html += structures::structure_of(runs[k].settings).other_results(runs[k], id) + depth::profile_section(runs[k], id);
+    html += structures::structure_of(runs[k].settings).other_results(runs[k], id);
   }
   html = words_of(runs, judgements, shown, first_look) + text::html_beside(html);
   // Tables of several runs name the run, with its mark, in each row; of one run the style of the class puts the mark behind each number.

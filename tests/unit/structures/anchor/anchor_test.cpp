@@ -28,8 +28,8 @@ record::RunRecord dragged()
 TEST(Anchor, is_named)
 {
   const record::RunRecord run = dragged();
-  EXPECT_TRUE(Anchor().applies_to(run.settings));
-  EXPECT_FALSE(Anchor().applies_to(MadeRun{}.settings()));
+  EXPECT_TRUE(anchor().applies_to(run.settings));
+  EXPECT_FALSE(anchor().applies_to(MadeRun{}.settings()));
 }
 
 TEST(Anchor, tells_depth_and_tow_force_over_travel)
@@ -58,10 +58,10 @@ TEST(Anchor, knows_the_names_of_its_results_before_a_run)
 TEST(Anchor, says_in_words_where_it_goes)
 {
   const record::RunRecord run = dragged();
-  const std::string words = Anchor().in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
+  const std::string words = anchor().in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
   EXPECT_NE(words.find("from a depth of 2 mm to 52 mm"), std::string::npos) << words;
   EXPECT_NE(words.find("at a constant depth"), std::string::npos) << words;
-  EXPECT_NE(Anchor().key_results({{&run, 0}}, base::DisplayUnits({{base::body_scale(run), &run.quantities}})).find("anchor-tow"),
+  EXPECT_NE(anchor().key_results({{&run, 0}}, base::DisplayUnits({{base::body_scale(run), &run.quantities}})).find("anchor-tow"),
             std::string::npos);
 }
 
@@ -75,7 +75,7 @@ TEST(Anchor, that_was_not_dragged_has_no_tow)
   list.add(tow_answers, tow_results(tow_path(run), base::body_scale(run)));
   EXPECT_TRUE(list.list().empty());
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
-  const std::string words = Anchor().in_words(run, shown);
+  const std::string words = anchor().in_words(run, shown);
   EXPECT_EQ(words.find("ragged"), std::string::npos) << words;
   EXPECT_NE(words.find("V = "), std::string::npos) << words;
 }

@@ -3,6 +3,7 @@
 #include "structures/driven/report.hpp"
 
 #include "samples/made_run_in_water.hpp"
+#include "structures/base/answer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ TEST(InWords, a_lift_out_of_the_soil_says_how_far_it_has_consolidated_and_what_i
             std::string::npos)
       << words;
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
-  const std::string tables = key_results({DrivenRun(run)}, shown), log = key_results_table(run.quantities, base::body_scale(run));
+  const std::string tables = key_results({DrivenRun(run)}, shown), log = base::log_table(run.quantities, base::body_scale(run));
   EXPECT_NE(tables.find("Uplift resistance R by the travel upwards"), std::string::npos) << tables;
   EXPECT_EQ(log.find("lift.V_end "), std::string::npos) << log;
   EXPECT_NE(log.find("lift.R_end "), std::string::npos) << log;

@@ -3,6 +3,7 @@
 
 #include "samples/history_columns.hpp"
 #include "samples/run_to_write.hpp"
+#include "structures/base/answer.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -273,7 +274,7 @@ TEST(PipeQuantities, weightless_soil_has_no_gamma_to_divide_by)
 
 TEST(KeyResults, give_model_dimensionless_and_prototype_values)
 {
-  const std::string table = key_results_table(quantities_of({}), scale);
+  const std::string table = base::log_table(quantities_of({}), scale);
   std::istringstream lines(table);
   std::string line;
   while (std::getline(lines, line) && line.rfind("V_at_w_0.1D ", 0) != 0) {
@@ -283,12 +284,12 @@ TEST(KeyResults, give_model_dimensionless_and_prototype_values)
   EXPECT_NE(line.find("4.651"), std::string::npos) << table;
   EXPECT_NE(line.find("40.00 kN/m"), std::string::npos) << table;
   // In clay over D s_u, 20 mm times 2 kPa.
-  const std::string clay = key_results_table(quantities_of({}), {.width = 0.02, .unit_weight = 430e3, .strength = 2e3});
+  const std::string clay = base::log_table(quantities_of({}), {.width = 0.02, .unit_weight = 430e3, .strength = 2e3});
   EXPECT_NE(clay.find("20.00"), std::string::npos) << clay;
   EXPECT_NE(clay.find("forces over D s_u with s_u = 2 kPa, lengths over D"), std::string::npos) << clay;
   // One gravity rounded, and none at all, make no prototype.
   for (const Real level : {1., 10 / 9.81, 0.})
-    EXPECT_EQ(key_results_table(quantities_of({}), {.width = 0.02, .unit_weight = 430e3, .gravity_level = level}).find("prototype"),
+    EXPECT_EQ(base::log_table(quantities_of({}), {.width = 0.02, .unit_weight = 430e3, .gravity_level = level}).find("prototype"),
               std::string::npos);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structures/lateral/skirt.hpp"
+#include "structures/lateral/shaft.hpp"
 
 #include "samples/made_push.hpp"
 #include "structures/base/general_measures.hpp"
@@ -32,7 +32,7 @@ base::DisplayUnits units_of(const record::RunRecord& run)
 TEST(Skirt, has_the_area_of_its_ring_and_friction_on_both_faces)
 {
   const record::RunRecord run = pushed_skirt().record();
-  EXPECT_STREQ(structures::structure_of(run.settings).word(), "skirt");
+  EXPECT_STREQ(structures::structure_of(run.settings).word, "skirt");
   const auto value = [&](const char* name) { return base::quantity_value(run, name); };
   EXPECT_NEAR(value("area"), ring, 1e-12);
   EXPECT_NEAR(value("N_c_end"), 8, 1e-6);

@@ -4,7 +4,7 @@
 #include "samples/drawn_run.hpp"
 #include "samples/made_push.hpp"
 #include "structures/penetration/penetration.hpp"
-#include "structures/penetration/readings.hpp"
+#include "structures/penetration/penetrometers.hpp"
 
 namespace berm::penetration::this_file {
 namespace {
@@ -21,24 +21,24 @@ record::RunRecord noisy(Real gradient)
   return made.record();
 }
 
-DepthLog log_of(const record::RunRecord& record)
+plot::Panels log_of(const record::RunRecord& record)
 {
   PenetrationRuns runs;
-  runs.emplace_back(record, cone_reading());
+  runs.emplace_back(record, cone());
   return depth_log(runs, "a log");
 }
 
 TEST(DepthLog, has_resistance_and_factor_and_strength_where_it_varies)
 {
   const record::RunRecord uniform = noisy(0), growing = noisy(1e3);
-  const DepthLog log = log_of(uniform);
+  const plot::Panels log = log_of(uniform);
   ASSERT_EQ(log.panels.size(), 2u);
-  EXPECT_EQ(log.panels[0].label, "q_t (kPa)");
-  EXPECT_EQ(log.panels[1].label, "N_kt");
-  EXPECT_EQ(log.depth_label, "depth z of the shoulder of the cone (m)");
-  EXPECT_NEAR(log.deepest / log.per_width, (2 - 0.1 * std::sqrt(3.)) / 0.2, 1e-9);
-  EXPECT_GE(log.panels[0].max, 100);
-  EXPECT_LE(log.panels[0].max, 150);
+  EXPECT_EQ(log.panels[0].title, "q_t (kPa)");
+  EXPECT_EQ(log.panels[1].title, "N_kt");
+  EXPECT_EQ(log.y_label, "depth z of the shoulder of the cone (m)");
+  EXPECT_NEAR(log.panels[0].high / log.second, (2 - 0.1 * std::sqrt(3.)) / 0.2, 1e-9);
+  EXPECT_GE(log.panels[0].right, 100);
+  EXPECT_LE(log.panels[0].right, 150);
   EXPECT_EQ(log_of(growing).panels.size(), 3u);
 }
 
@@ -47,16 +47,16 @@ TEST(DepthLog, has_the_friction_of_a_shaft_that_carries)
   MadePush made;
   made.shaft = [](Real z) { return 2e3 * pi * 0.2 * std::max(z, Real(0)); };
   const record::RunRecord record = made.record();
-  const DepthLog log = log_of(record);
+  const plot::Panels log = log_of(record);
   ASSERT_EQ(log.panels.size(), 3u);
-  EXPECT_EQ(log.panels[1].label, "f (kPa)");
+  EXPECT_EQ(log.panels[1].title, "f (kPa)");
 }
 
 TEST(DepthLog, shows_nothing_that_is_only_recalled)
 {
   const record::RunRecord record = noisy(0);
-  for (const LogPanel& panel : log_of(record).panels)
-    for (const LogCurve& curve : panel.curves) EXPECT_EQ(curve.name.find("Houlsby"), std::string::npos) << curve.name;
+  for (const plot::Panel& panel : log_of(record).panels)
+    for (const plot::PanelCurve& curve : panel.curves) EXPECT_EQ(curve.name.find("Houlsby"), std::string::npos) << curve.name;
 }
 
 TEST(DepthLog, of_a_run_without_rows_is_empty)
@@ -79,8 +79,10 @@ TEST(DepthLog, as_svg_has_depth_downwards_and_axes_on_top)
 TEST_F(DepthLogPicture, is_curves_png_of_a_run)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
-  const Penetration cone(cone_reading());
-  ASSERT_TRUE(cone.draw_curves(folder, noisy(1e3), {}));
+  const record::RunRecord run = noisy(1e3);
+  const base::Structure structure = pushed_down(cone());
+  structure.write_files(folder, run);
+  ASSERT_TRUE(structure.draw_curves(folder, run, {}));
   EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
   EXPECT_TRUE(fs::exists(folder.file("plots/log_0.dat")));
   const std::string csv = content_of(folder.file("log.csv"));

@@ -294,7 +294,7 @@ TEST(Penetration, of_a_ball_stands_beside_the_table_where_it_is_shallow)
   made.law.density = 1e-6;
   made.q = [](Real z) { return formulas::smooth_sphere((z + 0.1) / 0.2).value * 4 / pi * 10e3; };
   const record::RunRecord run = made.record();
-  EXPECT_EQ(&structure_of(run), structures::all_structures()[1]);
+  EXPECT_EQ(&structure_of(run), &structures::all_structures()[1]);
   const std::string html = published(run);
   EXPECT_NE(html.find("at w = 0.3 D"), std::string::npos) << html;
   EXPECT_NE(html.find("3.198"), std::string::npos);

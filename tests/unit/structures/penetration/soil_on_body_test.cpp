@@ -7,7 +7,7 @@
 #include "samples/made_push.hpp"
 #include "samples/temporary_folder.hpp"
 #include "structures/base/general_measures.hpp"
-#include "structures/penetration/footing.hpp"
+#include "structures/penetration/penetrometers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ protected:
 TEST_F(Backflow, of_an_open_hole_weighs_nothing)
 {
   const record::RunRecord run = pushed(0);
-  EXPECT_EQ(backflow_pressure(PenetrationRun(run, footing_reading())), 0);
+  EXPECT_EQ(backflow_pressure(PenetrationRun(run, footing())), 0);
   EXPECT_NEAR(base::quantity_value(run, "N_c_end_backflow"), 6, 1e-6);
   const std::string words =
       structures::structure_of(run.settings).in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
@@ -75,7 +75,7 @@ TEST_F(Backflow, is_not_known_without_a_frame)
 {
   record::RunRecord run = pushed(0);
   run.folder.clear();
-  EXPECT_TRUE(std::isnan(backflow_pressure(PenetrationRun(run, footing_reading()))));
+  EXPECT_TRUE(std::isnan(backflow_pressure(PenetrationRun(run, footing()))));
 }
 
 // A body of 0.2 m with its top at y = -0.4 m: the place above it reaches to y = -0.3 m, 0.05 m to each side.

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "formulas/formula.hpp"
-#include "structures/base/kind.hpp"
-#include "structures/base/trust_measure.hpp"
+#include "structures/base/structure.hpp"
 
 namespace berm::penetration {
 
@@ -31,7 +30,7 @@ enum class SandMeasure {
 };
 
 /// How practice reads the resistance of a body that is pushed down: q = V/A over the depth z of its level of full width.
-struct Reading {
+struct Penetrometer {
   const char* word;         ///< that the input calls it
   const char* level;        ///< what z is the depth of: "shoulder of the cone"
   Symbol resistance;        ///< q, Pa
@@ -46,6 +45,7 @@ struct Reading {
   std::vector<Comparison> (*published)(const PenetrationRun& run);
   const char* remark;         ///< on what is published, plain; "" = none
   bool pushes_aside = false;  ///< whether soil is pushed aside as by a cavity that grows
+  base::Reading also{};       ///< what it has beyond that
 };
 
 }  // namespace berm::penetration
