@@ -15,6 +15,7 @@ Matplotlib are loaded by what needs them.
 import importlib
 from typing import Any
 
+from .curves import Drag, Push
 from .element import element
 from .errors import InputError, RunError, Stopped
 from .frames import Field, Frame
@@ -25,7 +26,6 @@ from .program import check, export, find_program, fmu, include_folder, new, repo
 from .quantity import Quantity
 from .run import Run, run
 from .study import Estimate, Row, Study, open, study
-from .travel import Drag, Push
 
 __version__ = "0.1.0"
 __all__ = [

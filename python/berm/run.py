@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import tempfile
 import tomllib
 from bisect import bisect_left
 from collections.abc import Mapping
@@ -13,12 +14,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .curves import HALF_WIDTH, Drag, Push, arrays_in
 from .errors import InputError, RunError
 from .frames import Frame, frames_in
 from .history import History
-from .program import PathLike, call, report, settings, springs
+from .program import PathLike, call, export, report, settings, springs
 from .quantity import Quantity
-from .travel import HALF_WIDTH, Drag, Push, pushes_and_drags
 
 if TYPE_CHECKING:
     import numpy as np
@@ -136,18 +137,40 @@ class Run:
         return self._json("origin.json")
 
     @cached_property
-    def _travels(self) -> tuple[Push, list[Drag]]:
-        return pushes_and_drags(self.history, self.case["stage"])
+    def curves(self) -> dict[str, Any]:
+        """All curves of the run by chart, V_w, H_u ..., as curves.json has them, with arrays; where it is missing or of fewer rows than the
+        history has, of a run that goes on or of an earlier version, the program derives them. Throws RunError where it is damaged."""
+        data = self._json("curves.json") if (self.folder / "curves.json").exists() else {}
+        if data.get("history_rows") != len(self.history):
+            with tempfile.TemporaryDirectory() as output:
+                data = json.loads(export(self.folder, to="curves", output=output)[0].read_text(encoding="utf-8"))
+        try:
+            return {chart["chart"]: arrays_in(chart) for chart in data["charts"]}
+        except (KeyError, TypeError, ValueError) as error:
+            raise RunError(f"{self.folder / 'curves.json'}: {error}") from None
 
-    @property
+    def _curves_in(self, chart: str) -> list[dict[str, Any]]:
+        if chart not in self.curves:
+            raise InputError(f"{self.folder}: it has no curve {chart}: no rigid body is driven")
+        return list(self.curves[chart]["curves"])
+
+    @cached_property
     def push(self) -> Push:
         """The way down: w and V of pushes that load the pipe further, by row. Throws InputError where no rigid body is driven."""
-        return self._travels[0]
+        import numpy as np
 
-    @property
+        down = [Push(curve["x"], curve["y"]) for curve in self._curves_in("V_w")]
+        return down[0] if down else Push(np.zeros(0), np.zeros(0))
+
+    @cached_property
     def drags(self) -> list[Drag]:
         """Drags and sweeps in their order: u, travel, w, H and V of each, by row. Throws InputError where no rigid body is driven."""
-        return self._travels[1]
+        drags = []
+        for curve in self._curves_in("H_u"):
+            direction, u, rows = float(curve["direction"]), curve["x"], curve["rows"]
+            w, V = self.history["w"][rows], self.history["V"][rows]
+            drags.append(Drag(curve["name"], direction, u, direction * (u - u[0]), w, direction * curve["y"], V))
+        return drags
 
     @property
     def diameter(self) -> float | None:
@@ -188,9 +211,7 @@ class Run:
 
         if not (self.push.w >= 0).any() and not self.drags:
             raise InputError(f"{self.folder}: nothing has been pushed or dragged; draw columns of its history")
-        summary = self.summary if (self.folder / "summary.json").exists() else {}
-        bands = summary.get("uncertainty", {}).get("curves", [])
-        return plot_curves(Curves(self.title, self.push, self.drags, self.diameter, self.averaging, self.force_measure, bands))
+        return plot_curves(Curves(self.title, self.curves, self.diameter, self.case["method"] == "mpm", self.force_measure))
 
     def plot_soil(self, frame: int = -1, field: str = "deviatoric_strain", *, whole: bool = False) -> Any:
         """The soil of a frame in the plane around the rigid body (whole: all of it), coloured by a field, of a vector or a stress by its

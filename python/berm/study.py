@@ -16,7 +16,6 @@ from .history import imported
 from .program import PathLike, call, springs
 from .quantity import Quantity
 from .run import Run
-from .travel import freed_from_noise
 
 if TYPE_CHECKING:
     import numpy as np
@@ -186,10 +185,8 @@ def computed(run: Run, stage: str, scale: float) -> tuple[Any, Any]:
     """Travel and H of a drag times this scale, freed from noise; empty where the run has no such drag."""
     import numpy as np
 
-    for drag in run.drags:
-        if drag.stage == stage:
-            return drag.travel * scale, freed_from_noise(drag.travel, drag.H, run.averaging, whole_window=True) * scale
-    return np.array([]), np.array([])
+    curves = run.curves["H_travel"]["curves"] if "H_travel" in run.curves else []
+    return next(((of["x"] * scale, of["y"] * scale) for of in curves if of["name"] == stage), (np.array([]), np.array([])))
 
 
 @overload

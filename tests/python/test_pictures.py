@@ -52,8 +52,9 @@ def test_forces_are_over_what_the_program_divides_them_by(which: str, request: p
 
 def test_bands_of_an_uncertainty_are_under_the_curves(finished: berm.Run) -> None:
     run = berm.open(finished.folder, berm.Run)
-    band = {"x": [0, 1e-4, 2e-4], "low": [10, 20, None], "high": [20, 30, 40]}
-    run.summary["uncertainty"] = {"curves": [{"chart": chart, **band} for chart in ("V_w", "H_u", "w_u")]}
+    sides = {"x": [0, 1e-4, 2e-4], "low": [10, 20, None], "high": [20, 30, 40]}
+    for chart in ("V_w", "H_u", "w_u"):
+        run.curves[chart]["bands"].append({key: np.array(side, dtype=float) for key, side in sides.items()})
     assert [len(axes.collections) for axes in run.plot().axes] == [1, 1, 1]
     assert [len(axes.collections) for axes in finished.plot().axes] == [0, 0, 0]
 

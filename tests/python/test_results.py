@@ -9,7 +9,6 @@ from pathlib import Path
 import berm
 import numpy as np
 import pytest
-from berm.travel import freed_from_noise, pushes_and_drags
 
 
 def test_history_has_the_numbers_of_the_file(finished: berm.Run) -> None:
@@ -120,33 +119,53 @@ def test_drags_and_the_way_down_are_those_of_the_stages(finished: berm.Run) -> N
     assert np.array_equal(finished.push.w, history["w"][history.in_stage("push")])
 
 
-def test_a_sweep_back_counts_its_travel_against_x_and_a_push_that_unloads_is_no_way_down(finished: berm.Run) -> None:
-    history = finished.history
-    stages = [
-        {"name": "rest", "kind": "push", "force": 1e9},  # its first row has V = 0, which it exceeds: it loads
-        {"name": "push", "kind": "push", "force": 2.0, "load_factors": [1.0, -1.0]},  # less than any V before it
-        {"name": "drag", "kind": "drag", "velocity": -1.0},
-    ]
-    push, (drag,) = pushes_and_drags(history, stages)
-    assert len(push.w) == history.stage.count("rest")
-    there = pushes_and_drags(history, [{**stages[2], "velocity": 1.0}])[1][0]
-    assert np.array_equal(drag.travel, -there.travel) and np.array_equal(drag.H, -there.H) and np.array_equal(drag.u, there.u)
-    assert pushes_and_drags(history, [{**stages[2], "velocity": 0.0}])[1] == [], "a pause is no drag"
-    after = {"name": "push", "kind": "push", "velocity": 1.0}
-    assert pushes_and_drags(history, [stages[2], after])[0].w.size == 0, "a push after a drag is not the way down"
+def test_a_sweep_back_counts_its_travel_against_x(finished: berm.Run, tmp_path: Path) -> None:
+    shutil.copytree(finished.folder, tmp_path / "back")
+    file = tmp_path / "back" / "curves.json"
+    data = json.loads(file.read_text())
+    for chart in data["charts"]:
+        for curve in chart["curves"] if chart["chart"] in ("H_u", "w_u", "V_u") else []:
+            curve.update(direction=-1, x=[-x for x in curve["x"]])
+    file.write_text(json.dumps(data))
+    (there,), (back,) = finished.drags, berm.open(tmp_path / "back", berm.Run).drags
+    assert np.array_equal(back.u, -there.u) and np.array_equal(back.travel, there.travel) and np.array_equal(back.H, -there.H)
 
 
-def test_averaging_keeps_a_straight_line_and_takes_a_wave_away() -> None:
-    x = np.linspace(0, 1, 2001)
-    assert np.allclose(freed_from_noise(x, 3 * x + 1, 0.01), 3 * x + 1, atol=1e-12)
-    wave = freed_from_noise(x, np.sin(2 * np.pi * x / 0.01), 0.01)
-    assert np.abs(wave[50:-50]).max() < 0.05, "two whole waves in the window of 41 rows, of which rounding may leave one out"
-    line = freed_from_noise(x, x**2, 0.1, whole_window=True)
-    assert np.isclose(line[0], -0.2 * 0.1 * 2 / 6, rtol=0.01), "the line through x^2 over 0 ... l has -l^2 / 6 at 0"
-    back = np.concatenate((x[:1000], x[900:]))
-    assert np.allclose(freed_from_noise(back, 3 * back, 0.01), 3 * back, atol=1e-12), "rows that go back do not count"
-    assert np.isnan(freed_from_noise(np.array([np.nan, np.nan]), np.zeros(2), 0.1)).all()
-    assert np.array_equal(freed_from_noise(x[:2], x[:2], 0), x[:2])
+def test_curves_are_those_of_the_file(finished: berm.Run) -> None:
+    charts = {chart["chart"]: chart for chart in json.loads((finished.folder / "curves.json").read_text())["charts"]}
+    assert set(finished.curves) == set(charts) >= {"V_w", "H_u", "w_u", "V_u", "H_travel"}
+    chart = finished.curves["H_u"]
+    assert chart["x"] == {"symbol": "u", "unit": "m", "meaning": charts["H_u"]["x"]["meaning"]} and chart["y"]["unit"] == "N/m"
+    (drag,) = chart["curves"]
+    assert np.array_equal(drag["y"], finished.history["H"][drag["rows"]]) and drag["name"] == "drag" and chart["bands"] == []
+    assert np.array_equal(drag["smoothed"], charts["H_u"]["curves"][0]["smoothed"]) and drag["smoothed"].std() < drag["y"].std()
+
+
+@pytest.mark.parametrize("which", ["of an earlier version", "that went on"])
+def test_curves_of_a_run_without_them_are_derived_by_the_program(finished: berm.Run, tmp_path: Path, which: str) -> None:
+    shutil.copytree(finished.folder, tmp_path / "run")
+    file = tmp_path / "run" / "curves.json"
+    if which == "that went on":
+        file.write_text(json.dumps({"history_rows": len(finished.history) - 1, "charts": []}))
+    else:
+        file.unlink()
+    run = berm.open(tmp_path / "run", berm.Run)
+    assert np.array_equal(run.drags[0].H, finished.drags[0].H) and np.array_equal(run.push.V, finished.push.V)
+    smoothed = [each.curves["V_w"]["curves"][0]["smoothed"] for each in (run, finished)]
+    assert np.array_equal(*smoothed, equal_nan=True)
+
+
+def test_curves_that_are_damaged_or_of_another_body_are_refused(finished: berm.Run, tmp_path: Path) -> None:
+    shutil.copytree(finished.folder, tmp_path / "run")
+    file = tmp_path / "run" / "curves.json"
+    data = json.loads(file.read_text())
+    file.write_text(json.dumps({**data, "charts": []}))
+    for of in ("push", "drags"):
+        with pytest.raises(berm.InputError, match="no rigid body is driven"):
+            getattr(berm.open(tmp_path / "run"), of)
+    file.write_text(json.dumps({**data, "charts": [{"x": []}]}))
+    with pytest.raises(berm.RunError, match="curves.json"):
+        _ = berm.open(tmp_path / "run", berm.Run).curves
 
 
 def test_what_is_no_run_is_refused(finished: berm.Run, tmp_path: Path) -> None:

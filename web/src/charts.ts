@@ -8,6 +8,7 @@ import type { Settings } from "./charts/scene";
 import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_with_energies, water_plans } from "./charts/time_charts";
 import type { PageData } from "./data";
 import { element } from "./element";
+import { is_line_run } from "./line_shapes";
 
 /** Fills the section with the charts of all runs, and ends that on trust with those of energies, contact and noise, folded; gives the charts of the push and the drag. */
 export function show_charts(section: HTMLElement, trust: HTMLElement, data: PageData): ChartView[] {
@@ -25,7 +26,7 @@ export function show_charts(section: HTMLElement, trust: HTMLElement, data: Page
   if (thinned.length > 0) section.append(element("p", { class: "quiet" }, `Not all rows of history.csv are in this page: ${thinned.join(", ")}.`));
   const paths = with_data(forces).map((plan) => view(plan));
   section.append(
-    ...group("Push and drag", paths),
+    ...group(data.runs.every(is_line_run) ? "Load of the line" : "Push and drag", paths),
     ...group("Water in the pores", with_data(water_plans(data.runs)).map((plan) => view(plan))),
     ...folded("Any column of history.csv over any other", free_views(data, view)),
   );

@@ -62,22 +62,21 @@ export interface PathData {
   H_mean: (number | null)[];
 }
 
-/** Curves of one run over one another, by row (of `columns`). */
+/** Curves of one run over one another, as in curves.json, by row (of `columns`). */
 export interface OwnChart {
-  id: string;
+  chart: string;
   title: string;
   x: AxisData;
   y: AxisData;
-  rows: number[];
-  /** `mean`: y freed from noise. */
-  curves: { name: string; x: (number | null)[]; y: (number | null)[]; mean: (number | null)[] }[];
+  /** `smoothed`: y freed from noise. */
+  curves: { name: string; rows: number[]; x: (number | null)[]; y: (number | null)[]; smoothed?: (number | null)[] }[];
 }
 
 /** What an axis shows, in SI units. */
 export interface AxisData {
-  words: string;
   symbol: string;
   unit: string;
+  meaning: string;
 }
 
 /** The band of a curve, over w of the push or over u from where the first drag began, in the units of the columns; null where it is not known. */

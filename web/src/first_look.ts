@@ -19,7 +19,7 @@ export function show_first_look(place: HTMLElement | null, data: PageData): Char
   const lead = { ...data, runs: data.runs.slice(0, 1) };
   const settings: Settings = { units: "model", raw: true, published: false, hidden: new Set() };
   const plans = [
-    ...own_plans(lead),
+    ...own_plans({ ...lead, runs: lead.runs.filter((run) => !is_line_run(run)) }),
     ...[...drag_plans(lead), ...push_plans(lead), ...lift_plans(lead)].filter((plan) => ["H_u", "V_w", "R_lift"].includes(plan.id)),
   ];
   const views = plans

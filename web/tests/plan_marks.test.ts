@@ -83,9 +83,9 @@ test("u_of_a_body_that_turns_is_that_of_the_point_that_its_axis_names", () => {
 });
 
 test("charts_of_a_structure_have_a_trace_for_each_curve", () => {
-  const run = run_to(0.022), axis = (words: string, symbol: string, unit: string) => ({ words, symbol, unit });
-  const curve = (name: string, to: number, mean: (number | null)[]) => ({ name, x: [0, to], y: [0, 3 * to], mean });
-  run.charts = [{ id: "p_y", title: "p-y", x: axis("displacement", "y", "m"), y: axis("resistance", "p", "N/m"), rows: [0, 1], curves: [curve("1 m", 2, [0, 6]), curve("3 m", 1, [null, null])] }];
+  const run = run_to(0.022), axis = (meaning: string, symbol: string, unit: string) => ({ meaning, symbol, unit });
+  const curve = (name: string, to: number, smoothed: (number | null)[]) => ({ name, rows: [0, 1], x: [0, to], y: [0, 3 * to], smoothed });
+  run.charts = [{ chart: "p_y", title: "p-y", x: axis("displacement", "y", "m"), y: axis("resistance", "p", "N/m"), curves: [curve("1 m", 2, [0, 6]), curve("3 m", 1, [null, null])] }];
   const [plan] = own_plans(page_of(run));
   assert.deepEqual(plan.traces.map((trace) => [trace.label, trace.value, trace.mean]), [["1 m", [0, 6], [0, 6]], ["3 m", [0, 3], null]]);
   assert.equal(plan.value.kind, "force");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/structures.hpp"
 
+#include "io/atomic_file.hpp"
 #include "structures/anchor/anchor.hpp"
 #include "structures/depth/profile_page.hpp"
+#include "structures/driven/run_charts.hpp"
 #include "structures/generic/generic.hpp"
 #include "structures/lateral/shaft.hpp"
 #include "structures/line/line.hpp"
@@ -53,6 +55,23 @@ record::RunRecord read_run(const std::filesystem::path& folder)
   record::RunRecord run = record::read_run(folder);
   if (!run.summary && run.history.rows() > 0) run.quantities = structure_of(run.settings).quantities(run, {});
   return run;
+}
+
+std::string curves_json(const record::RunRecord& run)
+{
+  base::Charts charts = structure_of(run.settings).charts(run);
+  const run_folder::History& history = run.history;
+  const bool is_driven = history.has("u_m") && history.has("w_m") && history.has_label("H") && history.has_label("V");
+  if (is_driven && std::ranges::find(charts, "H_u", &base::Chart::id) == charts.end())
+    for (base::Chart& chart : driven::run_charts(history, base::body_scale(run), driven::stages_of(run.settings)))
+      charts.push_back(std::move(chart));
+  const bool has_bands = run.summary && run.summary->uncertainty;
+  return json_text(charts, history.rows(), has_bands ? run.summary->uncertainty->curves : std::vector<run_folder::CurveBand>{});
+}
+
+void write_curves(const run_folder::RunFolder& folder, const record::RunRecord& run)
+{
+  io::write_atomically(folder.file("curves.json"), curves_json(run));
 }
 
 }  // namespace berm::structures

@@ -18,4 +18,10 @@ base::Runs runs_of(const base::Structure& structure, const std::vector<record::R
 /// its resolved.toml cannot be read.
 record::RunRecord read_run(const std::filesystem::path& folder);
 
+/// All curves of a run as curves.json has them, with the bands of its summary: those of its structure, and what pushes and drags give of any body.
+std::string curves_json(const record::RunRecord& run);
+
+/// Writes curves.json into its folder.
+void write_curves(const run_folder::RunFolder& folder, const record::RunRecord& run);
+
 }  // namespace berm::structures

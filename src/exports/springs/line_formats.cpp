@@ -8,6 +8,7 @@
 #include "slices/line_of_case.hpp"
 #include "structures/line/answers.hpp"
 #include "structures/line/shapes.hpp"
+#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -113,6 +114,11 @@ ExportFiles py_files(const record::RunRecord& run)
     for (const Real side : {1., -1.}) backbone += backbone_of(slice, place, side, half);
   }
   return {{"py.csv", std::move(all)}, {"py_backbone.csv", std::move(backbone)}};
+}
+
+ExportFiles curve_files(const record::RunRecord& run)
+{
+  return {{"curves.json", structures::curves_json(run)}};
 }
 
 }  // namespace berm::springs

@@ -5,7 +5,8 @@
 
 namespace berm::springs {
 
-/// What is written of a run of a pipeline. `files` throws InputError where the run is of none, RunError where it has not come to its line or line.csv is damaged.
+/// What is written of one run by itself, but for its springs. `files` throws InputError where it takes a pipeline and the run is of none, RunError where that has not come to its line or
+/// line.csv is damaged.
 struct LineFormat {
   const char* name;  ///< on the command line
   const char* meaning;
@@ -16,9 +17,12 @@ struct LineFormat {
 ExportFiles shape_files(const record::RunRecord& run);
 /// py.csv: u, w, H and V of each slice by row; py_backbone.csv: H and V where a slice goes farther than ever before, freed from noise.
 ExportFiles py_files(const record::RunRecord& run);
+/// curves.json, as a run leaves it.
+ExportFiles curve_files(const record::RunRecord& run);
 
 constexpr LineFormat line_formats[] = {
     {"line", "shape, compression and moment of a pipeline over time, as a table", shape_files},
+    {"curves", "the curves of a run of any structure, as curves.json", curve_files},
     {"py", "p-y curves of a pipeline's slices, as tables", py_files},
 };
 

@@ -30,7 +30,7 @@ constexpr const char* own_files[] = {
     "case.toml",       "expected.toml",       "mesh.geo",           "mesh.msh",           "mesh.log",
     "ground.csv",      "report.html",         "report.pdf",         "curves.png",         "plots/curves.dat",
     "plots/curves.gp", "plots/band_V_w.dat",  "plots/band_H_u.dat", "plots/band_w_u.dat", "frames",
-    "uncertainty",     "checkpoint",          "claims.toml"};  // claims.toml: of earlier versions
+    "uncertainty",     "checkpoint",          "curves.json",        "claims.toml"};  // claims.toml: of earlier versions
 
 /// Removes the pictures of the soil with their scripts and data: soil, soil_increment, and one for each field that the method or the law has for itself.
 void remove_soil_pictures(const fs::path& folder)

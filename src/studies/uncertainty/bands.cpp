@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "uncertainty/bands.hpp"
 
+#include "record/travel_curve.hpp"
 #include "structures/structures.hpp"
 #include "text/quantity_words.hpp"
 
@@ -68,9 +69,31 @@ run_folder::Band band_of(const Numbers& numbers, Real noise)
   return band;
 }
 
+/// A curve that has a band: at travel s it stands at x = begin + direction s.
+struct BandedCurve {
+  std::string chart;
+  Real begin, direction;
+  record::TravelCurve values;
+};
+using BandedCurves = std::vector<BandedCurve>;
+
+/// Those of pushes and drags: of the way down, then H and w of each drag. None of a body that is loaded where it stands.
+BandedCurves banded(const base::Charts& charts)
+{
+  BandedCurves curves;
+  if (curves_in(charts, "V_w").empty()) return curves;
+  const auto add = [&](const char* chart, const base::Curve& curve) {
+    curves.push_back({chart, curve.begin, curve.direction, {curve.travel, curve.y}});
+  };
+  for (const base::Curve& push : curves_in(charts, "V_w")) add("V_w", push);
+  const std::vector<base::Curve>& w = curves_in(charts, "w_u");
+  for (std::size_t k = 0; k < w.size(); ++k) add("H_u", curves_in(charts, "H_u")[k]), add("w_u", w[k]);
+  return curves;
+}
+
 /// The band of a curve of the run, which each variant has at the same place; it ends where one of them does.
-run_folder::CurveBand band_of(const base::ChartCurve& curve, const std::vector<VariantRecord>& variants,
-                              const std::vector<const base::ChartCurve*>& of_variants, Real averaging)
+run_folder::CurveBand band_of(const BandedCurve& curve, const std::vector<VariantRecord>& variants,
+                              const std::vector<const BandedCurve*>& of_variants, Real averaging)
 {
   run_folder::CurveBand band{curve.chart, {}, {}, {}};
   const Real begin = curve.values.begin(), end = curve.values.end(), step = (end - begin) / curve_points;
@@ -79,7 +102,7 @@ run_folder::CurveBand band_of(const base::ChartCurve& curve, const std::vector<V
     const Real s = k == curve_points ? end : begin + k * step;
     std::vector<Real> numbers;
     // A run ends at the limit of its stage but for a step of its own.
-    for (const base::ChartCurve* variant : of_variants) {
+    for (const BandedCurve* variant : of_variants) {
       const record::TravelCurve& values = variant->values;
       numbers.push_back(values.at(s > values.end() && s < values.end() + 0.1 * step ? values.end() : s, half));
     }
@@ -93,10 +116,10 @@ run_folder::CurveBand band_of(const base::ChartCurve& curve, const std::vector<V
 }
 
 /// Names a curve by its chart, and by the drag it is of where that has one of each.
-std::string name_of(const base::ChartCurves& curves, std::size_t which)
+std::string name_of(const BandedCurves& curves, std::size_t which)
 {
   const std::string& chart = curves[which].chart;
-  const auto in_chart = [&](const base::ChartCurve& curve) { return curve.chart == chart; };
+  const auto in_chart = [&](const BandedCurve& curve) { return curve.chart == chart; };
   const auto first = curves.begin(), here = first + static_cast<std::ptrdiff_t>(which);
   const auto before = std::count_if(first, here, in_chart);
   return before == 0 ? "curve " + chart : fmt::format("curve {} of drag {}", chart, before + 1);
@@ -105,13 +128,13 @@ std::string name_of(const base::ChartCurves& curves, std::size_t which)
 void add_curve_bands(run_folder::Uncertainty& found, const record::RunRecord& run, const std::vector<VariantRecord>& variants,
                      const base::Structure& structure)
 {
-  std::vector<base::ChartCurves> of_variants;
-  for (const VariantRecord& variant : variants) of_variants.push_back(structure.chart_curves(variant.run));
-  const base::ChartCurves of_run = structure.chart_curves(run);
+  std::vector<BandedCurves> of_variants;
+  for (const VariantRecord& variant : variants) of_variants.push_back(banded(structure.charts(variant.run)));
+  const BandedCurves of_run = banded(structure.charts(run));
   for (std::size_t k = 0; k < of_run.size(); ++k) {
     if (of_run[k].values.empty()) continue;
-    std::vector<const base::ChartCurve*> same;
-    for (const base::ChartCurves& curves : of_variants)
+    std::vector<const BandedCurve*> same;
+    for (const BandedCurves& curves : of_variants)
       if (k < curves.size() && curves[k].chart == of_run[k].chart && !curves[k].values.empty())
         same.push_back(&curves[k]);
       else

@@ -110,7 +110,7 @@ jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once)
   const run_folder::RunFolder run_folder =
       run_folder::RunFolder::of_earlier_run(request.folder);  // and nobody else's until the bands are there
   const jobs::Batch batch = run_variants(plan, folder, at_once);
-  const record::RunRecord run = structures::read_run(request.folder);
+  record::RunRecord run = structures::read_run(request.folder);
   run_folder::Uncertainty found;
   const bool interrupted = batch.count(jobs::JobEnd::Kind::interrupted) > 0;
   if (interrupted) {
@@ -126,6 +126,8 @@ jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once)
   if (interrupted) return jobs::Outcome::unfinished;
   if (!found.missing.empty()) return jobs::Outcome::failed;
   structures::structure_of(run.settings).draw_curves(run_folder, run, found.curves);
+  run.summary->uncertainty = found;
+  structures::write_curves(run_folder, run);
   const std::string words = words_of(found, run.settings.method);
   fmt::print("{}\n", words);
   append_to_log(request.folder, words);

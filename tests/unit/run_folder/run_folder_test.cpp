@@ -123,6 +123,7 @@ TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
                                         "mesh.geo",
                                         "mesh.msh",
                                         "curves.png",
+                                        "curves.json",
                                         "soil.png",
                                         "report.html",
                                         "frames/mesh.vtu",

@@ -4,6 +4,7 @@
 #include "os/error.hpp"
 #include "samples/error_of.hpp"
 #include "samples/made_line_run.hpp"
+#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -53,6 +54,16 @@ TEST_F(LineFormats, shapes_are_one_table_that_names_its_run)
   EXPECT_EQ(rows.front(), "time_s,stage,x_m,y_m,z_m,u_m,P_N,M_Nm");
   EXPECT_EQ(rows.size(), 1u + 3 * 751);
   EXPECT_TRUE(rows[1].ends_with(",heat,0,1.9,0,-0.1,600000,500000")) << rows[1];
+}
+
+TEST_F(LineFormats, curves_are_those_of_the_run_folder)
+{
+  const record::RunRecord run = record_of({});
+  const ExportFiles files = curve_files(run);
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].name, "curves.json");
+  EXPECT_EQ(files[0].text, structures::curves_json(run));
+  EXPECT_NE(files[0].text.find("\"chart\":\"P_load\""), std::string::npos);
 }
 
 TEST_F(LineFormats, slices_have_their_rows_and_the_backbone_of_the_way_that_is_farther_than_before)

@@ -98,10 +98,10 @@ export function drag_plans(data: PageData): Plan[] {
 /** The charts that structures have by themselves, of each run its own. */
 export function own_plans(data: PageData): Plan[] {
   return data.runs.flatMap((run, index) => (run.charts ?? []).map((chart) => plan({
-    id: index === 0 ? chart.id : `${chart.id}_${index + 1}`, title: data.runs.length === 1 ? chart.title : `${run.name}: ${chart.title}`,
+    id: index === 0 ? chart.chart : `${chart.chart}_${index + 1}`, title: data.runs.length === 1 ? chart.title : `${run.name}: ${chart.title}`,
     argument: quantity_of_axis(chart.x), value: quantity_of_axis(chart.y), by_run: false, in_plane: true, zero: true,
-    traces: chart.curves.map(({ name, x, y, mean }, k) => ({
-      rows: chart.rows, argument: x, value: y, mean: is_known(mean) ? mean : null, argument_column: chart.x.symbol, value_column: chart.y.symbol,
+    traces: chart.curves.map(({ name, rows, x, y, smoothed = null }, k) => ({
+      rows, argument: x, value: y, mean: is_known(smoothed) ? smoothed : null, argument_column: chart.x.symbol, value_column: chart.y.symbol,
       label: name, style: run_style(k), run,
     })),
   })));

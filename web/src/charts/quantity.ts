@@ -26,7 +26,7 @@ export function quantity_of_column(runs: RunData[], column: string): Quantity {
 
 /** What an axis of a chart that a structure has by itself shows. */
 export function quantity_of_axis(axis: AxisData): Quantity {
-  return { ...axis, kind: kinds[axis.unit] ?? "other" };
+  return { words: axis.meaning, symbol: axis.symbol, unit: axis.unit, kind: kinds[axis.unit] ?? "other" };
 }
 
 /** The column of that label, whatever the dimension: "kinetic" is kinetic_J_m in plane strain, kinetic_J in space; undefined where the run has none. */

@@ -111,6 +111,7 @@ simulation::AfterRun answers_and_drawings()
   return {answers_of,
           {[](const EndedRun& ended) {
              const base::Structure& structure = structures::structure_of(ended.run.settings);
+             structures::write_curves(ended.folder, ended.run);
              structure.write_files(ended.folder, ended.run);
              structure.draw_curves(ended.folder, ended.run, {});
            },

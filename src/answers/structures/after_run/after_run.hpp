@@ -6,7 +6,7 @@
 
 namespace berm::after_run {
 
-/// What berm makes of every run: the answers of its structure, and curves, tables by depth and pictures of the soil.
+/// What berm makes of every run: the answers of its structure, its curves as numbers and drawn, tables by depth and pictures of the soil.
 simulation::AfterRun answers_and_drawings();
 
 /// The key results of a finished run in its folder, as a table under the name of the folder; "" where there are none.

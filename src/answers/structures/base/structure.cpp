@@ -97,9 +97,9 @@ bool Structure::draw_curves(const run_folder::RunFolder& folder, const record::R
   return draw != nullptr && (*draw)(folder, run, bands);
 }
 
-ChartCurves Structure::chart_curves(const record::RunRecord& run) const
+Charts Structure::charts(const record::RunRecord& run) const
 {
-  return joined_of<ChartCurves>(*this, run.settings, &Reading::chart_curves, run);
+  return joined_of<Charts>(*this, run.settings, &Reading::charts, run);
 }
 
 std::string Structure::in_words(const record::RunRecord& run, const DisplayUnits& shown) const
@@ -136,12 +136,6 @@ std::string Structure::quality_note(const Runs& runs) const
   return joined_of<std::string>(*this, runs, &Reading::quality_note);
 }
 
-StagePaths Structure::paths(const record::RunRecord& run) const
-{
-  const auto* paths = first_of(*this, run.settings, &Reading::paths);
-  return paths == nullptr ? StagePaths{} : (*paths)(run);
-}
-
 std::vector<std::string> Structure::draw_report_curves(const Runs& runs, const PublishedPoints& published,
                                                        const std::filesystem::path& folder) const
 {
@@ -151,11 +145,6 @@ std::vector<std::string> Structure::draw_report_curves(const Runs& runs, const P
 std::vector<std::string> Structure::draw_report_soil(const Runs& runs, const std::filesystem::path& folder) const
 {
   return joined_of<Reading::Names>(*this, runs, &Reading::draw_report_soil, folder);
-}
-
-std::vector<OwnChart> Structure::own_charts(const record::RunRecord& run) const
-{
-  return joined_of<std::vector<OwnChart>>(*this, run.settings, &Reading::own_charts, run);
 }
 
 std::optional<PointTravel> Structure::point_travel(const record::RunRecord& run) const

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "record/travel_curve.hpp"
 #include "run_folder/run_folder.hpp"
+#include "structures/base/chart.hpp"
 #include "structures/base/display_units.hpp"
 #include "structures/base/kind.hpp"
 #include "structures/base/published_envelope.hpp"
@@ -22,45 +22,12 @@ struct PageRun {
 /// Runs of a page that are of one structure, in the order of the page.
 using Runs = std::vector<PageRun>;
 
-/// The rows of a history that a push or a drag made, ascending, with its travel in each.
-struct StagePath {
-  std::vector<Index> rows;
-  std::vector<Real> travel;  ///< m
-};
-struct StagePaths {
-  StagePath push;
-  std::vector<StagePath> drags;
-  std::vector<StagePath> lifts;  ///< travel upwards
-};
-
 /// The displacement of a named point of a body that turns, by row of the history.
 struct PointTravel {
   std::string words;    ///< "displacement at the bed"
   std::vector<Real> u;  ///< m, along the axis in which u counts
 };
 
-/// A chart of the page that a structure has by itself: curves of one run over one another, by the same rows of its history.
-struct OwnChart {
-  struct Axis {
-    std::string words, symbol, unit;  ///< unit: SI
-  };
-  struct Curve {
-    std::string name;
-    std::vector<Real> x, y, mean;  ///< y as it is, and as a smooth line is drawn (record::drawn_along)
-  };
-  std::string id, title;
-  Axis x, y;
-  std::vector<Index> rows;
-  std::vector<Curve> curves;
-};
-
-/// A curve of a chart: at travel s it stands at x = begin + direction s.
-struct ChartCurve {
-  std::string chart;  ///< V_w, H_u, w_u
-  Real begin, direction;
-  record::TravelCurve values;
-};
-using ChartCurves = std::vector<ChartCurve>;
 using CurveBands = std::vector<run_folder::CurveBand>;
 
 /// Something that a run can be read as: a body that travels, one that is pushed down, a tow. What a reading does not have stays empty. `Runs`: those that it applies to.
@@ -84,7 +51,7 @@ struct Reading {
   Says<void, const run_folder::RunFolder&, Run> write_files{};  ///< tables of a run, into its folder
   /// Draws curves.png of a run into its folder, with the bands of its curves. False, with a warning, where it could not be drawn.
   Says<bool, const run_folder::RunFolder&, Run, const CurveBands&> draw_curves{};
-  Says<ChartCurves, Run> chart_curves{};  ///< the curves that have bands
+  Says<Charts, Run> charts{};  ///< all curves of a run
 
   /// What a run did and met, in a few sentences, HTML without the run's name.
   Says<std::string, Run, const DisplayUnits&> words{};
@@ -100,11 +67,9 @@ struct Reading {
   /// What a reader must know of the quality of these runs beyond their measures, as HTML.
   Says<std::string, const Runs&> quality_note{};
 
-  Says<StagePaths, Run> paths{};  ///< push and drag of a run, for the charts of the page
   /// Draw the curves of the runs over one another, with what is published, and the soil of each, as SVG and PNG. Give the names of what was drawn.
   Says<Names, const Runs&, const PublishedPoints&, const std::filesystem::path&> draw_report_curves{};
   Says<Names, const Runs&, const std::filesystem::path&> draw_report_soil{};
-  Says<std::vector<OwnChart>, Run> own_charts{};         ///< the charts that answer its question, the first of the page
   Says<std::optional<PointTravel>, Run> point_travel{};  ///< what u is of on the page where that is not the centre of the body
   Says<RunDetails, Run> details{};                       ///< further numbers of a run, which must outlive them
   Says<EmbeddedBody, const problem::Case&>
@@ -129,18 +94,16 @@ struct Structure {
   void write_files(const run_folder::RunFolder& folder, const record::RunRecord& run) const;
   /// By the first reading that draws.
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const CurveBands& bands) const;
-  ChartCurves chart_curves(const record::RunRecord& run) const;
+  Charts charts(const record::RunRecord& run) const;
   std::string in_words(const record::RunRecord& run, const DisplayUnits& shown) const;
   std::string key_results(const Runs& runs, const DisplayUnits& shown) const;
   std::string published_values(const Runs& runs, const DisplayUnits& shown) const;
   std::string other_results(const record::RunRecord& run, const std::string& id) const;
   TrustMeasures measures(const problem::Case& c) const;
   std::string quality_note(const Runs& runs) const;
-  StagePaths paths(const record::RunRecord& run) const;
   std::vector<std::string> draw_report_curves(const Runs& runs, const PublishedPoints& published,
                                               const std::filesystem::path& folder) const;
   std::vector<std::string> draw_report_soil(const Runs& runs, const std::filesystem::path& folder) const;
-  std::vector<OwnChart> own_charts(const record::RunRecord& run) const;
   std::optional<PointTravel> point_travel(const record::RunRecord& run) const;
   RunDetails details(const record::RunRecord& run) const;
   /// Throws InputError where no reading has one.

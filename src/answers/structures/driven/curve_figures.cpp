@@ -4,6 +4,7 @@
 
 #include "plot/figure.hpp"
 #include "record/travel_curve.hpp"
+#include "structures/driven/run_charts.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -16,10 +17,9 @@ using record::TravelCurve;
 
 constexpr int width = 1000, height = 660;  // pixels
 
-/// What a figure shows: V over w of the push, or a column of all drags over u from where the first began.
+/// What a figure shows of run_charts.
 struct Chart {
   const char *name, *title, *x_label, *y_label;
-  std::vector<Real> (*of_drag)(const DragPath&);    ///< null: of the push
   plot::PlotUnit (*unit)(Real max, int dimension);  ///< of y
 };
 
@@ -32,46 +32,11 @@ plot::PlotUnit length_unit(Real max, int)
   return plot::length_unit(max);
 }
 
-/// H along x, so that sweeps make a loop.
-std::vector<Real> H_along_x(const DragPath& drag)
-{
-  return plot::scaled(drag.H, drag.stage.direction);
-}
-
-std::vector<Real> H_over_V(const DragPath& drag)
-{
-  std::vector<Real> ratio;
-  for (std::size_t k = 0; k < drag.H.size(); ++k) ratio.push_back(drag.stage.direction * drag.H[k] / drag.V[k]);
-  return ratio;
-}
-
 const Chart charts[] = {
-    {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", nullptr, plot::force_unit},
-    {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", H_along_x, plot::force_unit},
-    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", [](const DragPath& drag) { return drag.w; }, length_unit},
-    {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", H_over_V, no_unit}};
-
-/// A line of a chart: by row, and freed from noise.
-struct Line {
-  std::vector<Real> x, y, smooth;  ///< m, and the unit of the chart; freed from noise all NaN where that means nothing
-};
-
-std::vector<Line> lines_of(const Chart& chart, const DrivenRun& run)
-{
-  std::vector<Line> lines;
-  const auto add = [&](const std::vector<Real>& travel, const std::vector<Real>& y, Real begin, Real direction) {
-    if (TravelCurve(travel, y).empty()) return;
-    std::vector<Real> x;
-    for (const Real each : travel) x.push_back(begin + direction * each);
-    lines.push_back({std::move(x), y, record::drawn_along(travel, y, averaging_half(run.scale))});
-  };
-  if (run.history.rows() == 0) return lines;
-  const Path path = path_of(run.history, run.stages);
-  if (chart.of_drag == nullptr) add(path.push.w, path.push.V, 0, 1);
-  if (chart.of_drag != nullptr)
-    for (const DragPath& drag : path.drags) add(drag.travel, chart.of_drag(drag), drag.u_begin - path.drag().u_begin, drag.stage.direction);
-  return lines;
-}
+    {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", plot::force_unit},
+    {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", plot::force_unit},
+    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", length_unit},
+    {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", no_unit}};
 
 std::string label_with(const std::string& words, const plot::PlotUnit& unit)
 {
@@ -79,10 +44,10 @@ std::string label_with(const std::string& words, const plot::PlotUnit& unit)
 }
 
 /// The rows of a run, pale, and the same freed from noise where that means something.
-void add_run(plot::Figure& figure, const std::vector<Line>& lines, const DrivenRun& run, const plot::PlotUnit& x_unit,
+void add_run(plot::Figure& figure, const std::vector<base::Curve>& lines, const DrivenRun& run, const plot::PlotUnit& x_unit,
              const plot::PlotUnit& y_unit)
 {
-  for (const Line& line : lines) {
+  for (const base::Curve& line : lines) {
     const bool has_mean = std::ranges::any_of(line.smooth, [](Real y) { return std::isfinite(y); });
     const auto add = [&](const std::string& name, const std::string& style, const std::vector<Real>& y) {
       figure.curves.push_back({name, style, plot::scaled(line.x, x_unit.per_si), plot::scaled(y, y_unit.per_si)});
@@ -105,13 +70,15 @@ std::string y_label(const Chart& chart, Real max, const DrivenRuns& runs)
   return fmt::format("{} ({}, whole body {})", chart.y_label, plane.name, space.name);
 }
 
-bool draw_chart(const DrivenRuns& runs, const base::PublishedPoints& published, const Chart& chart, const fs::path& folder)
+bool draw_chart(const DrivenRuns& runs, const std::vector<base::Charts>& of_runs, const base::PublishedPoints& published,
+                const Chart& chart, const fs::path& folder)
 {
-  std::vector<std::vector<Line>> lines;
+  std::vector<std::vector<base::Curve>> lines;
   Real max = 0, longest = 0;
-  for (const DrivenRun& run : runs) {
-    lines.push_back(lines_of(chart, run));
-    for (const Line& line : lines.back()) {
+  for (const base::Charts& of_run : of_runs) {
+    lines.push_back(curves_in(of_run, chart.name));
+    std::erase_if(lines.back(), [](const base::Curve& line) { return TravelCurve(line.x, line.y).empty(); });
+    for (const base::Curve& line : lines.back()) {
       max = std::max(max, plot::largest_size(line.y));
       longest = std::max(longest, plot::largest_size(line.x));
     }
@@ -133,9 +100,11 @@ bool draw_chart(const DrivenRuns& runs, const base::PublishedPoints& published, 
 
 std::vector<std::string> draw_travel_figures(const DrivenRuns& runs, const base::PublishedPoints& published, const fs::path& folder)
 {
+  std::vector<base::Charts> of_runs;
+  for (const DrivenRun& run : runs) of_runs.push_back(run_charts(run.history, run.scale, run.stages));
   std::vector<std::string> names;
   for (const Chart& chart : charts)
-    if (draw_chart(runs, published, chart, folder)) names.emplace_back(chart.name);
+    if (draw_chart(runs, of_runs, published, chart, folder)) names.emplace_back(chart.name);
   return names;
 }
 

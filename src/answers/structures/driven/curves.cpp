@@ -4,7 +4,6 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
-#include "record/travel_curve.hpp"
 #include "soil_plot/panels.hpp"
 #include "structures/base/display_units.hpp"
 
@@ -15,17 +14,16 @@
 namespace berm::driven {
 namespace {
 
-/// Lines of the file: x, and each value of the row and freed from noise along the travel.
-std::string block(const std::vector<Real>& x, const std::vector<Real>& travel, const std::vector<std::vector<Real>>& values, Real half,
-                  Real x_unit, const std::vector<Real>& units)
+/// Lines of the file: x, and each value of the row and freed from noise.
+std::string block(const std::vector<const base::Curve*>& columns, Real x_unit, const std::vector<Real>& units)
 {
-  std::vector<std::vector<Real>> smooth;
-  for (const auto& value : values) smooth.push_back(record::drawn_along(travel, value, half));
   std::string text;
-  for (std::size_t k = 0; k < travel.size(); ++k) {
-    text += fmt::format("{:.6g}", x[k] * x_unit);
-    for (std::size_t c = 0; c < values.size(); ++c)
-      for (const Real value : {values[c][k], smooth[c][k]}) text += std::isnan(value) ? " NaN" : fmt::format(" {:.6g}", value * units[c]);
+  for (std::size_t k = 0; k < columns.front()->x.size(); ++k) {
+    if (std::isnan(columns.front()->travel[k])) continue;  // the way down to the surface is of no interest
+    text += fmt::format("{:.6g}", columns.front()->x[k] * x_unit);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      for (const Real value : {columns[c]->y[k], columns[c]->smooth[k]})
+        text += std::isnan(value) ? " NaN" : fmt::format(" {:.6g}", value * units[c]);
     text += '\n';
   }
   return text;
@@ -66,54 +64,32 @@ constexpr const char* next_panel = "unset label\nunset x2tics\nunset x2label\nun
 
 /// The curves of a picture and the units that it shows them in.
 struct Curves {
-  Path path;
-  const BodyScale& scale;
+  const base::Charts& charts;
+  const base::BodyScale& scale;
   plot::PlotUnit length, force;
   const std::vector<run_folder::CurveBand>& bands;
-  bool has_push() const { return path.push.w.size() > 1; }
-  bool has_drag() const { return path.drag().travel.size() > 1; }
+
+  const std::vector<base::Curve>& in(const char* chart) const { return curves_in(charts, chart); }
+  const base::Curve& push() const { return in("V_w").front(); }
+  bool has_push() const
+  {
+    return std::ranges::count_if(push().travel, [](Real w) { return w >= 0; }) > 1;
+  }
+  bool has_drag() const { return !in("H_u").empty() && in("H_u").front().x.size() > 1; }
 };
-
-/// The way down to the surface is of no interest, and its V = 0 would smooth away the first touch.
-void leave_out_the_way_down(PushPath& push)
-{
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < push.w.size(); ++k)
-    if (push.w[k] >= 0) push.w[kept] = push.w[k], push.V[kept++] = push.V[k];
-  push.w.resize(kept);
-  push.V.resize(kept);
-}
-
-Real largest_force(const Path& path)
-{
-  Real max = plot::largest_size(path.push.V);
-  for (const DragPath& drag : path.drags) max = std::max({max, plot::largest_size(drag.H), plot::largest_size(drag.V)});
-  return max;
-}
-
-/// u of a drag's rows, from where the first drag began.
-std::vector<Real> u_of(const DragPath& drag, const Path& path)
-{
-  std::vector<Real> u;
-  for (const Real travel : drag.travel) u.push_back(drag.u_begin - path.drag().u_begin + drag.stage.direction * travel);
-  return u;
-}
 
 /// curves.dat: a block of the push, then one of the drags, with an empty line between two of them. H is along x.
 std::string data_of(const Curves& curves)
 {
-  const auto& [path, scale, length, force, bands] = curves;
-  const Real half = averaging_half(scale);
+  const plot::PlotUnit &length = curves.length, &force = curves.force;
   const std::string units = fmt::format("({}, {})", length.name, force.name);
   std::string data = fmt::format("# push {}: w, V, V averaged\n", units);
-  data += curves.has_push() ? block(path.push.w, path.push.w, {path.push.V}, half, length.per_si, {force.per_si}) : "NaN NaN NaN\n";
+  data += curves.has_push() ? block({&curves.push()}, length.per_si, {force.per_si}) : "NaN NaN NaN\n";
   data += fmt::format("\n\n# drags {}: u, H, H freed from noise, w, w freed from noise, V, V averaged\n", units);
   if (!curves.has_drag()) data += "NaN NaN NaN NaN NaN NaN NaN\n";
-  for (const DragPath& drag : path.drags) {
-    if (&drag != &path.drags.front()) data += '\n';
-    data += block(u_of(drag, path), drag.travel, {plot::scaled(drag.H, drag.stage.direction), drag.w, drag.V}, half, length.per_si,
-                  {force.per_si, length.per_si, force.per_si});
-  }
+  for (std::size_t k = 0; k < curves.in("H_u").size(); ++k)
+    data += (k == 0 ? "" : "\n") + block({&curves.in("H_u")[k], &curves.in("w_u")[k], &curves.in("V_u")[k]}, length.per_si,
+                                         {force.per_si, length.per_si, force.per_si});
   return data;
 }
 
@@ -170,10 +146,11 @@ Axis length_axis(const Curves& curves, char letter, const std::string& words, co
 std::string push_panel(const Curves& curves)
 {
   Axis V = force_axis(curves, 'x', "vertical reaction", "V"), w = length_axis(curves, 'y', "embedment", "w", true);
-  V.take(curves.path.push.V, curves.force.per_si);
+  const base::Curve& push = curves.push();
+  for (std::size_t k = 0; k < push.x.size(); ++k)
+    if (push.travel[k] >= 0) V.take({push.y[k]}, curves.force.per_si), w.take({push.x[k]}, curves.length.per_si);
   for (const run_folder::CurveBand& band : curves.bands)
     if (band.chart == "V_w") V.take(band.low, curves.force.per_si), V.take(band.high, curves.force.per_si);
-  w.take(curves.path.push.w, curves.length.per_si);
   const soil_plot::PanelPlace place =
       curves.has_drag() ? soil_plot::PanelPlace{0.075, 0.40, 0.085, 0.84} : soil_plot::PanelPlace{0.10, 0.88, 0.085, 0.84};
   std::string script = soil_plot::margins(place) + V.script() + w.script();
@@ -213,7 +190,7 @@ std::string legend(const Curves& curves)
     words += fmt::format("set label {} {} at screen {:.3f},0.925 {} font 'DejaVu Sans,12' tc rgb '{}'\n", label++, plot::gnuplot_text(text),
                          x, anchor, color);
   };
-  const std::size_t drags = curves.path.drags.size();
+  const std::size_t drags = curves.in("H_u").size();
   constexpr std::size_t max_names = 6;
   if (curves.has_push()) put(0.075, "━ push", "#1764ab", "left");
   if (drags > max_names) {
@@ -230,16 +207,13 @@ std::string legend(const Curves& curves)
 std::string drag_panels(const Curves& curves)
 {
   const Real left = curves.has_push() ? 0.565 : 0.10, right = curves.has_push() ? 0.915 : 0.88;
-  const std::vector<DragPath>& drags = curves.path.drags;
-  const bool both_ways = std::any_of(drags.begin(), drags.end(), [](const DragPath& drag) { return drag.stage.direction < 0; });
+  const std::vector<base::Curve>& drags = curves.in("H_u");
+  const bool both_ways = std::ranges::any_of(drags, [](const base::Curve& drag) { return drag.direction < 0; });
   Axis H = force_axis(curves, 'y', both_ways ? "reaction along x" : "horizontal resistance", "H"),
        w = length_axis(curves, 'y', "embedment", "w", true);
   Axis u = length_axis(curves, 'x', "horizontal displacement", "u", false);
-  for (const DragPath& drag : drags) {
-    H.take(plot::scaled(drag.H, drag.stage.direction), curves.force.per_si);
-    w.take(drag.w, curves.length.per_si);
-    u.take(u_of(drag, curves.path), curves.length.per_si);
-  }
+  for (const base::Curve& drag : drags) H.take(drag.y, curves.force.per_si), u.take(drag.x, curves.length.per_si);
+  for (const base::Curve& drag : curves.in("w_u")) w.take(drag.y, curves.length.per_si);
   for (const run_folder::CurveBand& band : curves.bands) {
     if (band.chart == "V_w") continue;
     Axis& axis = band.chart == "H_u" ? H : w;
@@ -257,13 +231,16 @@ std::string drag_panels(const Curves& curves)
 
 }  // namespace
 
-bool draw_run_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale, const Stages& stages,
+bool draw_run_curves(const run_folder::RunFolder& folder, const base::Charts& charts, const base::BodyScale& scale,
                      const std::string& title, const std::vector<run_folder::CurveBand>& bands)
 {
-  Path path = path_of(history, stages);
-  leave_out_the_way_down(path.push);
-  const plot::PlotUnit force = plot::force_unit(largest_force(path), scale.dimension);
-  const Curves curves{std::move(path), scale, plot::length_unit(scale.width), force, bands};
+  if (charts.empty()) return false;
+  Real max = 0;
+  for (const char* chart : {"V_w", "H_u", "V_u"})
+    for (const base::Curve& curve : curves_in(charts, chart))
+      for (std::size_t k = 0; k < curve.y.size(); ++k)
+        if (!std::isnan(curve.travel[k])) max = std::max(max, plot::largest_size({curve.y[k]}));
+  const Curves curves{charts, scale, plot::length_unit(scale.width), plot::force_unit(max, scale.dimension), bands};
   if (!curves.has_push() && !curves.has_drag()) return false;
   folder.subfolder("plots");
   io::write_atomically(folder.file("plots/curves.dat"), data_of(curves));

@@ -3,7 +3,6 @@
 #include "structures/driven/driven.hpp"
 
 #include "io/atomic_file.hpp"
-#include "plot/figure.hpp"
 #include "structures/base/still_moving.hpp"
 #include "structures/driven/curves.hpp"
 #include "structures/driven/details.hpp"
@@ -12,8 +11,8 @@
 #include "structures/driven/mechanism.hpp"
 #include "structures/driven/quantities.hpp"
 #include "structures/driven/report.hpp"
+#include "structures/driven/run_charts.hpp"
 #include "structures/driven/states.hpp"
-#include "structures/driven/uplift.hpp"
 
 #include <algorithm>
 
@@ -67,26 +66,15 @@ void write_files(const run_folder::RunFolder& folder, const record::RunRecord& r
   if (!half_cycles.empty()) io::write_atomically(folder.file("half_cycles.csv"), half_cycles);
 }
 
+base::Charts charts_of(const record::RunRecord& run)
+{
+  return run_charts(run.history, base::body_scale(run), stages_of(run.settings));
+}
+
 bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands)
 {
   if (run.history.rows() == 0) return false;
-  return draw_run_curves(folder, run.history, base::body_scale(run), stages_of(run.settings), run.settings.title, bands);
-}
-
-base::ChartCurves chart_curves(const record::RunRecord& run)
-{
-  if (run.history.rows() == 0) return {};
-  const Path path = path_of(run.history, stages_of(run.settings));
-  std::vector<Real> w, V;
-  for (std::size_t k = 0; k < path.push.w.size(); ++k)
-    if (path.push.w[k] >= 0) w.push_back(path.push.w[k]), V.push_back(path.push.V[k]);
-  base::ChartCurves curves{{"V_w", 0, 1, {w, V}}};
-  for (const DragPath& drag : path.drags) {
-    const Real begin = drag.u_begin - path.drag().u_begin, direction = drag.stage.direction;
-    curves.push_back({"H_u", begin, direction, {drag.travel, plot::scaled(drag.H, direction)}});
-    curves.push_back({"w_u", begin, direction, {drag.travel, drag.w}});
-  }
-  return curves;
+  return draw_run_curves(folder, charts_of(run), base::body_scale(run), run.settings.title, bands);
 }
 
 std::string quality_note(const base::Runs& runs)
@@ -104,20 +92,6 @@ std::string quality_note(const base::Runs& runs)
          "(<code>berm study examples/mesh_study</code>).</p>\n";
 }
 
-base::StagePaths paths_of(const record::RunRecord& run)
-{
-  if (run.history.rows() == 0) return {};
-  const Path path = path_of(run.history, stages_of(run.settings));
-  base::StagePaths paths{{path.push.rows, path.push.w}, {}, {}};
-  for (const DragPath& drag : path.drags) paths.drags.push_back({drag.rows, drag.travel});
-  for (const OtherPush& push : path.other_pushes) {
-    if (!push.upwards || push.rows.empty()) continue;
-    const LiftPath lift = lift_path(push, run.history);
-    paths.lifts.push_back({lift.rows, lift.travel});
-  }
-  return paths;
-}
-
 }  // namespace
 
 base::Reading reading()
@@ -129,12 +103,11 @@ base::Reading reading()
       .notes = notes_of,
       .write_files = write_files,
       .draw_curves = draw_curves,
-      .chart_curves = chart_curves,
+      .charts = charts_of,
       .words = [](Run run, const base::DisplayUnits& shown) { return results_in_words(DrivenRun(run), shown); },
       .key_results = [](const base::Runs& runs, const base::DisplayUnits& shown) { return key_results(driven_runs(runs), shown); },
       .measures = [](const problem::Case& c) { return driven_measures(c); },
       .quality_note = quality_note,
-      .paths = paths_of,
       .draw_report_curves = [](const base::Runs& runs, const base::PublishedPoints& published,
                                const std::filesystem::path& folder) { return draw_travel_figures(driven_runs(runs), published, folder); },
       .draw_report_soil = [](const base::Runs& runs,

@@ -71,15 +71,16 @@ std::vector<PyCurve> py_curves(const LateralRun& run)
   return curves;
 }
 
-base::OwnChart py_chart(const LateralRun& run)
+base::Chart py_chart(const LateralRun& run)
 {
-  base::OwnChart chart{"p_y", "", {"displacement of the axis at that depth", "y", "m"}, {"resistance", "p", "N/m"}, run.path.rows, {}};
+  base::Chart chart{"p_y", {"displacement of the axis at that depth", "y", "m"}, {"resistance", "p", "N/m"}};
   const std::vector<SliceRows> slices = slice_rows(run);
-  for (std::size_t k = 0; k < slices.size(); k += step_of(slices.size()))
-    chart.curves.push_back(
-        {text::length_words(slices[k].z), slices[k].y, slices[k].p, record::drawn_along(run.path.u, slices[k].p, run.half())});
   std::string depths;
-  for (const base::OwnChart::Curve& curve : chart.curves) depths += (depths.empty() ? "" : ", ") + curve.name;
+  for (std::size_t k = 0; k < slices.size(); k += step_of(slices.size())) {
+    chart.curves.push_back(
+        base::travelled({text::length_words(slices[k].z), run.path.rows, slices[k].y, slices[k].p, {}, run.path.u}, run.half()));
+    depths += (depths.empty() ? "" : ", ") + chart.curves.back().name;
+  }
   chart.title = "p-y curves " + depths + " below the bed";
   return chart;
 }

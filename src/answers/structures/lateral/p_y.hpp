@@ -18,7 +18,7 @@ struct PyCurve {
 std::vector<PyCurve> py_curves(const LateralRun& run);
 
 /// The same by row of the run's loaded stages as a chart of the page, eight depths at most; without curves where there are none.
-base::OwnChart py_chart(const LateralRun& run);
+base::Chart py_chart(const LateralRun& run);
 
 /// py.csv: z_m, u_at_bed_m (the displacement at the bed), y_m and p_N_m, a row for each point; "" without curves.
 std::string py_csv(const LateralRun& run);

@@ -3,6 +3,7 @@
 #include "structures/lateral/shaft.hpp"
 
 #include "io/atomic_file.hpp"
+#include "plot/figure.hpp"
 #include "structures/driven/report.hpp"
 #include "structures/lateral/lateral_page.hpp"
 #include "structures/lateral/lateral_results.hpp"
@@ -23,10 +24,20 @@ LateralRuns lateral_runs(const base::Runs& runs)
   return all;
 }
 
-base::StagePaths path_at_the_bed(Run run)
+/// Of a body that nothing pushes: H, w and V over the displacement at the bed, all along x.
+base::Charts load_charts(const LateralRun& run)
 {
-  const LateralPath path = lateral_path(run);
-  return path.empty() ? base::StagePaths{} : base::StagePaths{{}, {{path.rows, path.u}}, {}};
+  if (run.empty()) return {};
+  const LateralPath& path = run.path;
+  const Real direction = path.direction < 0 ? -1 : 1;
+  const base::Chart::Axis u{"displacement at the bed", "u", "m"}, w{"embedment", "w", "m"}, V{"vertical reaction", "V", "N"};
+  base::Charts charts{{"V_w", w, V}, {"H_u", u, {"horizontal reaction along x", "H", "N"}}, {"w_u", u, w}, {"V_u", u, V}};
+  for (std::size_t k = 1; k < charts.size(); ++k) {
+    base::Curve curve{"load", path.rows, plot::scaled(path.u, direction), {}, {}, path.u, 0, direction};
+    for (const Index row : path.rows) curve.y.push_back(run.record.history.by_label(charts[k].y.symbol)[row]);
+    charts[k].curves.push_back(travelled(std::move(curve), averaging_half(base::body_scale(run.record))));
+  }
+  return charts;
 }
 
 /// That at the bed, as in the answer; before the load 0, after it what it came to.
@@ -55,18 +66,19 @@ base::Reading load_of(const penetration::Penetrometer& how)
               },
           .draw_curves = [](const run_folder::RunFolder& folder, Run run,
                             const base::CurveBands&) { return draw_lateral_curves(folder, LateralRun(run)); },
+          .charts =
+              [](Run run) {
+                const LateralRun lateral(run);
+                base::Charts charts = base::is_pushed_down(run.settings) ? base::Charts{} : load_charts(lateral);
+                if (base::Chart py = py_chart(lateral); !py.curves.empty()) charts.push_back(std::move(py));
+                return charts;
+              },
           .words = [](Run run, const base::DisplayUnits&) { return lateral_words(LateralRun(run)); },
           .key_results = [&how](const base::Runs& runs,
                                 const base::DisplayUnits&) { return lateral_key_results(lateral_runs(runs), how.word); },
-          .paths = path_at_the_bed,
           .draw_report_curves =
               [&how](const base::Runs& runs, const base::PublishedPoints&, const std::filesystem::path& folder) {
                 return draw_lateral_figures(lateral_runs(runs), how.word, folder);
-              },
-          .own_charts =
-              [](Run run) {
-                base::OwnChart chart = py_chart(LateralRun(run));
-                return chart.curves.empty() ? std::vector<base::OwnChart>{} : std::vector{std::move(chart)};
               },
           .point_travel = point_at_the_bed};
 }
@@ -88,7 +100,9 @@ base::Structure shaft(const penetration::Penetrometer& how)
   base::Structure structure = penetration::pushed_down(how);
   for (base::Reading& reading : structure.readings) reading.applies = base::is_pushed_down;
   structure.readings.insert(structure.readings.end() - 1, {load_of(how), at_rest(how)});
-  structure.readings.back().applies = {};
+  base::Reading& travels = structure.readings.back();
+  travels.applies = {};
+  travels.charts = [charts = travels.charts](Run run) { return base::is_pushed_down(run.settings) ? charts(run) : base::Charts{}; };
   return structure;
 }
 

@@ -39,6 +39,20 @@ std::vector<std::string> draw_report_log(const base::Runs& runs, const Penetrome
   return whole ? std::vector{name} : std::vector<std::string>{};
 }
 
+base::Charts charts_of(const PenetrationRun& pushed, const Penetrometer& how)
+{
+  base::Charts charts;
+  const auto add = [&](const char* id, const base::Chart::Axis& y, const record::TravelCurve& rows) {
+    if (rows.empty()) return;
+    const base::Curve curve{"push", {}, rows.travel(), rows.value(), {}, rows.travel()};
+    charts.push_back({id, {fmt::format("depth of the {}", how.level), "z", "m"}, y, {travelled(curve, pushed.half())}});
+  };
+  add("q_z", {"resistance", how.resistance.plain, "Pa"}, pushed.q_curve());
+  add("f_z", {"mean friction of the shaft", "f", "Pa"}, pushed.friction_curve());
+  if (pushed.symbol() != nullptr) add("N_z", {"factor of the resistance", pushed.symbol()->plain, "1"}, pushed.factor_curve());
+  return charts;
+}
+
 }  // namespace
 
 base::Reading reading(const Penetrometer& how)
@@ -59,6 +73,7 @@ base::Reading reading(const Penetrometer& how)
             const plot::Panels log = depth_log(penetration_runs({{&run, 0}}, how), run.settings.title);
             return draw_log(log, folder.path(), "curves", script_of(log, folder.path(), "log"));
           },
+      .charts = [&how](Run run) { return charts_of(PenetrationRun(run, how), how); },
       .words = [&how](Run run, const base::DisplayUnits& shown) { return penetration_words(PenetrationRun(run, how), shown); },
       .key_results =
           [&how](const base::Runs& runs, const base::DisplayUnits& shown) {

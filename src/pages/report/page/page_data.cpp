@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page.hpp"
 
-#include "record/travel_curve.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -31,73 +30,32 @@ std::vector<Index> kept_rows(const run_folder::History& history)
   return kept;
 }
 
-/// Adds the rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces as smooth lines along its travel (m) are drawn.
-void add_path(Json& path, const record::RunRecord& run, const std::vector<Index>& kept, const base::StagePath& stage)
-{
-  const auto& [rows, travel] = stage;
-  const Real half = averaging_half(base::body_scale(run));
-  const auto mean_of = [&](const char* column) {
-    std::vector<Real> force;
-    for (const Index k : rows) force.push_back(run.history.by_label(column)[k]);
-    return record::drawn_along(travel, force, half);
-  };
-  const std::vector<Real> V = mean_of("V"), H = mean_of("H");
-  auto on_page = kept.begin();
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    on_page = std::lower_bound(on_page, kept.end(), rows[k]);
-    if (on_page == kept.end() || *on_page != rows[k]) continue;
-    path["rows"].push_back(on_page - kept.begin());
-    path["V_mean"].push_back(number_or_null(V[k]));
-    path["H_mean"].push_back(number_or_null(H[k]));
-  }
-}
-
-/// Of pushes or drags, one after the other.
-Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, const std::vector<base::StagePath>& stages)
+/// Of pushes or drags, one after the other: their rows among those that the page holds, and their forces freed from noise. `H` is "" where it does not matter.
+Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, const base::Charts& charts, const char* V, const char* H)
 {
   Json path = {{"rows", Json::array()}, {"u_begin", 0}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
-  for (const base::StagePath& stage : stages)
-    if (!stage.rows.empty()) add_path(path, run, kept, stage);
-  if (!stages.empty() && !stages.front().rows.empty()) path["u_begin"] = run.history["u_m"][stages.front().rows.front()];
+  const std::vector<base::Curve>&of_V = curves_in(charts, V), &of_H = curves_in(charts, H);
+  for (std::size_t k = 0; k < of_V.size(); ++k) {
+    auto on_page = kept.begin();
+    for (std::size_t row = 0; row < of_V[k].rows.size(); ++row) {
+      on_page = std::lower_bound(on_page, kept.end(), of_V[k].rows[row]);
+      if (on_page == kept.end() || *on_page != of_V[k].rows[row]) continue;
+      path["rows"].push_back(on_page - kept.begin());
+      path["V_mean"].push_back(number_or_null(of_V[k].smooth[row]));
+      path["H_mean"].push_back(k < of_H.size() ? number_or_null(of_H[k].smooth[row]) : Json(nullptr));
+    }
+  }
+  if (!of_V.empty() && !of_V.front().rows.empty()) path["u_begin"] = run.history["u_m"][of_V.front().rows.front()];
   return path;
 }
 
-/// The charts that the structure has by itself, in those rows that the page holds.
-Json own_charts_json(const std::vector<base::OwnChart>& charts, const std::vector<Index>& kept)
+/// The charts that are shown as they are, in those rows that the page holds.
+Json own_charts_json(const base::Charts& charts, const std::vector<Index>& kept)
 {
   Json list = Json::array();
-  const auto axis = [](const base::OwnChart::Axis& a) { return Json{{"words", a.words}, {"symbol", a.symbol}, {"unit", a.unit}}; };
-  for (const base::OwnChart& chart : charts) {
-    Json one = {{"id", chart.id}, {"title", chart.title}, {"x", axis(chart.x)}, {"y", axis(chart.y)}, {"rows", Json::array()}};
-    std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < chart.rows.size(); ++k)
-      if (const auto on_page = std::ranges::lower_bound(kept, chart.rows[k]); on_page != kept.end() && *on_page == chart.rows[k])
-        places.push_back(k), one["rows"].push_back(on_page - kept.begin());
-    const auto numbers = [&](const std::vector<Real>& values) {
-      Json shown = Json::array();
-      for (const std::size_t k : places) shown.push_back(number_or_null(values[k]));
-      return shown;
-    };
-    for (const base::OwnChart::Curve& curve : chart.curves)
-      one["curves"].push_back({{"name", curve.name}, {"x", numbers(curve.x)}, {"y", numbers(curve.y)}, {"mean", numbers(curve.mean)}});
-    list.push_back(std::move(one));
-  }
+  for (const base::Chart& chart : charts)
+    if (!chart.title.empty()) list.emplace_back(json_of(chart, {}, &kept))["title"] = chart.title;
   return list;
-}
-
-/// How sure the curves of charts are.
-Json bands_json(const record::RunRecord& run)
-{
-  Json bands = Json::array();
-  if (!run.summary || !run.summary->uncertainty) return bands;
-  const auto side = [](const std::vector<Real>& values) {
-    Json numbers = Json::array();
-    for (const Real value : values) numbers.push_back(number_or_null(value));
-    return numbers;
-  };
-  for (const run_folder::CurveBand& band : run.summary->uncertainty->curves)
-    bands.push_back({{"chart", band.chart}, {"x", side(band.x)}, {"low", side(band.low)}, {"high", side(band.high)}});
-  return bands;
 }
 
 /// What forces are made dimensionless with (N/m) and its letters; what stresses and energies per metre are made so with follows by D.
@@ -140,17 +98,18 @@ Json run_data(const record::RunRecord& run)
   for (const Index k : kept) data["stage"].push_back(history.stage[k]);
   data["row"] = static_cast<Index>(kept.size()) == history.rows() ? Json(nullptr) : Json(kept);
   const base::Structure& structure = structures::structure_of(run.settings);
-  const base::StagePaths paths = structure.paths(run);
-  data["push"] = path_json(run, kept, {paths.push});
-  data["drag"] = path_json(run, kept, paths.drags);
+  const base::Charts charts = structure.charts(run);
+  data["push"] = path_json(run, kept, charts, "V_w", "");
+  data["drag"] = path_json(run, kept, charts, "V_u", "H_u");
   if (const std::optional<base::PointTravel> point = structure.point_travel(run)) {
     data["drag"]["u"] = {{"words", point->words}, {"values", Json::array()}};
     for (const Json& row : data["drag"]["rows"])
       data["drag"]["u"]["values"].push_back(number_or_null(point->u[kept[row.get<std::size_t>()]]));
   }
-  data["lift"] = path_json(run, kept, paths.lifts);
-  data["charts"] = own_charts_json(structure.own_charts(run), kept);
-  data["bands"] = bands_json(run);
+  data["lift"] = path_json(run, kept, charts, "V_s", "");
+  data["charts"] = own_charts_json(charts, kept);
+  const bool has_bands = run.summary && run.summary->uncertainty;
+  data["bands"] = has_bands ? json_of(*run.summary->uncertainty)["curves"] : Json::array();
   data["film"] = nullptr;
   return data;
 }

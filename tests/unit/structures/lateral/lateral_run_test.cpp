@@ -80,7 +80,7 @@ TEST(Lateral, results_are_said_in_words_and_stand_in_tables)
   EXPECT_NE(words.find("about a point 5 m below the bed"), std::string::npos) << words;
   EXPECT_NE(structure.key_results({{&run, 0}}, shown).find("pile-sideways-end"), std::string::npos);
   EXPECT_NE(table.find("lateral_pivot_end"), std::string::npos) << table;
-  EXPECT_EQ(structure.paths(run).drags.size(), 1u);
+  EXPECT_EQ(curves_in(structure.charts(run), "H_u").size(), 1u);
   EXPECT_EQ(run.quantity("lateral_H_end")->kind, run_folder::QuantityKind::answer);
   EXPECT_NE(run.quantity("lateral_height_end")->kind, run_folder::QuantityKind::answer);
 }
@@ -109,7 +109,7 @@ TEST(Lateral, run_without_rows_has_no_results)
   EXPECT_TRUE(structure.quantities(run, {}).empty());
   EXPECT_EQ(structure.key_results({{&run, 0}}, shown), "");
   EXPECT_EQ(structure.in_words(run, shown), "It was not loaded far enough for a result.");
-  EXPECT_TRUE(structure.paths(run).drags.empty());
+  EXPECT_TRUE(structure.charts(run).empty());
   for (const base::TrustMeasure& measure : structure.measures(run.settings)) EXPECT_EQ(measure.what.find("pipe"), std::string::npos);
 }
 

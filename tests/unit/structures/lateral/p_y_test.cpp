@@ -80,21 +80,23 @@ TEST(PyCurves, are_none_without_slices)
 TEST(PyCurves, are_a_chart_of_the_page_by_row)
 {
   const record::RunRecord run = pile();
-  const std::vector<base::OwnChart> charts = structures::structure_of(run.settings).own_charts(run);
-  ASSERT_EQ(charts.size(), 1u);
-  const base::OwnChart& chart = charts.front();
+  const base::Charts charts = structures::structure_of(run.settings).charts(run);
+  ASSERT_EQ(charts.size(), 5u) << "H, w and V over the displacement at the bed, and no push";
+  EXPECT_TRUE(curves_in(charts, "V_w").empty());
+  EXPECT_NEAR(curves_in(charts, "H_u").front().x.back(), pivot * std::sin(0.04), 1e-6);
+  const base::Chart& chart = charts.back();
   EXPECT_EQ(chart.id, "p_y");
   EXPECT_EQ(chart.title, "p-y curves 1 m, 3 m, 5 m, 7 m below the bed");
   EXPECT_EQ(chart.x.symbol, "y");
   EXPECT_EQ(chart.y.unit, "N/m");
   ASSERT_EQ(chart.curves.size(), 4u);
   EXPECT_EQ(chart.curves.front().name, "1 m");
-  ASSERT_EQ(chart.curves.front().x.size(), chart.rows.size());
-  for (const base::OwnChart::Curve& curve : chart.curves)
-    for (std::size_t row = 0; row < chart.rows.size(); ++row) EXPECT_NEAR(curve.y[row], k * curve.x[row], 1e-6 * k) << curve.name;
+  ASSERT_EQ(chart.curves.front().x.size(), chart.curves.front().rows.size());
+  for (const base::Curve& curve : chart.curves)
+    for (std::size_t row = 0; row < curve.rows.size(); ++row) EXPECT_NEAR(curve.y[row], k * curve.x[row], 1e-6 * k) << curve.name;
   record::RunRecord without = run;
   without.settings.rigid[0].second.depth_slices = 0;
-  EXPECT_TRUE(structures::structure_of(without.settings).own_charts(without).empty());
+  EXPECT_TRUE(curves_in(structures::structure_of(without.settings).charts(without), "p_y").empty());
 }
 
 }  // namespace

@@ -76,6 +76,19 @@ TEST(DepthLog, as_svg_has_depth_downwards_and_axes_on_top)
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(DepthLog, has_its_curves_over_depth_by_row_and_freed_from_noise)
+{
+  const record::RunRecord record = noisy(1e3);
+  const base::Charts charts = Penetration(cone_reading()).charts(record);
+  const PenetrationRun run(record, cone_reading());
+  ASSERT_EQ(curves_in(charts, "q_z").size(), 1u);
+  const base::Curve& q = curves_in(charts, "q_z").front();
+  EXPECT_EQ(q.y, run.q_curve().value());
+  EXPECT_EQ(q.smooth, record::drawn_along(run.q_curve().travel(), run.q_curve().value(), run.half()));
+  EXPECT_EQ(curves_in(charts, "N_z").size(), 1u);
+  EXPECT_EQ(curves_in(charts, "V_w").size(), 1u) << "it is pushed as any body is";
+}
+
 TEST_F(DepthLogPicture, is_curves_png_of_a_run)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";

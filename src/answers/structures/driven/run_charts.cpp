@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/driven/run_charts_test.cpp
+#include "structures/driven/run_charts.hpp"
+
+#include "plot/figure.hpp"
+#include "record/travel_curve.hpp"
+#include "structures/driven/uplift.hpp"
+
+namespace berm::driven {
+namespace {
+
+/// The way down to the bed does not count: its V = 0 would smooth away the first touch.
+base::Curve curve_of(const PushPath& push)
+{
+  base::Curve curve{"push", push.rows, push.w, push.V, {}, push.w};
+  for (Real& w : curve.travel)
+    if (w < 0) w = nan;
+  return curve;
+}
+
+}  // namespace
+
+base::Charts run_charts(const run_folder::History& history, const base::BodyScale& scale, const Stages& stages)
+{
+  if (history.rows() == 0) return {};
+  const Path path = path_of(history, stages);
+  const Real half = averaging_half(scale);
+  const base::Chart::Axis w{"embedment", "w", "m"}, u{"horizontal displacement since the first drag began", "u", "m"},
+      travel{"travel of a drag", "s", "m"}, V{"vertical reaction", "V", scale.dimension == 2 ? "N/m" : "N"},
+      H{"horizontal reaction along x", "H", V.unit}, R{"resistance to a drag", "H", V.unit};
+  base::Chart V_w{"V_w", w, V, {travelled(curve_of(path.push), half)}}, H_u{"H_u", u, H}, w_u{"w_u", u, w}, V_u{"V_u", u, V},
+      ratio{"H_over_V_u", u, {"ratio of forces", "H/V", "1"}}, H_travel{"H_travel", travel, R}, V_s{"V_s", {"travel upwards", "s", "m"}, V};
+  for (const DragPath& drag : path.drags) {
+    const Real begin = drag.u_begin - path.drag().u_begin, direction = drag.stage.direction;
+    base::Curve curve{drag.stage.name, drag.rows, {}, {}, {}, drag.travel, begin, direction};
+    for (const Real s : drag.travel) curve.x.push_back(begin + direction * s);
+    const auto add = [&](base::Chart& chart, std::vector<Real> y) {
+      curve.y = std::move(y);
+      chart.curves.push_back(travelled(curve, half));
+    };
+    std::vector<Real> H_over_V;
+    for (std::size_t k = 0; k < drag.H.size(); ++k) H_over_V.push_back(direction * drag.H[k] / drag.V[k]);
+    add(H_u, plot::scaled(drag.H, direction));
+    add(w_u, drag.w);
+    add(V_u, drag.V);
+    add(ratio, std::move(H_over_V));
+    if (const record::TravelCurve rows(drag.travel, drag.H); !rows.empty()) {
+      const record::TravelCurve smooth = rows.smoothed(half);
+      H_travel.curves.push_back({drag.stage.name, {}, smooth.travel(), smooth.value()});
+    }
+  }
+  for (const OtherPush& push : path.other_pushes) {
+    if (!push.upwards || push.rows.empty()) continue;
+    const LiftPath lift = lift_path(push, history);
+    V_s.curves.push_back(travelled({push.stage, lift.rows, lift.travel, plot::scaled(lift.R, -1), {}, lift.travel}, half));
+  }
+  return {V_w, H_u, w_u, V_u, ratio, H_travel, V_s};
+}
+
+}  // namespace berm::driven
