@@ -11,6 +11,7 @@
 #include "jobs/outcome.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
+#include "os/text_of_list.hpp"
 #include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
 
@@ -20,7 +21,6 @@
 #include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <new>
 #include <sstream>
 
@@ -41,7 +41,7 @@ std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc
   const std::string first = argc > 1 ? argv[1] : "";
   for (const CLI::App* of : app.get_subcommands([](const CLI::App*) { return true; }))
     if (of->get_name() == first) command = of;
-  if (first.empty()) return fmt::format("a command is needed ({}); berm --help explains them", fmt::join(commands, ", "));
+  if (first.empty()) return fmt::format("a command is needed ({}); berm --help explains them", text_of_list(commands, ", "));
   if (command == nullptr && first[0] != '-')
     return fmt::format("unknown command {}{}", input::in_quotes(first), input::suggestion(first, commands));
   std::vector<std::string> options;

@@ -4,6 +4,7 @@
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
 #include "springs/line_formats.hpp"
 #include "structures/structures.hpp"
@@ -13,7 +14,6 @@
 #include <fmt/format.h>
 #include <map>
 #include <set>
-#include <spdlog/spdlog.h>
 
 namespace berm::commands {
 namespace {
@@ -91,7 +91,7 @@ std::vector<Job> jobs_of(Options& options)
 
 void write(const Job& job)
 {
-  for (const std::string& line : job.missing) spdlog::warn("{}: {}", job.name, line);
+  for (const std::string& line : job.missing) io::warn("{}: {}", job.name, line);
   if (job.chosen)
     io::make_inner_folder(job.folder.parent_path(), job.folder.filename());
   else

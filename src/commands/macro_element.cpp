@@ -3,11 +3,11 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
+#include "io/log.hpp"
 #include "macro_element_fit/files.hpp"
 #include "os/error.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::commands {
 
@@ -36,11 +36,11 @@ Command add_macro_element(CLI::App& program)
                   throw InputError(fmt::format("{} is fitted to, so it cannot be a check", other.run.string()));
             macro::Parameters parameters = macro::fit(fitted);
             if (options->axial_friction) parameters.axial_friction = *options->axial_friction;
-            if (parameters.axial_friction == 0) spdlog::warn("there is no axial resistance: give a coefficient to --axial-friction");
+            if (parameters.axial_friction == 0) io::warn("there is no axial resistance: give a coefficient to --axial-friction");
             std::vector<macro::Comparison> comparisons;
             for (macro::Path& path : fitted) comparisons.push_back(macro::compare(parameters, std::move(path), true));
             for (macro::Path& path : others) comparisons.push_back(macro::compare(parameters, std::move(path), false));
-            if (others.empty()) spdlog::warn("no run checks the fit: give runs that are not fitted to --check");
+            if (others.empty()) io::warn("no run checks the fit: give runs that are not fitted to --check");
             for (const std::string& name : macro::write_files(options->output, parameters, comparisons))
               fmt::print("{}\n", (std::filesystem::path(options->output) / name).string());
             fmt::print("\n{}", macro::table_of(comparisons));

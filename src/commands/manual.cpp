@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/command.hpp"
+#include "os/text_of_list.hpp"
 
 #include <cctype>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::commands {
 namespace {
@@ -58,7 +58,7 @@ std::string roff(const std::string& text)
 std::string roff_of(const CLI::Option& option)
 {
   std::string names = is_positional(option) ? "\\fI" + roff(option.get_name(true)) + "\\fR"
-                                            : fmt::format("\\fB{}\\fR", fmt::join(
+                                            : fmt::format("\\fB{}\\fR", text_of_list(
                                                                             [&] {
                                                                               Words each;
                                                                               for (const std::string& name : names_of(option))
@@ -68,7 +68,7 @@ std::string roff_of(const CLI::Option& option)
                                                                             "\\fR, \\fB"));
   if (!is_positional(option) && takes_value(option)) {
     const Words choices = choices_of(option);
-    names += " \\fI" + (choices.empty() ? "VALUE" : roff(fmt::format("{}", fmt::join(choices, "|")))) + "\\fR";
+    names += " \\fI" + (choices.empty() ? "VALUE" : roff(text_of_list(choices, "|"))) + "\\fR";
   }
   return fmt::format(".TP\n{}\n{}\n", names, roff(option.get_description()));
 }
@@ -161,23 +161,23 @@ std::string bash_completion(const CLI::App& program)
       const Words choices = choices_of(*option);
       if (choices.empty()) continue;
       if (is_positional(*option))
-        plain = fmt::format("{} ", fmt::join(choices, " "));
+        plain = fmt::format("{} ", text_of_list(choices, " "));
       else
-        values += fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", fmt::join(names_of(*option), "|"),
-                              fmt::join(choices, " "));
+        values += fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", text_of_list(names_of(*option), "|"),
+                              text_of_list(choices, " "));
     }
     cases += fmt::format("    {})\n{}      if [[ $word == -* ]]; then COMPREPLY=($(compgen -W '{}' -- \"$word\")); return; fi\n      "
                          "COMPREPLY=($(compgen -W '{}' "
                          "-- \"$word\")) ;;\n",
                          command->get_name(), values.empty() ? "" : "      case $before in\n" + values + "      esac\n",
-                         fmt::join(flags_of(*command), " "), plain);
+                         text_of_list(flags_of(*command), " "), plain);
   }
   return fmt::format(
       "# SPDX-License-Identifier: BSD-3-Clause\n_berm()\n{{\n  local word=${{COMP_WORDS[COMP_CWORD]}} "
       "before=${{COMP_WORDS[COMP_CWORD-1]}}\n  "
       "COMPREPLY=()\n  if [[ $COMP_CWORD -eq 1 ]]; then COMPREPLY=($(compgen -W '{} --help --version' -- \"$word\")); return; fi\n  case "
       "${{COMP_WORDS[1]}} in\n{}  esac\n}}\ncomplete -o bashdefault -o default -F _berm berm\n",
-      fmt::join(names, " "), cases);
+      text_of_list(names, " "), cases);
 }
 
 std::string zsh_completion(const CLI::App& program)
@@ -191,7 +191,7 @@ std::string zsh_completion(const CLI::App& program)
         const Words choices = choices_of(*option);
         const std::string value = !takes_value(*option) ? ""
                                   : choices.empty()     ? ":value:_files"
-                                                        : fmt::format(":value:({})", fmt::join(choices, " "));
+                                                        : fmt::format(":value:({})", text_of_list(choices, " "));
         flags += fmt::format(" {}", quoted(fmt::format("*{}{}", name, value)));
       }
     cases += fmt::format("    {}) _arguments{} '*:file:_files' ;;\n", command->get_name(), flags);
@@ -215,7 +215,7 @@ std::string fish_completion(const CLI::App& program)
       for (const std::string& name : option->get_snames()) line += " -s " + name;
       for (const std::string& name : option->get_lnames()) line += " -l " + name;
       if (!choices.empty())
-        line += fmt::format("{} -a {}", is_positional(*option) ? "" : " -x", quoted(fmt::format("{}", fmt::join(choices, " "))));
+        line += fmt::format("{} -a {}", is_positional(*option) ? "" : " -x", quoted(text_of_list(choices, " ")));
       else if (takes_value(*option))
         line += " -r";
       text += line + " -d " + quoted(option->get_description()) + "\n";

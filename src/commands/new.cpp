@@ -4,7 +4,9 @@
 #include "commands/command.hpp"
 #include "commands/option_values.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "site/sounding.hpp"
 #include "start/cpt.hpp"
 #include "start/soils.hpp"
@@ -12,10 +14,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <spdlog/spdlog.h>
 
 namespace berm::commands {
 namespace {
@@ -104,7 +104,7 @@ std::string with_sounding(const NewOptions& options, const start::Kind& kind, co
   const site::Sounding sounding = site::read_sounding(options.cpt, options.location);
   start::CptCase written = start::with_cpt(kind, text, sounding, choice);
   fmt::print("{}; {}\n", site::rows_of(sounding), sounding.corrected);
-  for (const std::string& doubt : written.doubts) spdlog::warn("{}: {}", sounding.file, doubt);
+  for (const std::string& doubt : written.doubts) io::warn("{}: {}", sounding.file, doubt);
   return std::move(written.text);
 }
 
@@ -152,10 +152,10 @@ Command add_new(CLI::App& program)
 {
   const auto options = std::make_shared<NewOptions>();
   CLI::App* app = program.add_subcommand("new", "write a commented case to start from; without a KIND, list the kinds");
-  app->add_option("KIND", options->kind, "the kind of case")->type_name(fmt::format("{{{}}}", fmt::join(names_of_kinds(), ",")));
+  app->add_option("KIND", options->kind, "the kind of case")->type_name(fmt::format("{{{}}}", text_of_list(names_of_kinds(), ",")));
   app->add_option("FILE", options->file, "file to write (default: KIND.toml here)");
   app->add_option("--size", options->size, "size of the cells, and speed (default: normal)")
-      ->type_name(fmt::format("{{{}}}", fmt::join(start::sizes, ",")));
+      ->type_name(fmt::format("{{{}}}", text_of_list(start::sizes, ",")));
   app->add_option("--soil", options->soil, "a soil of `berm new --soils`, instead of the clay or the sand of the kind");
   app->add_option("--cpt", options->cpt, "strength from a cone penetration test: a file of AGS 4 (.ags), GEF (.gef) or a table (.csv)")
       ->type_name("FILE");

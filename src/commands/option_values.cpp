@@ -3,11 +3,11 @@
 
 #include "input/message_text.hpp"
 #include "input/text_table.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::commands {
 namespace {
@@ -49,7 +49,7 @@ CLI::Validator one_of(const std::vector<std::string>& words)
                        ? ""
                        : fmt::format("{} is not allowed{}", input::in_quotes(text), input::suggestion(text, words));
           },
-          fmt::format("{{{}}}", fmt::join(words, ","))};
+          fmt::format("{{{}}}", text_of_list(words, ","))};
 }
 
 }  // namespace berm::commands

@@ -4,6 +4,7 @@
 #include "commands/side_by_side.hpp"
 #include "core/ranks.hpp"
 #include "io/folder_lock.hpp"
+#include "io/log.hpp"
 #include "io/scratch_folder.hpp"
 #include "io/tell.hpp"
 #include "jobs/outcome.hpp"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::commands {
 namespace {
@@ -64,7 +64,7 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
 /// Says of runs that the user stopped before their bands were made how to go on.
 Outcome without_bands(Outcome outcome)
 {
-  if (interrupted()) spdlog::warn("the bands of the results are not made: resume with berm run --resume FOLDER --uncertainty");
+  if (interrupted()) io::warn("the bands of the results are not made: resume with berm run --resume FOLDER --uncertainty");
   return outcome;
 }
 

@@ -5,8 +5,9 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "os/interrupt.hpp"
+#include "os/text_of_list.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 namespace berm::commands {
 
@@ -26,7 +27,7 @@ Command add_verify(CLI::App& program)
   CLI::Option* fast = app->add_flag("--fast", options->problems.fast, "fast problems only");
   app->add_flag("--long", options->problems.with_long, "long problems, too, which otherwise run only when named")->excludes(fast);
   app->add_option("--chapter", options->problems.chapter,
-                  fmt::format("one chapter of the book: {}", fmt::join(expectations::chapter_words, ", ")));
+                  fmt::format("one chapter of the book: {}", text_of_list(expectations::chapter_words, ", ")));
   app->add_flag("--force", options->force, "rerun problems that have a result already");
   app->add_option("--examples", options->problems.examples, "folder of the examples (default: examples)");
   app->add_option("-o,--output", options->output, "folder for the book and its runs (default: out/verification)");

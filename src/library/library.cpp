@@ -3,6 +3,7 @@
 #include "library/message_sink.hpp"
 #include "library/particle_views.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "problem/stages.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/run_place.hpp"
@@ -11,7 +12,6 @@
 #include <berm/berm.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm {
 namespace {
@@ -342,8 +342,7 @@ std::vector<ParticleField> Run::particles(const std::string& body) const
   const std::vector<std::string> names = bodies();
   const auto found = std::find(names.begin(), names.end(), body);
   if (found == names.end())
-    throw InputError(
-        fmt::format("there is no body \"{}\" of particles: {}", body, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    throw InputError(fmt::format("there is no body \"{}\" of particles: {}", body, names.empty() ? "none" : text_of_list(names, ", ")));
   const auto b = static_cast<std::size_t>(found - names.begin());
   return parts_->visit([&](auto& open) { return views_of(open.method().state().particles[b]); });
 }

@@ -3,12 +3,12 @@
 #include "soil_plot/panels.hpp"
 
 #include "io/atomic_file.hpp"
+#include "os/text_of_list.hpp"
 #include "plot/gnuplot.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::soil_plot {
 
@@ -41,7 +41,7 @@ bool draw_columns(const run_folder::RunFolder& folder, const run_folder::History
   if (panels.empty() || history.rows() < 2) return false;
 
   folder.subfolder("plots");
-  std::string data = fmt::format("# time_s {}\n", fmt::join(columns, " "));
+  std::string data = fmt::format("# time_s {}\n", text_of_list(columns, " "));
   for (Index row = 0; row < history.rows(); ++row) {
     data += fmt::format("{:.8g}", history["time_s"][row]);
     for (const std::string& column : columns) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "soil_plot/raster.hpp"
 
+#include "os/text_of_list.hpp"
 #include "plot/gnuplot.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::soil_plot {
 namespace {
@@ -110,7 +110,7 @@ std::string viridis_palette()
 {
   std::vector<std::string> entries;
   for (const unsigned color : viridis_colors) entries.push_back(fmt::format("{} '#{:06x}'", entries.size(), color));
-  return fmt::format("set palette defined ({})\n", fmt::join(entries, ", "));
+  return fmt::format("set palette defined ({})\n", text_of_list(entries, ", "));
 }
 
 std::pair<Real, Real> color_range(std::vector<Real> values)

@@ -2,12 +2,12 @@
 #include "io/host_info.hpp"
 
 #include "io/atomic_file.hpp"
+#include "os/text_of_list.hpp"
 #include "os/threads.hpp"
 
 #include <algorithm>
 #include <ctime>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sstream>
 #include <sys/utsname.h>
 #include <vector>
@@ -49,7 +49,7 @@ std::string host_description()
   parts.push_back(fmt::format("{} processor{}", processors, processors == 1 ? "" : "s"));
   if (utsname name{}; uname(&name) == 0)
     parts.push_back(fmt::format("{} {} {}", name.sysname, first_two_numbers(name.release), name.machine));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return text_of_list(parts, ", ");
 }
 
 std::string utc_date(std::chrono::system_clock::time_point time)

@@ -3,13 +3,13 @@
 #include "plot/gnuplot.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "io/run_and_wait.hpp"
 #include "os/error.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <system_error>
 
 namespace berm::plot {
@@ -86,10 +86,10 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
   errno = reason;
   if (status < 0 && reason != ENOENT) io::throw_errno(fmt::format("cannot write {}: gnuplot did not start", (folder / picture).string()));
   if (status < 0)
-    spdlog::warn("{} is not drawn: the program gnuplot did not start ({}); its script is {}", picture,
-                 std::generic_category().message(errno), (plots / (stem + ".gp")).string());
+    io::warn("{} is not drawn: the program gnuplot did not start ({}); its script is {}", picture, std::generic_category().message(errno),
+             (plots / (stem + ".gp")).string());
   else
-    spdlog::warn("{} is not drawn: gnuplot says: {}", picture, io::last_message(messages));
+    io::warn("{} is not drawn: gnuplot says: {}", picture, io::last_message(messages));
   std::filesystem::remove(messages, ignored);
   std::filesystem::remove(folder / picture, ignored);
   return false;

@@ -3,6 +3,7 @@
 #include "sandbox/sandbox.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "io/scratch_folder.hpp"
 #include "io/tell.hpp"
 #include "os/case_programs.hpp"
@@ -18,7 +19,6 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <seccomp.h>
-#include <spdlog/spdlog.h>
 #include <sstream>
 #include <string_view>
 #include <sys/syscall.h>
@@ -163,8 +163,7 @@ bool is_trusted()
 
 void do_without(const std::string& why)
 {
-  if (!std::exchange(does_without, true))
-    spdlog::warn("what the case brings runs with all of your rights: there is no sandbox here: {}", why);
+  if (!std::exchange(does_without, true)) io::warn("what the case brings runs with all of your rights: there is no sandbox here: {}", why);
 }
 
 void guard_case_programs()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "os/text_of_list.hpp"
 #include "problem/names.hpp"
 #include "problem/stages.hpp"
 #include "sanity/questions.hpp"
@@ -166,7 +167,7 @@ void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found)
     found.warn("support." + name + ".absorbs",
                fmt::format("absorbs along {}, and {} {} after the soil has come to rest: dashpots yield under a permanent load, and the "
                            "soil settles at {} for each kPa of it; use a support that holds in \"{}\", or end the run before that matters",
-                           up, fmt::join(loads, ", "), loads.size() > 1 ? "come" : "comes",
+                           up, text_of_list(loads, ", "), loads.size() > 1 ? "come" : "comes",
                            words_of(pressure / (density * wave_speed), "m/s"), up));
   }
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "os/text_of_list.hpp"
 #include "problem/cells_at_body.hpp"
 #include "sanity/journey_on_springs.hpp"
 #include "sanity/questions.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::sanity {
 namespace {
@@ -50,9 +50,9 @@ void is_heating_slow(const Scene& s, const Journey& as_it_is, Findings& found)
   found.warn(
       stage_key(k, "ramp"),
       fmt::format("on the springs of far_soil the line stands {:.3g} m from its axis at the end, with a moment of {:.4g} kN m; with stages "
-                  "of the line {:g} times as long {:.3g} m and {:.4g} kN m: its inertia matters here, while real heating takes hours; {}",
-                  as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, fmt::join(times, ", "), fmt::join(ways, ", "),
-                  fmt::join(moments, ", "), advice));
+                  "of the line {} times as long {} m and {} kN m: its inertia matters here, while real heating takes hours; {}",
+                  as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, text_of_list(times, ", ", "{:g}"), text_of_list(ways, ", ", "{:.3g}"),
+                  text_of_list(moments, ", ", "{:.4g}"), advice));
 }
 
 void are_slices_near_enough(const Scene& s, const Journey& journey, Findings& found)

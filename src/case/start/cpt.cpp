@@ -4,12 +4,12 @@
 #include "input/units.hpp"
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "site/doubts.hpp"
 #include "start/soils.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <regex>
 #include <sstream>
 
@@ -93,11 +93,11 @@ CptCase clay(const std::string& table, const site::Sounding& sounding, Real base
   }
   const std::string formula =
       fmt::format("s_u = (q_t - sigma_v0) / N_kt with N_kt = {:.3g}, of a range of 8 to 25 (Mayne and Peuchen 2018)", N_kt);
-  written.text =
-      fmt::format("[material.clay]\n{}{}[material.clay.profile]               # means over layers of 0.1 m, and of a tenth of the "
-                  "depth below 1 m\ndepth = [{}]\nundrained_strength = [{}]\n",
-                  source_of(sounding, weight, formula, written.doubts),
-                  without(table, {"undrained_strength", "undrained_strength_gradient"}), fmt::join(depth, ", "), fmt::join(s_u, ", "));
+  written.text = fmt::format(
+      "[material.clay]\n{}{}[material.clay.profile]               # means over layers of 0.1 m, and of a tenth of the "
+      "depth below 1 m\ndepth = [{}]\nundrained_strength = [{}]\n",
+      source_of(sounding, weight, formula, written.doubts), without(table, {"undrained_strength", "undrained_strength_gradient"}),
+      text_of_list(depth, ", "), text_of_list(s_u, ", "));
   return written;
 }
 
@@ -126,7 +126,7 @@ Sand sand(const std::string& table, const site::Sounding& sounding, Real base, s
                     name, name == "sand" ? source_of(sounding, weight, formula + dilation, written.doubts) : "",
                     without(table, {"friction_angle", "dilation_angle"}), one.value / degree, dilation_angle(one.value) / degree);
   }
-  if (!tops.empty()) written.layers = fmt::format("soil_layer = [{}]\n", fmt::join(tops, ", "));
+  if (!tops.empty()) written.layers = fmt::format("soil_layer = [{}]\n", text_of_list(tops, ", "));
   return written;
 }
 

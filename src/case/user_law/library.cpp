@@ -6,6 +6,7 @@
 #include "os/case_programs.hpp"
 #include "os/error.hpp"
 #include "os/read_file.hpp"
+#include "os/text_of_list.hpp"
 #include "user_law/crash_guard.hpp"
 
 #include <algorithm>
@@ -16,7 +17,6 @@
 #include <elf.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <map>
 #include <memory>
 #include <optional>
@@ -123,8 +123,8 @@ Symbol find_function(void* library, const fs::path& file, const std::vector<std:
   std::vector<std::string> known = functions_in(file);
   constexpr std::size_t most = 12;
   if (known.size() > most) known.resize(most);
-  throw InputError(fmt::format("{} has no function {}; it has {}", file.string(), fmt::join(names, " or "),
-                               known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+  throw InputError(fmt::format("{} has no function {}; it has {}", file.string(), text_of_list(names, " or "),
+                               known.empty() ? "none" : text_of_list(known, ", ")));
 }
 
 std::vector<std::string> functions_in(const fs::path& file)

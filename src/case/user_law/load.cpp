@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "user_law/load.hpp"
 
+#include "io/log.hpp"
 #include "material/user_law.hpp"
 #include "os/error.hpp"
 #include "user_law/library.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::user_law {
 namespace {
@@ -84,9 +84,9 @@ void load_law(const std::string& name, int dimension, const OwnFunction* given, 
   bool one_at_a_time = law.thread_safe == ThreadSafe::no || given != nullptr;
   if (!one_at_a_time && law.thread_safe == ThreadSafe::probed && !safe_in_threads(LoadedLaw(function, constants, words, false), start)) {
     one_at_a_time = true;
-    spdlog::warn("{} gives other results when two threads call it at once (SAVE, COMMON, static variables or unit numbers): calls are "
-                 "serialised, which is slower; thread_safe = \"no\" says the same without a trial",
-                 words);
+    io::warn("{} gives other results when two threads call it at once (SAVE, COMMON, static variables or unit numbers): calls are "
+             "serialised, which is slower; thread_safe = \"no\" says the same without a trial",
+             words);
   }
   law.loaded = std::make_shared<LoadedLaw>(function, constants, words, one_at_a_time);
 }

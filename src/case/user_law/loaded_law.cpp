@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <span>
+
+#include "os/text_of_list.hpp"
 
 namespace berm::user_law {
 
@@ -113,13 +114,14 @@ void LoadedLaw::note_failure(const Before& before, const UserIncrement& incremen
   const char* why = answer == Answer::failed    ? "says that it failed"
                     : answer == Answer::smaller ? "still asks for a smaller increment after ten halvings"
                                                 : "gave a stress or a state variable that is not a number or infinite";
-  failure_ = fmt::format("{} {}, for the stress ({:.6g}) Pa and the strain increment ({:.6g}) (xx, yy, zz, xy, yz, zx; engineering shear) "
+  failure_ = fmt::format("{} {}, for the stress ({}) Pa and the strain increment ({}) (xx, yy, zz, xy, yz, zx; engineering shear) "
                          "within {:.4g} s from t = "
                          "{:.6g} s",
-                         words_, why, fmt::join(before.stress, ", "), fmt::join(increment.strain, ", "), increment.dt, increment.time);
+                         words_, why, text_of_list(before.stress, ", ", "{:.6g}"), text_of_list(increment.strain, ", ", "{:.6g}"),
+                         increment.dt, increment.time);
   if (constants_.state_variables > 0)
-    failure_ += fmt::format("; state variables before: {:.6g}",
-                            fmt::join(std::span(before.state, static_cast<std::size_t>(constants_.state_variables)), ", "));
+    failure_ += fmt::format("; state variables before: {}",
+                            text_of_list(std::span(before.state, static_cast<std::size_t>(constants_.state_variables)), ", ", "{:.6g}"));
   failed_ = true;
 }
 

@@ -4,10 +4,10 @@
 #include "bodies/initial_stress.hpp"
 
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::bodies {
 namespace {
@@ -73,8 +73,7 @@ struct Finder {
   Index cell_at(const Vec<dim>& x)
   {
     const mesh::Location location = locate(mesh, x, cell);
-    if (!location.inside)
-      throw KeyError(fmt::format("body.{0}.{1}: the {1} leaves the mesh at ({2})", body, part, fmt::join(x.begin(), x.end(), ", ")));
+    if (!location.inside) throw KeyError(fmt::format("body.{0}.{1}: the {1} leaves the mesh at ({2})", body, part, text_of_list(x, ", ")));
     return cell = location.cell;
   }
 };
@@ -286,7 +285,7 @@ Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const 
   const Index found = mesh.find_region(region);
   if (found == none)
     throw KeyError(
-        fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, fmt::join(mesh.region_names, ", ")));
+        fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, text_of_list(mesh.region_names, ", ")));
   return found;
 }
 

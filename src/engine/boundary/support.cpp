@@ -3,9 +3,9 @@
 #include "boundary/support.hpp"
 
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::boundary {
 
@@ -40,7 +40,7 @@ Index fixed_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const
   const Index boundary = mesh.find_boundary(support.boundary);
   if (boundary == none)
     throw KeyError(fmt::format("support.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, support.boundary,
-                               fmt::join(mesh.boundary_names, ", ")));
+                               text_of_list(mesh.boundary_names, ", ")));
   return boundary;
 }
 

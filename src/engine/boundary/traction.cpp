@@ -3,10 +3,10 @@
 
 #include "bodies/fill.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::boundary {
 namespace {
@@ -80,7 +80,7 @@ Index loaded_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, cons
   const Index boundary = mesh.find_boundary(traction.boundary);
   if (boundary == none)
     throw KeyError(fmt::format("traction.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, traction.boundary,
-                               fmt::join(mesh.boundary_names, ", ")));
+                               text_of_list(mesh.boundary_names, ", ")));
   return boundary;
 }
 

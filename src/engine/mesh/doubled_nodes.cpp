@@ -3,9 +3,9 @@
 #include "mesh/doubled_nodes.hpp"
 
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unordered_map>
 
 namespace berm::mesh {
@@ -109,8 +109,8 @@ Index join(Mesh<dim>& mesh, Real tolerance, const std::string& file)
     for (int a = 0; a < dim; ++a)
       for (int b = a + 1; b <= dim; ++b)
         if (corner[a] == corner[b])
-          throw InputError(fmt::format("{}: mesh.merge_tolerance = {:.3g} m is as long as the edge of a cell at ({:.6g}) m: take less",
-                                       file, tolerance, fmt::join(mesh.position[corner[a]], ", ")));
+          throw InputError(fmt::format("{}: mesh.merge_tolerance = {:.3g} m is as long as the edge of a cell at ({}) m: take less", file,
+                                       tolerance, text_of_list(mesh.position[corner[a]], ", ", "{:.6g}")));
   }
   for (auto& list : mesh.boundary_nodes)
     for (Index& i : list)
@@ -134,9 +134,9 @@ void join_doubled_nodes(Mesh<dim>& mesh, const std::optional<Real>& tolerance, c
   for (Index i = 0; i < mesh.node_count(); ++i) {
     if (!used[static_cast<std::size_t>(i)] || boxes.find_or_add(i) == none) continue;
     throw InputError(fmt::format(
-        "{}: two nodes lie at ({:.6g}) m: parts of the mesh that share no nodes are not connected; let them share these (Gmsh: "
+        "{}: two nodes lie at ({}) m: parts of the mesh that share no nodes are not connected; let them share these (Gmsh: "
         "Coherence or BooleanFragments before meshing, Coherence Mesh after), or join them by mesh.merge_tolerance = \"{:.1g} m\"",
-        file, fmt::join(mesh.position[i], ", "), shortest / 10));
+        file, text_of_list(mesh.position[i], ", ", "{:.6g}"), shortest / 10));
   }
 }
 

@@ -3,10 +3,10 @@
 #include "mesh/unconnected_faces.hpp"
 
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unsupported/Eigen/BVH>
 
 namespace berm::mesh {
@@ -82,11 +82,11 @@ void refuse_unconnected_faces(const Mesh<dim>& mesh, const std::string& file)
     Eigen::BVIntersect(tree, search);
     if (search.found)
       throw InputError(fmt::format(
-          "{}: parts of the mesh touch at ({:.6g}) m and share no nodes there: they are not connected; let them share "
+          "{}: parts of the mesh touch at ({}) m and share no nodes there: they are not connected; let them share "
           "these (Gmsh: Coherence or BooleanFragments before meshing), or, where there is a gap between nodes that should be one, join "
           "them by "
           "mesh.merge_tolerance",
-          file, fmt::join(behind.on_face, ", ")));
+          file, text_of_list(behind.on_face, ", ", "{:.6g}")));
   }
 }
 

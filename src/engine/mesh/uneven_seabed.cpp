@@ -2,11 +2,11 @@
 #include "mesh/uneven_seabed.hpp"
 
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <fstream>
 #include <numbers>
 #include <system_error>
@@ -93,12 +93,12 @@ public:
   int surface(const std::vector<int>& loop)
   {
     ++surfaces_;
-    text_ += fmt::format("Curve Loop({0}) = {{{1}}};\nPlane Surface({0}) = {{{0}}};\n", surfaces_, fmt::join(loop, ", "));
+    text_ += fmt::format("Curve Loop({0}) = {{{1}}};\nPlane Surface({0}) = {{{0}}};\n", surfaces_, text_of_list(loop, ", "));
     return surfaces_;
   }
   void name(const char* kind, const char* name, const std::vector<int>& members)
   {
-    text_ += fmt::format("Physical {}(\"{}\") = {{{}}};\n", kind, name, fmt::join(members, ", "));
+    text_ += fmt::format("Physical {}(\"{}\") = {{{}}};\n", kind, name, text_of_list(members, ", "));
   }
   const std::string& text() const { return text_; }
 

@@ -7,10 +7,10 @@
 #include "mpm/exchange.hpp"
 #include "mpm/moments.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::mpm {
 namespace {
@@ -22,9 +22,9 @@ template <int dim>
   std::string words;
   if (left != nullptr) {
     const bodies::Particle<dim> p = state.particles[body].read_at(left->from, left->index);
-    words = fmt::format("particle {} of body \"{}\" left the mesh at ({:.9g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
-                        p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
-                        fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, body, p.x, left->from));
+    words = fmt::format("particle {} of body \"{}\" left the mesh at ({}) m at t = {:.6g} s (step {}), moving at ({}) m/s; {}", p.id,
+                        model.bodies[body].name, text_of_list(p.x, ", ", "{:.9g}"), state.time, state.step,
+                        text_of_list(p.v, ", ", "{:.3g}"), advice_for_leaving(model, state, body, p.x, left->from));
   }
   throw RunError(Ranks::of_run().text_of_largest(left != nullptr ? 1 : 0, words));
 }

@@ -5,10 +5,10 @@
 #include "core/ranks.hpp"
 #include "mpm/time_step.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::mpm {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 template <int dim>
 std::string position_text(const Vec<dim>& x)
 {
-  return fmt::format("({:.6g}) m", fmt::join(x.begin(), x.end(), ", "));
+  return fmt::format("({}) m", text_of_list(x, ", ", "{:.6g}"));
 }
 
 const char* words_of(Real value)

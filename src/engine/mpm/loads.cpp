@@ -5,11 +5,12 @@
 #include "core/ranks.hpp"
 #include "core/timer.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <span>
 
 namespace berm::mpm {
 namespace {
@@ -20,8 +21,8 @@ constexpr Real max_outside = 0.5;
 
 [[noreturn]] void refuse(const std::string& traction, const Real* x, int dim, Real time, BigIndex step, const char* what)
 {
-  throw RunError(
-      fmt::format("traction \"{}\": {} at ({:.9g}) m at t = {:.6g} s (step {})", traction, what, fmt::join(x, x + dim, ", "), time, step));
+  throw RunError(fmt::format("traction \"{}\": {} at ({}) m at t = {:.6g} s (step {})", traction, what,
+                             text_of_list(std::span(x, static_cast<std::size_t>(dim)), ", ", "{:.9g}"), time, step));
 }
 
 /// The shares of a load point that the corners of its cell get: its shape functions, not less than zero. A corner with less

@@ -4,10 +4,10 @@
 #include "core/for_each.hpp"
 #include "mpm/diagnose.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "problem/drives.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::mpm {
 
@@ -49,7 +49,7 @@ std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const 
     for (const Index i : workspace.grids[b].nodes) {
       const Vec<dim>& x = model.mesh.position[i];
       take(workspace.grids[b].mapped_velocity[i].norm(),
-           [&] { return fmt::format("body \"{}\" at the node at ({:.6g}) m", model.bodies[b].name, fmt::join(x.begin(), x.end(), ", ")); });
+           [&] { return fmt::format("body \"{}\" at the node at ({}) m", model.bodies[b].name, text_of_list(x, ", ", "{:.6g}")); });
     }
   return fastest;
 }

@@ -2,11 +2,11 @@
 // Tests: tests/unit/problem/build_test.cpp
 #include "bodies/fill.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "problem/initial_state.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::problem {
 namespace {
@@ -136,11 +136,10 @@ void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
     }
   }
   if (worst.difference > accepted * largest)
-    throw KeyError(fmt::format("body.{}.k0: the ground is not level at `surface`, or not of one density: at ({:.6g}) m the soil above "
+    throw KeyError(fmt::format("body.{}.k0: the ground is not level at `surface`, or not of one density: at ({}) m the soil above "
                                "weighs {:.4g} kPa, where k0 takes density gravity (surface - y) = {:.4g} kPa; initial_state = "
                                "\"gravity_loading\" finds the stress below any surface and in layers",
-                               c.body[worst.body].first, fmt::join(worst.x.begin(), worst.x.end(), ", "), worst.weight / 1e3,
-                               worst.taken / 1e3));
+                               c.body[worst.body].first, text_of_list(worst.x, ", ", "{:.6g}"), worst.weight / 1e3, worst.taken / 1e3));
 }
 
 template void refuse_k0_below_uneven_ground(const Case&, const Model<2>&);

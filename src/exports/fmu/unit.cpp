@@ -3,10 +3,10 @@
 #include "fmu/unit.hpp"
 
 #include "io/revision.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::fmu {
 namespace {
@@ -40,9 +40,9 @@ std::string type_of(const Variable& v)
 std::string unknown_of(int fmi_version, const Variable& v, std::size_t reference)
 {
   std::vector<std::size_t> inputs = v.inputs;
-  if (fmi_version == 3) return fmt::format(R"(    <Output valueReference="{}" dependencies="{}"/>)", reference, fmt::join(inputs, " "));
+  if (fmi_version == 3) return fmt::format(R"(    <Output valueReference="{}" dependencies="{}"/>)", reference, text_of_list(inputs, " "));
   for (std::size_t& input : inputs) ++input;
-  return fmt::format(R"(      <Unknown index="{}" dependencies="{}"/>)", reference + 1, fmt::join(inputs, " "));
+  return fmt::format(R"(      <Unknown index="{}" dependencies="{}"/>)", reference + 1, text_of_list(inputs, " "));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/springs/design_test.cpp
 #include "springs/design.hpp"
+#include "io/log.hpp"
+#include "os/text_of_list.hpp"
 #include "springs/written_springs.hpp"
 
 #include "io/revision.hpp"
@@ -13,9 +15,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <map>
-#include <spdlog/spdlog.h>
 
 namespace berm::springs {
 namespace {
@@ -198,23 +198,23 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
     } catch (const InputError&) {
       throw;
     } catch (const std::runtime_error& error) {
-      spdlog::warn("{}", error.what());
+      io::warn("{}", error.what());
       failed += draw;
     }
   }
-  const std::string name = fmt::format("{}", fmt::join(rows[0]->names, "."));
+  const std::string name = text_of_list(rows[0]->names, ".");
   if (draws.empty()) throw RunError(fmt::format("no run of the sample of {} is finished; the same berm study again continues it", name));
   Design design = design_of_sample(name, best, std::move(draws));
   design.failed = failed;
   design.provenance = std::move(provenance);
   for (const std::string& line : invalid) {
     if (std::find(design.provenance.begin(), design.provenance.end(), line) == design.provenance.end()) design.provenance.push_back(line);
-    spdlog::warn("{}", line);
+    io::warn("{}", line);
   }
   if (design.low) design.provenance.push_back(fmt::format("low and high: 5 and 95 % of a sample of {} runs", design.draws.size()));
   if (failed > 0) {
     design.provenance.push_back(fmt::format("{} more runs have no result and do not count", failed));
-    spdlog::warn("{}: {} runs of the sample have no result, and are left out", name, failed);
+    io::warn("{}: {} runs of the sample have no result, and are left out", name, failed);
   }
   return design;
 }
@@ -224,10 +224,10 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows, const Sel
 std::vector<std::string> head_of(const record::RunRecord& run)
 {
   std::vector<std::string> lines = provenance_of(run);
-  for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
-  for (const std::string& line : invalid_lines(run)) spdlog::warn("{}", line);
+  for (const std::string& fault : run.faults) io::warn("{}", fault);
+  for (const std::string& line : invalid_lines(run)) io::warn("{}", line);
   if (run.end != record::RunEnd::finished) {
-    spdlog::warn("{}: the run has not finished; unknown values are left out", run.folder.string());
+    io::warn("{}: the run has not finished; unknown values are left out", run.folder.string());
     lines.emplace_back("the run has not finished");
   }
   return lines;
@@ -285,13 +285,13 @@ Design design_of_sample(const std::string& name, const std::optional<Springs>& b
     for (const auto& [set, percent] : {std::pair(&*design.low, 5), std::pair(&*design.high, 95)})
       set->run = fmt::format("{} (forces at {} % of {} runs)", design.best.run.empty() ? name : design.best.run, percent, draws.size());
   } else {
-    spdlog::warn("{}: {} runs of a sample are too few for 5 and 95 %: there is no low and no high; take {} at least", name, draws.size(),
-                 least);
+    io::warn("{}: {} runs of a sample are too few for 5 and 95 %: there is no low and no high; take {} at least", name, draws.size(),
+             least);
   }
   for (const Estimate& e : design.estimates)
     if (e.size > 0 && e.size < draws.size())
-      spdlog::warn("{}: {}, {}: {} of {} runs have it, so it may not be consistent with the others", name, e.spring, e.name, e.size,
-                   draws.size());
+      io::warn("{}: {}, {}: {} of {} runs have it, so it may not be consistent with the others", name, e.spring, e.name, e.size,
+               draws.size());
   design.draws = std::move(draws);
   return design;
 }

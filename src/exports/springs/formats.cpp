@@ -2,12 +2,12 @@
 #include "springs/formats.hpp"
 
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "springs/written_springs.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::springs {
 namespace {
@@ -58,7 +58,7 @@ void check_taken(const Design& design, const Format& format)
   for (const Lateral& l : design.best.lateral)
     if (!(l.V > 0)) why.push_back(without_friction("travel " + l.stage));
   throw RunError(fmt::format("{}: state {} has no spring that --to {} can write{}{}", design.name, design.best.state, format.name,
-                             why.empty() ? "" : ": ", fmt::join(why, "; ")));
+                             why.empty() ? "" : ": ", text_of_list(why, "; ")));
 }
 
 }  // namespace berm::springs

@@ -2,11 +2,11 @@
 #include "springs/written_springs.hpp"
 
 #include "os/control_characters.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::springs {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 std::string sentence(std::vector<std::string> words)
 {
   std::erase(words, "");
-  return one_line(fmt::format("{}", fmt::join(words, ", ")));
+  return one_line(text_of_list(words, ", "));
 }
 
 std::string state_words(const Springs& s)
@@ -24,7 +24,7 @@ std::string state_words(const Springs& s)
   if (!s.state_origin.empty()) known.push_back(s.state_origin);
   if (std::isfinite(s.embedment)) known.push_back(fmt::format("w = {:.4g} m", s.embedment));
   if (std::isfinite(s.V)) known.push_back(fmt::format("V = {:.4g} N/m", s.V));
-  const std::string within = known.empty() ? "" : fmt::format(" ({})", fmt::join(known, ", "));
+  const std::string within = known.empty() ? "" : fmt::format(" ({})", text_of_list(known, ", "));
   return (s.state.empty() ? "state at the end of the push" : "state " + s.state) + within;
 }
 

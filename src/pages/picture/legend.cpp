@@ -2,6 +2,7 @@
 // Tests: tests/unit/picture/model_picture_test.cpp
 #include "picture/legend.hpp"
 
+#include "os/text_of_list.hpp"
 #include "picture/stage_words.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/soil_words.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <functional>
 #include <set>
 
@@ -206,7 +206,7 @@ void mesh(Column& column, Canvas& canvas, const Model& model)
     if (support.motion) column.entry("support " + name + motion_words(support), arrow);
     if (support.head)
       column.entry(fmt::format("support {}, water outside with a head of {}{}", name, text::length_words(*support.head),
-                               support.stages.empty() ? "" : fmt::format(" in {}", fmt::join(support.stages, ", "))),
+                               support.stages.empty() ? "" : fmt::format(" in {}", text_of_list(support.stages, ", "))),
                    arrow);
   }
   for (const auto& [name, traction] : model.settings.traction)

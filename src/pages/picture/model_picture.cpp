@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/model_picture.hpp"
 
+#include "os/text_of_list.hpp"
 #include "picture/legend.hpp"
 #include "picture/line_plan.hpp"
 #include "picture/stage_words.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::picture {
 namespace {
@@ -72,7 +72,7 @@ std::string description_of(const Model& model)
   }
   for (const HeldSides& held : model.ground.held) parts.push_back(fmt::format("{}: {}", held.boundary, held.words));
   for (const problem::StageSettings& stage : model.settings.stage) parts.push_back(stage_words(stage, model.settings.force_dimension()));
-  return fmt::format("{}", fmt::join(parts, "; "));
+  return text_of_list(parts, "; ");
 }
 
 void draw_gravity(Canvas& canvas, const Vec<2>& gravity, const Vec<2>& at)

@@ -2,13 +2,13 @@
 // Tests: tests/unit/picture/model_picture_page_test.cpp
 #include "picture/sketch.hpp"
 
+#include "os/text_of_list.hpp"
 #include "picture/stage_words.hpp"
 #include "problem/drainage.hpp"
 #include "structures/base/soil_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::picture {
 namespace {
@@ -49,7 +49,7 @@ void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::GmshFile& mesh
   sketch.notes.push_back(fmt::format("The mesh comes from {}: its outline is not drawn.", mesh.file));
   for (const auto& [name, support] : c.support)
     sketch.notes.push_back(
-        fmt::format("Held at its boundary \"{}\": {}{}.", support.boundary, fmt::join(support.fixed, ", "), motion_words(support)));
+        fmt::format("Held at its boundary \"{}\": {}{}.", support.boundary, text_of_list(support.fixed, ", "), motion_words(support)));
 }
 
 void add_bodies(Sketch& sketch, const problem::Case& c)
@@ -105,7 +105,7 @@ void add_notes(Sketch& sketch, const problem::Case& c)
   for (const auto& [name, support] : c.support)
     if (!sketch.outline.empty() && (support.boundary == "back" || support.boundary == "front"))
       sketch.notes.push_back(fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}{}.", support.boundary,
-                                         fmt::join(support.fixed, ", "), motion_words(support)));
+                                         text_of_list(support.fixed, ", "), motion_words(support)));
   if (problem::has_flowing_water(c) && !sketch.outline.empty()) {
     std::string open = "Water leaves the soil at its free surface";
     for (const auto& [name, contact] : c.contact)

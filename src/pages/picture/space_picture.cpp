@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/draw_test.cpp
+#include "os/text_of_list.hpp"
 #include "picture/model_picture.hpp"
 
 #include "picture/canvas.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::picture {
 namespace {
@@ -198,16 +198,16 @@ void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& me
     std::vector<std::string> sizes;
     for (const bodies::ShapeSize& size : std::visit([](const auto& shape) { return sizes_of(shape); }, rigid.shape))
       sizes.push_back(fmt::format("{} {}", size.name, text::length_words(size.size)));
-    write(fmt::format("{}: {}", name, fmt::join(sizes, ", ")));
+    write(fmt::format("{}: {}", name, text_of_list(sizes, ", ")));
   }
   if (!c.symmetry.empty()) {
     write("Symmetry", true);
-    write(
-        fmt::format("a {} of the whole, mirrored across {}", c.symmetry.size() == 1 ? "half" : "quarter", fmt::join(c.symmetry, " and ")));
+    write(fmt::format("a {} of the whole, mirrored across {}", c.symmetry.size() == 1 ? "half" : "quarter",
+                      text_of_list(c.symmetry, " and ")));
   }
   if (!c.support.empty()) write("Held", true);
   for (const auto& [name, support] : c.support)
-    write(fmt::format("{}: {}", mesh.boundary_names[fixed_boundary(mesh, name, support)], fmt::join(support.fixed, ", ")) +
+    write(fmt::format("{}: {}", mesh.boundary_names[fixed_boundary(mesh, name, support)], text_of_list(support.fixed, ", ")) +
           motion_words(support));
   if (!c.stage.empty()) write("Stages", true);
   int number = 0;

@@ -2,12 +2,12 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "picture/stage_words.hpp"
 
+#include "os/text_of_list.hpp"
 #include "problem/drainage.hpp"
 #include "text/quantity_words.hpp"
 
 #include <array>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::picture {
 namespace {
@@ -28,7 +28,7 @@ std::string load_words(const problem::LoadSettings& loads)
   std::vector<std::string> names;
   for (std::size_t k = 0; k < problem::load_columns.size(); ++k)
     if (!loads.columns[k].empty()) names.emplace_back(problem::load_columns[k].name);
-  return names.empty() ? "" : fmt::format("{} of a load history", fmt::join(names, " and "));
+  return names.empty() ? "" : fmt::format("{} of a load history", text_of_list(names, " and "));
 }
 
 std::string rate_words(const problem::StageSettings& stage, int dimension)
@@ -60,12 +60,12 @@ std::string freedom_words(const problem::DriveSettings& drive, int dimension)
   add("x", drive.x);
   add("y", drive.y);
   add("z", drive.z);
-  if (!drive.point.empty()) words.push_back(fmt::format("at ({:.4g}) m", fmt::join(drive.point, ", ")));
+  if (!drive.point.empty()) words.push_back(fmt::format("at ({}) m", text_of_list(drive.point, ", ", "{:.4g}")));
   add_turn("rotation", drive.rotation);
   add_turn("rotation about x", drive.rotation_x);
   add_turn("rotation about y", drive.rotation_y);
   add_turn("rotation about z", drive.rotation_z);
-  return fmt::format("{}", fmt::join(words, ", "));
+  return text_of_list(words, ", ");
 }
 
 /// Of a stage of kind drive.
@@ -91,14 +91,14 @@ std::string motion_words(const boundary::SupportSettings& support)
   std::vector<std::string> axes;
   for (std::size_t d = 0; d < support.motion->velocity.size(); ++d)
     if (!support.motion->velocity[d].empty()) axes.emplace_back(boundary::motion_axes[d]);
-  return fmt::format(", {} along {} in {}", support.absorbs ? "waves come in" : "moves", fmt::join(axes, " and "),
-                     fmt::join(support.motion->stages, ", "));
+  return fmt::format(", {} along {} in {}", support.absorbs ? "waves come in" : "moves", text_of_list(axes, " and "),
+                     text_of_list(support.motion->stages, ", "));
 }
 
 std::string held_words(const problem::Case& c, const boundary::SupportSettings& support)
 {
-  std::string words = fmt::format("{} fixed", fmt::join(support.fixed, ", "));
-  if (!support.stages.empty()) words += fmt::format(" in {}", fmt::join(support.stages, ", "));
+  std::string words = fmt::format("{} fixed", text_of_list(support.fixed, ", "));
+  if (!support.stages.empty()) words += fmt::format(" in {}", text_of_list(support.stages, ", "));
   if (support.absorbs) words += " at rest, then absorbs waves";
   if (problem::has_flowing_water(c)) words += support.drained ? ", drained" : ", no flow";
   return words;
@@ -119,7 +119,7 @@ std::string until_words(const problem::StageSettings& stage, int dimension, Real
   if (until.time)
     limits.push_back(text::time_words(*until.time) + (stage.time_scale == 1 ? "" : " of the run") +
                      (until.real_time ? fmt::format(", which are {:.4g} days of the soil", *until.real_time / day) : ""));
-  return fmt::format("{}", fmt::join(limits, " or "));
+  return text_of_list(limits, " or ");
 }
 
 /// "to 80 K, 10 MPa", "through temperature and pressure of a load history"; "" where the loads stay.
@@ -133,7 +133,7 @@ std::string pipeline_words(const problem::StageSettings& stage)
   if (to.weight) loads.push_back(fmt::format("{:.4g} N/m of weight", *to.weight));
   if (to.lateral) loads.push_back(fmt::format("{:.4g} N/m lateral", *to.lateral));
   if (!stage.loads.empty()) return "through " + load_words(stage.loads);
-  return loads.empty() ? "" : fmt::format("to {}", fmt::join(loads, ", "));
+  return loads.empty() ? "" : fmt::format("to {}", text_of_list(loads, ", "));
 }
 
 std::string drive_words(const problem::StageSettings& stage, int dimension)

@@ -5,6 +5,7 @@
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
 #include "os/read_file.hpp"
+#include "os/text_of_list.hpp"
 #include "run_folder/csv_line.hpp"
 #include "run_folder/json_file.hpp"
 
@@ -122,7 +123,7 @@ bool History::has(const std::string& name) const
 const Column& History::column(const std::string& name) const
 {
   const auto found = std::ranges::find(columns, name, &Column::name);
-  if (found == columns.end()) throw RunError(fmt::format("the history has no column {}; it has {}", name, fmt::join(names(), ", ")));
+  if (found == columns.end()) throw RunError(fmt::format("the history has no column {}; it has {}", name, text_of_list(names(), ", ")));
   return *found;
 }
 
@@ -140,7 +141,7 @@ const Column& History::column_by_label(const std::string& label) const
 {
   const auto found = std::ranges::find(columns, label, &Column::label);
   if (found == columns.end())
-    throw RunError(fmt::format("the history has no column for \"{}\"; it has {}", label, fmt::join(names(), ", ")));
+    throw RunError(fmt::format("the history has no column for \"{}\"; it has {}", label, text_of_list(names(), ", ")));
   return *found;
 }
 

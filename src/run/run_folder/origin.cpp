@@ -4,6 +4,7 @@
 #include "core/vector_unit.hpp"
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
+#include "io/log.hpp"
 #include "io/revision.hpp"
 #include "io/sha256.hpp"
 #include "os/control_characters.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 namespace berm::run_folder {
 namespace {
@@ -104,7 +104,7 @@ void note_resumption(const fs::path& run_folder)
   try {
     origin = read_origin(run_folder).value_or(Origin());
   } catch (const RunError& error) {  // no reason not to resume the run
-    spdlog::warn("{}: what the run was begun with is not known", error.what());
+    io::warn("{}: what the run was begun with is not known", error.what());
   }
   origin.sessions.push_back(this_session());
   origin.sessions.back().resumption = true;

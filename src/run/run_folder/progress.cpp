@@ -2,10 +2,10 @@
 #include "run_folder/progress.hpp"
 
 #include "io/duration_text.hpp"
+#include "io/log.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::run_folder {
 namespace {
@@ -68,7 +68,7 @@ void Progress::update(const ProgressReport& report)
     if (log_.has_terminal())
       log_.info_to_file(line);
     else
-      spdlog::info("{}", line);
+      io::info("{}", line);
     tenth_ = std::max(tenth, tenth_);
     told_ = now;
     stage_ = report.stage;

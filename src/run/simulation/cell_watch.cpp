@@ -2,9 +2,8 @@
 // Tests: tests/unit/simulation/cell_watch_test.cpp
 #include "simulation/cell_watch.hpp"
 
+#include "io/log.hpp"
 #include "problem/cells_at_body.hpp"
-
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 namespace {
@@ -44,9 +43,9 @@ template <int dim>
 void CellWatch<dim>::warn(const std::string& body, Real width) const
 {
   if (!(travel_ > 0) || coarse_travel_ / travel_ <= much_travel) return;
-  spdlog::warn("\"{}\" left the fine cells: cells at it were D/{:.0f} at the start, and D/{:.0f} at most, for {:.0f} % of its travel; "
-               "resistance grows with the size of the cells: refine the mesh along its path",
-               body, width / first_, width / largest_, 100 * coarse_travel_ / travel_);
+  io::warn("\"{}\" left the fine cells: cells at it were D/{:.0f} at the start, and D/{:.0f} at most, for {:.0f} % of its travel; "
+           "resistance grows with the size of the cells: refine the mesh along its path",
+           body, width / first_, width / largest_, 100 * coarse_travel_ / travel_);
 }
 
 template <int dim>

@@ -3,9 +3,9 @@
 
 #include "core/timer.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 
@@ -61,15 +61,14 @@ bool Checkpoints::tell()
 
 void Checkpoints::warn(BigIndex step, const std::string& why)
 {
-  spdlog::warn("no checkpoint of step {}: {}", step, why);
+  io::warn("no checkpoint of step {}: {}", step, why);
 }
 
 bool Checkpoints::read(const checkpoint::Contents& contents)
 {
-  const fs::path used = folder_.read(contents, [](const fs::path& file, const std::string& why) {
-    spdlog::warn("the checkpoint {} is not used: {}", file.string(), why);
-  });
-  if (!used.empty()) spdlog::info("resumes from the checkpoint {}", used.string());
+  const fs::path used = folder_.read(
+      contents, [](const fs::path& file, const std::string& why) { io::warn("the checkpoint {} is not used: {}", file.string(), why); });
+  if (!used.empty()) io::info("resumes from the checkpoint {}", used.string());
   return !used.empty();
 }
 

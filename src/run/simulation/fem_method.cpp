@@ -3,6 +3,7 @@
 #include "simulation/fem_method.hpp"
 
 #include "fem/fem_problem.hpp"
+#include "io/log.hpp"
 #include "problem/safety.hpp"
 #include "problem/stages.hpp"
 #include "simulation/good_sense.hpp"
@@ -12,7 +13,6 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 namespace {
@@ -66,7 +66,7 @@ void FemMethod::try_to(const Act& act)
     act();
   } catch (const fem::NoEquilibrium& why) {
     if (!trial_) throw;
-    spdlog::info("{}", why.what());
+    io::info("{}", why.what());
     trial_->note_no_equilibrium();
   }
 }
@@ -108,7 +108,7 @@ bool FemMethod::is_last_stage() const
 void FemMethod::end_stage_of_trial()
 {
   if (is_last_stage()) trial_->end_flow(problem_.state.overstress);
-  if (is_last_stage() || trial_->failed()) return spdlog::info("{}", trial_->words(factor_));
+  if (is_last_stage() || trial_->failed()) return io::info("{}", trial_->words(factor_));
   if (moves_body(model().stages[state().stage.index])) moved_from_ = problem_.state.displacement;
   trial_->begin_stage(!moves_body(model().stages[state().stage.index + 1]));
 }
@@ -153,8 +153,8 @@ void FemMethod::step()
   iterations_ += last_.iterations;
   if (last_.converged) return;
   ++accepted_above_tolerance_;
-  spdlog::warn("t = {:.6g} s: the increment has converged only loosely, with unbalanced forces of {:.2g} of the contact forces",
-               state().time, last_.unbalance);
+  io::warn("t = {:.6g} s: the increment has converged only loosely, with unbalanced forces of {:.2g} of the contact forces", state().time,
+           last_.unbalance);
 }
 
 bool FemMethod::next_stage()
@@ -193,9 +193,9 @@ void FemMethod::archive(Archive& k)
 run_folder::Summary::Checks FemMethod::checks() const
 {
   if (recorder_.strength_lag() > max_lag)
-    spdlog::warn("the strength of the soil lags behind its pressure by {:.2g} of the plastic dissipation, and forces may be wrong by as "
-                 "much; compare a run with a tenth of fem.largest_step",
-                 recorder_.strength_lag());
+    io::warn("the strength of the soil lags behind its pressure by {:.2g} of the plastic dissipation, and forces may be wrong by as "
+             "much; compare a run with a tenth of fem.largest_step",
+             recorder_.strength_lag());
   run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()},
                                         {"largest_unbalance", recorder_.largest_unbalance()},
                                         {"loose_increments", static_cast<Real>(accepted_above_tolerance_)},

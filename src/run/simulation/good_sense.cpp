@@ -6,10 +6,10 @@
 #include "io/tell.hpp"
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "simulation/checkpoints.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sstream>
 
 namespace berm::simulation {
@@ -60,7 +60,7 @@ Real free_disk(const fs::path& folder)
 void note_warnings(const fs::path& run_folder, const std::vector<std::string>& warnings)
 {
   if (warnings.empty()) return;
-  io::write_atomically(warnings_in(run_folder), fmt::format("{}\n", fmt::join(warnings, "\n")));
+  io::write_atomically(warnings_in(run_folder), fmt::format("{}\n", text_of_list(warnings, "\n")));
 }
 
 std::vector<std::string> noted_warnings(const fs::path& run_folder)

@@ -5,6 +5,7 @@
 #include "checkpoint/checkpoint_file.hpp"
 #include "core/ranks.hpp"
 #include "io/duration_text.hpp"
+#include "io/log.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/inactive.hpp"
 #include "mpm/step.hpp"
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <malloc.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 namespace {
@@ -156,8 +156,8 @@ void MpmMethod<d>::begin(bool)
   if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
   workspace_.emplace(model(), state());
   if (model().update_stress_first)
-    spdlog::warn("scheme = \"usf\" is for comparison only: a body that rests on soil under a load gains energy "
-                 "(docs/theory/soil_and_contact.md, Schemes)");
+    io::warn("scheme = \"usf\" is for comparison only: a body that rests on soil under a load gains energy "
+             "(docs/theory/soil_and_contact.md, Schemes)");
 }
 
 template <int d>
@@ -195,22 +195,21 @@ bool MpmMethod<d>::change_soil()
     const bool whole = d == 3 || model().mesh.metric == mesh::Metric::axisymmetric;
     const char* kilograms = whole ? "kg" : "kg/m";
     const Real mass = model().parts * (now.mass - before[k].mass), volume = model().parts * (now.volume - before[k].volume);
-    spdlog::info("{}: {} particles, {:.4g} {} in {:.4g} {} {} at t = {:.4g} s", named, particles, mass, kilograms, volume,
-                 whole ? "m3" : "m2", work.fills ? "placed" : "taken out", state().time);
+    io::info("{}: {} particles, {:.4g} {} in {:.4g} {} {} at t = {:.4g} s", named, particles, mass, kilograms, volume, whole ? "m3" : "m2",
+             work.fills ? "placed" : "taken out", state().time);
     if (particles == 0)
-      spdlog::warn(
-          "{}: {}", named,
-          work.fills ? "there is no room for a particle in its area: soil or rigid bodies fill it, or it is thinner than a row of particles"
-                     : "there is no soil of its body in its area");
+      io::warn("{}: {}", named,
+               work.fills
+                   ? "there is no room for a particle in its area: soil or rigid bodies fill it, or it is thinner than a row of particles"
+                   : "there is no soil of its body in its area");
     if (!work.fills || now.lifts < work.lifts) continue;
     constexpr Real too_far = 0.02;
     const Real placed = model().parts * now.mass, room = model().parts * mass_of_room(model(), work, now);
-    spdlog::info("fill \"{}\": {:.4g} {} placed in total, and its area would hold {:.4g} {}", work.name, placed, kilograms, room,
-                 kilograms);
+    io::info("fill \"{}\": {:.4g} {} placed in total, and its area would hold {:.4g} {}", work.name, placed, kilograms, room, kilograms);
     if (std::abs(placed - room) > too_far * room)
-      spdlog::warn("fill \"{}\" has {:.2g} % {} mass than its area would hold: take lifts that are thicker than a row of particles, or "
-                   "smaller cells",
-                   work.name, 100 * std::abs(placed / room - 1), placed < room ? "less" : "more");
+      io::warn("fill \"{}\" has {:.2g} % {} mass than its area would hold: take lifts that are thicker than a row of particles, or "
+               "smaller cells",
+               work.name, 100 * std::abs(placed / room - 1), placed < room ? "less" : "more");
   }
   return true;
 }
@@ -294,15 +293,15 @@ void MpmMethod<d>::log_equilibrium(const problem::StageSettings& stage) const
 {
   const bool at_rest = !ends_at_equilibrium(stage) || is_at_rest();
   const char* verdict = equilibrium_ <= stage.equilibrium && at_rest ? "in equilibrium" : "NOT in equilibrium";
-  spdlog::info("stage \"{}\": after {:.3g} s the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage.name,
-               state().time - state().stage.begin_time, verdict, equilibrium_, stage.equilibrium);
+  io::info("stage \"{}\": after {:.3g} s the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage.name,
+           state().time - state().stage.begin_time, verdict, equilibrium_, stage.equilibrium);
   if (ends_at_equilibrium(stage) && !(equilibrium_ <= stage.equilibrium && at_rest))
-    spdlog::warn(
+    io::warn(
         "stage \"{}\" did not reach equilibrium in {:.3g} s, long enough for waves and damping: {}; where soil slides, the slope is too "
         "steep for its strength: flatten the ground or strengthen the soil; else give the stage damping = 0.7, or more time by until.time",
         stage.name, state().time - state().stage.begin_time, at_rest ? "forces are out of balance" : "the soil moves");
   else if (equilibrium_ > stage.equilibrium)
-    spdlog::warn("give stage \"{}\" more time or damping", stage.name);
+    io::warn("give stage \"{}\" more time or damping", stage.name);
 }
 
 template <int d>
@@ -357,7 +356,7 @@ template <int d>
 void MpmMethod<d>::end_stage_of_trial()
 {
   if (is_last_stage()) trial_->end(is_at_rest() || drift_.drift() <= at_rest_in_period * trial_->limit());
-  if (is_last_stage() || trial_->failed()) return spdlog::info("{}", trial_->words(case_.safety->factor));
+  if (is_last_stage() || trial_->failed()) return io::info("{}", trial_->words(case_.safety->factor));
   if (moves_body(model().stages[state().stage.index])) places_.note(state());
   trial_->begin_stage(!moves_body(model().stages[state().stage.index + 1]));
 }
@@ -372,9 +371,9 @@ void MpmMethod<d>::log_force_limit(const problem::StageSettings& stage)
       stage.kind == problem::StageKind::push ? recorder_.vertical() : drag_direction(model(), state()) * recorder_.horizontal();
   const Real beyond = std::abs(force / (model().parts * *stage.until.force) - 1);
   beyond_force_limit_ = std::isfinite(beyond_force_limit_) ? std::max(beyond_force_limit_, beyond) : beyond;
-  spdlog::info("stage \"{}\" ended {:.2g} % from its limit of force", stage.name, 100 * beyond);
+  io::info("stage \"{}\" ended {:.2g} % from its limit of force", stage.name, 100 * beyond);
   if (beyond > max_beyond_force)
-    spdlog::warn("stage \"{}\" ended {:.2g} % from its limit of force: drive slower, or push by a force", stage.name, 100 * beyond);
+    io::warn("stage \"{}\" ended {:.2g} % from its limit of force: drive slower, or push by a force", stage.name, 100 * beyond);
 }
 
 template <int d>
@@ -461,27 +460,27 @@ template <int d>
 void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
 {
   if (recorder_.shaking() > max_shaking)
-    spdlog::warn("the soil at the rigid body vibrates: unresolved motion is {:.2g} of its pressure (above {:g} soil without cohesion loses "
-                 "strength); "
-                 "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
-                 recorder_.shaking(), max_shaking);
+    io::warn("the soil at the rigid body vibrates: unresolved motion is {:.2g} of its pressure (above {:g} soil without cohesion loses "
+             "strength); "
+             "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
+             recorder_.shaking(), max_shaking);
   if (-state().totals.friction > max_contact_work * recorder_.largest_work()) {
     const bool coupled = std::all_of(model().contacts.begin(), model().contacts.end(),
                                      [](const auto& contact) { return contact.scheme == contact::Scheme::musl_coupled; });
-    spdlog::warn("contact added {:.2g} J instead of dissipating energy: use {}{}, and keep rigid bodies off boundaries that are fixed",
-                 -state().totals.friction, coupled ? "" : "scheme = \"musl_coupled\" or ", mpm::smaller_step(model().mpm));
+    io::warn("contact added {:.2g} J instead of dissipating energy: use {}{}, and keep rigid bodies off boundaries that are fixed",
+             -state().totals.friction, coupled ? "" : "scheme = \"musl_coupled\" or ", mpm::smaller_step(model().mpm));
   }
   if (model().mpm.active_distance && stopped_over_work() > max_stopped)
-    spdlog::warn("soil was still moving when it became inactive: {:.2g} of the work; enlarge mpm.active_distance (now {:g} m)",
-                 stopped_over_work(), *model().mpm.active_distance);
+    io::warn("soil was still moving when it became inactive: {:.2g} of the work; enlarge mpm.active_distance (now {:g} m)",
+             stopped_over_work(), *model().mpm.active_distance);
   const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
     if (part > max_mass)
-      spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the initial one: change mpm.{} if it should change further", 100 * part,
-                   which, ratio, key);
+      io::warn("{:.2g} % of the soil is at its {} volume, {} of the initial one: change mpm.{} if it should change further", 100 * part,
+               which, ratio, key);
   };
   warn_of_bound(soil.at_min_volume, "smallest", "min_volume_ratio", model().mpm.min_volume_ratio);
   warn_of_bound(soil.at_max_volume, "largest", "max_volume_ratio", model().mpm.max_volume_ratio);
-  if (soil.in_the_air > max_mass) spdlog::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
+  if (soil.in_the_air > max_mass) io::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
 }
 
 template <int d>

@@ -3,6 +3,7 @@
 #include "simulation/open_run.hpp"
 
 #include "core/ranks.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -10,7 +11,6 @@
 #include "user_law/load.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 namespace {
@@ -48,7 +48,7 @@ auto OpenRun<Method>::leaving_results(const Act& act)
     try {
       run_.leave_results();
     } catch (const RunError& another) {
-      spdlog::warn("{}", another.what());
+      io::warn("{}", another.what());
     }
     place_->log().info_to_file(error.what());
     place_.reset();

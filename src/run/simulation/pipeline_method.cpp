@@ -7,17 +7,17 @@
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "mpm/body_sums.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
+#include "os/text_of_list.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/run_of_ranks.hpp"
 #include "user_law/load.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 namespace {
@@ -33,7 +33,7 @@ using beam::Plane;
 std::string slices_in_words(const slices::LineOfCase& of)
 {
   const std::string words = slices::words_of_places(of.places);
-  return of.settings.slices.spacing ? words : fmt::format("{}: at x = {:.4g} m", words, fmt::join(of.places, ", "));
+  return of.settings.slices.spacing ? words : fmt::format("{}: at x = {} m", words, text_of_list(of.places, ", ", "{:.4g}"));
 }
 
 Real across(const slices::LineOfCase& of, const beam::State& state, Plane plane, Index node)
@@ -158,14 +158,14 @@ void PipelineMethod::step()
 /// By a drag, before the first step of the line. False where a signal has asked to stop; the next step begins anew.
 bool PipelineMethod::find_springs()
 {
-  spdlog::info("springs beside the line: a copy of the laid slice is dragged laterally over {:.4g} m",
-               line_.of_case().settings.springs->travel);
+  io::info("springs beside the line: a copy of the laid slice is dragged laterally over {:.4g} m",
+           line_.of_case().settings.springs->travel);
   const auto found = springs_->find(model(), state(), [] { return Ranks::of_run().count() == 1 && interrupted(); });
   if (!found) return false;
   const std::vector<beam::CurvePoint>& points = found->backbone.points;
-  spdlog::info("springs beside the line: {:.4g} N/m at {:.3g} m, {:.4g} N/m at {:.3g} m; of {} points {} were left out and {} lowered",
-               points.front().force, points.front().displacement, points.back().force, points.back().displacement, found->measured,
-               found->left_out, found->lowered);
+  io::info("springs beside the line: {:.4g} N/m at {:.3g} m, {:.4g} N/m at {:.3g} m; of {} points {} were left out and {} lowered",
+           points.front().force, points.front().displacement, points.back().force, points.back().displacement, found->measured,
+           found->left_out, found->lowered);
   return true;
 }
 
@@ -185,9 +185,9 @@ bool PipelineMethod::next_stage()
     const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
     constexpr Real allowed = 0.1;
     if (!(std::abs(carried / weight - 1) < allowed))
-      spdlog::warn("the laid pipe exerts {:.4g} N/m on the soil, and the line weighs {:.4g} N/m: set the vertical force of the last "
-                   "stage before the line to its weight",
-                   carried, weight);
+      io::warn("the laid pipe exerts {:.4g} N/m on the soil, and the line weighs {:.4g} N/m: set the vertical force of the last "
+               "stage before the line to its weight",
+               carried, weight);
   }
   line_.begin_stage(state());
   return true;
@@ -404,8 +404,8 @@ run_folder::Summary::Checks PipelineMethod::checks() const
   checks.push_back({"line_slope", largest_slope_});
   checks.push_back({"contact_mass_over_mass", largest_contact_mass_});
   if (largest_slope_ > beam::largest_valid_slope)
-    spdlog::warn("the line has a slope of {:.2g}; its strain measure is valid up to {} (docs/theory/fem_safety_pipelines.md)",
-                 largest_slope_, beam::largest_valid_slope);
+    io::warn("the line has a slope of {:.2g}; its strain measure is valid up to {} (docs/theory/fem_safety_pipelines.md)", largest_slope_,
+             beam::largest_valid_slope);
   return checks;
 }
 

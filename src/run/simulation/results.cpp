@@ -5,11 +5,11 @@
 #include "fem/blas.hpp"
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
+#include "io/log.hpp"
 #include "run_folder/build.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 namespace {
@@ -53,7 +53,7 @@ void print_timings(const run_folder::RunTiming& timing)
   table += fmt::format("{:<32} {:>10.3f}          {} on {} thread{}\n", "all", timing.wall_s, all, timing.threads,
                        timing.threads == 1 ? "" : "s");
   table += fmt::format("{:<32} {}", "memory at most", words_of_memory(timing.memory));
-  spdlog::info("{}", table);
+  io::info("{}", table);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/vector_unit.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
 #include "problem/stages.hpp"
 #include "problem/time_scale.hpp"
@@ -19,7 +20,6 @@
 #include "user_law/load.hpp"
 
 #include <malloc.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 
@@ -52,7 +52,7 @@ void Run<Method>::begin()
   progress_.count_from(clock_.earlier());
   method_.begin(!from_checkpoint);
   for (const problem::StageSettings& stage : model().stages)
-    if (!stage.load_times.empty()) spdlog::info("load history of stage \"{}\": {}", stage.name, time_scale_words(stage));
+    if (!stage.load_times.empty()) io::info("load history of stage \"{}\": {}", stage.name, time_scale_words(stage));
   if (!from_checkpoint) record(), frame();
 }
 
@@ -63,12 +63,11 @@ bool Run<Method>::read_checkpoint()
   const std::string own_unit = unit_;
   const bool found = Ranks::of_run().is_first() && checkpoints_.read([&](Archive& k) { archive(k); });
   if (!broadcast(found, [&](Archive& k) { archive_progress(k); })) {
-    spdlog::info("there is no checkpoint in {}: begins at the start", folder_.path().string());
+    io::info("there is no checkpoint in {}: begins at the start", folder_.path().string());
     return false;
   }
   if (unit_ != own_unit)
-    spdlog::warn("the run was begun on the vector unit {}, and is resumed on {}: results are the same except for round-off", unit_,
-                 own_unit);
+    io::warn("the run was begun on the vector unit {}, and is resumed on {}: results are the same except for round-off", unit_, own_unit);
   return true;
 }
 
@@ -114,8 +113,8 @@ void Run<Method>::end()
   if constexpr (!std::is_same_v<Method, FemMethod>) Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
   if (finished_) return;
   if (state().time > last_row_) record();
-  spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To resume: berm run --resume {}",
-               state().time, stage().name, folder_.path().string(), folder_.path().string());
+  io::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To resume: berm run --resume {}", state().time,
+           stage().name, folder_.path().string(), folder_.path().string());
 }
 
 /// Whether to stop or to write a checkpoint is looked at after every step; where ranks must agree, seldom.
@@ -307,7 +306,7 @@ void Run<Method>::leave_results()
   ended.run.history = history_->history();
   const std::string results = write_results(request_, std::move(ended), context_.after(), warnings_, timing);
   if (!results.empty()) log_.result(results);
-  spdlog::info("everything is in {}", folder_.path().string());
+  io::info("everything is in {}", folder_.path().string());
 }
 
 template <class Method>

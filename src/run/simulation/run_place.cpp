@@ -6,6 +6,7 @@
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "io/sha256.hpp"
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
@@ -18,7 +19,6 @@
 #include "user_law/load.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::simulation {
 namespace {
@@ -97,12 +97,12 @@ RunPlace::RunPlace(const RunRequest& request, const Context& context, const io::
       log_(folder_.file("run.log"), request.resume, context.messages())
 {
   if (!Ranks::of_run().is_first()) return;
-  if (replaces_) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
-  spdlog::info("{}", one_line(fmt::format("{} -> {}: {}", request.case_file.string(), folder_.path().string(), size)));
+  if (replaces_) io::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
+  io::info("{}", one_line(fmt::format("{} -> {}: {}", request.case_file.string(), folder_.path().string(), size)));
   if (request.resume)
     run_folder::note_resumption(folder_.path());
   else
-    for (const std::string& warning : warnings) spdlog::warn("{}", warning);
+    for (const std::string& warning : warnings) io::warn("{}", warning);
 }
 
 namespace {

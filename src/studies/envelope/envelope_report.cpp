@@ -4,12 +4,12 @@
 
 #include "envelope/foundation.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 namespace berm::envelope {
 namespace {
@@ -85,7 +85,7 @@ void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow
       io::write_atomically(folder / "redwin.c", redwin_code);
       io::write_atomically(folder / "redwin.so", redwin_library);
     } catch (const RunError& error) {
-      spdlog::warn("{}", error.what());
+      io::warn("{}", error.what());
     }
 }
 

@@ -8,12 +8,12 @@
 #include "material/user_law.hpp"
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/origin.hpp"
 
 #include <cstring>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -184,7 +184,7 @@ std::string mixed_vector_units(const std::vector<fs::path>& folders)
   std::vector<std::string> words;
   for (const auto& [unit, runs] : count) words.push_back(fmt::format("{}: {}", unit, runs));
   return fmt::format("the runs were computed on several vector units ({}), between which results differ by round-off",
-                     fmt::join(words, ", "));
+                     text_of_list(words, ", "));
 }
 
 }  // namespace berm::jobs

@@ -6,11 +6,11 @@
 #include "jobs/queue_scripts.hpp"
 #include "jobs/shell.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sstream>
 
 namespace berm::jobs {
@@ -113,7 +113,7 @@ void Queue::hand_to(const std::string& handle)
 {
   handle_ = handle;
   handed_over_ = lines_;
-  io::write_atomically(folder_ / "open", fmt::format("{}\n{}\n", handle_, fmt::join(handed_over_, "\n")));
+  io::write_atomically(folder_ / "open", fmt::format("{}\n{}\n", handle_, text_of_list(handed_over_, "\n")));
 }
 
 std::optional<JobEnd> Queue::end_of(std::size_t job) const

@@ -4,13 +4,13 @@
 
 #include "io/atomic_file.hpp"
 #include "io/duration_text.hpp"
+#include "os/text_of_list.hpp"
 #include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace berm::safety {
@@ -181,9 +181,9 @@ std::string answer_in_words(const std::vector<Trial>& trials)
   else
     words = "no trial shows whether the soil stands or fails";
   if (bracket.fails && *bracket.fails <= 1) words += "; F is below 1: it fails with its own strength";
-  if (!bracket.undecided.empty()) words += fmt::format("; undecided: {}", fmt::join(bracket.undecided, ", "));
+  if (!bracket.undecided.empty()) words += fmt::format("; undecided: {}", text_of_list(bracket.undecided, ", "));
   if (!bracket.stands_above.empty())
-    words += fmt::format("; yet it stands at {}, which is doubtful: compare the histories", fmt::join(bracket.stands_above, ", "));
+    words += fmt::format("; yet it stands at {}, which is doubtful: compare the histories", text_of_list(bracket.stands_above, ", "));
   return words;
 }
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <spdlog/spdlog.h>
+
+#include "io/log.hpp"
 
 namespace berm::study {
 namespace {
@@ -99,8 +100,8 @@ void warn_of_small_sample(const std::filesystem::path& file, const Study& study)
   const StudyAxis* axis = sample_of(study);
   const std::size_t rows = axis == nullptr ? least : axis->value.size() - *axis->sample_from;
   if (rows < least)
-    spdlog::warn("{}: a sample of {} rows is too small for 5 and 95 %{}: take {} at least, 50 to 100 for a reliable number", file.string(),
-                 rows, rows < 10 ? ", which stay empty" : "", least);
+    io::warn("{}: a sample of {} rows is too small for 5 and 95 %{}: take {} at least, 50 to 100 for a reliable number", file.string(),
+             rows, rows < 10 ? ", which stay empty" : "", least);
 }
 
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/study/study_sample_test.cpp
+#include "os/text_of_list.hpp"
 #include "study/study_report.hpp"
 
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::study {
 namespace {
@@ -103,7 +103,7 @@ std::string picture_name(const StudyPlan& plan, const Estimate& estimate)
   const bool alone = plan.study.cases.size() == 1 && estimate.names.size() == 1;
   if (!alone)
     for (const std::string& each : estimate.names) parts.push_back(as_file_name(each));
-  return fmt::format("{}", fmt::join(parts, "."));
+  return text_of_list(parts, ".");
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/duration_text.hpp"
+#include "io/log.hpp"
 #include "io/tell.hpp"
 #include "jobs/batch.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "run_folder/summary.hpp"
 #include "structures/driven/known_names.hpp"
 #include "structures/structures.hpp"
@@ -16,9 +18,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <new>
-#include <spdlog/spdlog.h>
 
 namespace berm::study {
 namespace {
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 std::string name_of(const std::vector<std::string>& names)
 {
-  return fmt::format("{}", fmt::join(names, ", "));
+  return text_of_list(names, ", ");
 }
 
 /// The next combination, the last axis first; false after the last one.
@@ -115,7 +115,7 @@ void take_numbers(StudyRow& row, Study& study, std::vector<std::string>& told)
     } catch (const std::exception& error) {
       if (std::find(told.begin(), told.end(), measure.name) != told.end()) continue;
       told.push_back(measure.name);
-      spdlog::warn("{}: \"{}\" stays empty: {}", name_of(row.names), measure.name, error.what());
+      io::warn("{}: \"{}\" stays empty: {}", name_of(row.names), measure.name, error.what());
     }
   }
 }
@@ -182,7 +182,7 @@ jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Run
   std::vector<fs::path> finished;
   for (const StudyRow& row : plan.rows)
     if (row.end.kind == jobs::JobEnd::Kind::finished) finished.push_back(row.job.folder);
-  if (const std::string units = jobs::mixed_vector_units(finished); !units.empty()) spdlog::warn("{}", units);
+  if (const std::string units = jobs::mixed_vector_units(finished); !units.empty()) io::warn("{}", units);
   if (const std::size_t failed = batch.count(jobs::JobEnd::Kind::failed); failed > 0)
     io::tell("berm: {} of {} runs failed; the table says why\n", failed, plan.rows.size());
   tell_of_rest(batch);

@@ -4,7 +4,9 @@
 
 #include "input/units.hpp"
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
 #include "record/travel_curve.hpp"
@@ -14,8 +16,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::study {
 namespace {
@@ -71,9 +71,9 @@ std::string markdown(const StudyPlan& plan, const std::string& of_sample, const 
     if (row.end.kind != jobs::JobEnd::Kind::finished) cells[row.names.size()] = state_of(row);
     text += markdown_line(cells);
     if (const std::string& reason = row.end.reason; !reason.empty())
-      failed += fmt::format("- {}: {}{}\n", fmt::join(row.names, ", "), reason.substr(0, max), reason.size() > max ? " ..." : "");
+      failed += fmt::format("- {}: {}{}\n", text_of_list(row.names, ", "), reason.substr(0, max), reason.size() > max ? " ..." : "");
   }
-  for (const SkippedRow& row : plan.skipped) skipped += fmt::format("- {}: {}\n", fmt::join(row.names, ", "), row.why);
+  for (const SkippedRow& row : plan.skipped) skipped += fmt::format("- {}: {}\n", text_of_list(row.names, ", "), row.why);
   if (!failed.empty()) text += "\nFailed:\n\n" + failed;
   if (!skipped.empty()) text += "\nLeft out:\n\n" + skipped;
   for (const std::string& picture : pictures) text += fmt::format("\n![{0}]({0}.png)\n", picture);
@@ -164,7 +164,7 @@ std::vector<RowLook> looks_of_many(const std::vector<const StudyRow*>& rows)
     for (std::size_t k = 0; k < rows[r]->names.size(); ++k)
       if (k != grouped && values_of(rows, k).size() > 1) rest.push_back(rows[r]->names[k]);
     std::string title = rows[r]->names[grouped];
-    if (!rest.empty()) title += fmt::format(": {}", fmt::join(rest, ", "));
+    if (!rest.empty()) title += fmt::format(": {}", text_of_list(rest, ", "));
     if (others > 0) title += fmt::format(" (thin: {} more)", others);
     looks.push_back({plot::curve_style(color % plot::curve_colors, color / plot::curve_colors, thin ? 0.7 : 2.8), thin ? "" : title, thin});
   }
@@ -175,7 +175,7 @@ std::string curve_name(const StudyPlan& plan, const StudyRow& row, bool one_case
 {
   const bool names_case = !one_case && plan.study.cases.size() > 1;
   const Words names(row.names.begin() + (names_case || row.names.size() == 1 ? 0 : 1), row.names.end());
-  return fmt::format("{}", fmt::join(names, ", "));
+  return text_of_list(names, ", ");
 }
 
 /// What scales a column for the plot, and its unit.
@@ -206,7 +206,7 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
     const StudyRow& row = *rows[k];
     const run_folder::History history = run_folder::read_history(row.job.folder / "history.csv");
     if (!history.has(wanted.x) || !history.has(wanted.y)) {
-      spdlog::warn("{}: figure \"{}\": the history has not both of {} and {}", fmt::join(row.names, ", "), wanted.name, wanted.x, wanted.y);
+      io::warn("{}: figure \"{}\": the history has not both of {} and {}", text_of_list(row.names, ", "), wanted.name, wanted.x, wanted.y);
       continue;
     }
     x_column = history.column(wanted.x);

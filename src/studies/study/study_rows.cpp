@@ -4,11 +4,11 @@
 
 #include "io/atomic_file.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "run_folder/json_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +24,7 @@ const std::vector<std::string> kinds = {"row", "best", "low", "high", "draw"};
 RowKind kind_named(const std::string& name)
 {
   const auto found = std::find(kinds.begin(), kinds.end(), name);
-  if (found == kinds.end()) throw RunError(fmt::format("\"kind\" is none of {}", fmt::join(kinds, ", ")));
+  if (found == kinds.end()) throw RunError(fmt::format("\"kind\" is none of {}", text_of_list(kinds, ", ")));
   return static_cast<RowKind>(found - kinds.begin());
 }
 

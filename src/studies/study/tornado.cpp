@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/study/study_sample_test.cpp
+#include "os/text_of_list.hpp"
 #include "study/study_report.hpp"
 
 #include "io/atomic_file.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::study {
 namespace {
@@ -101,7 +101,7 @@ bool draw_tornado(const std::filesystem::path& folder, const std::string& name, 
   const bool alone = plan.study.cases.size() == 1 && estimate.names.size() == 1;
   const std::string script =
       fmt::format("set title {} font 'DejaVu Sans,14'\nset xlabel {}\nset ytics ({}) scale 0\nset yrange [{}:{}]\n",
-                  plot::gnuplot_text(alone ? measure.name : fmt::format("{}: {}", measure.name, fmt::join(estimate.names, ", "))),
+                  plot::gnuplot_text(alone ? measure.name : fmt::format("{}: {}", measure.name, text_of_list(estimate.names, ", "))),
                   plot::gnuplot_text(of_swings ? measure.name + unit : "rank correlation with " + measure.name), tics, y - 0.6,
                   static_cast<Real>(estimate.swing.size()) + 0.6) +
       (of_swings ? upright(estimate.best, "lw 2 lc rgb '#222222'") : std::string("set xrange [-1:1]\n")) +

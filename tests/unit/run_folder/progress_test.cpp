@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/progress.hpp"
 
+#include "io/log.hpp"
 #include "os/error.hpp"
 #include "samples/run_to_write.hpp"
 
@@ -79,8 +80,8 @@ TEST(RunLog, messages_go_to_the_file_with_their_level_and_end_with_the_log)
   const auto before = spdlog::default_logger();
   {
     RunLog log(folder.path() / "run.log");
-    spdlog::info("plain");
-    spdlog::warn("odd {}", 7);
+    io::info("plain");
+    io::warn("odd {}", 7);
     log.info_to_file("quiet {}");
     EXPECT_NE(content_of(folder.path() / "run.log").find("quiet {}\n"), std::string::npos);  // on the disk at once
   }

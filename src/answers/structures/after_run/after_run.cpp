@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "structures/after_run/after_run.hpp"
 
+#include "io/log.hpp"
 #include "problem/cells_at_body.hpp"
 #include "run_folder/summary_file.hpp"
 #include "soil_plot/soil_plot.hpp"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <sstream>
 
 namespace berm::after_run {
@@ -97,8 +97,8 @@ simulation::Answers answers_of(simulation::EndedRun& ended)
   answers.force_measure = base::measure_quantity(base::body_scale(run));
   take_checks(ended.checks, run);
   answers.invalid = base::invalid_because(run);
-  for (const std::string& why : answers.invalid) spdlog::warn("the answer is invalid: {}", why);
-  for (const std::string& doubt : driven::lower_estimates(run)) spdlog::warn("{}", doubt);
+  for (const std::string& why : answers.invalid) io::warn("the answer is invalid: {}", why);
+  for (const std::string& doubt : driven::lower_estimates(run)) io::warn("{}", doubt);
   answers.key_results = key_results(structure.table_of(run) + base::still_moving_lines(run), answers.invalid);
   return answers;
 }

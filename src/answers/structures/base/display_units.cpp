@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/display_units.hpp"
 
+#include "os/text_of_list.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::base {
 namespace {
@@ -122,14 +122,14 @@ std::string DisplayUnits::scale_words() const
   if (!strengths.empty())
     words = text::html_paragraph(fmt::format("Strength varies with depth: s_u is that at the depth of the lowest point of the body at the "
                                              "end of its push, below the surface at the start ({}).",
-                                             fmt::join(strengths, "; ")),
+                                             text_of_list(strengths, "; ")),
                                  "quiet");
   if (levels_.empty()) return words;
   std::vector<std::string> levels;
   for (const Real level : levels_) levels.push_back(text::short_number(level));
   return words + text::html_paragraph(
                      fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}){}.",
-                                 fmt::join(levels, ", "), in_space_ ? ", forces on whole bodies those times its square" : ""),
+                                 text_of_list(levels, ", "), in_space_ ? ", forces on whole bodies those times its square" : ""),
                      "quiet");
 }
 

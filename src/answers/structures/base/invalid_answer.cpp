@@ -2,13 +2,13 @@
 // Tests: tests/unit/structures/base/invalid_answer_test.cpp
 #include "structures/base/invalid_answer.hpp"
 
+#include "os/text_of_list.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/general_measures.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::base {
 namespace {
@@ -87,7 +87,7 @@ std::vector<std::string> invalid_because(Run run)
 
 std::string invalid_words(const std::vector<std::string>& invalid)
 {
-  return fmt::format("{}", fmt::join(invalid, "; "));
+  return text_of_list(invalid, "; ");
 }
 
 std::vector<std::string> invalid_lines(const std::string& run, const std::vector<std::string>& invalid, const char* numbers)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/soil_words.hpp"
 
+#include "os/text_of_list.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::base {
 namespace {
@@ -17,7 +17,7 @@ std::string values_in_words(const material::Material& material)
   const std::vector<Real> values = local_values(material);
   std::vector<std::string> words;
   for (std::size_t k = 0; k < fields.size(); ++k) words.push_back(fmt::format("{} {}", fields[k].label, text::stress_words(values[k])));
-  return fmt::format("{}", fmt::join(words, ", "));
+  return text_of_list(words, ", ");
 }
 
 }  // namespace

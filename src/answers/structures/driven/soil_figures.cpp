@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/report_test.cpp
+#include "io/log.hpp"
 #include "structures/driven/report.hpp"
 
 #include "os/error.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::driven {
 namespace {
@@ -90,7 +90,7 @@ std::vector<std::string> draw_soil_figures(const DrivenRuns& runs, const fs::pat
           fem_embedment && same && run.settings.method == problem::Method::mpm)
         add(*same, "_at_w_of_fem");
     } catch (const RunError& error) {
-      spdlog::warn("the soil of {} is not drawn: {}", run.name, error.what());
+      io::warn("the soil of {} is not drawn: {}", run.name, error.what());
     }
   }
   return names;

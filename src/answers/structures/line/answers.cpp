@@ -3,6 +3,7 @@
 #include "structures/line/answers.hpp"
 
 #include "formulas/strain_limit.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
 #include "slices/line_of_case.hpp"
 #include "structures/base/still_moving.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace berm::line {
 namespace {
@@ -143,7 +143,7 @@ std::vector<Shape> shapes_of(const record::RunRecord& run)
   try {
     return read_shapes(run.folder);
   } catch (const RunError& error) {
-    spdlog::warn("{}; results on the shape of the line are left out", error.what());
+    io::warn("{}; results on the shape of the line are left out", error.what());
     return {};
   }
 }

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/line/shapes_test.cpp
 #include "structures/line/shapes.hpp"
 
+#include "os/text_of_list.hpp"
 #include "run_folder/csv_line.hpp"
 #include "structures/line/number_lines.hpp"
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::line {
 namespace {
@@ -65,7 +65,7 @@ std::vector<Shape> read_shapes(const std::filesystem::path& folder)
   while (run_folder::next_csv_line(text, at, fields)) {
     ++lines.line;
     if (lines.line == 1) {
-      if (fields != shape_head) lines.refuse(fmt::format("the head of a file of shapes is {}", fmt::join(shape_head, ",")));
+      if (fields != shape_head) lines.refuse(fmt::format("the head of a file of shapes is {}", text_of_list(shape_head, ",")));
       continue;
     }
     if (fields.size() != shape_head.size()) lines.refuse(fmt::format("{} fields, and the head has {}", fields.size(), shape_head.size()));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film.hpp"
 
+#include "os/text_of_list.hpp"
 #include "report/animation/film_frames.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <iterator>
 
 namespace berm::report {
@@ -29,8 +29,8 @@ std::string note_of(const FilmFrames& footage, Index step, std::size_t fields)
   if (step > 1) words.push_back(kept_words(step));
   std::vector<std::string> names;
   for (std::size_t f = footage.fields.size(); f-- > fields;) names.push_back(footage.fields[f].label);
-  if (!names.empty()) words.push_back(fmt::format("without {}", fmt::join(names, " and ")));
-  return fmt::format("{}", fmt::join(words, "; "));
+  if (!names.empty()) words.push_back(fmt::format("without {}", text_of_list(names, " and ")));
+  return text_of_list(words, "; ");
 }
 
 /// The film of a footage that takes at most so many bytes.

@@ -2,6 +2,7 @@
 #include "report/animation/line_film.hpp"
 
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "report/animation/film_frames.hpp"
 #include "report/animation/film_quantization.hpp"
 #include "structures/base/driven_body.hpp"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -126,7 +126,7 @@ Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const li
                {"weight", line.submerged_weight},
                {"region", region},
                {"slices", places},
-               {"note", left_out.empty() ? Json() : Json(fmt::format("{}", fmt::join(left_out, ", ")))},
+               {"note", left_out.empty() ? Json() : Json(text_of_list(left_out, ", "))},
                {"frames", Json::array()},
                {"x", Json::array()}};
   for (const std::size_t node : nodes) film.json["x"].push_back(shapes.front().x[node]);

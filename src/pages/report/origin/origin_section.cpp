@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/origin/origin_section.hpp"
 
+#include "os/text_of_list.hpp"
 #include "structures/base/driven_body.hpp"
 #include "text/html.hpp"
 #include "text/run_columns.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -126,7 +126,7 @@ std::string document_foot(const record::RunRecord& run)
   std::vector<std::string> parts;
   for (const std::string& part : {report.project, report.document, report.revision.empty() ? "" : "revision " + report.revision})
     if (!part.empty()) parts.push_back(part);
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return text_of_list(parts, ", ");
 }
 
 std::string origin_section(const Runs& runs)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/report_test.cpp
+#include "os/text_of_list.hpp"
 #include "report/page/page.hpp"
 
 #include "io/atomic_file.hpp"
@@ -9,7 +10,6 @@
 #include "text/html.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -24,7 +24,7 @@ std::string stages_in_a_line(const problem::Case& c)
     stages.push_back(text::html_text(picture::stage_words(stage, c.force_dimension())));
   }
   const std::size_t more = c.stage.size() - stages.size();
-  return fmt::format("{}{}", fmt::join(stages, "; "), more == 0 ? "" : fmt::format("; {} more", more));
+  return fmt::format("{}{}", text_of_list(stages, "; "), more == 0 ? "" : fmt::format("; {} more", more));
 }
 
 /// The picture as a part of the page; "" where there is none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page.hpp"
 
+#include "os/text_of_list.hpp"
 #include "report/animation/film.hpp"
 #include "report/animation/line_film.hpp"
 #include "report/origin/origin_section.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <string>
 
 namespace berm::report {
@@ -89,7 +89,7 @@ std::string header_of(const std::vector<record::RunRecord>& runs, const std::vec
   return fmt::format(
       "<header>\n<h1>{}</h1>\n{}{}<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
       page_heading_html(runs), title == heading ? "" : text::html_paragraph(title, "subtitle"), document_lines(runs.front()),
-      runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "), BERM_VERSION, fmt::join(links, " "));
+      runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), text_of_list(names, ", "), BERM_VERSION, text_of_list(links, " "));
 }
 
 /// What a reader must know first of runs that did not end well.

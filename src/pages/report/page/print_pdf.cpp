@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "os/text_of_list.hpp"
 #include "report/page/report.hpp"
 
 #include "io/atomic_file.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sstream>
 #include <unistd.h>
 #include <vector>
@@ -61,7 +61,7 @@ fs::path printing_browser()
   throw RunError(
       fmt::format("--pdf: no browser that can print is installed (looked for {}). Install one, as by apt-get install chromium, or name one "
                   "in the environment variable BERM_BROWSER; or open the page in any browser and print it there",
-                  fmt::join(names, ", ")));
+                  text_of_list(names, ", ")));
 }
 
 void print_pdf(const fs::path& browser, const fs::path& page, const fs::path& pdf)

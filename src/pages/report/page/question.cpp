@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "os/text_of_list.hpp"
 #include "report/page/page.hpp"
 
 #include "structures/base/driven_body.hpp"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -140,7 +140,7 @@ std::string stages_of(const record::RunRecord& run)
   std::vector<std::string> words;
   for (const auto& [verb, limit, count] : groups)
     if (words.size() < max_groups) words.push_back(count == 1 ? verb + limit : counted(count, verb));
-  return fmt::format("{}{}", fmt::join(words, ", "), groups.size() > max_groups ? " and so on" : "");
+  return fmt::format("{}{}", text_of_list(words, ", "), groups.size() > max_groups ? " and so on" : "");
 }
 
 Question question_of_run(const record::RunRecord& run)

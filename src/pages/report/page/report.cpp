@@ -3,6 +3,7 @@
 #include "report/page/report.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/log.hpp"
 #include "os/error.hpp"
 #include "report/page/page.hpp"
 #include "report/results/results_section.hpp"
@@ -15,7 +16,6 @@
 #include <fmt/format.h>
 #include <map>
 #include <set>
-#include <spdlog/spdlog.h>
 #include <stdexcept>
 
 namespace berm::report {
@@ -122,11 +122,11 @@ std::vector<record::RunRecord> read_runs(const std::vector<fs::path>& folders, s
   std::vector<record::RunRecord> runs;
   for (const fs::path& folder : folders) try {
       runs.push_back(structures::read_run(folder));
-      for (const std::string& file : runs.back().changed) spdlog::warn("{}: {}", runs.back().name, record::words_of_change(file));
+      for (const std::string& file : runs.back().changed) io::warn("{}: {}", runs.back().name, record::words_of_change(file));
     } catch (const std::runtime_error& error) {
       if (folders.size() == 1) throw;
       left_out.push_back(fmt::format("{} is left out: {}", folder.filename().string(), error.what()));
-      spdlog::warn(left_out.back());
+      io::warn("{}", left_out.back());
     }
   if (runs.empty()) throw InputError("none of the run folders can be read");
   std::stable_sort(runs.begin(), runs.end(), finer);

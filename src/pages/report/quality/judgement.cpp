@@ -2,12 +2,12 @@
 // Tests: tests/unit/report/quality/quality_section_test.cpp
 #include "report/quality/judgement.hpp"
 
+#include "os/text_of_list.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -50,7 +50,7 @@ std::string opposite_words(const std::vector<JudgedMeasure>& measures)
   if (large.empty() || small.empty()) return "";
   return fmt::format("The measures that are not good have opposite effects, and the sign of their sum is not known. Resistance is too "
                      "large because of: {}. Too small because of: {}. Improve them one at a time, and compare.",
-                     fmt::join(large, "; "), fmt::join(small, "; "));
+                     text_of_list(large, "; "), text_of_list(small, "; "));
 }
 
 /// Why the measures of a run are not good, except what makes it invalid; a measure that is bad makes the run bad.
@@ -70,7 +70,7 @@ void add_measures(Judgement& all, const record::RunRecord& run, const Words& inv
   if (const Real given = base::work_of_contact(run); given > max_work_of_contact)
     all.warnings.push_back(fmt::format("contact added energy, {:.2g} % of the work, instead of dissipating it.", 100 * given));
   if (!run.summary && !not_known.empty())
-    all.warnings.push_back(fmt::format("the run has no summary, so this is not known: {}.", fmt::join(not_known, "; ")));
+    all.warnings.push_back(fmt::format("the run has no summary, so this is not known: {}.", text_of_list(not_known, "; ")));
 }
 
 /// What the case and the log warn of.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/quality/quality_section.hpp"
 
+#include "os/text_of_list.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -69,7 +69,7 @@ std::string words_on_cells(const Runs& runs, const Judgements& judgements)
   return fmt::format("<p class=\"cells\">Cells are not judged: {}. No body with a width is driven, and the frames show no yielding soil, "
                      "so no measure shows how far the result depends on the mesh. Run the case again with cells half as large: with coarse "
                      "cells the resistance before failure is too large.</p>\n",
-                     fmt::join(names, ", "));
+                     text_of_list(names, ", "));
 }
 
 std::string warning_list(const Runs& runs, const Judgements& judgements)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
 
+#include "os/text_of_list.hpp"
 #include "structures/base/still_moving.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -19,7 +19,8 @@ std::string doubts_in_words(const record::RunRecord& run, const Judgement& judge
   std::vector<std::string> bad;
   for (const auto& [measure, value, standing] : judgement.measures)
     if (standing == text::Standing::bad) bad.push_back(text::html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
-  return bad.empty() ? "" : fmt::format("Use with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
+  return bad.empty() ? ""
+                     : fmt::format("Use with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", text_of_list(bad, "; "));
 }
 
 bool is_invalid(const record::RunRecord& run)
@@ -52,7 +53,7 @@ std::string words_of(const Runs& runs, const std::vector<Judgement>& judgements,
     others += words_of(runs[k], judgements[k], shown, true);
   }
   return html + fmt::format("<details id=\"other-runs\"><summary>Results of the other {}: {}</summary>\n{}</details>\n",
-                            runs.size() == 2 ? "run" : "runs", fmt::join(names, ", "), others);
+                            runs.size() == 2 ? "run" : "runs", text_of_list(names, ", "), others);
 }
 
 base::DisplayUnits units_of(const Runs& runs)

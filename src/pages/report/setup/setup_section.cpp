@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/setup/setup_section.hpp"
+#include "os/text_of_list.hpp"
 #include "picture/model_picture.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -34,7 +34,7 @@ std::vector<Alike> alike(const std::vector<record::RunRecord>& runs)
 
 std::string figure_of(const Alike& group)
 {
-  const std::string names = fmt::format("{}", fmt::join(group.names, ", "));
+  const std::string names = text_of_list(group.names, ", ");
   const picture::PageDrawing drawing = picture::draw_on_page(group.first->settings, group.first->ground, "Drawing to scale: " + names);
   std::string words = fmt::format("<strong>{}</strong>, to scale.", text::html_text(names));
   for (const std::string& note : drawing.notes) words += fmt::format(" {}", text::html_text(note));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "os/text_of_list.hpp"
 #include "report/setup/setup_section.hpp"
 
 #include "material/laws.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
@@ -132,7 +132,7 @@ std::string soil_over_depth(const std::vector<record::RunRecord>& runs)
   table.columns({{"depth"}, {"material"}, {"cohesion or undrained strength"}, {"friction angle"}, {"Young's modulus"}, {"density"}});
   for (const auto& [groups, names] : soils)
     for (const auto& [name, rows] : groups) {
-      table.row({{text::html_text(fmt::format("{}: {}", fmt::join(names, ", "), name))}}, "group");
+      table.row({{text::html_text(fmt::format("{}: {}", text_of_list(names, ", "), name))}}, "group");
       for (const auto& row : rows) table.row(row);
     }
   return table.html();
