@@ -52,7 +52,7 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
   for (const OtherPush& push : path.other_pushes) {
     if (!push.upwards || push.rows.empty()) continue;
     const LiftPath lift = lift_path(push, history);
-    V_s.curves.push_back(travelled({push.stage, lift.rows, lift.travel, plot::scaled(lift.R, -1), {}, lift.travel}, half));
+    V_s.curves.push_back(base::travelled({push.stage, lift.rows, lift.travel, plot::scaled(lift.R, -1), {}, lift.travel}, half));
   }
   return {V_w, H_u, w_u, V_u, ratio, H_travel, V_s};
 }
