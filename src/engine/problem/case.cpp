@@ -19,6 +19,14 @@
 #include <fmt/format.h>
 
 namespace berm::problem {
+
+Case::Case() = default;
+Case::Case(const Case&) = default;
+Case::Case(Case&&) noexcept = default;
+Case& Case::operator=(const Case&) = default;
+Case& Case::operator=(Case&&) noexcept = default;
+Case::~Case() = default;
+
 namespace {
 
 /// Whether up is +y.

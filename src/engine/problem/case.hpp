@@ -120,6 +120,14 @@ struct Case {
   ReportSettings report;
 
   /// Of its mesh: 2 or 3.
+  // In case.cpp: what copies and destroys all these lists would else be compiled into half of all sources.
+  Case();
+  Case(const Case&);
+  Case(Case&&) noexcept;
+  Case& operator=(const Case&);
+  Case& operator=(Case&&) noexcept;
+  ~Case();
+
   int dimension() const { return geometry == Geometry::space ? 3 : 2; }
   /// Of its forces: 2 where they are per metre run (N/m), 3 where they are whole (N).
   int force_dimension() const { return geometry == Geometry::plane_strain ? 2 : 3; }
