@@ -15,8 +15,8 @@ namespace {
 
 using problem::StageRole;
 
-constexpr Real last_part = 0.05;  // of the time of a stage
-constexpr Real reached = 0.15;    // of a force that is given: how far the soil's may be from it
+constexpr Real last_part = 0.05;           // of the time of a stage
+constexpr Real tolerance_of_force = 0.15;  // of a force that is given: how far the soil's may be from it
 
 /// The state in a row: forces are means over the end of the stage that the row is of.
 State state_at(const run_folder::History& h, Index row, std::string name, std::string origin)
@@ -71,7 +71,7 @@ std::string end_words(const run_folder::History& h, Index row)
 /// Gives a state the force that is asked for, unless that of the soil is far from it.
 void take_force(State& state, Real asked)
 {
-  if (asked != 0 && std::abs(state.V - asked) > reached * std::abs(asked))
+  if (asked != 0 && std::abs(state.V - asked) > tolerance_of_force * std::abs(asked))
     state.origin += fmt::format(", which has not reached its force of {:.4g} N/m", asked);
   else
     state.V = asked, state.V_given = true;
