@@ -199,7 +199,7 @@ FlowIncrement Assembly::flow_increment(const FemState& begin, const std::vector<
 /// Gives the point its total stress, from the effective one.
 void Assembly::set_pressure(SoilPoint& point, Real pressure, Index cell) const
 {
-  point.law_state[pore_pressure_place(model_.soil_of(cell).materials.front())] = pressure;
+  point.law_state[pore_pressure_index(model_.soil_of(cell).materials.front())] = pressure;
   for (int k = 0; k < 3; ++k) point.stress[k] -= pressure;
 }
 
@@ -363,7 +363,7 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
 
 void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
 {
-  const NodeField<std::uint8_t>& fixed = model_.mesh.fixed[model_.model.fixed_in[stage]];
+  const NodeField<std::uint8_t>& fixed = model_.mesh.fixed[model_.model.conditions.table_of_stage[stage]];
   for (Index node = 0; node < fixed.size(); ++node)
     for (int d = 0; d < 2; ++d) prescribed_[2 * node + d] = static_cast<char>(fixed[node] >> d & 1);
   if (model_.rigid != none)
@@ -373,7 +373,7 @@ void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
       if (loads.rigid[d].by_force) residual_[unknown] -= loads.rigid[d].value;
     }
   if (model_.flow.count == 0) return;
-  const NodeField<char>& open = model_.flow.open[model_.model.fixed_in[stage]];
+  const NodeField<char>& open = model_.flow.open[model_.model.conditions.table_of_stage[stage]];
   for (Index node = 0; node < open.size(); ++node)
     if (const Index unknown = model_.flow.unknown[node]; unknown != none)
       prescribed_[unknown] = static_cast<char>(loads.drained || open[node] != 0);
@@ -470,9 +470,9 @@ Real Assembly::torque() const
 
 std::vector<Vec<2>> Assembly::support_forces(Index stage) const
 {
-  std::vector<Vec<2>> forces(model_.model.supports.size(), Vec<2>::Zero());
+  std::vector<Vec<2>> forces(model_.model.conditions.reported.size(), Vec<2>::Zero());
   if (forces.empty()) return forces;
-  const NodeField<boundary::Holders<2>>& holders = model_.mesh.holders[model_.model.fixed_in[stage]];
+  const NodeField<boundary::Holders<2>>& holders = model_.mesh.holders[model_.model.conditions.table_of_stage[stage]];
   for (Index node = 0; node < holders.size(); ++node)
     for (int d = 0; d < 2; ++d)
       if (const Index support = holders[node][d]; support != none) forces[support][d] += residual_[2 * node + d];
@@ -481,7 +481,7 @@ std::vector<Vec<2>> Assembly::support_forces(Index stage) const
 
 void Assembly::count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const
 {
-  problem::Totals<2>& totals = state.state.totals;
+  problem::Totals<2>& totals = state.state.ledger.totals;
   const Vec<2> gravity = (state.gravity + loads.gravity) / 2;
   const Real initial_imbalance_factor = (state.initial_imbalance_factor + loads.initial_imbalance_factor) / 2;
   for (const CellWork& cell : cells_) totals.internal += cell.work;

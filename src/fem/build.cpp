@@ -302,9 +302,9 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
     model.watches.push_back(make_watch(model.mesh, name, {watch.point[0], watch.point[1]}, problem::index_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
-  state.support_forces.assign(model.model.supports.size(), Vec<2>::Zero());
+  state.support_forces.assign(model.model.conditions.reported.size(), Vec<2>::Zero());
   state.state.tractions.resize(model.model.tractions.size());
-  state.state.heads.resize(model.model.heads.size());
+  state.state.heads.resize(count_of<boundary::Head<2>>(model.model.conditions));
   state.state.rigid_bodies.resize(model.model.rigid_bodies.size());
   end_at_once(model.model.stages);
   begin_stage(model.model, state.state);

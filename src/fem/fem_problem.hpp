@@ -73,7 +73,7 @@ struct FemState {
   std::vector<Real> displacement;  ///< by unknown: m, rad for the angle, and Pa for excess pore pressures
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
-  std::vector<Vec<2>> support_forces;  ///< N/m, on the soil, by Model::supports
+  std::vector<Vec<2>> support_forces;  ///< N/m, on the soil, by support that is reported
   Vec<2> gravity = Vec<2>::Zero();     ///< m/s2, acting
   std::vector<Real> tractions;         ///< load factor of each
   Real initial_imbalance_factor = 0;   ///< fraction of the initial unbalanced forces that fictitious forces still balance

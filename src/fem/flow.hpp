@@ -27,7 +27,7 @@ struct FlowModel {
   CellField<std::array<PointWater, triangle_points>> water;  ///< by cell and integration point
   CellField<std::array<Index, pressure_entries>> entries;    ///< in the pattern
   std::vector<NodeField<char>> open;             ///< by set of supports: whether water leaves the soil at the node, at no excess pressure
-  std::vector<std::vector<Index>> at_head;       ///< by problem::Model::heads: the unknowns of the nodes that feel it
+  std::vector<std::vector<Index>> at_head;       ///< by boundary::Head of the model: the unknowns of the nodes that feel it
   std::vector<std::array<Index, 2>> at_contact;  ///< by contact point: the unknowns whose mean is the pressure there
   Real first_dt = 0;                             ///< s, h^2 / (6 c_v) of the element where it is smallest (Vermeer and Verruijt 1981)
 

@@ -27,7 +27,7 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
     return problem::ground_elasticity(model.soil_at(cell, q), *c.body[model.mesh.body[cell]].second.k0_at(depth, above));
   };
   std::vector<char> prescribed(model.unknowns(), 0);
-  const NodeField<std::uint8_t>& fixed = model.mesh.fixed[model.model.fixed_in[0]];
+  const NodeField<std::uint8_t>& fixed = model.mesh.fixed[model.model.conditions.table_of_stage[0]];
   for (Index k = 0; k < model.unknowns(); ++k) prescribed[k] = k >= model.rigid_unknown() || (fixed[k / 2] >> k % 2 & 1) != 0;
 
   std::vector<Real> matrix(model.pattern.entry_count(), 0.), unknowns(model.unknowns(), 0.);

@@ -29,7 +29,7 @@ void refuse_cavitation(const FemModel& model, const FemState& state)
 {
   for (Index cell = 0; cell < model.flow.water.size(); ++cell) {
     if (!model.flow.in(cell)) continue;
-    const int place = pore_pressure_place(model.soil_of(cell).materials.front());
+    const int place = pore_pressure_index(model.soil_of(cell).materials.front());
     for (int q = 0; q < triangle_points; ++q)
       if (const Real p = state.points[cell][q].law_state[place], least = model.flow.water[cell][q].min_pressure; p < least)
         throw RunError(
@@ -186,9 +186,10 @@ FemLoads LoadSteps::dead_loads(Real time) const
   FemLoads loads;
   loads.gravity = gravity_now(model_.model, time);
   for (std::size_t t = 0; t < model_.loads.size(); ++t)
-    loads.tractions.push_back(part_of_traction(model_.model.tractions[t], state_.state.tractions[t], time));
-  for (std::size_t h = 0; h < model_.model.heads.size(); ++h)
-    loads.heads.push_back(part_of_traction(model_.model.heads[h], state_.state.heads[h], time) * model_.model.heads[h].pressure);
+    loads.tractions.push_back(acting_fraction(model_.model.tractions[t], state_.state.tractions[t], time));
+  boundary::for_each_of<boundary::Head<2>>(model_.model.conditions, [&](std::size_t h, const auto& row, const auto& head) {
+    loads.heads.push_back(acting_fraction(row, state_.state.heads[h], time) * head.pressure);
+  });
   return loads;
 }
 
@@ -338,9 +339,9 @@ bool LoadSteps::next_stage()
 {
   max_overlap_ = 0;
   if (state_.state.stage.index + 1 == static_cast<Index>(model_.model.stages.size())) return false;
-  const Index held = model_.model.fixed_in[state_.state.stage.index];
+  const Index held = model_.model.conditions.table_of_stage[state_.state.stage.index];
   ++state_.state.stage.index;
-  if (model_.model.fixed_in[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
+  if (model_.model.conditions.table_of_stage[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
     throw NoEquilibrium(
         fmt::format("stage \"{}\": the soil does not reach equilibrium without the supports that are released", stage().name));
   begin_stage(model_.model, state_.state);

@@ -25,13 +25,13 @@ Newton::Newton(const FemModel& model)
   if (model.flow.count > 0) solver_.emplace<DirectSolver>(model.pattern, contact_.unknowns(), MatrixKind::indefinite);
   for (const std::vector<NodalLoad>& loads : model.loads)
     for (const NodalLoad& load : loads) min_force_ += 1e-3 * load.force.norm();
-  for (std::size_t h = 0; h < model.mesh.head_nodes.size(); ++h) {
+  boundary::for_each_of<boundary::Head<2>>(model.model.conditions, [&](std::size_t h, const auto&, const auto& head) {
     const std::vector<Index>& nodes = model.mesh.head_nodes[h];
-    if (nodes.empty()) continue;
+    if (nodes.empty()) return;
     Vec<2> lower = model.mesh.position[nodes.front()], upper = lower;
     for (const Index node : nodes) lower = lower.cwiseMin(model.mesh.position[node]), upper = upper.cwiseMax(model.mesh.position[node]);
-    min_force_ += 1e-3 * std::abs(model.model.heads[h].pressure) * (upper - lower).norm();
-  }
+    min_force_ += 1e-3 * std::abs(head.pressure) * (upper - lower).norm();
+  });
 }
 
 /// The right-hand side of the equations of the step; whether the prescribed unknowns have moved as prescribed.

@@ -18,13 +18,13 @@ struct QuadraticMesh {
   CellField<AtSixNodes<Index>> nodes;                    ///< corners counter-clockwise, then the mid-side nodes of 01, 12 and 20
   CellField<Index> body;                                 ///< of each cell, an index into Case::body
   CellField<Index> region;                               ///< of each cell, an index into Mesh::region_names
-  std::vector<NodeField<std::uint8_t>> fixed;            ///< by set of supports, as in Model; bit d: fixed in direction d
+  std::vector<NodeField<std::uint8_t>> fixed;            ///< by set of supports, as boundary::NodeTable::held; bit d: fixed in direction d
   std::vector<NodeField<std::uint8_t>> impermeable;      ///< likewise: held by a support that is not drained
-  std::vector<NodeField<boundary::Holders<2>>> holders;  ///< as Model::holders; empty where no reactions are reported
+  std::vector<NodeField<boundary::Holders<2>>> holders;  ///< as boundary::NodeTable::reactions; empty where no reactions are reported
   std::vector<BoundarySide> boundary_sides;
   std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
 
-  std::vector<std::vector<Index>> head_nodes;  ///< by problem::Model::heads: the corners at its boundary
+  std::vector<std::vector<Index>> head_nodes;  ///< by boundary::Head of the model: the corners at its boundary
 
   Index node_count() const { return position.size(); }
   Index cell_count() const { return nodes.size(); }

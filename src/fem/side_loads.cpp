@@ -16,13 +16,13 @@ std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<B
   std::vector<NodalLoad> loads;
   for (const BoundarySide& side : sides) {
     const std::array<Index, 3> nodes = {side.from, side.middle, side.to};
-    const boundary::LoadedPart part = loaded_part(traction, mesh.position[side.from], mesh.position[side.to]);
-    const Real loaded = part.to - part.from;
+    const boundary::LoadedRange range = loaded_range(traction, mesh.position[side.from], mesh.position[side.to]);
+    const Real loaded = range.to - range.from;
     if (!(loaded > 0)) continue;
     std::array<NodalLoad, 3> of_side;
     for (int k = 0; k < 3; ++k) of_side[k] = {nodes[k], Vec<2>::Zero(), 0};
     for (const auto& [coordinate, weight] : gauss_points) {
-      const Real s = part.from + loaded * coordinate;
+      const Real s = range.from + loaded * coordinate;
       const std::array<Real, 3> value = {(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)},
                                 slope = {4 * s - 3, 4 - 8 * s, 4 * s - 1};
       Vec<2> along = Vec<2>::Zero();

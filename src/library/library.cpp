@@ -357,7 +357,7 @@ std::vector<RigidBodyNow> Run::rigid_bodies() const
     for (std::size_t r = 0; r < states.size(); ++r) {
       RigidBodyNow now{};
       now.name = model.rigid_bodies[r].name;
-      const auto& all_sums = open.method().state().contact_sums;
+      const auto& all_sums = open.method().state().ledger.contact_sums;
       const contact::ContactSums<dim> sums = r < all_sums.size() ? all_sums[r] : contact::ContactSums<dim>{};
       now.embedment = travel_of(model, open.method().state(), static_cast<Index>(r)).w;
       const Vec<dim> centre = center_now(model.rigid_bodies[r], states[r]);

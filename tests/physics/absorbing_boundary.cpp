@@ -31,7 +31,7 @@ problem::Case strip(const char* held_along)
 template <int dim>
 Real energy(Simulation<dim>& run)
 {
-  return mpm::sums_over(run.state().particles[0]).kinetic + run.state().totals.internal;
+  return mpm::sums_over(run.state().particles[0]).kinetic + run.state().ledger.totals.internal;
 }
 
 Real momentum_of(Simulation<2>& run)
@@ -132,11 +132,11 @@ TEST(AbsorbingBoundary, keeps_the_thrust_of_a_bed_at_rest)
   run.run_until(0.01);
   run.state().stage.index = 1;
   begin_stage(run.model(), run.state());
-  const Vec<2> before = run.state().support_impulses[1];
+  const Vec<2> before = run.state().ledger.support_impulses[1];
   const Real begin = run.state().time;
   run.run_until(begin + 0.1);
   const Real thrust = k0 * density * gravity * 0.5 * 0.5 / 2;
-  EXPECT_NEAR((run.state().support_impulses[1] - before)[0] / (run.state().time - begin), thrust, 1e-3 * thrust);
+  EXPECT_NEAR((run.state().ledger.support_impulses[1] - before)[0] / (run.state().time - begin), thrust, 1e-3 * thrust);
   EXPECT_LT(mpm::sums_over(run.state().particles[0]).fastest, 1e-6);
   EXPECT_LT(mpm::momentum_error(run.state(), run.model().mesh.metric), 1e-11);
 }

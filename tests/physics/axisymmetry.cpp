@@ -117,7 +117,7 @@ TEST(Axisymmetry, vertical_momentum_is_what_gravity_contact_supports_and_damping
   Simulation<2> run(pushed_soil());
   take_steps(run, 500);
   EXPECT_LT(mpm::momentum_error(run.state(), run.model().mesh.metric), round_off);
-  EXPECT_LT(run.state().totals.contact_impulse[1], 0);
+  EXPECT_LT(run.state().ledger.totals.contact_impulse[1], 0);
   EXPECT_EQ(run.state().rigid_bodies[0].reaction[0], 0);
 }
 
@@ -142,7 +142,7 @@ TEST(Axisymmetry, work_of_a_push_is_kept)
   Real largest = 0, error = 0;
   for (int n = 0; n < 60; ++n) {
     take_steps(run, 10);
-    const problem::Totals<2>& t = run.state().totals;
+    const problem::Totals<2>& t = run.state().ledger.totals;
     largest = std::max(largest, std::abs(t.external));
     error = std::max(error, std::abs(mpm::sums_over(run.state().particles[0]).kinetic - first + t.internal + t.damping + t.filter +
                                      t.friction - t.external));
@@ -168,8 +168,8 @@ TEST(Axisymmetry, threads_do_not_change_one_bit)
     ASSERT_EQ(a[k].volume, b[k].volume);
     ASSERT_TRUE(std::equal(a[k].stress.c, a[k].stress.c + 4, b[k].stress.c));
   }
-  EXPECT_EQ(one.contact_sums[0].impulse, three.contact_sums[0].impulse);
-  EXPECT_EQ(one.totals.internal, three.totals.internal);
+  EXPECT_EQ(one.ledger.contact_sums[0].impulse, three.ledger.contact_sums[0].impulse);
+  EXPECT_EQ(one.ledger.totals.internal, three.ledger.totals.internal);
 }
 
 // Lamé: a tube under the pressure p inside, plane along its axis, u(r) = p a^2 / (E (b^2 - a^2)) (1 + nu) ((1 - 2 nu) r + b^2 / r). With constant strains in

@@ -54,9 +54,9 @@ TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_s
     c.stage[0].ramp = 0.2;
     Simulation<2> run(c);
     run.run_until(1);
-    const Real impulse = run.state().contact_sums[0].impulse[1], begin = run.state().time;
+    const Real impulse = run.state().ledger.contact_sums[0].impulse[1], begin = run.state().time;
     run.run_until(3);
-    return (run.state().contact_sums[0].impulse[1] - impulse) / (run.state().time - begin) /
+    return (run.state().ledger.contact_sums[0].impulse[1] - impulse) / (run.state().time - begin) /
            (10 * mpm::sums_over(run.state().particles[0]).mass);
   };
   EXPECT_NEAR(reaction_over_weight(0), 1, 0.002);
@@ -77,7 +77,7 @@ TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
   // Until it is on its way back: a second touch would be a collision of single nodes, whose loss the particles feel only in part.
   run.run_until(0.1, [&] {
     const auto now = mpm::sums_over(run.state().particles[0]);
-    const problem::Totals<2>& t = run.state().totals;
+    const problem::Totals<2>& t = run.state().ledger.totals;
     worst = std::max(worst, std::abs(now.kinetic + t.internal + t.friction + t.damping + t.filter - t.external - first));
     last = now.momentum[1];
   });
@@ -90,7 +90,7 @@ TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
   for (const auto& p : all_particles(run.state()))
     stored += p.volume / (2 * young_modulus) *
               ((1 + poisson_ratio) * double_dot(p.stress, p.stress) - poisson_ratio * std::pow(trace(p.stress), 2));
-  EXPECT_NEAR(run.state().totals.internal / first, stored / first, 0.01);
+  EXPECT_NEAR(run.state().ledger.totals.internal / first, stored / first, 0.01);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ material::PoreWater flowing(Real permeability, Real bulk_modulus = 100e6)
 template <int dim>
 Real pressure_between(Simulation<dim>& run, Real low, Real high)
 {
-  const int place = pore_pressure_place(run.model().bodies[0].soil.materials.front());
+  const int place = pore_pressure_index(run.model().bodies[0].soil.materials.front());
   Real sum = 0, count = 0;
   const bodies::Particles<dim>& particles = run.state().particles[0];
   particles.visit([&](Index, Index b, int l) {
@@ -115,7 +115,7 @@ TEST(Consolidation, water_that_hardly_drags_comes_to_rest_with_the_soil)
 /// the size h that lie below a height: what changes from cell to cell.
 Real pressure_from_cell_to_cell(Simulation<2>& run, Real h, int squares, int rows)
 {
-  const int place = pore_pressure_place(run.model().bodies[0].soil.materials.front());
+  const int place = pore_pressure_index(run.model().bodies[0].soil.materials.front());
   Real sum = 0;
   Index count = 0;
   for (int row = 1; row + 1 < rows; ++row)
@@ -315,7 +315,7 @@ TEST(Consolidation, an_open_plate_rests_on_the_skeleton_alone)
   constexpr int cells = 20;
   Simulation<2> run(column_under_plate(cells, true));
   run.run_until(0.09);
-  const auto impulse = [&] { return run.state().contact_sums[0].effective_impulse; };
+  const auto impulse = [&] { return run.state().ledger.contact_sums[0].effective_impulse; };
   const Real before = impulse(), begin = run.state().time;
   run.run_until(0.11);
   EXPECT_NEAR((impulse() - before) / (run.state().time - begin), load * height / cells, 0.01 * load * height / cells);

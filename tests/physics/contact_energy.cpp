@@ -41,12 +41,12 @@ TEST(TwoSidedContact, makes_no_energy_under_a_constant_load_that_compresses_soil
   c.stage[0].ramp = 1;
   Simulation<2> run(c);
   run.run_until(1.5);
-  const Real loaded = run.state().totals.friction;
+  const Real loaded = run.state().ledger.totals.friction;
   run.run_until(3);
-  const Real work = run.state().totals.external;
+  const Real work = run.state().ledger.totals.external;
   EXPECT_GT(loaded, -0.01 * work);
-  EXPECT_GT(run.state().totals.friction - loaded, -0.01 * work);
-  EXPECT_LT(run.state().totals.friction, 0.05 * work);
+  EXPECT_GT(run.state().ledger.totals.friction - loaded, -0.01 * work);
+  EXPECT_LT(run.state().ledger.totals.friction, 0.05 * work);
 }
 
 TEST(Reaction, has_all_of_the_impulse_where_soil_is_pressed_against_a_support_one_cell_away)
@@ -59,7 +59,7 @@ TEST(Reaction, has_all_of_the_impulse_where_soil_is_pressed_against_a_support_on
   c.stage[0].ramp = 0.05;
   Simulation<2> run(c);
   run.run_until(0.15);
-  const Vec<2> before = run.state().contact_sums[0].impulse, support_before = run.state().totals.support_impulse;
+  const Vec<2> before = run.state().ledger.contact_sums[0].impulse, support_before = run.state().ledger.totals.support_impulse;
   const Real begin = run.state().time;
   Real stresses = 0, top = 0;
   run.run_until(0.25, [&] {
@@ -68,8 +68,8 @@ TEST(Reaction, has_all_of_the_impulse_where_soil_is_pressed_against_a_support_on
     stresses -= sum / row * run.state().dt;
     top = row;
   });
-  const Real impulse = run.state().contact_sums[0].impulse[1] - before[1],
-             support = run.state().totals.support_impulse[1] - support_before[1];
+  const Real impulse = run.state().ledger.contact_sums[0].impulse[1] - before[1],
+             support = run.state().ledger.totals.support_impulse[1] - support_before[1];
   ASSERT_GT(top, 0.08);
   ASSERT_GT(stresses / (run.state().time - begin), 100);
   EXPECT_NEAR(-impulse / stresses, 1, 0.02);

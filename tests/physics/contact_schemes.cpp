@@ -92,7 +92,7 @@ TEST(TwoSidedCorrection, makes_no_energy_in_a_block_that_rests)
 /// The mean distance at which soil touched the rigid body, by impulse.
 Real mean_gap(const Simulation<2>& run)
 {
-  const contact::ContactSums<2>& sums = run.problem.state.contact_sums[0];
+  const contact::ContactSums<2>& sums = run.problem.state.ledger.contact_sums[0];
   return sums.impulse_times_gap / sums.impulse_sum;
 }
 
@@ -125,7 +125,7 @@ TEST(ParticleRim, that_wears_lets_soil_that_is_sheared_nearer_to_a_pipe_and_make
   // Nearly all of a rim goes; soil that the pipe has just reached has most of it.
   EXPECT_LT(mean_gap(worn), 0.5 * mean_gap(whole));
   EXPECT_LT(mpm::momentum_error(worn.state()), 1e-12);
-  const problem::Totals<2>& t = worn.state().totals;
+  const problem::Totals<2>& t = worn.state().ledger.totals;
   const Real kinetic = mpm::sums_over(worn.state().particles[0]).kinetic;
   EXPECT_LT(std::abs(kinetic + t.internal + t.damping + t.filter + t.friction - t.external), 0.01 * t.external);
 }
@@ -144,7 +144,7 @@ TEST(UpdateStressFirst, keeps_the_energy_of_a_free_block_that_swings)
     Simulation<2> run(c);
     const Real first = mpm::sums_over(run.state().particles[0]).kinetic;
     run.run_until(0.02);
-    return (mpm::sums_over(run.state().particles[0]).kinetic + run.state().totals.internal) / first;
+    return (mpm::sums_over(run.state().particles[0]).kinetic + run.state().ledger.totals.internal) / first;
   };
   EXPECT_NEAR(energy_after(contact::Scheme::usf), 1, 0.05);
   EXPECT_NEAR(energy_after(contact::Scheme::musl_double), 1, 0.05);

@@ -67,13 +67,14 @@ Outcome outcome(const problem::Case& c, int threads)
   });
   for (const bodies::RigidState<dim>& rigid : run.state().rigid_bodies)
     result.numbers.insert(result.numbers.end(), rigid.reaction.begin(), rigid.reaction.end());
-  for (const contact::ContactSums<dim>& sums : run.state().contact_sums) {
+  for (const contact::ContactSums<dim>& sums : run.state().ledger.contact_sums) {
     result.numbers.insert(result.numbers.end(), sums.impulse.begin(), sums.impulse.end());
     result.numbers.push_back(sums.impulse_times_gap);
   }
-  for (const Vec<dim>& impulse : run.state().pair_impulses) result.numbers.insert(result.numbers.end(), impulse.begin(), impulse.end());
-  result.numbers.push_back(run.state().totals.friction);
-  result.numbers.push_back(run.state().totals.external);
+  for (const Vec<dim>& impulse : run.state().ledger.pair_impulses)
+    result.numbers.insert(result.numbers.end(), impulse.begin(), impulse.end());
+  result.numbers.push_back(run.state().ledger.totals.friction);
+  result.numbers.push_back(run.state().ledger.totals.external);
   return result;
 }
 

@@ -46,13 +46,13 @@ TEST(DepthSlices, have_the_pressure_at_rest_that_grows_with_depth)
 {
   Simulation<2> run(wall_at_rest());
   run.run_until(0.2);
-  const std::vector<Real> before = run.state().slice_impulses[0];
-  const Real all_before = run.state().contact_sums[0].impulse[0], begin = run.state().time;
+  const std::vector<Real> before = run.state().ledger.slice_impulses[0];
+  const Real all_before = run.state().ledger.contact_sums[0].impulse[0], begin = run.state().time;
   run.run_until(0.3);
-  const Real time = run.state().time - begin, all = (run.state().contact_sums[0].impulse[0] - all_before) / time;
+  const Real time = run.state().time - begin, all = (run.state().ledger.contact_sums[0].impulse[0] - all_before) / time;
   Real sum = 0;
   for (int k = 0; k < slices; ++k) {
-    const Real force = (run.state().slice_impulses[0][k] - before[k]) / time;
+    const Real force = (run.state().ledger.slice_impulses[0][k] - before[k]) / time;
     sum += force;
     // A contact hands a force to nodes up to a cell away: half a cell of depth, at most.
     EXPECT_NEAR(force, K0 * gamma * (k + 0.5) / slices / slices, K0 * gamma * cell / 2 / slices) << k;
@@ -72,13 +72,13 @@ TEST(DepthSlices, have_the_adhesion_of_a_wall_that_is_pushed_down)
   c.stage[0].drive.y.velocity = -0.05;
   Simulation<2> run(c);
   run.run_until(0.1);
-  const std::vector<Real> before = run.state().slice_shaft_impulses[0];
-  const Real all_before = run.state().contact_sums[0].shaft_impulse, begin = run.state().time;
+  const std::vector<Real> before = run.state().ledger.slice_shaft_impulses[0];
+  const Real all_before = run.state().ledger.contact_sums[0].shaft_impulse, begin = run.state().time;
   run.run_until(0.2);
-  const Real time = run.state().time - begin, all = (run.state().contact_sums[0].shaft_impulse - all_before) / time;
+  const Real time = run.state().time - begin, all = (run.state().ledger.contact_sums[0].shaft_impulse - all_before) / time;
   Real sum = 0;
   for (int k = 0; k < slices; ++k) {
-    const Real force = (run.state().slice_shaft_impulses[0][k] - before[k]) / time;
+    const Real force = (run.state().ledger.slice_shaft_impulses[0][k] - before[k]) / time;
     sum += force;
     // A contact hands a force to nodes up to a cell away: a cell of depth at each end of a slice, at most.
     EXPECT_NEAR(force, -adhesion / slices, 2 * adhesion * cell) << k;
@@ -100,13 +100,13 @@ TEST(DepthSlices, have_no_holes_where_they_are_thinner_than_particles)
   run.run_until(0.2);
   Real sum = 0;
   for (int k = 0; k < thin; ++k) {
-    const Real impulse = run.state().slice_shaft_impulses[0][k];
+    const Real impulse = run.state().ledger.slice_shaft_impulses[0][k];
     sum += impulse;
     if (k >= 10) {
       EXPECT_LT(impulse, 0) << k;
     }
   }
-  EXPECT_NEAR(sum, run.state().contact_sums[0].shaft_impulse, 1e-9 * std::abs(sum));
+  EXPECT_NEAR(sum, run.state().ledger.contact_sums[0].shaft_impulse, 1e-9 * std::abs(sum));
 }
 
 // Gravity comes up beside a wall that nothing moves, and the soil, which does not part from it, settles: adhesion times the height that is covered, within the 3 % that slip
@@ -128,10 +128,11 @@ TEST(DepthSlices, have_the_adhesion_of_soil_that_settles_along_a_wall_that_is_he
   c.mpm.quadrature = problem::Quadrature::cut_cells;
   Simulation<2> run(c);
   run.run_until(4);
-  const Real before = run.state().contact_sums[0].shaft_impulse, begin = run.state().time;
+  const Real before = run.state().ledger.contact_sums[0].shaft_impulse, begin = run.state().time;
   run.run_until(6);
   const Real x = gamma / modulus * 5 / 6, covered = (1 - std::exp(-x)) / x;
-  EXPECT_NEAR((run.state().contact_sums[0].shaft_impulse - before) / (run.state().time - begin), adhesion * covered, 0.03 * adhesion);
+  EXPECT_NEAR((run.state().ledger.contact_sums[0].shaft_impulse - before) / (run.state().time - begin), adhesion * covered,
+              0.03 * adhesion);
 }
 
 TEST(DepthSlices, are_refused_of_a_body_above_the_soil)

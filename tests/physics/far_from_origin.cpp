@@ -46,9 +46,9 @@ Answer<dim> answer_of(const problem::Case& c, const std::vector<int>& steps)
     if (stage > 0) next_stage(run);
     take_steps(run, steps[stage]);
   }
-  const problem::Totals<dim>& t = run.state().totals;
+  const problem::Totals<dim>& t = run.state().ledger.totals;
   Answer<dim> answer{t.contact_impulse, t.internal, t.external, 0, 0, begin, {}};
-  for (const Vec<dim>& impulse : run.state().pair_impulses) answer.contact += impulse;
+  for (const Vec<dim>& impulse : run.state().ledger.pair_impulses) answer.contact += impulse;
   for (std::size_t b = 0; b < c.body.size(); ++b) {
     answer.kinetic += mpm::sums_over(run.state().particles[b]).kinetic;
     for (const auto& p : all_particles(run.state(), static_cast<Index>(b)))

@@ -80,13 +80,13 @@ TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
   const Real first = kinetic_energy(body, cylinder);
   Real worst = 0, slowest = infinity;
   run.run_until(0.15, [&] {
-    const problem::Totals<2>& t = run.state().totals;
+    const problem::Totals<2>& t = run.state().ledger.totals;
     const Real kinetic = mpm::sums_over(run.state().particles[0]).kinetic + kinetic_energy(body, cylinder);
     worst = std::max(worst, std::abs(kinetic + t.internal + t.friction + t.damping + t.filter - t.external - first));
     slowest = std::min(slowest, kinetic_energy(body, cylinder));
     // What the soil gave it by the step before is what it has got by now.
     const Vec<2> lost = 200 * (Vec<2>(0, -0.5) - cylinder.velocity),
-                 given = run.state().contact_sums[0].impulse + run.state().dt * cylinder.reaction;
+                 given = run.state().ledger.contact_sums[0].impulse + run.state().dt * cylinder.reaction;
     EXPECT_NEAR((lost - given).norm(), 0, 1e-3 * 100);  // the last force acts over the next step, which is not quite as long
   });
   EXPECT_LT(worst, 0.02 * first);      // in proportion to the time step: 3.5 % with courant 0.5, 2.1 % with 0.25, 1.2 % with 0.125
@@ -107,7 +107,7 @@ TEST(FreeCylinder, is_turned_by_friction_as_much_as_the_bed_is_turned_back)
   EXPECT_LT(cylinder.angular_velocity, -0.1);  // it goes along x on top of the bed, so it rolls clockwise
   // I times its spin, and the moment that its contacts gave to the bed, but for the last step's, which acts in the next.
   const Real lost = -run.model().rigid_bodies[0].inertia * cylinder.angular_velocity;
-  EXPECT_NEAR(run.state().contact_sums[0].torque_impulse + run.state().dt * cylinder.torque, lost, 1e-3 * lost);
+  EXPECT_NEAR(run.state().ledger.contact_sums[0].torque_impulse + run.state().dt * cylinder.torque, lost, 1e-3 * lost);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ problem::Case pipe_in_clay(Real columns, Real courant)
 /// Mean force of the soil on the pipe upwards over a travel: impulse over time, N/m.
 Real mean_V(Simulation<2>& run, Real travel)
 {
-  const auto impulse = [&] { return -run.state().contact_sums[0].impulse[1]; };
+  const auto impulse = [&] { return -run.state().ledger.contact_sums[0].impulse[1]; };
   const Real from = impulse(), begin = run.state().time;
   run.run_until(begin + travel / velocity);
   return (impulse() - from) / (run.state().time - begin);

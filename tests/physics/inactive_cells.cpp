@@ -69,11 +69,11 @@ void expect_same(const problem::State<2>& a, const problem::State<2>& b)
   for (std::size_t k = 0; k < ours.size(); ++k) ASSERT_TRUE(same(ours[k], theirs[k])) << "particle " << k;
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.rigid_bodies[0].displacement, b.rigid_bodies[0].displacement);
-  EXPECT_EQ(a.contact_sums[0].impulse, b.contact_sums[0].impulse);
-  EXPECT_EQ(a.totals.internal, b.totals.internal);
-  EXPECT_EQ(a.totals.external, b.totals.external);
-  EXPECT_EQ(a.totals.damping, b.totals.damping);
-  EXPECT_EQ(a.totals.support_impulse, b.totals.support_impulse);
+  EXPECT_EQ(a.ledger.contact_sums[0].impulse, b.ledger.contact_sums[0].impulse);
+  EXPECT_EQ(a.ledger.totals.internal, b.ledger.totals.internal);
+  EXPECT_EQ(a.ledger.totals.external, b.ledger.totals.external);
+  EXPECT_EQ(a.ledger.totals.damping, b.ledger.totals.damping);
+  EXPECT_EQ(a.ledger.totals.support_impulse, b.ledger.totals.support_impulse);
   EXPECT_EQ(a.active_soil.stopped, b.active_soil.stopped);
 }
 
@@ -180,16 +180,16 @@ TEST(RestingSoil, gives_away_its_momentum_and_energy_when_it_comes_to_rest)
   next_stage(run);
   run.set_velocities([](const Vec<2>& x, const Vec<2>&) { return Vec<2>(0.1 + x[1], 0.2 * x[0]); });
   const auto before = mpm::sums_over(run.state().particles[0]);
-  const problem::Totals<2> totals = run.state().totals;
+  const problem::Totals<2> totals = run.state().ledger.totals;
   mpm::update_inactive_cells(run.model(), run.state(), run.workspace);
   const auto after = mpm::sums_over(run.state().particles[0]);
   EXPECT_GT(resting_particles(run.state().particles[0]), 0);
   EXPECT_LT(after.kinetic, 0.6 * before.kinetic);
   EXPECT_GT(after.kinetic, 0);
   EXPECT_NEAR(run.state().active_soil.stopped, before.kinetic - after.kinetic, round_off * before.kinetic);
-  EXPECT_NEAR(run.state().totals.damping - totals.damping, before.kinetic - after.kinetic, round_off * before.kinetic);
+  EXPECT_NEAR(run.state().ledger.totals.damping - totals.damping, before.kinetic - after.kinetic, round_off * before.kinetic);
   const Vec<2> lost = before.momentum - after.momentum;
-  EXPECT_NEAR((run.state().totals.support_impulse - totals.support_impulse + lost).norm(), 0, round_off * before.momentum.norm());
+  EXPECT_NEAR((run.state().ledger.totals.support_impulse - totals.support_impulse + lost).norm(), 0, round_off * before.momentum.norm());
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(InertiaDensity, slows_a_free_fall_down_to_the_weight_over_the_inertia)
   const mpm::BodySums<2> sums = mpm::sums_over(run.state().particles[0]);
   EXPECT_NEAR(sums.mass, inertia * 0.5, 1e-9);
   EXPECT_NEAR(sums.momentum[1] / sums.mass, -acceleration * t, 1e-10);
-  EXPECT_NEAR(run.state().totals.external, sums.kinetic, 1e-10 * sums.kinetic);
+  EXPECT_NEAR(run.state().ledger.totals.external, sums.kinetic, 1e-10 * sums.kinetic);
   EXPECT_LT(mpm::momentum_error(run.state()), 1e-12);
 }
 
@@ -42,10 +42,10 @@ TEST(InertiaDensity, leaves_the_weight_on_the_ground_as_it_is)
   c.body[0].second.damping = 0.5;
   Simulation<2> run(c);
   run.run_until(1);
-  const Vec<2> before = run.state().totals.support_impulse;
+  const Vec<2> before = run.state().ledger.totals.support_impulse;
   const Real begin = run.state().time;
   run.run_until(1.2);
-  const Real on_base = (run.state().totals.support_impulse - before)[1] / (run.state().time - begin);
+  const Real on_base = (run.state().ledger.totals.support_impulse - before)[1] / (run.state().time - begin);
   EXPECT_NEAR(on_base, weight_density * gravity * 0.5, 1e-3 * weight_density * gravity * 0.5);  // some of its vibration may be left
 }
 

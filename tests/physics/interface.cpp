@@ -46,7 +46,7 @@ struct Pressure {
 };
 Pressure pressure_between(Simulation<2>& run, Real begin, Real end)
 {
-  const auto impulse = [&] { return -run.state().contact_sums[0].impulse[1]; };
+  const auto impulse = [&] { return -run.state().ledger.contact_sums[0].impulse[1]; };
   run.run_until(begin);
   Pressure found;
   const Real first = impulse(), first_time = run.state().time;
@@ -126,9 +126,9 @@ problem::Case sliding_plate()
 /// Mean shear stress on the plate until `end`, Pa.
 Real shear_until(Simulation<2>& run, Real end)
 {
-  const Real before = run.state().contact_sums[0].impulse[0], begin = run.state().time;
+  const Real before = run.state().ledger.contact_sums[0].impulse[0], begin = run.state().time;
   run.run_until(end);
-  return (run.state().contact_sums[0].impulse[0] - before) / (run.state().time - begin) / width;
+  return (run.state().ledger.contact_sums[0].impulse[0] - before) / (run.state().time - begin) / width;
 }
 
 TEST(SlidingPlate, shears_clay_by_the_share_of_its_strength)
@@ -201,7 +201,7 @@ TEST(InterfaceMemory, is_the_same_to_the_last_bit_for_any_number_of_threads)
     Simulation<2> run(c);
     run.run_until(0.01);
     omp_set_num_threads(before);
-    std::vector<Real> numbers{run.state().contact_sums[0].impulse[0], run.state().contact_sums[0].impulse[1]};
+    std::vector<Real> numbers{run.state().ledger.contact_sums[0].impulse[0], run.state().ledger.contact_sums[0].impulse[1]};
     run.state().particles[0].visit([&](Index, Index b, int l) {
       for (int k = 0; k < run.state().particles[0].extra_size(); ++k) numbers.push_back(run.state().particles[0].extra(b)[k][l]);
     });

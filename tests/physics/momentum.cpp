@@ -28,7 +28,7 @@ TEST(Momentum, is_what_gravity_contact_supports_and_damping_gave_while_a_pipe_is
   EXPECT_LT(mpm::momentum_error(run.state()), round_off);
   EXPECT_EQ(masses(run.state()), mass);
   // All four took part.
-  const problem::Totals<2>& t = run.state().totals;
+  const problem::Totals<2>& t = run.state().ledger.totals;
   for (const Vec<2>& impulse : {t.gravity_impulse, t.contact_impulse, t.support_impulse, t.damping_impulse})
     EXPECT_GT(impulse.norm(), 1e-3 * t.contact_impulse.norm());
   EXPECT_LT(t.contact_impulse[1], 0);  // the pipe pushes the soil down
@@ -51,8 +51,8 @@ TEST(Momentum, is_kept_by_every_scheme_with_every_detection)
       take_steps(run, 100);
       EXPECT_LT(mpm::momentum_error(run.state()), round_off);
       EXPECT_EQ(masses(run.state()), mass);
-      EXPECT_LT(run.state().totals.contact_impulse[1], 0);
-      EXPECT_GE(run.state().totals.friction, 0);
+      EXPECT_LT(run.state().ledger.totals.contact_impulse[1], 0);
+      EXPECT_GE(run.state().ledger.totals.friction, 0);
     }
 }
 
@@ -81,11 +81,11 @@ TEST(Reaction, is_the_momentum_that_the_soil_got_and_nothing_else_gave)
   add_steps(300);
   next_stage(run);
   add_steps(300);
-  const problem::Totals<2>& t = state.totals;
+  const problem::Totals<2>& t = state.ledger.totals;
   const Vec<2> of_others = t.gravity_impulse + t.support_impulse + t.damping_impulse;
   const Vec<2> by_pipe = mpm::sums_over(state.particles[0]).momentum - t.first_momentum - of_others;
   EXPECT_NEAR((-reaction - by_pipe).norm() / reaction.norm(), 0, 1e-10);
-  EXPECT_NEAR((-reaction - state.contact_sums[0].impulse).norm() / reaction.norm(), 0, 1e-12);
+  EXPECT_NEAR((-reaction - state.ledger.contact_sums[0].impulse).norm() / reaction.norm(), 0, 1e-12);
   EXPECT_GT(reaction[1], 0);
   EXPECT_LT(reaction[0], 0);  // the drag along +x is resisted
 }
@@ -106,8 +106,8 @@ TEST(SecondCorrection, at_nodes_moves_particles_and_never_changes_their_momentum
   };
   const problem::State<2> once = one_step(contact::Scheme::musl_single, run.state()),
                           twice = one_step(contact::Scheme::musl_coupled, run.state());
-  EXPECT_EQ(once.contact_sums[0].second_impulse, run.state().contact_sums[0].second_impulse);
-  EXPECT_NE(twice.contact_sums[0].second_impulse, run.state().contact_sums[0].second_impulse);
+  EXPECT_EQ(once.ledger.contact_sums[0].second_impulse, run.state().ledger.contact_sums[0].second_impulse);
+  EXPECT_NE(twice.ledger.contact_sums[0].second_impulse, run.state().ledger.contact_sums[0].second_impulse);
   EXPECT_EQ(once.rigid_bodies[0].reaction, twice.rigid_bodies[0].reaction);
   EXPECT_GT(once.rigid_bodies[0].reaction.norm(), 0);
   const auto a = all_particles(once), b = all_particles(twice);
@@ -152,13 +152,13 @@ TEST(Threads, do_not_change_one_bit_of_the_state)
     });
     EXPECT_EQ(one.time, several.time);
     EXPECT_EQ(one.rigid_bodies[0].displacement, several.rigid_bodies[0].displacement);
-    EXPECT_EQ(one.contact_sums[0].impulse, several.contact_sums[0].impulse);
-    EXPECT_EQ(one.contact_sums[0].second_impulse, several.contact_sums[0].second_impulse);
-    EXPECT_EQ(one.totals.internal, several.totals.internal);
-    EXPECT_EQ(one.totals.external, several.totals.external);
-    EXPECT_EQ(one.totals.friction, several.totals.friction);
-    EXPECT_EQ(one.totals.damping, several.totals.damping);
-    EXPECT_EQ(one.totals.support_impulse, several.totals.support_impulse);
+    EXPECT_EQ(one.ledger.contact_sums[0].impulse, several.ledger.contact_sums[0].impulse);
+    EXPECT_EQ(one.ledger.contact_sums[0].second_impulse, several.ledger.contact_sums[0].second_impulse);
+    EXPECT_EQ(one.ledger.totals.internal, several.ledger.totals.internal);
+    EXPECT_EQ(one.ledger.totals.external, several.ledger.totals.external);
+    EXPECT_EQ(one.ledger.totals.friction, several.ledger.totals.friction);
+    EXPECT_EQ(one.ledger.totals.damping, several.ledger.totals.damping);
+    EXPECT_EQ(one.ledger.totals.support_impulse, several.ledger.totals.support_impulse);
   }
 }
 

@@ -72,7 +72,7 @@ TEST(ReleasedSupport, takes_the_stress_along_x_away_and_lets_the_soil_settle_as_
   EXPECT_NEAR(released.top[1], -height * pressure / plane_modulus, small_strain * height * pressure / plane_modulus);
 
   // All work is stored or damped.
-  const problem::Totals<2>& t = run.state().totals;
+  const problem::Totals<2>& t = run.state().ledger.totals;
   EXPECT_NEAR((t.internal + t.damping + t.filter + mpm::sums_over(run.state().particles[0]).kinetic) / t.external, 1, 0.01);
   EXPECT_LT(mpm::momentum_error(run.state()), 1e-12);
 }

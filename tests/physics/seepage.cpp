@@ -58,7 +58,7 @@ Real exact_pressure(Real y, Real T)
 template <int dim, class Exact>
 Real pressure_error(Simulation<dim>& run, const Exact& exact)
 {
-  const int place = pore_pressure_place(run.model().bodies[0].soil.materials.front());
+  const int place = pore_pressure_index(run.model().bodies[0].soil.materials.front());
   std::vector<Real> sum(cells, 0), count(cells, 0), y(cells, 0);
   const bodies::Particles<dim>& particles = run.state().particles[0];
   particles.visit([&](Index, Index b, int l) {
@@ -141,7 +141,7 @@ TEST(SeepageWeight, of_the_soil_is_less_by_the_gradient)
   Simulation<2> run(c);
   run.run_until(until_steady);
   const Real gradient = head / height, submerged = weight * gravity;
-  const int place = pore_pressure_place(run.model().bodies[0].soil.materials.front());
+  const int place = pore_pressure_index(run.model().bodies[0].soil.materials.front());
   const bodies::Particles<2>& particles = run.state().particles[0];
   Real error = 0;
   particles.visit([&](Index, Index b, int l) {
@@ -150,10 +150,10 @@ TEST(SeepageWeight, of_the_soil_is_less_by_the_gradient)
     error = std::max(error, std::abs(effective - (submerged - gradient * material::unit_weight_of_water) * depth));
   });
   EXPECT_LT(error, submerged * height / cells) << "the pressure of a cell is the same in all of it: half a cell of both";
-  const Vec<2> before = run.state().support_impulses[2];
+  const Vec<2> before = run.state().ledger.support_impulses[2];
   const Real begin = run.state().time;
   run.run_until(begin + 0.02);
-  const Real reaction = (run.state().support_impulses[2] - before)[1] / (run.state().time - begin),
+  const Real reaction = (run.state().ledger.support_impulses[2] - before)[1] / (run.state().time - begin),
              exact = submerged * height * height / cells;
   EXPECT_NEAR(reaction, exact, 0.005 * exact);
 }
@@ -168,7 +168,7 @@ TEST(SeepageInStages, comes_and_goes_over_its_ramp_with_the_stages_of_its_suppor
   c.support[2].second.stages = {"flood"};
   c.support.emplace_back("still_base", still);
   Simulation<2> run(c);
-  ASSERT_EQ(run.model().heads.size(), 1u);
+  ASSERT_EQ(count_of<boundary::Head<2>>(run.model().conditions), 1u);
   run.run_until(0.01);
   EXPECT_EQ(pressure_of_head(run.model(), run.state(), 0), 0);
   EXPECT_LT(pressure_error(run, [](Real) { return 0; }), 1e-9);

@@ -57,7 +57,7 @@ Real velocity_at(Simulation<2>& run, Real y, int direction)
 
 Real energy(Simulation<2>& run)
 {
-  return mpm::sums_over(run.state().particles[0]).kinetic + run.state().totals.internal;
+  return mpm::sums_over(run.state().particles[0]).kinetic + run.state().ledger.totals.internal;
 }
 
 /// Of the pulse on its way: a half of it kinetic.
@@ -120,9 +120,9 @@ TEST_P(ShakenBase, does_the_work_that_the_soil_gets)
   for (const bool absorbs : {false, true}) {
     Simulation<2> run(column(wave, absorbs));
     run.run_until(1.05 * wave.crossing());
-    EXPECT_NEAR(run.state().totals.external, exact, 0.01 * exact) << absorbs;
-    run.run_until(4 * wave.crossing(), [&] { ASSERT_NEAR(energy(run), run.state().totals.external, 0.01 * exact) << absorbs; });
-    EXPECT_NEAR(run.state().totals.external, absorbs ? 0 : exact, 0.01 * exact) << "out through the base, or still there";
+    EXPECT_NEAR(run.state().ledger.totals.external, exact, 0.01 * exact) << absorbs;
+    run.run_until(4 * wave.crossing(), [&] { ASSERT_NEAR(energy(run), run.state().ledger.totals.external, 0.01 * exact) << absorbs; });
+    EXPECT_NEAR(run.state().ledger.totals.external, absorbs ? 0 : exact, 0.01 * exact) << "out through the base, or still there";
   }
 }
 

@@ -135,7 +135,7 @@ void expect_balances(const problem::Case& c, int steps)
     if (stage > 0) next_stage(run);
     for (int n = 0; n < steps; ++n) {
       take_steps(run, 1);
-      const problem::Totals<3>& t = run.state().totals;
+      const problem::Totals<3>& t = run.state().ledger.totals;
       const Real balance = mpm::sums_over(run.state().particles[0]).kinetic + t.internal + t.damping + t.filter + t.friction - t.external;
       largest = std::max(largest, std::abs(t.external));
       error = std::max(error, std::abs(balance));
@@ -146,7 +146,7 @@ void expect_balances(const problem::Case& c, int steps)
   EXPECT_LT(error, 0.01 * largest);
   EXPECT_LT(depth, 0) << "a particle is in the body";
   EXPECT_EQ(masses(), mass);
-  const problem::Totals<3>& t = run.state().totals;
+  const problem::Totals<3>& t = run.state().ledger.totals;
   for (const Vec<3>& impulse : {t.gravity_impulse, t.contact_impulse, t.support_impulse}) EXPECT_GT(impulse.norm(), 0);
   EXPECT_LT(t.contact_impulse[1], 0);  // the body pushes the soil down
 }
@@ -200,7 +200,7 @@ TEST(Space, momentum_is_kept_by_every_scheme_with_every_detection)
       next_stage(run);
       take_steps(run, 10);
       EXPECT_LT(mpm::momentum_error(run.state()), round_off);
-      EXPECT_LT(run.state().totals.contact_impulse[1], 0);
+      EXPECT_LT(run.state().ledger.totals.contact_impulse[1], 0);
     }
 }
 
@@ -258,7 +258,7 @@ TEST(Space, a_free_ball_gets_the_angular_momentum_that_friction_gives)
   EXPECT_GT(state.angular_velocity[0], 0.1);   // and along z
   // I omega, and the moment that its contacts gave to the bed, but for the last step's, which acts in the next.
   const Vec<3> got = times_inertia(run.model().rigid_bodies[0], state, state.angular_velocity),
-               given = run.state().contact_sums[0].torque_impulse + run.state().dt * state.torque;
+               given = run.state().ledger.contact_sums[0].torque_impulse + run.state().dt * state.torque;
   EXPECT_LT((got + given).norm(), 1e-3 * got.norm());
 }
 

@@ -35,12 +35,12 @@ problem::Case bed(int dim)
 template <int dim>
 std::vector<Vec<dim>> mean_forces(Simulation<dim>& run, Real duration)
 {
-  const std::vector<Vec<dim>> before = run.state().support_impulses;
+  const std::vector<Vec<dim>> before = run.state().ledger.support_impulses;
   const Real begin = run.state().time;
   run.run_until(begin + duration);
   std::vector<Vec<dim>> forces;
   for (std::size_t s = 0; s < before.size(); ++s)
-    forces.push_back((run.state().support_impulses[s] - before[s]) / (run.state().time - begin));
+    forces.push_back((run.state().ledger.support_impulses[s] - before[s]) / (run.state().time - begin));
   return forces;
 }
 
@@ -48,7 +48,7 @@ template <int dim>
 Vec<dim> sum_of_impulses(const problem::State<dim>& state)
 {
   Vec<dim> sum = Vec<dim>::Zero();
-  for (const Vec<dim>& impulse : state.support_impulses) sum += impulse;
+  for (const Vec<dim>& impulse : state.ledger.support_impulses) sum += impulse;
   return sum;
 }
 
@@ -89,8 +89,8 @@ TEST(SupportReactions, of_a_quarter_are_those_of_its_part)
   EXPECT_NEAR(forces[0][1], weight, statics * weight);
   EXPECT_NEAR(forces[1][0], -0.75 * thrust, statics * 0.75 * thrust);
   // What no support holds, the planes of symmetry give.
-  EXPECT_NEAR(sum_of_impulses(run.state())[1], run.state().totals.support_impulse[1],
-              round_off * run.state().totals.support_impulse.norm());
+  EXPECT_NEAR(sum_of_impulses(run.state())[1], run.state().ledger.totals.support_impulse[1],
+              round_off * run.state().ledger.totals.support_impulse.norm());
 }
 
 // Per radian. The radial force of the wall is not the thrust times its length alone: hoop stress carries the rest of it in the soil.
@@ -223,9 +223,10 @@ TEST(SupportReactions, add_up_to_the_impulse_of_all_supports_with_every_scheme)
       for (int n = 0; n < 200; ++n) {
         take_steps(run, 1);
         for (const Index node : run.workspace.grids[0].nodes)
-          if (run.model().fixed[0][node] != 0) before_contact += run.state().dt * run.workspace.grids[0].support_force[node];
+          if (run.model().conditions.tables[0].held[node] != 0)
+            before_contact += run.state().dt * run.workspace.grids[0].support_force[node];
       }
-      const problem::Totals<2>& t = run.state().totals;
+      const problem::Totals<2>& t = run.state().ledger.totals;
       const Real by_contact = (before_contact - t.support_impulse).norm() / t.support_impulse.norm();
       EXPECT_TRUE(detection == contact::Detection::particle ? by_contact > 1e-3 : by_contact < round_off) << by_contact;
       EXPECT_GT(t.contact_impulse[0], 0);
@@ -265,8 +266,8 @@ TEST(SupportReactions, add_up_to_the_impulse_of_all_supports_with_two_bodies_tha
   c.output.support_reactions = true;
   Simulation<2> run(c);
   take_steps(run, 300);
-  const Vec<2>& all = run.state().totals.support_impulse;
-  EXPECT_GT(run.state().pair_impulses[0].norm(), 0.01 * all.norm());
+  const Vec<2>& all = run.state().ledger.totals.support_impulse;
+  EXPECT_GT(run.state().ledger.pair_impulses[0].norm(), 0.01 * all.norm());
   EXPECT_LT((sum_of_impulses(run.state()) - all).norm(), round_off * all.norm());
 }
 
@@ -283,10 +284,11 @@ TEST(SupportReactions, are_the_same_bits_on_any_number_of_threads_and_change_no_
     return run.state();
   };
   const problem::State<2> one = state_on(1, true), several = state_on(3, true), unreported = state_on(1, false);
-  for (std::size_t s = 0; s < one.support_impulses.size(); ++s) EXPECT_EQ(one.support_impulses[s], several.support_impulses[s]);
-  EXPECT_TRUE(unreported.support_impulses.empty());
-  EXPECT_EQ(one.totals.support_impulse, unreported.totals.support_impulse);
-  EXPECT_EQ(one.totals.internal, unreported.totals.internal);
+  for (std::size_t s = 0; s < one.ledger.support_impulses.size(); ++s)
+    EXPECT_EQ(one.ledger.support_impulses[s], several.ledger.support_impulses[s]);
+  EXPECT_TRUE(unreported.ledger.support_impulses.empty());
+  EXPECT_EQ(one.ledger.totals.support_impulse, unreported.ledger.totals.support_impulse);
+  EXPECT_EQ(one.ledger.totals.internal, unreported.ledger.totals.internal);
 }
 
 }  // namespace

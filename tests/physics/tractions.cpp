@@ -53,7 +53,7 @@ TEST(Traction, accelerates_free_soil_by_its_force_over_the_mass)
   const Real t = state.time, of_force = t - 0.01;  // the ramp takes half of its own time away
   const mpm::BodySums<2> sums = mpm::sums_over(state.particles[0]);
   EXPECT_LT(mpm::momentum_error(state), round_off);
-  EXPECT_NEAR((state.totals.traction_impulse - of_force * Vec<2>(2000, 500)).norm() / 2000, 0, 2 * state.dt);
+  EXPECT_NEAR((state.ledger.totals.traction_impulse - of_force * Vec<2>(2000, 500)).norm() / 2000, 0, 2 * state.dt);
   EXPECT_NEAR((sums.momentum - of_force * Vec<2>(2000, 500)).norm() / sums.momentum.norm(), 0, 2 * state.dt / t);
 }
 
@@ -64,8 +64,8 @@ TEST(Traction, does_the_work_that_the_soil_has)
   const problem::State<2>& state = soil.problem.state;
   const Real kinetic = mpm::sums_over(state.particles[0]).kinetic;
   // The force moves by half of the square of the speed that it makes, and by what the soil stretches. The method loses some of the waves' energy.
-  EXPECT_NEAR((kinetic + state.totals.internal) / state.totals.external, 1, 0.02);
-  EXPECT_GT(state.totals.external, 0.9 * kinetic);
+  EXPECT_NEAR((kinetic + state.ledger.totals.internal) / state.ledger.totals.external, 1, 0.02);
+  EXPECT_GT(state.ledger.totals.external, 0.9 * kinetic);
 }
 
 TEST(Traction, stays_with_the_soil_that_it_began_on_from_cell_to_cell)
@@ -94,7 +94,7 @@ TEST(Traction, goes_over_its_ramp_and_acts_in_its_stages_only)
   c.stage[1].name = "without";
   c.traction[0].second.stages = {"with"};
   auto [model, state] = build<2>(c, mesh_of_quarter(c));
-  const auto part = [&](Real time) { return part_of_traction(model.tractions[0], state.tractions[0], time); };
+  const auto part = [&](Real time) { return acting_fraction(model.tractions[0], state.tractions[0], time); };
   EXPECT_EQ(part(0), 0);
   EXPECT_NEAR(part(0.005), 0.25, 1e-15);
   EXPECT_EQ(part(1), 1);
@@ -122,8 +122,8 @@ TEST(Traction, is_the_same_to_the_last_bit_for_any_number_of_threads)
   };
   const problem::State<2> one = state_with(1), three = state_with(3);
   for (std::size_t l = 0; l < one.load_points.size(); ++l) EXPECT_EQ(one.load_points[l].x, three.load_points[l].x);
-  EXPECT_EQ(one.totals.traction_impulse, three.totals.traction_impulse);
-  EXPECT_EQ(one.totals.external, three.totals.external);
+  EXPECT_EQ(one.ledger.totals.traction_impulse, three.ledger.totals.traction_impulse);
+  EXPECT_EQ(one.ledger.totals.external, three.ledger.totals.external);
 }
 
 }  // namespace

@@ -63,9 +63,9 @@ TEST(TwoBodies, keep_their_momentum_to_round_off_through_a_collision_with_fricti
   run.run_until(0.25);
   EXPECT_LT((momentum_of(run.state(), 0) + momentum_of(run.state(), 1) - left - right).norm(), 1e-12 * size);
   // What one got is what the contact says that it gave.
-  EXPECT_LT((momentum_of(run.state(), 0) - left - run.state().pair_impulses[0]).norm(), 1e-12 * size);
+  EXPECT_LT((momentum_of(run.state(), 0) - left - run.state().ledger.pair_impulses[0]).norm(), 1e-12 * size);
   EXPECT_LT(momentum_of(run.state(), 0)[0], 0);  // it has been thrown back
-  EXPECT_GE(run.state().totals.friction, 0);
+  EXPECT_GE(run.state().ledger.totals.friction, 0);
 }
 
 TEST(TwoBodies, feel_nothing_of_each_other_before_their_rims_meet)
@@ -73,9 +73,9 @@ TEST(TwoBodies, feel_nothing_of_each_other_before_their_rims_meet)
   // They meet after 0.1 s. With T = 20 dt the gap may begin to brake within 20 steps of that, 20 * 0.7 ms * 2 m/s = 0.03 m away.
   Simulation<2> run(two_blocks_that_meet(0.3));
   run.run_until(0.07);
-  EXPECT_LT(run.state().pair_impulses[0].norm(), 1e-6 * momentum_of(run.state(), 1).norm());
+  EXPECT_LT(run.state().ledger.pair_impulses[0].norm(), 1e-6 * momentum_of(run.state(), 1).norm());
   run.run_until(0.12);
-  EXPECT_GT(run.state().pair_impulses[0].norm(), 0.05 * momentum_of(run.state(), 1).norm());
+  EXPECT_GT(run.state().ledger.pair_impulses[0].norm(), 0.05 * momentum_of(run.state(), 1).norm());
 }
 
 TEST(TwoBodies, swapped_give_the_same_motion)
@@ -87,7 +87,7 @@ TEST(TwoBodies, swapped_give_the_same_motion)
   other.run_until(0.2);
   const Real size = momentum_of(run.state(), 0).norm();
   EXPECT_NEAR((momentum_of(run.state(), 0) - momentum_of(other.state(), 0)).norm() / size, 0, 1e-9);
-  EXPECT_NEAR((run.state().pair_impulses[0] + other.state().pair_impulses[0]).norm() / size, 0, 1e-9);
+  EXPECT_NEAR((run.state().ledger.pair_impulses[0] + other.state().ledger.pair_impulses[0]).norm() / size, 0, 1e-9);
 }
 
 /// The speed at which the sides of a contact point still approach each other faster than their gap allows, after the correction of step 4; m/s.
@@ -136,7 +136,7 @@ TEST(ThreeBodies, that_meet_at_a_node_press_on_each_other_consistently)
   EXPECT_GT(shared_by_three, 0);
   EXPECT_LT((after - before).norm(), 1e-12 * before.norm());
   EXPECT_LT(worst, 0.002);  // m/s, of meetings at 1 m/s: ten sweeps leave 0.0005, one leaves 0.008
-  for (const Vec<2>& impulse : run.state().pair_impulses) EXPECT_GT(impulse.norm(), 0.05 * before.norm());
+  for (const Vec<2>& impulse : run.state().ledger.pair_impulses) EXPECT_GT(impulse.norm(), 0.05 * before.norm());
 }
 
 TEST(BlockOnBlock, slides_with_the_friction_of_the_interface)

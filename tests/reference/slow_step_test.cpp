@@ -41,11 +41,12 @@ struct DrawnBody {
     slow.damping_factor = NodeField<Real>(model.mesh.node_count(), 0);
     for (Real& factor : slow.damping_factor) factor = number(0, 0.5);
     model.bodies[0].damping = slow.damping_factor;
-    for (std::uint8_t& held : model.fixed[0]) held = static_cast<std::uint8_t>(number(0, 1) < 0.3 ? number(1, 1 << dim) : 0);
+    for (std::uint8_t& held : model.conditions.tables[0].held)
+      held = static_cast<std::uint8_t>(number(0, 1) < 0.3 ? number(1, 1 << dim) : 0);
     fill(material, with_contact ? 0 : 1.5);
-    model.fixed[0][model.mesh.nodes[slow.particles[0].cell][0]] = (1 << dim) - 1;  // some node of the body at least
+    model.conditions.tables[0].held[model.mesh.nodes[slow.particles[0].cell][0]] = (1 << dim) - 1;  // some node of the body at least
     if (with_contact) add_contact();
-    slow.held = model.fixed[0];
+    slow.held = model.conditions.tables[0].held;
     copy_particles(material);
   }
 
@@ -96,12 +97,12 @@ struct DrawnBody {
     model.contacts.push_back(
         {"contact", 0, 0, none, slow.rigid->friction, 0, contact::Scheme::musl_double, contact::Detection::overlap, 20});
     fast.state.rigid_bodies.resize(1);
-    fast.state.contact_sums.resize(1);
-    fast.state.pair_impulses.assign(1, Vec<dim>::Zero());
+    fast.state.ledger.contact_sums.resize(1);
+    fast.state.ledger.pair_impulses.assign(1, Vec<dim>::Zero());
     fast.state.listed_poses.assign(1, bodies::Pose<dim>::nowhere());
     for (const auto& nodes : model.mesh.nodes)
       if (std::any_of(nodes.begin(), nodes.end(), [&](Index i) { return normal.dot(model.mesh.position[i] - point) < 0; }))
-        for (const Index i : nodes) model.fixed[0][i] = 0;
+        for (const Index i : nodes) model.conditions.tables[0].held[i] = 0;
   }
   /// The fast step's particles.
   void copy_particles(const material::Material& material)

@@ -120,12 +120,12 @@ std::vector<LoadScene> loads_of(const problem::Case& c, const problem::Model<dim
     const std::string& name = model.tractions[model.load_points[l].traction].name;
     loads[problem::index_of(c.traction, name)].points.push_back(place_of(load_points[l].x));
   }
-  for (const problem::Head<dim>& head : model.heads) {
-    LoadScene& load = loads.emplace_back(LoadScene{"support." + head.name + ".head", {}});
-    for (std::size_t k = 0; k < head.nodes.size(); ++k)
+  boundary::for_each_of<boundary::Head<dim>>(model.conditions, [&](std::size_t, const auto& row, const auto& head) {
+    LoadScene& load = loads.emplace_back(LoadScene{"support." + row.name + ".head", {}});
+    for (std::size_t k = 0; k < row.nodes.size(); ++k)
       load.points.push_back(
-          place_of(model.mesh.position[head.nodes[k]] + within * (model.mesh.upper - model.mesh.lower).norm() * head.normals[k]));
-  }
+          place_of(model.mesh.position[row.nodes[k]] + within * (model.mesh.upper - model.mesh.lower).norm() * head.normals[k]));
+  });
   return loads;
 }
 

@@ -25,12 +25,12 @@ struct Dashpots {
   std::vector<std::vector<Matrix<dim>>> incoming;
 
   bool any() const { return of_node.size() > 0; }
-  /// 2 C v_in at a place, N, of these velocities of the motions, m/s.
-  Vec<dim> incoming_force(Index place, const std::vector<Vec<dim>>& velocity) const
+  /// 2 C v_in at the index of a node, N, of these velocities of the motions, m/s.
+  Vec<dim> incoming_force(Index index, const std::vector<Vec<dim>>& velocity) const
   {
     Vec<dim> force = Vec<dim>::Zero();
     for (std::size_t m = 0; m < incoming.size(); ++m)
-      if (!incoming[m].empty()) force += 2 * incoming[m][static_cast<std::size_t>(place)] * velocity[m];
+      if (!incoming[m].empty()) force += 2 * incoming[m][static_cast<std::size_t>(index)] * velocity[m];
     return force;
   }
 };

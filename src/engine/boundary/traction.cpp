@@ -31,11 +31,11 @@ std::pair<std::vector<Vec<dim>>, Real> points_on(const mesh::Mesh<dim>& mesh, co
   std::vector<Vec<dim>> points;
   if constexpr (dim == 2) {
     const Vec<2>&begin = mesh.position[face[0]], &end = mesh.position[face[1]];
-    const LoadedPart part = loaded_part(traction, begin, end);
-    const Real loaded = part.to - part.from;
+    const LoadedRange range = loaded_range(traction, begin, end);
+    const Real loaded = range.to - range.from;
     if (!(loaded > 0)) return {points, 0};
     for (int n = 0; n < points_along_edge; ++n)
-      points.push_back(begin + (part.from + loaded * (n + 0.5) / points_along_edge) * (end - begin));
+      points.push_back(begin + (range.from + loaded * (n + 0.5) / points_along_edge) * (end - begin));
     return {points, loaded};
   } else {
     for (const auto& at : bodies::points_in_simplex<2>(points_along_triangle))
@@ -92,14 +92,14 @@ Vec<dim> stress_on(const TractionSettings& traction, const Vec<dim>& normal, con
   return Eigen::Map<const Vec<dim>>(traction.stress.data());
 }
 
-LoadedPart loaded_part(const TractionSettings& traction, const Vec<2>& begin, const Vec<2>& end)
+LoadedRange loaded_range(const TractionSettings& traction, const Vec<2>& begin, const Vec<2>& end)
 {
-  LoadedPart part{0, 1};
-  if (traction.x_range.empty()) return part;
+  LoadedRange range{0, 1};
+  if (traction.x_range.empty()) return range;
   const Real length = end[0] - begin[0];
-  if (length == 0) return traction.x_range[0] <= begin[0] && begin[0] <= traction.x_range[1] ? part : LoadedPart{0, 0};
+  if (length == 0) return traction.x_range[0] <= begin[0] && begin[0] <= traction.x_range[1] ? range : LoadedRange{0, 0};
   const Real a = (traction.x_range[0] - begin[0]) / length, b = (traction.x_range[1] - begin[0]) / length;
-  return {std::max(part.from, std::min(a, b)), std::min(part.to, std::max(a, b))};
+  return {std::max(range.from, std::min(a, b)), std::min(range.to, std::max(a, b))};
 }
 
 template <int dim>

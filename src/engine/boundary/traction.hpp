@@ -30,10 +30,10 @@ template <int dim>
 Vec<dim> stress_on(const TractionSettings& traction, const Vec<dim>& normal, const Vec<dim>& x);
 
 /// The part of a line that x_range leaves, as fractions of the way from one end to the other; from >= to where it is empty.
-struct LoadedPart {
+struct LoadedRange {
   Real from, to;
 };
-LoadedPart loaded_part(const TractionSettings& traction, const Vec<2>& begin, const Vec<2>& end);
+LoadedRange loaded_range(const TractionSettings& traction, const Vec<2>& begin, const Vec<2>& end);
 
 /// A point at the loaded boundary, and the force that it gives to the soil.
 template <int dim>

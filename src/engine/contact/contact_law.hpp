@@ -14,14 +14,14 @@ struct Interface {
   Real allowed_approach;     ///< m/s: max(0, gap) / T
   bool tied = false;         ///< one velocity field: neither slip nor separation
   Real tension_impulse = 0;  ///< N s: the most tension that a bonded point carries (Pa) times area times dt; 0 where it has none
-  Real water_part = 0;       ///< excess pore pressure over total normal stress, 0 to 1: what the water carries of an impulse that presses
+  Real water_fraction = 0;   ///< excess pore pressure over total normal stress, 0 to 1: what the water carries of an impulse that presses
   Real suction_impulse =
       0;  ///< N s: the suction in the pores (Pa) times area times dt, which presses soil and surface together; at least 0
 
   /// The most that a point transmits along the surface, N s: friction acts on the effective normal stress.
   Real limit(Real normal_impulse) const
   {
-    const Real effective = normal_impulse - water_part * std::max(Real(0), normal_impulse) + suction_impulse;
+    const Real effective = normal_impulse - water_fraction * std::max(Real(0), normal_impulse) + suction_impulse;
     return friction * std::max(Real(0), effective) + adhesion_impulse;
   }
 };
@@ -34,7 +34,7 @@ struct EffectiveMass {
 /// The impulse of a contact point of effective mass m (1/m = sum of N^2 / M over what it moves) that carries `before`
 /// already, with the relative velocity `relative` under that:
 ///
-///   j_n = max(0, before_n + m_n (-relative . n - allowed_approach)),   j_t = before_t - m_t relative_t, cut to |j_t| <= mu max(0, (1 - water_part) j_n + suction_impulse) + adhesion_impulse.
+///   j_n = max(0, before_n + m_n (-relative . n - allowed_approach)),   j_t = before_t - m_t relative_t, cut to |j_t| <= mu max(0, (1 - water_fraction) j_n + suction_impulse) + adhesion_impulse.
 ///
 /// A bonded point (tension_impulse J > 0) resists separation, too: where j_n above is 0, j_n = max(-J, min(0, before_n - m_n relative . n)),
 /// with the same limit of j_t.

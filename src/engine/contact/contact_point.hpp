@@ -31,7 +31,7 @@ struct ContactPoint {
   Real friction = 0;                     ///< tan of the friction angle; where it differs from point to point
   Real pore_pressure = 0;                ///< Pa, excess, of the particle that the point is, where its soil is undrained
   Real soil_pressure = 0;                ///< Pa, total normal stress on the surface in that particle, compression positive
-  Real water_part = 0;                   ///< what the water carries of the force along the normal (find_water_parts)
+  Real water_fraction = 0;               ///< what the water carries of the force along the normal (find_water_fractions)
   EffectiveMass mass;                    ///< 1 / sum of N^2 / M over all that the point moves; 0 where supports fix it
   /// 1/kg, a column a node: its velocity over the impulse of the point, by direction; 0 where supports fix it.
   Eigen::Matrix<Real, dim, dim + 1, Eigen::DontAlign> response = Eigen::Matrix<Real, dim, dim + 1, Eigen::DontAlign>::Zero();

@@ -106,8 +106,8 @@ void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shap
 template <int dim>
 bool is_near(Real distance, Real section)
 {
-  const Real part = distance * (2. / 3);
-  return part <= 0 || (dim == 2 ? part * part : part * part * part) < section;
+  const Real width = distance * (2. / 3);
+  return width <= 0 || (dim == 2 ? width * width : width * width * width) < section;
 }
 
 /// The particles whose rims are nearer than their width.
@@ -138,7 +138,7 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         const Real half = half_width<dim>(section);
         ContactPoint<dim>& point = found.list[at++];
         point = {};
-        point.gap = surface.distance - (rim == ParticleRim::whole ? half : half * part_of_rim(p.deviatoric_strain[l]));
+        point.gap = surface.distance - (rim == ParticleRim::whole ? half : half * rim_fraction(p.deviatoric_strain[l]));
         point.half_width = half;
         point.nodes = mesh.nodes[cell];
         for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);

@@ -17,7 +17,7 @@ Real half_width(Real section)
 
 /// Distance of the rim of a particle from its centre over half its width, where rims wear. The strain is the deviatoric one summed over all steps, 0 as it was placed. What is left in the end keeps
 /// particles out of the body, and in a mesh that ends at its surface.
-inline Real part_of_rim(Real strain)
+inline Real rim_fraction(Real strain)
 {
   constexpr Real wearing_strain = 0.1, left = 0.05;
   return left + (1 - left) * std::exp(-strain / wearing_strain);

@@ -73,8 +73,8 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
       }
   }
   if (Ranks::of_run().divided()) Ranks::of_run().gather(std::vector(list), list);
-  const auto place = [](const Footprint<2>& f) { return std::tie(f.side, f.along, f.width, f.nodes, f.weights); };
-  std::sort(list.begin(), list.end(), [&](const Footprint<2>& a, const Footprint<2>& b) { return place(a) < place(b); });
+  const auto position = [](const Footprint<2>& f) { return std::tie(f.side, f.along, f.width, f.nodes, f.weights); };
+  std::sort(list.begin(), list.end(), [&](const Footprint<2>& a, const Footprint<2>& b) { return position(a) < position(b); });
   for (std::size_t k = 1; k < list.size(); ++k)
     if (list[k].side == list[k - 1].side) meet(list[k - 1], list[k], list[k].along - list[k - 1].along);
   const Real around = std::visit([](const auto& s) { return closes_after(s); }, shape);
@@ -141,7 +141,7 @@ void share_surface(ContactPoints<dim>& points)
 }
 
 template <int dim>
-void find_water_parts(ContactPoints<dim>& points, const mesh::Mesh<dim>& mesh)
+void find_water_fractions(ContactPoints<dim>& points, const mesh::Mesh<dim>& mesh)
 {
   if (points.node_area.size() == 0) points.node_area = points.node_weight = NodeField<Real>::zeros(mesh.node_count());
   NodeField<Real>&water = points.node_area, &total = points.node_weight;
@@ -153,15 +153,15 @@ void find_water_parts(ContactPoints<dim>& points, const mesh::Mesh<dim>& mesh)
         total[i] += N * point.soil_pressure;
       });
   for (ContactPoint<dim>& point : points.list) {
-    point.water_part = 0;
+    point.water_fraction = 0;
     for_nodes(point, [&](Index i, Real N) {
-      if (water[i] > 0) point.water_part += N * (total[i] > water[i] ? water[i] / total[i] : 1);
+      if (water[i] > 0) point.water_fraction += N * (total[i] > water[i] ? water[i] / total[i] : 1);
     });
   }
 }
 
-template void find_water_parts(ContactPoints<2>&, const mesh::Mesh<2>&);
-template void find_water_parts(ContactPoints<3>&, const mesh::Mesh<3>&);
+template void find_water_fractions(ContactPoints<2>&, const mesh::Mesh<2>&);
+template void find_water_fractions(ContactPoints<3>&, const mesh::Mesh<3>&);
 template void share_surface(ContactPoints<2>&);
 template void share_surface(ContactPoints<3>&);
 

@@ -36,6 +36,6 @@ void share_surface(ContactPoints<dim>& points);
 ///
 /// Stresses, not impulses: these come and go from point to point and from step to step.
 template <int dim>
-void find_water_parts(ContactPoints<dim>& points, const mesh::Mesh<dim>& mesh);
+void find_water_fractions(ContactPoints<dim>& points, const mesh::Mesh<dim>& mesh);
 
 }  // namespace berm::contact

@@ -118,7 +118,7 @@ std::optional<PoreWater> pore_water(const Material& material)
   return visit([](const auto& law) { return law.water; }, material);
 }
 
-int pore_pressure_place(const Material& material)
+int pore_pressure_index(const Material& material)
 {
   return has_pore_pressure(material) ? state_size(material) - 1 : none;
 }

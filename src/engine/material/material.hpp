@@ -96,15 +96,15 @@ std::optional<Hydraulics> hydraulics(const Material& material);
 /// K_w / n, Pa; 0 where the soil has no excess pore pressure.
 Real water_stiffness(const Material& material);
 /// Which of the state variables is the excess pore pressure, Pa, compression positive; none where the soil has none.
-int pore_pressure_place(const Material& material);
+int pore_pressure_index(const Material& material);
 /// The same soil, from which water flows freely.
 Material drained(Material material);
 /// stress + p I of a soil with this state: the stress itself where the soil has no excess pore pressure. Pa, tension positive.
 template <int dim>
 SymTensor<dim> effective_stress(const Material& material, SymTensor<dim> stress, const Real* state)
 {
-  if (const int place = pore_pressure_place(material); place != none)
-    for (int k = 0; k < 3; ++k) stress[k] += state[place];
+  if (const int index = pore_pressure_index(material); index != none)
+    for (int k = 0; k < 3; ++k) stress[k] += state[index];
   return stress;
 }
 

@@ -124,10 +124,10 @@ template <int dim, class N, class T>
   if (any(was_open)) [[unlikely]] {
     const T volume = trace(increment.strain), left = opening + volume, one = T{} + 1.;
     const Mask stays_open = was_open & (left > T{}), closes = was_open & (left <= T{});
-    const T part_after_closing = closes ? left / (closes ? volume : one) : (stays_open ? T{} : one);
+    const T fraction_after_closing = closes ? left / (closes ? volume : one) : (stays_open ? T{} : one);
     const T apex = law.apex - T{};
     for (int k = 0; k < tensor_size<dim>; ++k) {
-      change[k] *= part_after_closing;
+      change[k] *= fraction_after_closing;
       stress[k] = was_open ? (k < 3 ? apex : T{}) : stress[k];
     }
     opening = stays_open ? smaller(left, law.max_opening - T{}) : T{};

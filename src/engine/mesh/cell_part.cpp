@@ -30,7 +30,7 @@ void measure(const Mesh<2>& mesh, Index cell, const std::array<Real, 3>& value, 
 
 /// The part of its volume that two corners of a tetrahedron have in common with a linear field's positive side, the others being on the other: a wedge, as three
 /// tetrahedra.
-Real part_of_wedge(const std::array<Real, 4>& value)
+Real fraction_of_wedge(const std::array<Real, 4>& value)
 {
   using Place = Eigen::Vector4d;  // by corner
   std::array<int, 2> in{}, out{};
@@ -70,7 +70,7 @@ void measure(const Mesh<3>& mesh, Index cell, const std::array<Real, 4>& value, 
   };
   const Real left = negative == 4   ? 0
                     : negative == 3 ? at_corner(the_only(false))
-                    : negative == 2 ? part_of_wedge(value)
+                    : negative == 2 ? fraction_of_wedge(value)
                     : negative == 1 ? 1 - at_corner(the_only(true))
                                     : 1;
   part.section = left * mesh.section(cell);

@@ -11,7 +11,7 @@
 namespace berm::mesh {
 namespace {
 
-constexpr Real at_one_place = 1e-3;  // of the shortest edge
+constexpr Real coincident = 1e-3;  // of the shortest edge
 
 template <int dim>
 Real shortest_edge(const Mesh<dim>& mesh)
@@ -50,7 +50,7 @@ public:
     const Real size = boxes_to_reach * reach_;
     Index found = none;
     std::array<std::int64_t, dim> from, to, box;
-    for (int d = 0; d < dim; ++d) from[d] = place(x[d] - reach_, size), to[d] = place(x[d] + reach_, size);
+    for (int d = 0; d < dim; ++d) from[d] = box_index(x[d] - reach_, size), to[d] = box_index(x[d] + reach_, size);
     box = from;
     for (bool more = true; more && found == none;) {
       const auto [begin, end] = nodes_.equal_range(key(box));
@@ -63,13 +63,13 @@ public:
       }
     }
     if (found != none) return found;
-    for (int d = 0; d < dim; ++d) box[d] = place(x[d], size);
+    for (int d = 0; d < dim; ++d) box[d] = box_index(x[d], size);
     nodes_.emplace(key(box), node);
     return none;
   }
 
 private:
-  static std::int64_t place(Real x, Real size) { return static_cast<std::int64_t>(std::floor(x / size)); }
+  static std::int64_t box_index(Real x, Real size) { return static_cast<std::int64_t>(std::floor(x / size)); }
   static std::uint64_t key(const std::array<std::int64_t, dim>& box)
   {
     std::uint64_t key = 0;
@@ -127,7 +127,7 @@ void join_doubled_nodes(Mesh<dim>& mesh, const std::optional<Real>& tolerance, c
     if (const Index joined = join(mesh, *tolerance, file); joined > 0)
       mesh.remarks.push_back(
           fmt::format("has {} nodes that lie no farther than mesh.merge_tolerance from another: they are one with it", joined));
-  const Real shortest = shortest_edge(mesh), reach = at_one_place * shortest;
+  const Real shortest = shortest_edge(mesh), reach = coincident * shortest;
   if (!resolves(mesh, reach)) return;  // cells without a size are refused where they are looked at
   Boxes<dim> boxes(mesh.position, reach);
   const std::vector<char> used = used_by_cells(mesh);

@@ -14,11 +14,11 @@ std::vector<Vec<2>>::const_iterator right_of(const std::vector<Vec<2>>& corners,
   return std::upper_bound(corners.begin(), corners.end(), x, [](Real at, const Vec<2>& corner) { return at < corner[0]; });
 }
 
-Real distance_from_part(const Vec<2>& x, const Vec<2>& from, const Vec<2>& to)
+Real distance_from_segment(const Vec<2>& x, const Vec<2>& from, const Vec<2>& to)
 {
   const Vec<2> along = to - from;
-  const Real part = along.squaredNorm() > 0 ? std::clamp((x - from).dot(along) / along.squaredNorm(), Real(0), Real(1)) : 0;
-  return (x - from - part * along).norm();
+  const Real fraction = along.squaredNorm() > 0 ? std::clamp((x - from).dot(along) / along.squaredNorm(), Real(0), Real(1)) : 0;
+  return (x - from - fraction * along).norm();
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::pair<Real, Real> GroundLine::heights(Real from, Real to) const
 Real GroundLine::distance(const Vec<2>& x) const
 {
   Real nearest = (x - corners.front()).norm();
-  for (std::size_t k = 1; k < corners.size(); ++k) nearest = std::min(nearest, distance_from_part(x, corners[k - 1], corners[k]));
+  for (std::size_t k = 1; k < corners.size(); ++k) nearest = std::min(nearest, distance_from_segment(x, corners[k - 1], corners[k]));
   return nearest;
 }
 
@@ -85,7 +85,7 @@ GroundLine simplified(const GroundLine& line)
       const Vec<2>&from = kept.corners.back(), &to = line.corners[k + 1];
       bool straight = true;
       for (std::size_t j = k; straight && j > 0 && line.corners[j] != from; --j)
-        straight = distance_from_part(line.corners[j], from, to) <= margin;
+        straight = distance_from_segment(line.corners[j], from, to) <= margin;
       if (straight) continue;
     }
     kept.corners.push_back(line.corners[k]);

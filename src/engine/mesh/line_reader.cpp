@@ -45,15 +45,15 @@ Lines::Lines(const std::filesystem::path& path) : name_(path.string())
   FileBytes found = read_file(path, max_bytes);
   if (!found.fault.empty()) throw InputError(fmt::format("{}: {}", name_, found.fault));
   content_ = std::move(found.bytes);
-  place_ = begin_of_text(content_);
+  position_ = begin_of_text(content_);
 }
 
 bool Lines::next()
 {
-  while (place_ < content_.size()) {
-    const std::size_t end = std::min(content_.find('\n', place_), content_.size());
-    line_ = trimmed(std::string_view(content_).substr(place_, end - place_));
-    place_ = end + 1;
+  while (position_ < content_.size()) {
+    const std::size_t end = std::min(content_.find('\n', position_), content_.size());
+    line_ = trimmed(std::string_view(content_).substr(position_, end - position_));
+    position_ = end + 1;
     ++number_;
     rest_ = line_;
     if (!line_.empty()) return true;
@@ -101,7 +101,7 @@ Real Lines::real(const char* expected)
 BigIndex Lines::count(const char* expected, BigIndex bytes)
 {
   const BigIndex value = integer(expected, 0, std::numeric_limits<BigIndex>::max());
-  const auto left = static_cast<BigIndex>(content_.size() - std::min(place_, content_.size()) + 1);
+  const auto left = static_cast<BigIndex>(content_.size() - std::min(position_, content_.size()) + 1);
   if (value > left / bytes)
     fail(fmt::format("expected {}; {} is impossible: the rest of the file is too short for so many", expected, value));
   return value;

@@ -40,7 +40,7 @@ private:
   std::string_view word(const char* expected);
 
   std::string name_, content_;
-  std::size_t place_ = 0;
+  std::size_t position_ = 0;
   BigIndex number_ = 0;
   std::string_view line_, rest_;
 };

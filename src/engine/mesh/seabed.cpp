@@ -24,8 +24,8 @@ void add_stretches(std::vector<Interval>& intervals, const SeabedMesh& bed, Real
 {
   constexpr int count = 100;
   const Real grows = bed.growth * reach / bed.near_size;
-  const auto position = [&](Real part) {
-    return grows > 1e-6 ? bed.near_size / bed.growth * std::expm1(part * std::log1p(grows)) : part * reach;
+  const auto position = [&](Real fraction) {
+    return grows > 1e-6 ? bed.near_size / bed.growth * std::expm1(fraction * std::log1p(grows)) : fraction * reach;
   };
   for (int k = 0; k < count; ++k)
     intervals.push_back({position((k + 0.5) / count), position((k + 1.) / count) - position(Real(k) / count)});

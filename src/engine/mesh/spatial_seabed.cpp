@@ -10,7 +10,7 @@ namespace berm::mesh {
 namespace {
 
 constexpr Real steepest_in_space = 60 * degree;  // cells are sheared along it
-constexpr Real least_part = 0.5;                 // of its height, to which the mesh above or below the fine zone is compressed
+constexpr Real min_fraction = 0.5;               // of its height, to which the mesh above or below the fine zone is compressed
 constexpr Real thinnest = 0.4;                   // brick, over near_size
 constexpr Real slack = 1e-9;
 constexpr Real most_along_axis = 1e5;
@@ -143,12 +143,12 @@ void check_faces(const SeabedMesh& bed)
   Real low = 0, high = 0;
   for (const Vec<2>& corner : bent_surface(bed).corners) low = std::min(low, corner[1]), high = std::max(high, corner[1]);
   const Real below = bed.depth - bed.layer - bed.near_depth, above = bed.headroom - bed.near_height;
-  refuse_unless(below + low >= least_part * below, "depth",
+  refuse_unless(below + low >= min_fraction * below, "depth",
                 fmt::format("the surface falls by {:.6g} m, for which {:.6g} m below the fine zone are not enough: at least {:.6g} m deep",
-                            -low, below, bed.layer + bed.near_depth - low / (1 - least_part)));
-  refuse_unless(above - high >= least_part * above, "headroom",
+                            -low, below, bed.layer + bed.near_depth - low / (1 - min_fraction)));
+  refuse_unless(above - high >= min_fraction * above, "headroom",
                 fmt::format("the surface rises by {:.6g} m, for which {:.6g} m above the fine zone are not enough: at least {:.6g} m", high,
-                            above, bed.near_height + high / (1 - least_part)));
+                            above, bed.near_height + high / (1 - min_fraction)));
 }
 
 /// Refuses planes so near each other that cells between them would shorten the time step.

@@ -167,8 +167,8 @@ std::string geometry_of(const SeabedMesh& bed)
   std::vector<int> lower_side = whole;  // of the space: the surface, but around the fine zone
   const auto from = std::search(lower_side.begin(), lower_side.end(), near.begin(), near.end());
   lower_side.erase(from, from + static_cast<std::ptrdiff_t>(near.size()));
-  const std::size_t place = at_left.size() + (bed.layer > 0 ? 1 : 0);
-  lower_side.insert(lower_side.begin() + static_cast<std::ptrdiff_t>(place), above.begin(), above.end());
+  const std::size_t index = at_left.size() + (bed.layer > 0 ? 1 : 0);
+  lower_side.insert(lower_side.begin() + static_cast<std::ptrdiff_t>(index), above.begin(), above.end());
   const int space = g.surface(joined({lower_side, {up_right, -top, -up_left}}));
 
   g.name("Surface", "near", {near_soil});

@@ -5,8 +5,8 @@
 #include "boundary/damping.hpp"
 
 #include "mpm/diagnose.hpp"
-#include "mpm/light_corners.hpp"
 #include "mpm/moments.hpp"
+#include "mpm/small_mass_nodes.hpp"
 #include "problem/stages.hpp"
 
 namespace berm::mpm {
@@ -52,24 +52,24 @@ struct BodyBalance {
   Real dt = state.dt;                                                                       // s
   Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);  // m/s2
   Components<dim> gravity_components = components(gravity);
-  const NodeField<std::uint8_t>& fixed = grid.supports(model);
+  const NodeField<std::uint8_t>& held = grid.held_directions(model);
+  const NodeField<boundary::Holders<dim>>& moved = grid.conditions(model).moved;
+  const boundary::Dashpots<dim>* dashpots = model.conditions.absorbs(body) ? &model.conditions.dashpots[body] : nullptr;
   bool flows = grid.water.flows(), loaded = !model.load_points.empty(), reported = !grid.support_force.empty();
-  bool absorbing = !model.dashpots.empty() && model.dashpots[body].any();
   bool holding = stage.kind == problem::StageKind::geostatic;  // also the boundaries that absorb in other stages
-  bool moving = !model.moved.empty() && !model.moved[state.stage.index].empty();
+  bool moving = !moved.empty();
   std::optional<Real> stage_damping = stage.damping;
-  // Damping, against the velocity before the step, would drive a light node.
-  Real least_damped = light_node_part * model.bodies[body].waves.min_density / (dim + 1);  // kg/m3
+  // Damping, against the velocity before the step, would drive a node of small mass.
+  Real least_damped = small_mass_fraction * model.bodies[body].waves.min_density / (dim + 1);  // kg/m3
 
-  Index dashpot_of(Index node) const { return absorbing ? model.dashpots[body].of_node[node] : none; }
-  /// Calls act(d, motion) for the directions in which a node follows a motion.
+  Index dashpot_of(Index node) const { return dashpots != nullptr ? dashpots->of_node[node] : none; }
+  /// Calls act(d, row) for the directions in which a condition prescribes the velocity of a node.
   template <class Act>
   [[gnu::always_inline]] void for_each_motion(Index node, const Act& act) const
   {
     if (!moving) return;
-    const boundary::Holders<dim>& motions = model.moved[state.stage.index][node];
     for (int d = 0; d < dim; ++d)
-      if (motions[d] != none) act(d, motions[d]);
+      if (moved[node][d] != none) act(d, moved[node][d]);
   }
 };
 
@@ -81,7 +81,7 @@ struct NodeBalance {
   Components<dim> v;                                // before the step, m/s
   std::uint8_t held;                                // bit d: direction d
   Index dashpot;                                    // or none
-  bool gives_way;                                   // to waves, at its dashpot
+  bool absorbs;                                     // waves, by its dashpot
   Components<dim> force;                            // first of stress, then of all but damping and support, N
   Components<dim> inertia = m - Components<dim>{};  // kg, by direction
   Components<dim> damping{}, unbalanced{};          // N; this where nothing holds the node
@@ -90,7 +90,7 @@ struct NodeBalance {
   bool holds(int d) const { return held >> d & 1; }
 };
 
-/// (2), (3) and tractions. The water takes a part of the force, and gives way by a flux that the acceleration makes.
+/// (2), (3) and tractions. The water takes a part of the force, and moves by a flux that the acceleration makes.
 template <int dim>
 [[gnu::always_inline]] inline void add_forces(const BodyBalance<dim>& all, NodeBalance<dim>& node)
 {
@@ -109,7 +109,7 @@ template <int dim>
 [[gnu::always_inline]] inline void damp(const BodyBalance<dim>& all, NodeBalance<dim>& node)
 {
   node.unbalanced = node.force;
-  if (node.gives_way) node.unbalanced += components(all.state.held_forces[all.body][node.i]);
+  if (node.absorbs) node.unbalanced += components(all.state.held_forces[all.body][node.i]);
   for (int d = 0; d < dim && node.held != 0; ++d)
     if (node.holds(d)) node.unbalanced[d] = 0;
   if (all.grid.touching[node.i]) return;
@@ -118,14 +118,14 @@ template <int dim>
   node.damping = boundary::local_damping(factor, node.unbalanced, node.v);
 }
 
-/// (4); of a node that gives way with its dashpot, F_rest and the wave that comes in at the middle of the step.
+/// (4); of a node that absorbs with its dashpot, F_rest and the wave that comes in at the middle of the step.
 template <int dim>
 [[gnu::always_inline]] inline void accelerate(const BodyBalance<dim>& all, NodeBalance<dim>& node)
 {
   const Components<dim> total = node.force + node.damping;
   node.a = total / node.inertia;
-  if (!node.gives_way) return;
-  const boundary::Dashpots<dim>& dashpots = all.model.dashpots[all.body];
+  if (!node.absorbs) return;
+  const boundary::Dashpots<dim>& dashpots = *all.dashpots;
   const Workspace<dim>& w = all.workspace;
   Vec<dim> from_outside = all.state.held_forces[all.body][node.i];
   if (!dashpots.incoming.empty())
@@ -146,7 +146,7 @@ template <int dim>
 
 /// The node's part of the totals, and what its supports give it.
 template <int dim>
-[[gnu::always_inline]] inline void book(const BodyBalance<dim>& all, const NodeBalance<dim>& node, NodalSums<dim>& to)
+[[gnu::always_inline]] inline void add_to_totals(const BodyBalance<dim>& all, const NodeBalance<dim>& node, NodalSums<dim>& to)
 {
   const Components<dim> mid_velocity = node.v + 0.5 * all.dt * node.a;
   to.mass += node.m;
@@ -168,10 +168,10 @@ template <int dim>
   all.for_each_motion(node.i, [&](int d, Index motion) {
     to.support_power += support[d] * (all.workspace.motion_before[motion][d] + all.workspace.motion_after[motion][d]) / 2;
   });
-  for (int d = 0; d < dim && node.gives_way; ++d)
+  for (int d = 0; d < dim && node.absorbs; ++d)
     if (!node.holds(d)) to.support_power += support[d] * mid_velocity[d];
   for (int d = 0; d < dim && all.holding && node.dashpot != none; ++d)
-    if (all.model.dashpots[all.body].directions[node.dashpot] >> d & 1) all.state.held_forces[all.body][node.i][d] = support[d];
+    if (all.dashpots->directions[node.dashpot] >> d & 1) all.state.held_forces[all.body][node.i][d] = support[d];
 }
 
 }  // namespace
@@ -186,9 +186,9 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     NodeBalance<dim> node{.i = i,
                           .m = grid.mass[i],
                           .v = components(grid.velocity[i]),
-                          .held = all.fixed[i],
+                          .held = all.held[i],
                           .dashpot = dashpot,
-                          .gives_way = dashpot != none && !all.holding,
+                          .absorbs = dashpot != none && !all.holding,
                           .force = gathered(model.mesh, grid, i)};
     to.all += node.force + node.v;
     if (node.m > 0) {
@@ -196,14 +196,14 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       damp(all, node);
       accelerate(all, node);
       hold(all, node);
-      book(all, node, to);
+      add_to_totals(all, node, to);
     }
     store<dim>(node.a, grid.acceleration[i]);
   });
 
-  if (!std::isfinite(sum_of_components<dim>(sums.all) + state.totals.internal)) throw_not_finite(model, state, body);
+  if (!std::isfinite(sum_of_components<dim>(sums.all) + state.ledger.totals.internal)) throw_not_finite(model, state, body);
   const Real dt = state.dt;
-  problem::Totals<dim>& totals = state.totals;
+  problem::Totals<dim>& totals = state.ledger.totals;
   totals.gravity_impulse += dt * sums.mass * all.gravity;
   totals.traction_impulse += dt * vector_of<dim>(sums.traction);
   totals.damping_impulse += dt * vector_of<dim>(sums.damping);

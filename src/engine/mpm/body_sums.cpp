@@ -65,11 +65,11 @@ Real momentum_error(const problem::State<dim>& state, mesh::Metric metric)
     moving += std::sqrt(2 * sums.mass * sums.kinetic);
   }
   now += taken_out(state).momentum;
-  const Vec<dim>& first = state.totals.first_momentum;
+  const Vec<dim>& first = state.ledger.totals.first_momentum;
   Vec<dim> given = Vec<dim>::Zero();
   Real size = moving + size_of(first);
   for_each_row(problem::rows_of_run<dim>, [&](const auto& row) {
-    const auto& sum = state.totals.*row.member;
+    const auto& sum = state.ledger.totals.*row.member;
     if constexpr (std::is_same_v<decltype(sum), const Vec<dim>&>)
       if (row.balance == problem::Balance::momentum) given += sum, size += size_of(sum);
   });

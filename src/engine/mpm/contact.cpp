@@ -9,8 +9,8 @@
 #include "mpm/exchange.hpp"
 #include "mpm/hoop.hpp"
 #include "mpm/interface.hpp"
-#include "mpm/light_corners.hpp"
 #include "mpm/reaction.hpp"
+#include "mpm/small_mass_nodes.hpp"
 
 #include <atomic>
 
@@ -83,7 +83,7 @@ void set_responses(const problem::Model<dim>& model, const problem::State<dim>& 
     Vec<dim> compliance = Vec<dim>::Zero();
     const auto response = [&](Index b, Index node, Real N) {
       const Real m = workspace.grids[b].mass[node], unit = m > 0 ? N / m : 0;
-      const Vec<dim> of_node = boundary::without_fixed<dim>(workspace.grids[b].supports(model), node, Vec<dim>::Constant(unit));
+      const Vec<dim> of_node = boundary::without_fixed<dim>(workspace.grids[b].held_directions(model), node, Vec<dim>::Constant(unit));
       free += N * unit;
       compliance += N * of_node;
       return of_node;
@@ -124,13 +124,13 @@ void correct_point(const problem::State<dim>& state, Workspace<dim>& workspace, 
   const Vec<dim> relative = relative_velocity(workspace, contact, point, field);
   const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.default_dt);
   const Real adhesion = contact.adhesion_law.differs() ? point.adhesion : contact.adhesion;
-  const contact::Interface interface = {contact.adhesion_law.by_soil.empty() ? contact.friction : point.friction,
-                                        adhesion * point.area * state.dt,
-                                        allowed_approach,
-                                        tied,
-                                        most_tension(contact, point, state.dt),
-                                        point.water_part,
-                                        std::max(Real(0), -point.pore_pressure) * point.area * state.dt};
+  const contact::Interface interface = {.friction = contact.adhesion_law.by_soil.empty() ? contact.friction : point.friction,
+                                        .adhesion_impulse = adhesion * point.area * state.dt,
+                                        .allowed_approach = allowed_approach,
+                                        .tied = tied,
+                                        .tension_impulse = most_tension(contact, point, state.dt),
+                                        .water_fraction = point.water_fraction,
+                                        .suction_impulse = std::max(Real(0), -point.pore_pressure) * point.area * state.dt};
   const bool bilateral = !Field::is_force && rules_of(contact.scheme).completes && point.status != contact::ContactStatus::open;
   const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)
                                      : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
@@ -155,18 +155,18 @@ Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, W
     share_surface(points);
   }
   // A thread may still add up the sums of one sweep while others are in the next, but not in the one behind that.
-  const int place = number % 2;
+  const int slot = number % 2;
   contact::for_each_strip(points, [&](Index s) {
     typename contact::ContactPoints<dim>::SweepSums sums;
     for (Index p = points.strip_begin[s]; p < points.strip_begin[s + 1]; ++p)
       correct_point(state, workspace, contact, field, points.list[p], sums);
-    points.sweep_sums[s][place] = sums;
+    points.sweep_sums[s][slot] = sums;
   });
   Real changed = 0, carried = 0;
   for (std::size_t s = 0; s + 1 < points.strip_begin.size(); ++s)
     if (points.strip_begin[s] != points.strip_begin[s + 1]) {
-      changed += points.sweep_sums[s][place].changed;
-      carried += points.sweep_sums[s][place].carried;
+      changed += points.sweep_sums[s][slot].changed;
+      carried += points.sweep_sums[s][slot].carried;
     }
   return carried > 0 ? changed / carried : 0;
 }
@@ -203,7 +203,7 @@ void move_with_predicted(const problem::Model<dim>& model, const problem::State<
     Real volume = 0;
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
       volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
-    if (grid.mass[node] > light_node_part * model.bodies[b].waves.min_density * volume / (dim + 1))
+    if (grid.mass[node] > small_mass_fraction * model.bodies[b].waves.min_density * volume / (dim + 1))
       grid.mapped_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
   contact::for_each_point(workspace.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
@@ -309,7 +309,7 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
     for (std::size_t k = 0; k < model.contacts.size(); ++k) {
       const problem::Contact& contact = model.contacts[k];
       if (contact.rigid == none || !takes_part(contact)) continue;
-      state.contact_sums[contact.rigid].second_impulse += sign * impulse_of(workspace.contact_points[k]);
+      state.ledger.contact_sums[contact.rigid].second_impulse += sign * impulse_of(workspace.contact_points[k]);
     }
   };
   const auto completes = [](const problem::Contact& contact) {

@@ -5,8 +5,8 @@
 namespace berm::mpm {
 namespace {
 
-constexpr Real judging_part = 0.25;  // of the cells around a node
-constexpr Real part_with_particles = 0.5;
+constexpr Real min_remaining_fraction = 0.25;  // of the cells around a node
+constexpr Real fraction_with_particles = 0.5;
 constexpr Real on_surface = 1e-6;  // of the size of a cell: a node so near lies on the surface
 
 template <int dim>
@@ -74,13 +74,13 @@ template <int dim>
 Real fill_of_rest(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 {
   const Real left = grid.cut.volume_around[node];
-  if (!(left > judging_part * grid.volume_around[node])) return 1;
+  if (!(left > min_remaining_fraction * grid.volume_around[node])) return 1;
   Real filled = 0;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
     const Real volume = grid.at(mesh.entries[e]).volume;
     const mesh::CellPart<dim>& part = grid.cut.parts[cell];
-    if (!(volume > 0) && !(part.cut && part.volume < part_with_particles * grid.volume[cell])) return 0;
+    if (!(volume > 0) && !(part.cut && part.volume < fraction_with_particles * grid.volume[cell])) return 0;
     filled += volume;
   }
   return filled / left;

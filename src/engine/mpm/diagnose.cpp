@@ -87,8 +87,8 @@ std::string advice_for_leaving(const problem::Model<dim>& model, const problem::
           "rigid body \"{}\" is there and has displaced it: make the mesh larger there, end the stage \"{}\" earlier, or hold that "
           "boundary with a [support.NAME]",
           model.rigid_bodies[r].name, model.stages[state.stage.index].name);
-  const auto absorbs = [&](Index node) { return model.dashpots[body].any() && model.dashpots[body].of_node[node] != none; };
-  if (!model.dashpots.empty() && std::any_of(model.mesh.nodes[cell].begin(), model.mesh.nodes[cell].end(), absorbs))
+  const auto has_dashpot = [&](Index node) { return model.conditions.dashpots[body].of_node[node] != none; };
+  if (model.conditions.absorbs(body) && std::any_of(model.mesh.nodes[cell].begin(), model.mesh.nodes[cell].end(), has_dashpot))
     return fmt::format("the boundary there absorbs waves, and does not stop sliding soil: hold it by a support without `absorbs`, make the "
                        "mesh larger there, or end the stage \"{}\" earlier",
                        model.stages[state.stage.index].name);

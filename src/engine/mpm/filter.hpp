@@ -13,7 +13,7 @@ struct FilteredMomentum {
   Components<dim> momentum{};  ///< kg m/s
   Real mass = 0;               ///< kg
 
-  [[gnu::always_inline]] void add(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, Real part)
+  [[gnu::always_inline]] void add(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, Real fraction)
   {
     const Moments<dim>& t = grid.moments[cell];
     const auto& corners = grid.corners[cell];
@@ -23,7 +23,7 @@ struct FilteredMomentum {
       lost += components<dim>(t.momentum[k]) - corners[k].mass * smooth[k];
       mass += corners[k].mass;
     }
-    momentum += part * lost;
+    momentum += fraction * lost;
   }
 };
 

@@ -13,7 +13,7 @@ void average_water(const problem::Model<dim>& model, const bodies::Particles<dim
 {
   if (!grid.water.flows()) return;
   const problem::BodySoil& soil = model.bodies[body].soil;
-  const int pressure = pore_pressure_place(soil.materials.front()), number = problem::material_index_offset(soil);
+  const int pressure = pore_pressure_index(soil.materials.front()), number = problem::material_index_offset(soil);
   for_each("pore pressure of cells", particles.chunks(), [&](Index c) {
     const Index cell = particles.occupied()[c];
     WaterCell sums;
@@ -95,7 +95,7 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
 {
   if (!grid.water.flows()) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const NodeField<std::uint8_t>& impermeable = model.impermeable[grid.fixed];
+  const NodeField<std::uint8_t>& impermeable = grid.conditions(model).closed;
   constexpr Real least = 0.5, most = 2;  // of equal parts
   for_each("gather water", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
@@ -131,16 +131,15 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
 }
 
 template <int dim>
-void press_from_outside(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid)
+void apply_heads(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid)
 {
   if (!grid.water.flows()) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
-  for (std::size_t h = 0; h < model.heads.size(); ++h) {
-    const problem::Head<dim>& head = model.heads[h];
-    const Real pressure = pressure_of_head(model, state, h);
-    if (pressure == 0) continue;
-    for_each("head of water outside", head.chunks, [&](Index k) {
-      const Index i = head.nodes[k];
+  boundary::for_each_of<boundary::Head<dim>>(model.conditions, [&](std::size_t number, const auto& row, const auto& head) {
+    const Real pressure = acting_fraction(row, state.heads[number], state.time) * head.pressure;
+    if (pressure == 0) return;
+    for_each("head of water outside", row.chunks, [&](Index k) {
+      const Index i = row.nodes[k];
       const Vec<dim>& normal = head.normals[k];
       if (!(grid.mass[i] > 0)) return;
       Real area = 0;
@@ -150,7 +149,7 @@ void press_from_outside(const problem::Model<dim>& model, const problem::State<d
               with_metric(mesh, [&](auto metric) { return forces_of_pressure<metric()>(mesh, grid, cell)[mesh.entries[e] % (dim + 1)]; }));
       grid.water.nodes[i].force += pressure * area * normal;
     });
-  }
+  });
 }
 
 namespace {
@@ -206,8 +205,8 @@ Real close(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, c
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
     if (!(grid.moments[cell].any())) continue;
-    const Real part = normal.dot(forces_of_pressure<metric>(mesh, grid, cell)[mesh.entries[e] % (dim + 1)]);
-    (part > 0 ? body : soil).add(std::abs(part), grid.water.pressure[cell]);
+    const Real force = normal.dot(forces_of_pressure<metric>(mesh, grid, cell)[mesh.entries[e] % (dim + 1)]);
+    (force > 0 ? body : soil).add(std::abs(force), grid.water.pressure[cell]);
   }
   const Real area = std::sqrt(body.area * soil.area);
   impermeable = {body.area > 0 ? area / body.area - 1 : 0, soil.area > 0 ? area / soil.area - 1 : 0};
@@ -222,7 +221,7 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
   BodyGrid<dim>& grid = workspace.grids[body];
   if (!grid.water.flows()) return;
   NodeField<Vec<dim>>& flux = state.flux[body];
-  const NodeField<std::uint8_t>& impermeable = model.impermeable[grid.fixed];
+  const NodeField<std::uint8_t>& impermeable = grid.conditions(model).closed;
   const Real dt = state.dt;
   // At contact points neither feels the other's inertia, so that the equations stay symmetric, and stable; with four times its inertia there the water makes no
   // wave faster than that of waves_of.
@@ -258,8 +257,8 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
       if (!(grid.water.soil_inertia[i][d] < grid.mass[i])) impulse[d] = 0;
     return TakenByWater<dim>{impulse, impulse.dot(grid.velocity[i] + 0.5 * dt * a)};
   });
-  state.totals.flow_impulse -= taken.impulse;
-  state.totals.internal += taken.work;
+  state.ledger.totals.flow_impulse -= taken.impulse;
+  state.ledger.totals.internal += taken.work;
 }
 
 namespace {
@@ -319,8 +318,8 @@ Real held_back(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cel
     const Index node = mesh.nodes[cell][k];
     const ImpermeableFlux& impermeable = grid.water.impermeable[node];
     if (impermeable.at_body == 0 && impermeable.at_soil == 0) continue;
-    const Real part = grid.water.normal[node].dot(forces_of_pressure<metric>(mesh, grid, cell)[k]);
-    rate += part * (part > 0 ? impermeable.at_body : impermeable.at_soil);
+    const Real force = grid.water.normal[node].dot(forces_of_pressure<metric>(mesh, grid, cell)[k]);
+    rate += force * (force > 0 ? impermeable.at_body : impermeable.at_soil);
   }
   return rate;
 }
@@ -347,7 +346,7 @@ void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& s
   template void average_water(const problem::Model<dim>&, const bodies::Particles<dim>&, Index, BodyGrid<dim>&);                           \
   template void spread_water_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
   template void gather_water(const problem::Model<dim>&, Real, BodyGrid<dim>&);                                                            \
-  template void press_from_outside(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&);                                \
+  template void apply_heads(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&);                                       \
   template void mark_impermeable_surfaces(const problem::Model<dim>&, Workspace<dim>&);                                                    \
   template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);                                    \
   template void note_pressures(const problem::Model<dim>&, problem::State<dim>&, const Workspace<dim>&);                                   \

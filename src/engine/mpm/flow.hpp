@@ -42,7 +42,7 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
 ///
 /// so that an excess pressure that is the same inside and outside moves no water.
 template <int dim>
-void press_from_outside(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid);
+void apply_heads(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid);
 
 /// Marks the nodes of points that touch a rigid body which is not drained by its normal, for advance_flux. Drained ones are as open as a free surface. At the nodes
 /// of contact points the soil takes the whole force, so that contact, which changes its velocity twice in a step, keeps its momentum: soil and water do not feel

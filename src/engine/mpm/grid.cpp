@@ -102,8 +102,8 @@ template <int dim>
 Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State<dim>& state)
     : contact_points(model.contacts.size()),
       cell_changes(omp_get_max_threads()),
-      motion_before(model.motions.size(), Vec<dim>::Zero()),
-      motion_after(model.motions.size(), Vec<dim>::Zero())
+      motion_before(model.conditions.rows.size(), Vec<dim>::Zero()),
+      motion_after(model.conditions.rows.size(), Vec<dim>::Zero())
 {
   std::size_t max = 0;
   const Halo halo = make_halo(model.mesh, model.patches);
@@ -115,7 +115,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
     if (shares_pressure(model, body)) grids[b].pressure_shift = CellField<Real>::zeros(model.mesh.cell_count());
     if (model.mesh.metric == mesh::Metric::cartesian && dim == 2)
       grids[b].shift_across = 2 * young_poisson(body.soil.materials.front()).poisson_ratio;
-    if (!model.supports.empty()) grids[b].support_force = NodeField<Vec<dim>>::zeros(model.mesh.node_count());
+    if (!model.conditions.reported.empty()) grids[b].support_force = NodeField<Vec<dim>>::zeros(model.mesh.node_count());
     if (body.flows()) grids[b].water.make_room(model.mesh, body.soil);
     grids[b].full_cells = model.mpm.quadrature != problem::Quadrature::particles;
     const auto rubs = [&](const problem::Contact& contact) { return contact.body == static_cast<Index>(b) && contact.rigid != none; };
@@ -128,7 +128,7 @@ Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State
       if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
       if (grids[b].filter_speed > 0) {
         grids[b].kinetic = CellField<Real>::zeros(model.mesh.cell_count());
-        if (grids[b].full_cells && !body.flows()) grids[b].bearable = CellField<Real>::zeros(model.mesh.cell_count());
+        if (grids[b].full_cells && !body.flows()) grids[b].stiffness_limit = CellField<Real>::zeros(model.mesh.cell_count());
       }
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);

@@ -84,7 +84,7 @@ struct HoopMoments {
 /// What the velocity filter does to the particles of a cell in a step.
 template <int dim>
 struct FilterOfCell {
-  Real part = 0;                      ///< of the difference between their velocities and the smooth one that is taken out
+  Real fraction = 0;                  ///< of the difference between their velocities and the smooth one that is taken out
   Vec<dim> shift = Vec<dim>::Zero();  ///< m/s, what they get back, so that the patch keeps its momentum
 };
 
@@ -174,8 +174,8 @@ struct BodyGrid {
   Real shift_across = 1;    ///< what the third normal stress gets of it: 2 nu in plane strain, as of an elastic strain in the plane
   Real bulk_viscosity = 0;  ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_speed = 0;    ///< m/s, height of a cell times the rate at which the filter relaxes its particles' velocities; 0: no filter
-  /// m2/s2, largest stiffness over density in this step (mpm/light_corners.hpp), 0: no limit; empty without the filter or full_cells and where water flows.
-  CellField<Real> bearable;
+  /// m2/s2, largest stiffness over density in this step (mpm/small_mass_nodes.hpp), 0: no limit; empty without the filter or full_cells and where water flows.
+  CellField<Real> stiffness_limit;
   Real total_mass = infinity;  ///< of the body, kg
 
   CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
@@ -197,10 +197,9 @@ struct BodyGrid {
   NodeField<std::uint8_t> touching;        ///< 1: near a contact, exempt from damping
   NodeField<std::uint8_t> contact_points;  ///< 1: a contact point of this step moves the node
 
-  Index fixed = 0;  ///< the set of supports that acts in this step, an index into Model::fixed
-  NodeField<std::uint8_t>
-      held;                ///< these supports and, in all directions, the nodes of inactive cells (mpm/inactive.hpp); empty where none does
-  Index held_with = none;  ///< the set of supports that `held` was made with
+  Index table = 0;               ///< what the conditions at nodes make of them in this step, an index into NodalConditions::tables
+  NodeField<std::uint8_t> held;  ///< as there and, in all directions, the nodes of inactive cells (mpm/inactive.hpp); empty where none is
+  Index held_with = none;        ///< the table that `held` was made with
 
   std::vector<Index> nodes;  ///< that have an active cell with particles (of them those that are complete, Halo), ascending
   Chunks chunks;             ///< of `nodes`
@@ -232,10 +231,14 @@ struct BodyGrid {
     leave(cell);
     corners[cell] = sums;
   }
-  /// The directions that are held at each node, as in Model::fixed.
-  const NodeField<std::uint8_t>& supports(const problem::Model<dim>& model) const
+  const boundary::NodeTable<dim>& conditions(const problem::Model<dim>& model) const
   {
-    return !held.empty() ? held : model.fixed[static_cast<std::size_t>(fixed)];
+    return model.conditions.tables[static_cast<std::size_t>(table)];
+  }
+  /// The directions that are held at each node.
+  const NodeField<std::uint8_t>& held_directions(const problem::Model<dim>& model) const
+  {
+    return !held.empty() ? held : conditions(model).held;
   }
   /// Shape functions of a cell that has been entered; the gradients of others are 0.
   [[gnu::always_inline]] mesh::Shape<dim> shape(const mesh::Mesh<dim>& mesh, Index cell) const
@@ -254,7 +257,7 @@ struct BodyGrid {
     return filter_speed > 0;
   }
   /// The part of the difference between the velocities of a cell's particles and the smooth one that the filter takes out in a step of dt (s).
-  [[gnu::always_inline]] Real filter_part(Index cell, Real dt) const
+  [[gnu::always_inline]] Real filter_fraction(Index cell, Real dt) const
   {
     return std::min(Real(1), dt * filter_speed / height[cell]);
   }
@@ -268,7 +271,7 @@ struct BodyGrid {
   {
     FilterOfCell<dim> filter;
     if (!filters()) return filter;
-    filter.part = filter_part(cell, dt);
+    filter.fraction = filter_fraction(cell, dt);
     for (int d = 0; d < dim; ++d) filter.shift[d] = corners[cell][d + 1].volume;
     return filter;
   }
@@ -311,7 +314,8 @@ struct Workspace {
   std::vector<std::array<Real, dim + 1>> load_shares;  ///< of each load point: what the corners of its cell get
   std::vector<int> load_owner;                         ///< of each load point: the rank that has its cell
   std::vector<std::shared_ptr<const BodyLaws>> laws;   ///< by body
-  std::vector<Vec<dim>> motion_before, motion_after;   ///< m/s, by Model::motions: when the step begins and when it ends
+  std::vector<Vec<dim>> motion_before,
+      motion_after;  ///< m/s, by row of Model::conditions: what it prescribes when the step begins and when it ends
   Real
       unbalanced = 0,
       weight =

@@ -8,7 +8,7 @@ namespace berm::mpm {
 namespace {
 
 /// What a rigid body goes before the active soil is found anew, over the active distance.
-constexpr Real part_of_distance = 0.1;
+constexpr Real fraction_of_distance = 0.1;
 
 /// Whether soil may be inactive far from this body: around one without bounds none is far.
 template <int dim>
@@ -104,7 +104,7 @@ void update_inactive_cells(const problem::Model<dim>& model, problem::State<dim>
   if (!model.mpm.active_distance) return;
   problem::ActiveSoil<dim>& active = state.active_soil;
   const bool everywhere = model.driven[static_cast<std::size_t>(state.stage.index)] == none;
-  if (everywhere == active.everywhere && (everywhere || !(gone_since(model, state) > part_of_distance * *model.mpm.active_distance)))
+  if (everywhere == active.everywhere && (everywhere || !(gone_since(model, state) > fraction_of_distance * *model.mpm.active_distance)))
     return;
   active.everywhere = everywhere;
   active.poses.assign(state.rigid_bodies.begin(), state.rigid_bodies.end());
@@ -113,8 +113,8 @@ void update_inactive_cells(const problem::Model<dim>& model, problem::State<dim>
     bodies::Particles<dim>& particles = state.particles[b];
     BodyGrid<dim>& grid = workspace.grids[b];
     const Stopped<dim> stopped = particles.some_inactive() ? stop(particles) : Stopped<dim>();
-    state.totals.support_impulse -= stopped.momentum;
-    state.totals.damping += stopped.kinetic;
+    state.ledger.totals.support_impulse -= stopped.momentum;
+    state.ledger.totals.damping += stopped.kinetic;
     active.stopped += stopped.kinetic;
     sum_moments(model.mesh, particles, grid);
     find_nodes(model.mesh, particles, grid);
@@ -135,9 +135,9 @@ void hold_inactive_cells(const problem::Model<dim>& model, const problem::State<
       grid.held_with = none;
       continue;
     }
-    if (grid.held_with == grid.fixed) continue;
-    grid.held = model.fixed[static_cast<std::size_t>(grid.fixed)];
-    grid.held_with = grid.fixed;
+    if (grid.held_with == grid.table) continue;
+    grid.held = grid.conditions(model).held;
+    grid.held_with = grid.table;
     for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
       if (particles.is_inactive(cell))
         for (const Index node : model.mesh.nodes[cell]) grid.held[node] = all_directions;

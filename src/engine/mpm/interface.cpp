@@ -20,8 +20,8 @@ constexpr Real number_of(Bond bond)
 template <int dim>
 Index material_number(const problem::Body<dim>& body, const bodies::Particle<dim>& p)
 {
-  const int place = problem::material_index_offset(body.soil);
-  return place == none ? 0 : static_cast<Index>(p.extra[place]);
+  const int index = problem::material_index_offset(body.soil);
+  return index == none ? 0 : static_cast<Index>(p.extra[index]);
 }
 
 /// The adhesion of the soil that a particle is.
@@ -92,7 +92,7 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
         point.soil_pressure = recalled.soil_pressure;
         point.bonded = recalled.bonded;
       });
-  if (contact.pore_pressure != none) find_water_parts(points, model.mesh);
+  if (contact.pore_pressure != none) find_water_fractions(points, model.mesh);
 }
 
 template <int dim>

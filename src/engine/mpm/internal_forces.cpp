@@ -108,7 +108,7 @@ void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::P
       volume += grid.moments[member].volume;
       volume_stress += of_member[k] = volume_times_mean_stress<metric>(grid, member);
       if (is_viscous) divergence.add(mesh, grid, member);
-      if (filters) filtered.add(mesh, grid, member, grid.filter_part(member, dt));
+      if (filters) filtered.add(mesh, grid, member, grid.filter_fraction(member, dt));
     }
     const Real mean_stress = volume_stress / volume, viscous_stress = is_viscous ? divergence.viscous_stress(grid, volume) : 0;
     const Components<dim> shift = filters ? filtered.momentum / filtered.mass : Components<dim>{};

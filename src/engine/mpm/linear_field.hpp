@@ -46,7 +46,7 @@ template <int dim>
   const AtCorners<dim> smooth = at_corners(nodes, grid.smooth_velocity);
   const Components<dim> shift = components(filter.shift);
   AtCorners<dim> gain;
-  for (int k = 0; k <= dim; ++k) gain[k] = shift + dt * acceleration[k] + filter.part * smooth[k];
+  for (int k = 0; k <= dim; ++k) gain[k] = shift + dt * acceleration[k] + filter.fraction * smooth[k];
   return gain;
 }
 

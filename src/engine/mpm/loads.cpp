@@ -83,9 +83,9 @@ void spread_tractions(const problem::Model<dim>& model, const problem::State<dim
   for (std::size_t l = 0; l < count; ++l) {
     const problem::LoadPoint<dim>& point = model.load_points[l];
     BodyGrid<dim>& grid = workspace.grids[point.body];
-    const Real part = part_of_traction(model.tractions[point.traction], state.tractions[point.traction], state.time);
+    const Real fraction = acting_fraction(model.tractions[point.traction], state.tractions[point.traction], state.time);
     const auto& nodes = model.mesh.nodes[state.load_points[l].cell];
-    for (int k = 0; k <= dim; ++k) grid.traction[nodes[k]] += workspace.load_shares[l][k] * part * point.force;
+    for (int k = 0; k <= dim; ++k) grid.traction[nodes[k]] += workspace.load_shares[l][k] * fraction * point.force;
   }
 }
 

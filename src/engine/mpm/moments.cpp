@@ -158,7 +158,7 @@ void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& part
 
 /// A node with less than this fraction of the mass in its cells has none: the rest is round-off, which must not be divided
 /// by.
-constexpr Real min_mass_part = 1e-9;
+constexpr Real min_mass_fraction = 1e-9;
 
 template <int dim>
 Real mass_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
@@ -185,7 +185,7 @@ void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
     }
     if (grid.full_cells) grid.fill[i] = min_volume > 0 ? volume / grid.volume_around[i] : 0;
     // Most nodes have more than that fraction of the whole body.
-    if (!(mass > min_mass_part * grid.total_mass) && !(mass > min_mass_part * mass_of_cells(mesh, grid, i))) mass = 0;
+    if (!(mass > min_mass_fraction * grid.total_mass) && !(mass > min_mass_fraction * mass_of_cells(mesh, grid, i))) mass = 0;
     grid.mass[i] = mass;
     store<dim>(momentum * (mass > 0 ? 1 / mass : 0), grid.velocity[i]);
   });

@@ -6,10 +6,10 @@
 #include "material/law_list.hpp"
 #include "mpm/flow.hpp"
 #include "mpm/hoop.hpp"
-#include "mpm/light_corners.hpp"
 #include "mpm/moments.hpp"
 #include "mpm/move_by_law.hpp"
 #include "mpm/particle_motion.hpp"
+#include "mpm/small_mass_nodes.hpp"
 
 #include <tuple>
 
@@ -182,7 +182,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const FilterOfCell<dim> filter = filters ? grid.filter_of(cell, motion) : FilterOfCell<dim>{};
-    const Real unfiltered = 1 - filter.part;
+    const Real unfiltered = 1 - filter.fraction;
     const AtCorners<dim> acceleration = at_corners(nodes, grid.acceleration);
     const LinearField<dim> gain(shape.gradients, velocity_gain(acceleration, nodes, grid, motion, filter)),
         velocity(shape.gradients, at_corners(nodes, grid.mapped_velocity));
@@ -192,7 +192,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
     if (model.mpm.volumetric_projection)
       cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
     const SymTensor<dim> followed =
-        grid.bearable.empty() ? cell_strain.strain : followed_strain<dim>(cell_strain.strain, soil_waves, grid.bearable[cell]);
+        grid.stiffness_limit.empty() ? cell_strain.strain : limited_strain<dim>(cell_strain.strain, soil_waves, grid.stiffness_limit[cell]);
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
     const Real shift = !grid.pressure_shift.empty() ? grid.pressure_shift[cell] : 0, shift_across = grid.shift_across * shift;
@@ -266,9 +266,9 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   };
   const WorkDone work_done =
       sum_in_two_steps<WorkDone, BeforeMove<dim>>("move and strain particles", particles.active_chunks(), move_in_cell, sum_in_cell);
-  state.totals.internal += work_done.internal;
-  state.totals.viscosity += work_done.viscous;
-  state.totals.filter += work_done.filtered;
+  state.ledger.totals.internal += work_done.internal;
+  state.ledger.totals.viscosity += work_done.viscous;
+  state.ledger.totals.filter += work_done.filtered;
 }
 
 }  // namespace

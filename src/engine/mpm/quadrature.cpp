@@ -2,8 +2,8 @@
 #include "mpm/quadrature.hpp"
 
 #include "mpm/exchange.hpp"
-#include "mpm/light_corners.hpp"
 #include "mpm/linear_field.hpp"
+#include "mpm/small_mass_nodes.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr Real surface_fill = 0.75, full_fill = 0.9;
 
 /// Of the volume of its particles: a cell of which a rigid body leaves less is integrated over them.
-constexpr Real least_part = 0.25;
+constexpr Real min_fraction = 0.25;
 
 /// The smallest filled fraction around the nodes of a cell.
 template <int dim>
@@ -48,7 +48,7 @@ void integrate_full_cell(const mesh::Mesh<dim>& mesh, Index cell, Real fill, Bod
 {
   Moments<dim>& t = grid.moments[cell];
   const mesh::CellPart<dim> part = grid.cut.used() ? grid.cut.parts[cell] : mesh::CellPart<dim>{};
-  const Real zeta = part.cut && part.volume < least_part * t.volume ? 0 : fullness(fill);
+  const Real zeta = part.cut && part.volume < min_fraction * t.volume ? 0 : fullness(fill);
   const Real weight = 1 - zeta + zeta * (part.cut ? part.volume : grid.volume[cell]) / t.volume;
   t.volume *= weight;
   for (Real& stress : t.stress) stress *= weight;
@@ -70,7 +70,7 @@ template <int dim>
 void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& active = particles.active();
-  const bool filters = grid.filters(), bounds = !grid.bearable.empty();
+  const bool filters = grid.filters(), bounds = !grid.stiffness_limit.empty();
   if (!grid.full_cells && !filters) return;
   for_each("quadrature, nodal momentum", particles.active_chunks(), [&](Index c) {
     const Index cell = active[c];
@@ -80,9 +80,9 @@ void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim
     if (!bounds) return;
     const bool at_surface = fill < surface_fill || (grid.cut.used() && grid.cut.parts[cell].cut);
     if (at_surface)
-      grid.bearable[cell] = bearable_stiffness(model.mesh, grid, cell, dt);
-    else if (grid.bearable[cell] != 0)
-      grid.bearable[cell] = 0;
+      grid.stiffness_limit[cell] = max_stable_stiffness(model.mesh, grid, cell, dt);
+    else if (grid.stiffness_limit[cell] != 0)
+      grid.stiffness_limit[cell] = 0;
   });
   exchange_moments(model.mesh, particles, grid);
 }

@@ -11,7 +11,7 @@ namespace berm::mpm {
 /// cells at a free surface keep the volumes of their particles. Strain and force use the same weights and stay conjugate. Where cells are cut by rigid bodies
 /// (mpm/cut_cells.hpp) |c| is what is left of a cell. No effect on bodies without full_cells. Where velocities are filtered, each cell also gives its corners
 /// the momentum sum m N_k v(x_p) of the nodal velocities, for smooth_velocities, and gets its largest stiffness in a step of dt (s;
-/// mpm/light_corners.hpp), 0 in cells within the body, which have none.
+/// mpm/small_mass_nodes.hpp), 0 in cells within the body, which have none.
 template <int dim>
 void prepare_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 

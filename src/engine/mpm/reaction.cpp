@@ -64,7 +64,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   // taken; supports take the components in fixed directions.
   const auto add = [&](Index b, Index node, const Vec<dim>& share, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = workspace.grids[b];
-    const Vec<dim> taken = boundary::without_fixed<dim>(grid.supports(model), node, share);
+    const Vec<dim> taken = boundary::without_fixed<dim>(grid.held_directions(model), node, share);
     reaction.of_support += taken - share;
     reaction.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
     if (!model.load_points.empty() && grid.mass[node] > 0) reaction.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];
@@ -112,9 +112,9 @@ void add_to_slices(const problem::Model<dim>& model, problem::State<dim>& state,
     const Real upright = std::sqrt(std::max(Real(0), 1 - point.normal[model.axes.up] * point.normal[model.axes.up]));
     const Real height = model.axes.height(point.position) - center, half = upright * half_extent(model.mesh, point);
     const bool of_shaft = std::abs(point.normal[model.axes.up]) < parallel_to_axis;
-    slices.share(height - half, height + half, [&](Index slice, Real part) {
-      if (!balanced) state.slice_impulses[rigid][slice] += part * point.impulse[model.axes.along];
-      if (of_shaft) state.slice_shaft_impulses[rigid][slice] += part * model.axes.height(point.impulse);
+    slices.share(height - half, height + half, [&](Index slice, Real fraction) {
+      if (!balanced) state.ledger.slice_impulses[rigid][slice] += fraction * point.impulse[model.axes.along];
+      if (of_shaft) state.ledger.slice_shaft_impulses[rigid][slice] += fraction * model.axes.height(point.impulse);
     });
   }
 }
@@ -132,20 +132,20 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
     Reaction<dim> all = sum_of<Reaction<dim>>(
         "contact: reaction", static_cast<Index>(list.size()),
         [&](Index p) { return reaction_at(model, state, workspace, contact, list[p], gravity); }, contact::min_points_for_threads);
-    state.totals.support_impulse += all.of_support;
-    state.totals.external += all.external;
-    state.totals.friction += all.friction;
+    state.ledger.totals.support_impulse += all.of_support;
+    state.ledger.totals.external += all.external;
+    state.ledger.totals.friction += all.friction;
     if (contact.other_body != none) {
-      state.pair_impulses[k] += all.impulse;
+      state.ledger.pair_impulses[k] += all.impulse;
       continue;
     }
-    state.totals.contact_impulse += all.impulse;
+    state.ledger.totals.contact_impulse += all.impulse;
     if (model.mesh.metric == mesh::Metric::axisymmetric) all.keep_on_axis(model.rigid_bodies[contact.rigid].shape);
     all.keep_in_planes(model.mirrored);
     bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
     rigid.reaction -= all.impulse / state.dt;
     rigid.torque -= all.torque / state.dt;
-    contact::ContactSums<dim>& sums = state.contact_sums[contact.rigid];
+    contact::ContactSums<dim>& sums = state.ledger.contact_sums[contact.rigid];
     sums.impulse += all.impulse;
     sums.torque_impulse += all.torque;
     sums.shaft_impulse += all.shaft;

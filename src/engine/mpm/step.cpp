@@ -36,20 +36,20 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     exchange_moments(model.mesh, particles, grid);             // ranks
     gather_mass_and_momentum(model.mesh, grid);                // 1: (1), and velocities before the step
     find_cut_cells(model, state, b, grid);                     // cells at rigid bodies
-    prepare_cells(model, particles, state.dt, grid);           // quadrature of full cells, light corners
+    prepare_cells(model, particles, state.dt, grid);           // quadrature of full cells, small-mass nodes
     smooth_velocities(model.mesh, grid);                       // target of the filter
     spread_internal_forces(model, particles, state.dt, grid);  // 1: (2), viscous stress, filter
     exchange_corner_sums(grid);                                // ranks
     spread_water_forces(model, particles, grid);               // water
     exchange_water_forces(grid);                               // water, ranks
     gather_water(model, state.dt, grid);                       // water
-    press_from_outside(model, state, grid);                    // water
+    apply_heads(model, state, grid);                           // water
   }
   spread_tractions(model, state, workspace);  // 1: forces on boundaries of the soil
 
-  find_contacts(model, state, workspace);       // 4: contact detection
-  mark_impermeable_surfaces(model, workspace);  // water
-  if (!model.impermeable.empty() && state.step % steps_between_time_steps == 0) note_pressures(model, state, workspace);  // water
+  find_contacts(model, state, workspace);                                                                          // 4: contact detection
+  mark_impermeable_surfaces(model, workspace);                                                                     // water
+  if (model.water_flows() && state.step % steps_between_time_steps == 0) note_pressures(model, state, workspace);  // water
 
   for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, workspace, b);  // 1-4: (3), (4), (6), supports
   exchange_at_contacts(workspace, &BodyGrid<dim>::acceleration);                          // ranks
@@ -57,10 +57,10 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
 
   for (Index b = 0; b < bodies; ++b) {
     BodyGrid<dim>& grid = workspace.grids[b];
-    spread_new_momentum(model.mesh, state.particles[b], state.dt, grid);            // 5-6: (14)-(16) from the moments
-    exchange_corner_sums(grid);                                                     // ranks
-    gather_new_velocities(model, workspace.motion_after, state.stage.index, grid);  // 7-8: (18), supports
-    advance_flux(model, state, workspace, b);                                       // water
+    spread_new_momentum(model.mesh, state.particles[b], state.dt, grid);  // 5-6: (14)-(16) from the moments
+    exchange_corner_sums(grid);                                           // ranks
+    gather_new_velocities(model, workspace.motion_after, grid);           // 7-8: (18), supports
+    advance_flux(model, state, workspace, b);                             // water
   }
   exchange_at_contacts(workspace, &BodyGrid<dim>::mapped_velocity);  // ranks
   correct_velocities(model, state, workspace);                       // 8: (8)-(13) again
@@ -92,10 +92,10 @@ template <int dim>
 void take_step(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
 {
   state.dt = std::min(state.stable_dt, state.max_dt);
-  for (BodyGrid<dim>& grid : workspace.grids) grid.fixed = model.fixed_in[state.stage.index];
+  for (BodyGrid<dim>& grid : workspace.grids) grid.table = model.conditions.table_of_stage[state.stage.index];
   hold_inactive_cells(model, state, workspace);
   drive_rigids(model, state, state.dt);
-  move_supports(model, state, workspace);
+  prescribe_velocities(model, state, workspace);
   if (model.update_stress_first)
     update_stress_first(model, state, workspace);
   else

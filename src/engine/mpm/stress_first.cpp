@@ -27,7 +27,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
     find_cut_cells(model, state, b, grid);  // cells at rigid bodies
     prepare_cells(model, state.particles[b], state.dt, grid);
     find_viscous_stress(model, state.particles[b], grid);
-    predict_velocities(model, 0, workspace.motion_before, state.stage.index, grid);  // those before the step, with the supports
+    predict_velocities(model, 0, workspace.motion_before, grid);  // those before the step, with the supports
   }
   spread_tractions(model, state, workspace);
   find_contacts(model, state, workspace);
@@ -47,7 +47,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
   exchange_at_contacts(workspace, &BodyGrid<dim>::acceleration);  // ranks
   correct_accelerations(model, state, workspace);
 
-  for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, workspace.motion_after, state.stage.index, workspace.grids[b]);
+  for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, workspace.motion_after, workspace.grids[b]);
   move_load_points(model, state, workspace);
   for (Index b = 0; b < bodies; ++b) {
     move_particles(model, state, workspace, b);

@@ -101,7 +101,7 @@ Real limit_of_springs(const problem::Model<dim>& model, const problem::State<dim
 
 /// A run with a time step this small beside that of a body at rest has become unstable: soil moves a thousand times faster
 /// than its own waves.
-constexpr Real min_part = 1e-3;
+constexpr Real min_fraction = 1e-3;
 
 }  // namespace
 
@@ -161,14 +161,14 @@ TimeSteps stable_time_steps(const problem::Model<dim>& model, const problem::Sta
       return stiffest_square(model.mesh, occupied[c], workspace.grids[b].shape(model.mesh, occupied[c]));
     }));
     const Real of_mesh =
-        std::max(std::min(default_courant, most) / std::sqrt(steepest), default_stable_part * most * model.bodies[b].critical_length);
+        std::max(std::min(default_courant, most) / std::sqrt(steepest), default_stable_fraction * most * model.bodies[b].critical_length);
     const Real length = model.mpm.courant ? courant / std::sqrt(steepest) : of_mesh;
     min = std::min(min, length / (wave_speed + fastest));
     by_default = std::min(by_default, of_mesh / (wave_speed + fastest));
     min_at_rest = std::min(min_at_rest, length / wave_speed);
   }
   const Real dt = std::min(min, courant * limit_of_springs(model, state));
-  if (min < min_part * min_at_rest || state.time + dt == state.time) {
+  if (min < min_fraction * min_at_rest || state.time + dt == state.time) {
     const auto [of_rank, words] = fastest_of(model, state, workspace);
     const Real speed = ranks.largest(of_rank);
     const std::string what = ranks.text_of_largest(of_rank, words);

@@ -17,18 +17,17 @@ void smooth_velocities(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid);
 template <int dim>
 void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 
-/// The velocities of all supports that move, when the coming step begins and when it ends.
+/// The velocities that conditions at nodes prescribe, when the coming step begins and when it ends.
 template <int dim>
-void move_supports(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace);
+void prescribe_velocities(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace);
 
 /// Steps 7 and 8: the nodes' velocities from that momentum, with the supports, those that move in this stage at these velocities (m/s).
 template <int dim>
-void gather_new_velocities(const problem::Model<dim>& model, const std::vector<Vec<dim>>& motions, Index stage, BodyGrid<dim>& grid);
+void gather_new_velocities(const problem::Model<dim>& model, const std::vector<Vec<dim>>& motions, BodyGrid<dim>& grid);
 
 /// Update stress first: the nodal velocities at a time `ahead` (s) after the beginning of the step, v + ahead a, with the
 /// supports.
 template <int dim>
-void predict_velocities(const problem::Model<dim>& model, Real ahead, const std::vector<Vec<dim>>& motions, Index stage,
-                        BodyGrid<dim>& grid);
+void predict_velocities(const problem::Model<dim>& model, Real ahead, const std::vector<Vec<dim>>& motions, BodyGrid<dim>& grid);
 
 }  // namespace berm::mpm

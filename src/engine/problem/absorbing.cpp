@@ -4,6 +4,7 @@
 
 #include "bodies/fill.hpp"
 #include "os/error.hpp"
+#include "problem/supports.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -49,34 +50,34 @@ Matrix<dim> in_directions(Matrix<dim> resistance, std::uint8_t directions)
 template <int dim>
 Index motion_of(const Model<dim>& model, const std::string& support)
 {
-  for (std::size_t m = 0; m < model.motions.size(); ++m)
-    if (model.motions[m].name == support) return static_cast<Index>(m);
-  return none;
+  const auto& rows = model.conditions.rows;
+  const auto found = std::find_if(
+      rows.begin(), rows.end(), [&](const auto& row) { return row.name == support && std::holds_alternative<boundary::Motion>(row.kind); });
+  return found == rows.end() ? none : static_cast<Index>(found - rows.begin());
 }
 
 /// Adds a part of C through which the wave of a motion comes in.
 template <int dim>
-void add_incoming(const Model<dim>& model, Index motion, Index place, const Matrix<dim>& part, boundary::Dashpots<dim>& dashpots)
+void add_incoming(const Model<dim>& model, Index motion, Index index, const Matrix<dim>& part, boundary::Dashpots<dim>& dashpots)
 {
-  dashpots.incoming.resize(model.motions.size());
+  dashpots.incoming.resize(model.conditions.rows.size());
   std::vector<Matrix<dim>>& of_motion = dashpots.incoming[motion];
   if (of_motion.empty()) of_motion.assign(dashpots.resistance.size(), Matrix<dim>::Zero());
-  of_motion[place] += part;
+  of_motion[index] += part;
 }
 
 /// Where no soil is at the start the boundary holds what comes there.
 template <int dim>
-void hold_without_soil(const Case& c, const std::string& name, std::uint8_t directions, const std::vector<Index>& nodes, Model<dim>& model)
+void hold_without_soil(const std::string& name, std::uint8_t directions, std::vector<char> acts, Index boundary, Model<dim>& model)
 {
-  const SupportSets sets = support_sets(c);
-  const auto place = static_cast<std::size_t>(index_of(c.support, name));
-  const auto has_dashpot = [&](Index node) {
-    return std::any_of(model.dashpots.begin(), model.dashpots.end(),
-                       [&](const auto& of_body) { return of_body.any() && of_body.of_node[node] != none; });
+  const auto& dashpots = model.conditions.dashpots;
+  const NodeField<char> at_boundary = nodes_at(model.mesh, boundary);
+  const auto keep = [&](Index node) {
+    return at_boundary[node] != 0 && std::none_of(dashpots.begin(), dashpots.end(),
+                                                  [&](const auto& of_body) { return of_body.any() && of_body.of_node[node] != none; });
   };
-  for (std::size_t k = 0; k < sets.roles.size(); ++k)
-    for (const Index node : nodes)
-      if (sets.roles[k][place] == SupportRole::absorbs && !has_dashpot(node)) model.fixed[k][node] |= directions;
+  add_condition<dim>({.name = name, .kind = boundary::Hold{boundary::Flux::unchanged}, .directions = directions, .acts = std::move(acts)},
+                     keep, model);
 }
 
 }  // namespace
@@ -91,48 +92,49 @@ std::vector<Index> bodies_of_regions(const mesh::Mesh<dim>& mesh, const Case& c)
 }
 
 template <int dim>
-void add_dashpots(const Case& c, Model<dim>& model)
+void add_dashpots(const Case& c, const SupportSets& sets, Model<dim>& model)
 {
   if (std::none_of(c.support.begin(), c.support.end(), [](const auto& support) { return support.second.absorbs; })) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
   const std::vector<Index> body_of = bodies_of_regions(mesh, c);
-  model.dashpots.resize(model.bodies.size());
-  for (const auto& [name, support] : c.support) {
+  model.conditions.dashpots.resize(model.bodies.size());
+  for (Index s = 0; s < static_cast<Index>(c.support.size()); ++s) {
+    const auto& [name, support] = c.support[s];
     if (!support.absorbs) continue;
     const Index boundary = fixed_boundary(mesh, name, support);
     const std::uint8_t directions = fixed_directions(support);
     const Index motion = motion_of(model, name);
     for (const boundary::LoadedPoint<dim>& point : points_at(model, name, support, body_of)) {
       const Index region = mesh.region[point.cell], body = body_of[region];
-      boundary::Dashpots<dim>& dashpots = model.dashpots[body];
+      boundary::Dashpots<dim>& dashpots = model.conditions.dashpots[body];
       if (!dashpots.any()) dashpots.of_node = NodeField<Index>(mesh.node_count(), none);
       const material::Material soil = model.bodies[body].soil.at(mesh.region_names[region], model.soil_depth(point.x));
       const Matrix<dim> of_point = point.area * impedance<dim>(soil, point.force / point.area);
       const mesh::Shape<dim> shape = mesh.shape(point.cell);
       for (int k = 0; k <= dim; ++k) {
         constexpr Real round_off = 1e-9;
-        const Real part = shape.value(k, point.x);
-        if (!(part > round_off)) continue;
-        Index& place = dashpots.of_node[mesh.nodes[point.cell][k]];
-        if (place == none) {
-          place = static_cast<Index>(dashpots.resistance.size());
+        const Real weight = shape.value(k, point.x);
+        if (!(weight > round_off)) continue;
+        Index& index = dashpots.of_node[mesh.nodes[point.cell][k]];
+        if (index == none) {
+          index = static_cast<Index>(dashpots.resistance.size());
           dashpots.resistance.push_back(Matrix<dim>::Zero());
           dashpots.directions.push_back(0);
           for (auto& matrices : dashpots.incoming)
             if (!matrices.empty()) matrices.push_back(Matrix<dim>::Zero());
         }
-        dashpots.resistance[place] += in_directions<dim>(part * of_point, directions);
-        if (motion != none) add_incoming<dim>(model, motion, place, in_directions<dim>(part * of_point, directions), dashpots);
-        dashpots.directions[place] |= directions;
+        dashpots.resistance[index] += in_directions<dim>(weight * of_point, directions);
+        if (motion != none) add_incoming<dim>(model, motion, index, in_directions<dim>(weight * of_point, directions), dashpots);
+        dashpots.directions[index] |= directions;
       }
     }
-    hold_without_soil(c, name, directions, mesh.boundary_nodes[boundary], model);
+    hold_without_soil(name, directions, stages_with(SupportRole::absorbs, s, sets), boundary, model);
   }
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template std::vector<Index> bodies_of_regions(const mesh::Mesh<dim>&, const Case&);                                                      \
-  template void add_dashpots(const Case&, Model<dim>&);
+  template void add_dashpots(const Case&, const SupportSets&, Model<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

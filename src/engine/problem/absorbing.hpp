@@ -11,6 +11,6 @@ std::vector<Index> bodies_of_regions(const mesh::Mesh<dim>& mesh, const Case& c)
 
 /// The dashpots of the boundaries that absorb, of a model that has its bodies. Throws KeyError where no soil is at one.
 template <int dim>
-void add_dashpots(const Case& c, Model<dim>& model);
+void add_dashpots(const Case& c, const SupportSets& sets, Model<dim>& model);
 
 }  // namespace berm::problem

@@ -213,7 +213,7 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   k("max_dt", state.max_dt);
   k.table("stage", [&] { archive(k, model, state.stage); });
   if (model.mpm.active_distance) k.table("active_soil", [&] { archive(k, state.active_soil, state.rigid_bodies.size()); });
-  k.table("ledger", [&] { archive(k, static_cast<Ledger<dim>&>(state)); });
+  k.table("ledger", [&] { archive(k, state.ledger); });
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r)
     k.table(fmt::format("rigid_{}", r), [&] { archive(k, state.rigid_bodies[r]); });
   for (std::size_t r = 0; r < state.listed_poses.size(); ++r)

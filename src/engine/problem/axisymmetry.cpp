@@ -2,6 +2,7 @@
 #include "problem/symmetry.hpp"
 
 #include "os/error.hpp"
+#include "problem/supports.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -116,9 +117,8 @@ template <int dim>
 void hold_axis(Model<dim>& model)
 {
   if (model.mesh.metric != mesh::Metric::axisymmetric) return;
-  for (NodeField<std::uint8_t>& fixed : model.fixed)
-    for (Index node = 0; node < model.mesh.node_count(); ++node)
-      if (model.mesh.position[node][0] == 0) fixed[node] |= 1;
+  add_condition<dim>(
+      held_across(0, model), [&](Index node) { return model.mesh.position[node][0] == 0; }, model);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

@@ -9,6 +9,7 @@
 #include "problem/motions.hpp"
 #include "problem/names.hpp"
 #include "problem/stages.hpp"
+#include "problem/supports.hpp"
 #include "problem/symmetry.hpp"
 
 #include <algorithm>
@@ -30,57 +31,6 @@ NodeField<Real> nodal_damping(const mesh::Mesh<dim>& mesh, const std::string& na
   return damping;
 }
 
-template <int dim>
-NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<SupportRole>& roles)
-{
-  auto fixed = NodeField<std::uint8_t>::zeros(mesh.node_count());
-  for (std::size_t k = 0; k < c.support.size(); ++k) {
-    const auto& [name, support] = c.support[k];
-    const Index boundary = fixed_boundary(mesh, name, support);
-    for (Index node : mesh.boundary_nodes[boundary])
-      if (roles[k] == SupportRole::holds) fixed[node] |= fixed_directions(support);
-  }
-  return fixed;
-}
-
-/// The nodes of the supports and which of these holds each, where their reactions are reported.
-template <int dim>
-void list_supports(const Case& c, const SupportSets& sets, Model<dim>& model)
-{
-  if (!c.output.support_reactions) return;
-  const mesh::Mesh<dim>& mesh = model.mesh;
-  boundary::Holders<dim> nobody;
-  nobody.fill(none);
-  model.holders.assign(sets.roles.size(), NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody));
-  for (std::size_t s = 0; s < c.support.size(); ++s) {
-    const auto& [name, settings] = c.support[s];
-    const std::vector<Index>& nodes = mesh.boundary_nodes[fixed_boundary(mesh, name, settings)];
-    auto at_boundary = NodeField<std::uint8_t>::zeros(mesh.node_count());
-    for (const Index node : nodes) at_boundary[node] = 1;
-    Support& support = model.supports.emplace_back();
-    support.name = name;
-    select(
-        "list supports", mesh.node_chunks, [&](Index node) { return at_boundary[node] != 0; }, support.nodes, support.chunks);
-    for (std::size_t k = 0; k < sets.roles.size(); ++k)
-      if (sets.roles[k][s] != SupportRole::none)
-        for (const Index node : nodes) boundary::add_holder<dim>(model.holders[k][node], static_cast<Index>(s), fixed_directions(settings));
-  }
-}
-
-/// The directions in which no water crosses a node: those that are held, but for what only drained supports hold.
-template <int dim>
-NodeField<std::uint8_t> closed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<SupportRole>& roles,
-                                          const NodeField<std::uint8_t>& fixed)
-{
-  std::vector<SupportRole> drained = roles, others = roles;
-  for (std::size_t k = 0; k < c.support.size(); ++k) (c.support[k].second.drained ? others : drained)[k] = SupportRole::none;
-  const NodeField<std::uint8_t> by_drained = fixed_directions(mesh, c, drained), by_others = fixed_directions(mesh, c, others);
-  auto closed = NodeField<std::uint8_t>::zeros(mesh.node_count());
-  for (Index node = 0; node < mesh.node_count(); ++node)
-    closed[node] = static_cast<std::uint8_t>(fixed[node] & ~(by_drained[node] & ~by_others[node]));
-  return closed;
-}
-
 /// Load points of all tractions, where they lie at the start.
 template <int dim>
 void place_loads(const Case& c, Problem<dim>& problem)
@@ -88,9 +38,9 @@ void place_loads(const Case& c, Problem<dim>& problem)
   Model<dim>& model = problem.model;
   const std::vector<Index> body_of = bodies_of_regions(model.mesh, c);
   for (Index t = 0; t < static_cast<Index>(c.traction.size()); ++t)
-    for (const boundary::LoadedPoint<dim>& place : loaded_points(model.mesh, c.traction[t].first, c.traction[t].second, body_of)) {
-      model.load_points.push_back({t, body_of[model.mesh.region[place.cell]], place.force, place.area});
-      problem.state.load_points.push_back({place.x, place.cell});
+    for (const boundary::LoadedPoint<dim>& point : loaded_points(model.mesh, c.traction[t].first, c.traction[t].second, body_of)) {
+      model.load_points.push_back({t, body_of[model.mesh.region[point.cell]], point.force, point.area});
+      problem.state.load_points.push_back({point.x, point.cell});
     }
 }
 
@@ -174,13 +124,13 @@ std::int32_t nearest_particle(const bodies::Particles<dim>& particles, const std
 template <int dim>
 Real rate_smoothing(const Model<dim>& model)
 {
-  constexpr Real part_of_width = 0.01;
+  constexpr Real fraction_of_width = 0.01;
   Real time = infinity;
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const Real speed = speed_of(model.stages[k]);
     if (model.driven[k] == none || !(speed > 0)) continue;
     if (const Real width = width_of(model.rigid_bodies[model.driven[k]].shape); width > 0 && width < infinity)
-      time = std::min(time, part_of_width * width / speed);
+      time = std::min(time, fraction_of_width * width / speed);
   }
   return time < infinity ? time : 0;
 }
@@ -210,7 +160,7 @@ void open_ledger(const Model<dim>& model, Ledger<dim>& ledger)
     else
       sums.assign(row.owner == Owner::contact         ? model.contacts.size()
                   : row.owner == Owner::rigid_contact ? model.rigid_contacts.size()
-                                                      : model.supports.size(),
+                                                      : model.conditions.reported.size(),
                   Vec<dim>::Zero());
   });
 }
@@ -232,13 +182,12 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   model.ground = ground_of(c);
   model.mpm = c.mpm;
   const SupportSets sets = support_sets(c);
-  for (const std::vector<SupportRole>& roles : sets.roles) model.fixed.push_back(fixed_directions(model.mesh, c, roles));
-  list_supports(c, sets, model);
+  model.stages = c.stage;
+  add_supports(c, sets, model);
   hold_axis(model);
   model.parts = parts_of(c);
   hold_symmetry_planes(c, model);
-  model.fixed_in = sets.of_stage;
-  add_motions(c, sets, model);
+  add_motions(c, model);
 
   for (const auto& [name, settings] : c.rigid) {
     const bodies::RigidShape<dim> shape = make_shape<dim>(settings.shape);
@@ -265,11 +214,9 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     const material::Material& first = soil.materials.front();
     model.bodies.push_back({name, soil, nodal_damping(model.mesh, name, settings), density(first) / inertia_density(first)});
   }
-  if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<dim>& body) { return body.flows(); }))
-    for (std::size_t k = 0; k < sets.roles.size(); ++k)
-      model.impermeable.push_back(closed_directions(model.mesh, c, sets.roles[k], model.fixed[k]));
   add_heads(c, model);
-  add_dashpots(c, model);
+  add_dashpots(c, sets, model);
+  make_tables(model.mesh.node_count(), std::max<std::size_t>(1, c.stage.size()), model.water_flows(), model.conditions);
   for (const auto& [name, s] : c.contact) {
     const Index body = index_of(c.body, s.body);
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
@@ -278,7 +225,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     model.contacts.push_back({name, body, index_of(c.rigid, s.rigid), index_of(c.body, s.other_body), std::tan(friction), s.adhesion,
                               s.scheme, s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps, s.tension,
                               adhesion_law(s, model.bodies[body].soil), memory_of(c, static_cast<Index>(model.contacts.size())),
-                              friction > 0 && !s.drained ? pore_pressure_place(model.bodies[body].soil.materials.front()) : none, s.drained,
+                              friction > 0 && !s.drained ? pore_pressure_index(model.bodies[body].soil.materials.front()) : none, s.drained,
                               s.particle_rim});
   }
   for (const auto& [name, s] : c.traction) {
@@ -286,7 +233,6 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     for (const StageSettings& stage : c.stage) model.tractions.back().acts.push_back(acts_in(s.stages, stage.name));
   }
   model.update_stress_first = !c.contact.empty() && rules_of(c.contact.front().second.scheme).stress_first;
-  model.stages = c.stage;
   model.main_rigid = main_rigid(c);
   for (const StageSettings& stage : c.stage) {
     model.driven.push_back(!drives(stage.kind) ? none : stage.rigid.empty() ? 0 : index_of(c.rigid, stage.rigid));
@@ -330,7 +276,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   set_critical_lengths(c, model);
   set_fading(model);
   state.rigid_bodies.resize(model.rigid_bodies.size());
-  open_ledger(model, state);
+  open_ledger(model, state.ledger);
   state.listed_poses.assign(model.rigid_bodies.size(), bodies::Pose<dim>::nowhere());
   const bool by_gravity = loads_by_gravity(c, model.ground);
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model);
@@ -356,8 +302,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
       if (contact.memory.bond != none && model.bodies[contact.body].name == name)
         bond_at_start(model.mesh.metric, state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);
     if (varies(body.soil)) body.waves = waves_in(model, body, state.particles.back());
-    state.held_forces.push_back(
-        NodeField<Vec<dim>>::zeros(!model.dashpots.empty() && model.dashpots[number].any() ? model.mesh.node_count() : 0));
+    state.held_forces.push_back(NodeField<Vec<dim>>::zeros(model.conditions.absorbs(number) ? model.mesh.node_count() : 0));
     state.numbered.push_back(state.particles.back().size());
     if (state.particles.back().size() == 0)
       throw KeyError(
@@ -366,7 +311,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
                       name));
     state.particles.back().visit([&](Index, Index b, int l) {
       const bodies::Block<dim>& p = state.particles.back().block(b);
-      for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
+      for (int d = 0; d < dim; ++d) state.ledger.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
     });
   }
   if (by_gravity) load_by_gravity(c, model, state.particles);
@@ -375,7 +320,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   model.pressure_window = 2 * longest_pressure_period(model, state.particles);
   state.earthworks.resize(model.earthworks.size());
   state.tractions.resize(model.tractions.size());
-  state.heads.resize(model.heads.size());
+  state.heads.resize(count_of<boundary::Head<dim>>(model.conditions));
   place_loads(c, problem);
   for (const auto& [name, watch] : c.watch) {
     const Index body = index_of(c.body, watch.body);

@@ -41,10 +41,10 @@ Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape,
     const Vec<dim> x = point_at(model, shape, std::numbers::pi * k / points);
     if ((x.array() < model.mesh.lower.array()).any() || (x.array() > model.mesh.upper.array()).any() || axes.height(x) > in_the_air)
       continue;
-    const mesh::Location place = locate(model.mesh, x, start);
-    if (!place.inside) continue;
-    start = place.cell;
-    const Real size = model.mesh.size(place.cell);
+    const mesh::Location found = locate(model.mesh, x, start);
+    if (!found.inside) continue;
+    start = found.cell;
+    const Real size = model.mesh.size(found.cell);
     if (!(size <= largest)) largest = size;
   }
   return largest;
@@ -65,8 +65,8 @@ template <int dim>
 std::string region_at(const Model<dim>& model, const Vec<dim>& x)
 {
   if ((x.array() < model.mesh.lower.array()).any() || (x.array() > model.mesh.upper.array()).any()) return "";
-  const mesh::Location place = locate(model.mesh, x, 0);
-  return place.inside ? model.mesh.region_names[static_cast<std::size_t>(model.mesh.region[place.cell])] : "";
+  const mesh::Location found = locate(model.mesh, x, 0);
+  return found.inside ? model.mesh.region_names[static_cast<std::size_t>(model.mesh.region[found.cell])] : "";
 }
 
 template std::string region_at(const Model<2>&, const Vec<2>&);

@@ -18,7 +18,7 @@ struct DepthSlices {
   {
     return std::clamp(static_cast<Index>(std::floor((top - height_over_center) / thickness)), Index(0), count - 1);
   }
-  /// Calls give(slice, part) for the slices between two heights over the centre, m, with the part of the way that lies in each. The parts add up to 1.
+  /// Calls give(slice, fraction) for the slices between two heights over the centre, m, with the fraction of the way that lies in each. The fractions add up to 1.
   template <class Give>
   void share(Real lower, Real upper, const Give& give) const
   {
@@ -26,9 +26,9 @@ struct DepthSlices {
     Real left = 1;
     for (Index k = first; k < last; ++k) {
       const Real from = k == first ? upper : top - k * thickness;
-      const Real part = std::clamp((from - top + (k + 1) * thickness) / (upper - lower), Real(0), left);
-      give(k, part);
-      left -= part;
+      const Real fraction = std::clamp((from - top + (k + 1) * thickness) / (upper - lower), Real(0), left);
+      give(k, fraction);
+      left -= fraction;
     }
     give(last, left);
   }

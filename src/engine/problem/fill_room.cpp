@@ -68,7 +68,7 @@ Real WorkRegion<dim>::volume() const
 }
 
 template <int dim>
-Real WorkRegion<dim>::part_within(const Vec<dim>& x, Real section) const
+Real WorkRegion<dim>::fraction_within(const Vec<dim>& x, Real section) const
 {
   constexpr int n = square_divisions<dim>, count = power(n, dim);
   const Real width = std::pow(section, 1. / dim), reach = width / 2 * std::sqrt(Real(dim)), away = distance(x);
@@ -136,7 +136,7 @@ template <int dim>
 Real SoilAround<dim>::volume_in_region() const
 {
   Real sum = 0;
-  for (const Neighbour& p : all_) sum += p.volume * region_.part_within(p.x, section_of(p));
+  for (const Neighbour& p : all_) sum += p.volume * region_.fraction_within(p.x, section_of(p));
   return sum;
 }
 

@@ -28,7 +28,7 @@ struct WorkRegion {
   /// Its volume within the mesh, m2 or m3 (around an axis m3 per radian), to about a hundredth of a cell at its bounds.
   Real volume() const;
   /// The part of a square (cube) of this section, m2 or m3, around a point that lies in it.
-  Real part_within(const Vec<dim>& x, Real section) const;
+  Real fraction_within(const Vec<dim>& x, Real section) const;
 };
 
 /// The particles of all bodies, of all ranks, in and around the cells of a region; by cell.

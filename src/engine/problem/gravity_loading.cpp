@@ -58,7 +58,7 @@ public:
     for (const Index body : bodies) add_body(c, body);
     free_.assign(node_.size(), Vec<dim>::Ones());
     for (std::size_t i = 0; i < node_.size(); ++i)
-      free_[i] = boundary::without_fixed<dim>(model.fixed[model.fixed_in[0]], node_[i], free_[i]);
+      free_[i] = boundary::without_fixed<dim>(model.conditions.in_stage(0).held, node_[i], free_[i]);
     list_entries();
     displacement_.assign(node_.size(), Vec<dim>::Zero());
   }
@@ -167,10 +167,10 @@ private:
     for (const Element<dim>& element : elements_)
       for (const Index i : element.nodes) ++first_entry_[i + 1];
     std::partial_sum(first_entry_.begin(), first_entry_.end(), first_entry_.begin());
-    std::vector<Index> place = first_entry_;
+    std::vector<Index> next = first_entry_;
     entries_.resize(elements_.size() * (dim + 1));
     for (std::size_t e = 0; e < elements_.size(); ++e)
-      for (int k = 0; k <= dim; ++k) entries_[place[elements_[e].nodes[k]]++] = static_cast<Index>(e) * (dim + 1) + k;
+      for (int k = 0; k <= dim; ++k) entries_[next[elements_[e].nodes[k]]++] = static_cast<Index>(e) * (dim + 1) + k;
   }
 
   /// The sums of corner forces at the nodes, in the free directions.

@@ -6,6 +6,7 @@
 #include "problem/absorbing.hpp"
 #include "problem/drainage.hpp"
 #include "problem/names.hpp"
+#include "problem/supports.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,7 +66,7 @@ NodeField<Vec<dim>> areas_into_soil(const Case& c, const mesh::Mesh<dim>& mesh, 
       const mesh::Shape<dim> shape = mesh.shape(point.cell);
       for (int k = 0; k <= dim; ++k) {
         constexpr Real round_off = 1e-9;
-        if (const Real part = shape.value(k, point.x); part > round_off) areas[mesh.nodes[point.cell][k]] += part * point.force;
+        if (const Real weight = shape.value(k, point.x); weight > round_off) areas[mesh.nodes[point.cell][k]] += weight * point.force;
       }
     }
   } catch (const KeyError&) {
@@ -85,11 +86,6 @@ void add_heads(const Case& c, Model<dim>& model)
     if (!support.head || *support.head == 0) continue;
     const std::uint8_t directions = fixed_directions(support);
     const NodeField<Vec<dim>> areas = areas_into_soil(c, mesh, name, support);
-    Head<dim>& head = model.heads.emplace_back();
-    head.name = name;
-    head.pressure = material::unit_weight_of_water * *support.head;
-    head.ramp = support.ramp;
-    for (const StageSettings& stage : c.stage) head.acts.push_back(acts_in(support.stages, stage.name));
     for (const auto& [other_name, other] : c.support) {
       if (&other == &support) break;
       if (!other.head || *other.head == 0 || other.boundary == support.boundary || !act_together(c, support, other)) continue;
@@ -100,9 +96,9 @@ void add_heads(const Case& c, Model<dim>& model)
                                      "line, and the nodes where they meet would have both: make one boundary of them",
                                      name, other_name));
     }
-    select(
-        "list nodes of a head", mesh.node_chunks, [&](Index node) { return areas[node].norm() > 0; }, head.nodes, head.chunks);
-    for (const Index node : head.nodes) {
+    boundary::Head<dim> head{material::unit_weight_of_water * *support.head};
+    for (Index node = 0; node < mesh.node_count(); ++node) {
+      if (!(areas[node].norm() > 0)) continue;
       const Vec<dim> normal = areas[node].normalized();
       Real free = 0;
       for (int d = 0; d < dim; ++d)
@@ -114,22 +110,25 @@ void add_heads(const Case& c, Model<dim>& model)
                         name, support.boundary));
       head.normals.push_back(normal);
     }
+    const auto acts = [&](const StageSettings& stage) { return acts_in(support.stages, stage.name); };
+    add_condition<dim>(
+        {.name = name, .kind = std::move(head), .directions = directions, .acts = by_stage(c.stage, acts), .ramp = support.ramp},
+        [&](Index node) { return areas[node].norm() > 0; }, model);
   }
 }
 
 template <int dim>
-std::vector<Vec<dim>> areas_of_head(const Case& c, const Model<dim>& model, std::size_t head)
+std::vector<Vec<dim>> areas_of_head(const Case& c, const Model<dim>& model, const boundary::NodalCondition<dim>& head)
 {
-  const std::string& name = model.heads[head].name;
-  const NodeField<Vec<dim>> all = areas_into_soil(c, model.mesh, name, c.support[index_of(c.support, name)].second);
+  const NodeField<Vec<dim>> all = areas_into_soil(c, model.mesh, head.name, c.support[index_of(c.support, head.name)].second);
   std::vector<Vec<dim>> areas;
-  for (const Index node : model.heads[head].nodes) areas.push_back(all[node]);
+  for (const Index node : head.nodes) areas.push_back(all[node]);
   return areas;
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void add_heads(const Case&, Model<dim>&);                                                                                       \
-  template std::vector<Vec<dim>> areas_of_head(const Case&, const Model<dim>&, std::size_t);
+  template std::vector<Vec<dim>> areas_of_head(const Case&, const Model<dim>&, const boundary::NodalCondition<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -15,6 +15,6 @@ void add_heads(const Case& c, Model<dim>& model);
 
 /// The part of the boundary of a head that each of its nodes has, m (per metre run) or m2, along the normal into the soil.
 template <int dim>
-std::vector<Vec<dim>> areas_of_head(const Case& c, const Model<dim>& model, std::size_t head);
+std::vector<Vec<dim>> areas_of_head(const Case& c, const Model<dim>& model, const boundary::NodalCondition<dim>& head);
 
 }  // namespace berm::problem

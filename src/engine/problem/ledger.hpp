@@ -37,7 +37,7 @@ struct Ledger {
   std::vector<std::vector<Real>> slice_shaft_impulses;  ///< the same: given to the soil upwards by sides that are upright
   std::vector<Vec<dim>> pair_impulses;                  ///< by contact: what the other body gave to the body; zero at rigid bodies
   std::vector<Vec<dim>> rigid_impulses;                 ///< by contact of rigid bodies: what the other body gave to the first
-  std::vector<Vec<dim>> support_impulses;               ///< by Model::supports: given to the soil
+  std::vector<Vec<dim>> support_impulses;               ///< by support that is reported: given to the soil
 };
 
 /// Of what each there is a sum.

@@ -49,7 +49,7 @@ struct Lines {
 
   explicit Lines(const mesh::Mesh<dim>& mesh) : lower(mesh.lower), spacing((mesh.upper - mesh.lower) / along) {}
 
-  Vec<dim> place(int line) const
+  Vec<dim> position(int line) const
   {
     Vec<dim> x = lower;
     x[0] += (line % along + between[0]) * spacing[0];
@@ -72,7 +72,7 @@ struct Lines {
     }
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i) {
-        Piece piece = chord<dim>(mesh, cell, place(j * along + i));
+        Piece piece = chord<dim>(mesh, cell, position(j * along + i));
         piece.body = body;
         piece.region = mesh.region[cell];
         if (piece.bottom < piece.top) pieces[j * along + i].push_back(piece);
@@ -118,7 +118,7 @@ void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
   } worst;
   Real largest = 0;
   for (int line = 0; line < lines.count; ++line) {
-    Vec<dim> x = lines.place(line);
+    Vec<dim> x = lines.position(line);
     if (meets_rigid(model, x)) continue;
     std::vector<Piece>& pieces = lines.pieces[line];
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.top > b.top; });

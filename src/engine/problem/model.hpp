@@ -3,8 +3,7 @@
 
 #include "bodies/particles.hpp"
 #include "bodies/rigid/dynamics.hpp"
-#include "boundary/dashpots.hpp"
-#include "boundary/support.hpp"
+#include "boundary/nodal_conditions.hpp"
 #include "mesh/patches.hpp"
 #include "problem/axes.hpp"
 #include "problem/body_soil.hpp"
@@ -84,32 +83,6 @@ struct Watch {
   std::int32_t id;
 };
 
-/// A support that moves its boundary, or sends waves in through one that absorbs.
-struct Motion {
-  std::string name;
-  boundary::MotionSettings settings;
-  std::vector<char> acts;  ///< by stage
-};
-
-/// Water outside of a drained support.
-template <int dim>
-struct Head {
-  std::string name;
-  Real pressure;                  ///< Pa, excess pore pressure of all of it
-  Real ramp;                      ///< s
-  std::vector<char> acts;         ///< by stage
-  std::vector<Index> nodes;       ///< of its boundary, ascending
-  std::vector<Vec<dim>> normals;  ///< unit, into the soil; by `nodes`
-  Chunks chunks;                  ///< of `nodes`
-};
-
-/// A support whose reaction is reported.
-struct Support {
-  std::string name;
-  std::vector<Index> nodes;  ///< of its boundary, ascending
-  Chunks chunks;             ///< of `nodes`
-};
-
 /// What cannot change during a run.
 template <int dim>
 struct Model {
@@ -124,18 +97,8 @@ struct Model {
   std::vector<Earthwork<dim>> earthworks;  ///< in the order in which those that are due at once are done
   std::vector<Traction> tractions;
   std::vector<LoadPoint<dim>> load_points;
-  std::vector<NodeField<std::uint8_t>> fixed;     ///< by set of supports that hold together; bit d: direction d of the node is held
-  std::vector<Index> fixed_in;                    ///< by stage: which set
-  std::vector<boundary::Dashpots<dim>> dashpots;  ///< by body, of the boundaries that absorb; empty where none does
-  std::vector<Motion> motions;
-  /// By stage: which of the motions a node that is held follows, by direction; empty where there are none, and in stages without.
-  std::vector<NodeField<boundary::Holders<dim>>> moved;
-  std::vector<Head<dim>> heads;
-  std::vector<Support> supports;  ///< by place in Case::support, where their reactions are reported; else none
-  std::vector<NodeField<boundary::Holders<dim>>>
-      holders;  ///< as `fixed`: which of these supports holds the node; empty where there are none
-  /// As `fixed`, of the flux of water; empty where none flows.
-  std::vector<NodeField<std::uint8_t>> impermeable;
+  boundary::NodalConditions<dim>
+      conditions;                       ///< at nodes: supports, motions, absorbing boundaries, water outside, axis and planes of symmetry
   std::array<bool, dim> mirrored = {};  ///< by axis: whether the mesh ends at a plane of symmetry across it, at its lowest coordinate
   Real parts = 1;     ///< equal ones that the whole has, of which this is one: 2 pi radians around an axis, halves, quarters
   Vec<dim> gravity;   ///< m/s2
@@ -152,6 +115,10 @@ struct Model {
   Real longest_period = 0;           ///< s, of the soil's swings; where a stage ends at equilibrium
   Real pressure_window = 0;          ///< s, of PressureMeans; where water flows through soil that has inertia
 
+  bool water_flows() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [](const Body<dim>& body) { return body.flows(); });
+  }
   /// The level from which the embedment of a rigid body counts whose axis is there, m along the vertical axis.
   Real surface_at(const Vec<dim>& x) const { return ground.level_at(x[axes.along], surface); }
   /// Depth of a point of the soil, for strength and stiffness that vary with it, m.
@@ -161,7 +128,7 @@ struct Model {
   }
 };
 
-/// How a traction or a head grows or falls: the part of it that acts goes from one value to another since `begin_time`.
+/// How a traction or a head grows or falls: the fraction of it that acts goes from one value to another since `begin_time`.
 struct TractionState {
   Real begin_time = 0;  ///< s
   Real from = 0, to = 0;
@@ -214,9 +181,10 @@ struct ActiveSoil {
   Real stopped = 0;  ///< J/m or J, kinetic energy of soil that still moved when it came to rest: a part of Totals::damping
 };
 
-/// Everything that changes during a run; a checkpoint is exactly this. What has been given and taken since the start stands in the ledger.
+/// Everything that changes during a run; a checkpoint is exactly this.
 template <int dim>
-struct State : Ledger<dim> {
+struct State {
+  Ledger<dim> ledger;  ///< what has been given and taken since the start
   Real time = 0;
   BigIndex step = 0;
   Real dt = 0;                                    ///< s, the time step in force
@@ -236,7 +204,7 @@ struct State : Ledger<dim> {
   std::vector<NodeField<Vec<dim>>>
       held_forces;  ///< by body, at the nodes of boundaries that absorb: what held them when they last did, N; empty where none does
   std::vector<TractionState> tractions;
-  std::vector<TractionState> heads;  ///< by Model::heads
+  std::vector<TractionState> heads;  ///< by boundary::Head of Model::conditions
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;
   ActiveSoil<dim> active_soil;

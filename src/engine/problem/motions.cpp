@@ -4,6 +4,7 @@
 
 #include "os/error.hpp"
 #include "problem/names.hpp"
+#include "problem/supports.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -87,10 +88,8 @@ void check_motions(Describe& d, const Case& c)
 }
 
 template <int dim>
-void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
+void add_motions(const Case& c, Model<dim>& model)
 {
-  boundary::Holders<dim> nobody;
-  nobody.fill(none);
   const mesh::Mesh<dim>& mesh = model.mesh;
   for (std::size_t s = 0; s < c.support.size(); ++s) {
     const auto& [name, support] = c.support[s];
@@ -100,16 +99,11 @@ void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
         throw KeyError(fmt::format(
             "support.{}.motion: [support.{}] moves the same boundary in the same direction in the same stage: leave one of them out", name,
             c.support[other].first));
-    const auto number = static_cast<Index>(model.motions.size());
-    Motion& motion = model.motions.emplace_back();
-    motion.name = name;
-    motion.settings = *support.motion;
-    for (const StageSettings& stage : c.stage) motion.acts.push_back(among(stage.name, support.motion->stages));
-    if (model.moved.empty()) model.moved.resize(c.stage.size());
     std::uint8_t directions = 0;
     for (int d = 0; d < dim; ++d)
       if (!support.motion->velocity[static_cast<std::size_t>(d)].empty()) directions |= static_cast<std::uint8_t>(1 << d);
-    for (const Index node : mesh.boundary_nodes[fixed_boundary(mesh, name, support)]) {
+    const Index boundary = fixed_boundary(mesh, name, support);
+    for (const Index node : mesh.boundary_nodes[boundary]) {
       const bool on_axis = mesh.metric == mesh::Metric::axisymmetric && mesh.position[node][0] == 0;
       for (int d = 0; d < dim; ++d) {
         const bool on_plane = model.mirrored[d] && mesh.position[node][d] <= mesh.lower[d];
@@ -121,16 +115,20 @@ void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model)
                        "along y, or take geometry = \"plane_strain\" or \"space\""));
       }
     }
-    for (std::size_t stage = 0; stage < c.stage.size(); ++stage) {
-      if (!motion.acts[stage] || sets.roles[sets.of_stage[stage]][s] != SupportRole::holds) continue;
-      if (model.moved[stage].size() == 0) model.moved[stage] = NodeField<boundary::Holders<dim>>(mesh.node_count(), nobody);
-      for (const Index node : mesh.boundary_nodes[fixed_boundary(mesh, name, support)])
-        boundary::add_holder<dim>(model.moved[stage][node], number, directions);
-    }
+    const auto acts = [&](const StageSettings& stage) {
+      return among(stage.name, support.motion->stages) && acts_in(support.stages, stage.name);
+    };
+    const NodeField<char> at_boundary = nodes_at(mesh, boundary);
+    add_condition<dim>(
+        {.name = name,
+         .kind = boundary::Motion{*support.motion, support.absorbs},
+         .directions = directions,
+         .acts = by_stage(c.stage, acts)},
+        [&](Index node) { return at_boundary[node] != 0; }, model);
   }
 }
 
-template void add_motions(const Case&, const SupportSets&, Model<2>&);
-template void add_motions(const Case&, const SupportSets&, Model<3>&);
+template void add_motions(const Case&, Model<2>&);
+template void add_motions(const Case&, Model<3>&);
 
 }  // namespace berm::problem

@@ -14,6 +14,6 @@ std::string fault_of_motion(const Case& c, const boundary::SupportSettings& supp
 /// The motions of the supports, and the nodes that follow them, of a model that has its mesh. A node that several supports hold in one direction follows the first
 /// of the case that moves. Throws KeyError where the axis or a plane of symmetry holds a node that is to move.
 template <int dim>
-void add_motions(const Case& c, const SupportSets& sets, Model<dim>& model);
+void add_motions(const Case& c, Model<dim>& model);
 
 }  // namespace berm::problem

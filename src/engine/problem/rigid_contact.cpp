@@ -130,8 +130,8 @@ namespace {
 template <int dim>
 struct Side {
   Index body = none;
-  bodies::DriveNow<dim> gives_way{};  ///< by_force alone
-  Vec<dim> arm = Vec<dim>::Zero();    ///< m, from its centre
+  bodies::DriveNow<dim> movable{};  ///< by_force alone
+  Vec<dim> arm = Vec<dim>::Zero();  ///< m, from its centre
 };
 
 template <int dim>
@@ -149,7 +149,7 @@ struct Point {
 };
 
 template <int dim>
-bodies::DriveNow<dim> gives_way(const Model<dim>& model, const State<dim>& state, Index r)
+bodies::DriveNow<dim> movable(const Model<dim>& model, const State<dim>& state, Index r)
 {
   const bodies::RigidBody<dim>& body = model.rigid_bodies[r];
   const bool driven = r == model.driven[state.stage.index];
@@ -179,7 +179,7 @@ void push(const Model<dim>& model, State<dim>& state, const Point<dim>& point, c
 {
   for (int k = 0; k < 2; ++k) {
     const Side<dim>& side = point.sides[k];
-    add_impulse(model.rigid_bodies[side.body], state.rigid_bodies[side.body], side.gives_way, side.arm,
+    add_impulse(model.rigid_bodies[side.body], state.rigid_bodies[side.body], side.movable, side.arm,
                 Vec<dim>(k == 0 ? impulse : -impulse));
   }
 }
@@ -193,7 +193,7 @@ Real response_along(const Model<dim>& model, const State<dim>& state, const Poin
     bodies::RigidState<dim> moved = state.rigid_bodies[side.body];
     const Vec<dim> before = moved.velocity;
     const bodies::Angular<dim> turning = moved.angular_velocity;
-    add_impulse(model.rigid_bodies[side.body], moved, side.gives_way, side.arm, direction);
+    add_impulse(model.rigid_bodies[side.body], moved, side.movable, side.arm, direction);
     response += direction.dot(moved.velocity - before + bodies::cross(bodies::Angular<dim>(moved.angular_velocity - turning), side.arm));
   }
   return response;
@@ -250,8 +250,7 @@ void find_points(const Model<dim>& model, const State<dim>& state, const RigidVe
       Vec<dim> before = Vec<dim>::Zero();
       for (int side = 0; side < 2; ++side) {
         const Index r = side == 0 ? contact.first : contact.second;
-        point.sides[side] = {r, gives_way(model, state, r),
-                             Vec<dim>(at.position - center_now(model.rigid_bodies[r], state.rigid_bodies[r]))};
+        point.sides[side] = {r, movable(model, state, r), Vec<dim>(at.position - center_now(model.rigid_bodies[r], state.rigid_bodies[r]))};
         const Vec<dim> before_here = last.velocity[k][side] + bodies::cross(last.angular[k][side], point.sides[side].arm);
         before += (side == 0 ? 1 : -1) * before_here;
         point.rests_within += dt * (velocity_at(state, point.sides[side]) - before_here).norm();
@@ -264,7 +263,7 @@ void find_points(const Model<dim>& model, const State<dim>& state, const RigidVe
 }
 
 template <int dim>
-void refuse_where_neither_gives_way(const Model<dim>& model, const State<dim>& state, const Point<dim>& point, Real dt)
+void refuse_where_neither_moves(const Model<dim>& model, const State<dim>& state, const Point<dim>& point, Real dt)
 {
   const RigidContact<dim>& contact = model.rigid_contacts[point.contact];
   if (point.gap + dt * point.normal.dot(slip_at(state, point)) >= -overlap_that_counts * size_of<dim>(model, contact)) return;
@@ -311,7 +310,7 @@ void find_impulses(const Model<dim>& model, State<dim>& state, Points<dim>& poin
 template <int dim>
 Real work_on_held(bool free, const Side<dim>& side, const Vec<dim>& impulse, const Vec<dim>& velocity, const bodies::Angular<dim>& turning)
 {
-  const auto held = [&](int freedom) { return !free || !side.gives_way.by_force[freedom]; };
+  const auto held = [&](int freedom) { return !free || !side.movable.by_force[freedom]; };
   Real work = 0;
   for (int d = 0; d < dim; ++d)
     if (held(d)) work += impulse[d] * velocity[d];
@@ -332,16 +331,16 @@ void count_impulses(const Model<dim>& model, State<dim>& state, const RigidVeloc
   for (int p = 0; p < points.count; ++p) {
     const Point<dim>& point = points.list[p];
     const Vec<dim> impulse = point.pressed * point.normal + point.rubbed;
-    state.rigid_impulses[point.contact] += impulse;
+    state.ledger.rigid_impulses[point.contact] += impulse;
     for (int k = 0; k < 2; ++k) {
       const Side<dim>& side = point.sides[k];
       const bodies::RigidState<dim>& body = state.rigid_bodies[side.body];
       const Vec<dim> given = k == 0 ? impulse : Vec<dim>(-impulse);
       const Vec<dim> velocity = (body.velocity + before.velocity[point.contact][k]) / 2;
       const bodies::Angular<dim> turning = (body.angular_velocity + before.angular[point.contact][k]) / 2;
-      state.totals.friction -= given.dot(velocity + bodies::cross(turning, side.arm));
+      state.ledger.totals.friction -= given.dot(velocity + bodies::cross(turning, side.arm));
       const bool free = model.rigid_bodies[side.body].motion == bodies::Motion::free;
-      state.totals.external -= work_on_held(free, side, given, velocity, turning);
+      state.ledger.totals.external -= work_on_held(free, side, given, velocity, turning);
     }
   }
 }
@@ -372,7 +371,7 @@ void push_apart(const Model<dim>& model, State<dim>& state, const RigidVelocitie
   find_points(model, state, last, dt, points);
   if (points.count == 0) return;
   for (int p = 0; p < points.count; ++p)
-    if (!(points.list[p].response > 0)) refuse_where_neither_gives_way(model, state, points.list[p], dt);
+    if (!(points.list[p].response > 0)) refuse_where_neither_moves(model, state, points.list[p], dt);
   constexpr int most_collisions =
       1000;  // one after the other in a step: of bodies that fly to and fro between others they lose their bounce
   for (int n = 1; n == 1 || collide_again(model, state, dt, n == most_collisions, points); ++n) {

@@ -87,7 +87,7 @@ void throw_bodies(const Model<dim>& model, State<dim>& state)
     const bodies::RigidBody<dim>& body = model.rigid_bodies[r];
     if (body.first_velocity.isZero(0)) continue;
     state.rigid_bodies[r].velocity = body.first_velocity;
-    state.totals.external += body.mass * body.first_velocity.squaredNorm() / 2;
+    state.ledger.totals.external += body.mass * body.first_velocity.squaredNorm() / 2;
   }
 }
 
@@ -130,12 +130,13 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   begin_pressure_means(model, state);
   for (bodies::Drive& drive : now.drive) drive = {};
   if (now.index == first_moving_stage(model.stages)) throw_bodies(model, state);
-  const auto turn = [&](const auto& load, TractionState& part) {
+  const auto turn = [&](const auto& load, TractionState& turned) {
     const Real to = load.acts[now.index] ? 1 : 0;
-    if (to != part.to) part = {state.time, part_of_traction(load, part, state.time), to};
+    if (to != turned.to) turned = {state.time, acting_fraction(load, turned, state.time), to};
   };
   for (std::size_t k = 0; k < state.tractions.size(); ++k) turn(model.tractions[k], state.tractions[k]);
-  for (std::size_t k = 0; k < state.heads.size(); ++k) turn(model.heads[k], state.heads[k]);
+  boundary::for_each_of<boundary::Head<dim>>(model.conditions,
+                                             [&](std::size_t k, const auto& row, const auto&) { turn(row, state.heads[k]); });
   if (driven == none) return;
 
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
@@ -298,7 +299,7 @@ Real velocity_to(const StageSettings& stage, const StageState<dim>& now, const b
 }  // namespace
 
 template <int dim>
-Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity)
+Real velocity_factor(const Model<dim>& model, const State<dim>& state, Real velocity)
 {
   constexpr Real times = 2, beyond = 0.01, felt = 0.005;
   const StageSettings& stage = model.stages[state.stage.index];
@@ -327,7 +328,7 @@ void count_approach(const Model<dim>& model, State<dim>& state, Real step, Real 
   if ((mean - approach.begin) * (limit - approach.begin) < begun * (limit - approach.begin) * (limit - approach.begin))
     approach.travel = approach.mean_travel = 0;
   approach.travel += std::abs(step);
-  approach.mean_travel += model.rigid_bodies[driven].fading.part_of_step(std::abs(step), recent.way + std::abs(step), dt) *
+  approach.mean_travel += model.rigid_bodies[driven].fading.fraction_of_step(std::abs(step), recent.way + std::abs(step), dt) *
                           (approach.travel - approach.mean_travel);
 }
 
@@ -352,7 +353,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
         now.value[f] = displacement == none ? drive_now(model, stage, state.stage.drive[f], f, since)
                                             : velocity_to(stage, state.stage, body, rigid, f, displacement, since, dt);
         if (stage.until.force && !now.by_force[f] && f == main_freedom(model, stage)) {
-          now.value[f] *= part_of_velocity(model, state, now.value[f]);
+          now.value[f] *= velocity_factor(model, state, now.value[f]);
           count_approach(model, state, dt * now.value[f], dt);
         }
         if (const Real stiffness = state.stage.drive[f].spring; stiffness > 0)
@@ -364,7 +365,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     } else {
       stop(rigid);
     }
-    if (body.motion == bodies::Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
+    if (body.motion == bodies::Motion::free) state.ledger.totals.external += work_of_outside(body, before, rigid, dt);
   }
   if (!model.rigid_contacts.empty()) push_apart(model, state, last, dt);
 }
@@ -410,7 +411,7 @@ Real expected_time(const std::vector<StageSettings>& stages)
   template bool lifts(const Model<dim>&, const State<dim>&);                                                                               \
   template bool force_reached(const Model<dim>&, const State<dim>&, Real);                                                                 \
   template Real beyond_force_limit(const Model<dim>&, const State<dim>&);                                                                  \
-  template Real part_of_velocity(const Model<dim>&, const State<dim>&, Real);                                                              \
+  template Real velocity_factor(const Model<dim>&, const State<dim>&, Real);                                                               \
   template void begin_stage(const Model<dim>&, State<dim>&);                                                                               \
   template bool stage_ended(const Model<dim>&, const State<dim>&);                                                                         \
   template void move_rigids(const Model<dim>&, State<dim>&);                                                                               \

@@ -52,8 +52,8 @@ Real mean_resistance(const Model<dim>& model, const State<dim>& state)
 /// The value of a drive at a time since the stage's begin, s: it goes from what it was to its own, times a factor, over the stage's ramp.
 inline Real ramped(const StageSettings& stage, const bodies::Drive& drive, Real since, Real factor = 1)
 {
-  const Real part = stage.ramp > since ? since / stage.ramp : 1;
-  return drive.from + part * (factor * drive.to - drive.from);
+  const Real fraction = stage.ramp > since ? since / stage.ramp : 1;
+  return drive.from + fraction * (factor * drive.to - drive.from);
 }
 
 /// The freedom of a push down, or of a drag along x.
@@ -109,7 +109,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state);
 /// tau the time over which the reaction of a body that hardly moves fades. R is the mean and what it lags by that stiffness (ForceApproach::now), so that the drive keeps half of the critical damping in soil
 /// four times as stiff as the secant. The mean decides that the limit is reached: R is 0.5 % beyond it then. 1 before R has begun to grow, without a limit, with a load history, and by a force.
 template <int dim>
-Real part_of_velocity(const Model<dim>& model, const State<dim>& state, Real velocity);
+Real velocity_factor(const Model<dim>& model, const State<dim>& state, Real velocity);
 
 /// The velocity and angular velocity of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
 /// inertia times angular acceleration = torque of the last step. Adds the work of gravity and drives on free bodies to the totals.
@@ -127,26 +127,24 @@ Real expected_time(const std::vector<StageSettings>& stages);
 
 /// The part of a traction or a head that acts at a time.
 template <class Load>
-Real part_of_traction(const Load& load, const TractionState& now, Real time)
+Real acting_fraction(const Load& load, const TractionState& now, Real time)
 {
-  const Real since = time - now.begin_time, part = load.ramp > since ? since / load.ramp : 1;
-  return now.from + part * (now.to - now.from);
+  const Real since = time - now.begin_time, fraction = load.ramp > since ? since / load.ramp : 1;
+  return now.from + fraction * (now.to - now.from);
 }
 
-/// The excess pore pressure of a head at the present time, Pa.
+/// The velocity that a condition prescribes at a time since the present stage began, m/s; 0 where it prescribes none, and in stages in which it does not act.
 template <int dim>
-Real pressure_of_head(const Model<dim>& model, const State<dim>& state, std::size_t head)
-{
-  return part_of_traction(model.heads[head], state.heads[head], state.time) * model.heads[head].pressure;
-}
-
-/// The velocity of a motion at a time since the present stage began, m/s; none in stages in which it does not count.
-template <int dim>
-Vec<dim> velocity_of(const Motion& motion, const StageState<dim>& stage, Real since)
+Vec<dim> velocity_of(const boundary::NodalCondition<dim>& condition, const StageState<dim>& stage, Real since)
 {
   Vec<dim> velocity = Vec<dim>::Zero();
-  if (motion.acts[static_cast<std::size_t>(stage.index)])
-    for (int d = 0; d < dim; ++d) velocity[d] = boundary::velocity_at(motion.settings, d, since);
+  if (condition.acts[static_cast<std::size_t>(stage.index)])
+    std::visit(
+        [&](const auto& kind) {
+          if constexpr (boundary::PrescribesVelocity<decltype(kind)>)
+            for (int d = 0; d < dim; ++d) velocity[d] = kind.velocity(d, since);
+        },
+        condition.kind);
   return velocity;
 }
 

@@ -2,6 +2,7 @@
 #include "problem/symmetry.hpp"
 
 #include "os/error.hpp"
+#include "problem/supports.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -38,8 +39,8 @@ Real asymmetry(const bodies::RigidShape<dim>& shape, int axis)
   Real largest = 0;
   for (int n = 0; n < a_side * a_side * a_side; ++n) {
     Vec<dim> from;
-    for (int d = 0, place = n; d < dim; ++d, place /= a_side)
-      from[d] = reach * (2.4 * ((place % a_side) + 0.5 + 0.1 * d) / a_side - 1.2);  // in no plane of symmetry
+    for (int d = 0, digits = n; d < dim; ++d, digits /= a_side)
+      from[d] = reach * (2.4 * ((digits % a_side) + 0.5 + 0.1 * d) / a_side - 1.2);  // in no plane of symmetry
     Vec<dim> mirrored = from;
     mirrored[axis] *= -1;
     largest =
@@ -115,10 +116,10 @@ Real parts_of(const Case& c)
 Case part_of_whole(Case c)
 {
   if (parts_of(c) == 1) return c;
-  const Real part = 1 / parts_of(c);
+  const Real fraction = 1 / parts_of(c);
   for (auto& entry : c.rigid) {
-    entry.second.mass *= part;
-    if (entry.second.moment_of_inertia) *entry.second.moment_of_inertia *= part;
+    entry.second.mass *= fraction;
+    if (entry.second.moment_of_inertia) *entry.second.moment_of_inertia *= fraction;
   }
   for (StageSettings& stage : c.stage) {
     DriveSettings& drive = stage.drive;
@@ -126,10 +127,10 @@ Case part_of_whole(Case c)
          {&stage.force, &stage.vertical_force, &stage.until.force, &drive.x.force, &drive.y.force, &drive.z.force, &drive.rotation_x.moment,
           &drive.rotation_y.moment, &drive.rotation_z.moment, &drive.x.spring, &drive.y.spring, &drive.z.spring, &drive.rotation_x.spring,
           &drive.rotation_y.spring, &drive.rotation_z.spring})
-      if (*of_whole) **of_whole *= part;
+      if (*of_whole) **of_whole *= fraction;
     for (std::size_t k = 0; k < load_columns.size(); ++k)
       if (load_columns[k].quantity == LoadQuantity::force)
-        for (Real& load : stage.loads.columns[k]) load *= part;
+        for (Real& load : stage.loads.columns[k]) load *= fraction;
   }
   return c;
 }
@@ -142,9 +143,8 @@ void hold_symmetry_planes(const Case& c, Model<dim>& model)
     model.mirrored[d] = mirrors(c, d);
     if (!model.mirrored[d]) continue;
     const Real plane = mesh.lower[d] + round_off * (mesh.upper[d] - mesh.lower[d]);
-    for (NodeField<std::uint8_t>& fixed : model.fixed)
-      for (Index node = 0; node < mesh.node_count(); ++node)
-        if (mesh.position[node][d] <= plane) fixed[node] |= static_cast<std::uint8_t>(1 << d);
+    add_condition<dim>(
+        held_across(d, model), [&](Index node) { return mesh.position[node][d] <= plane; }, model);
   }
 }
 

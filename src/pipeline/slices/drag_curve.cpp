@@ -41,11 +41,11 @@ std::optional<DragCurve> drag_sideways(const problem::Model<2>& model, const pro
     while (travel() < end) {
       if (state.step % steps_between_questions == 0 && stop()) return {};
       mpm::find_stable_time_step(model, state, workspace);
-      const Real since = state.time + std::min(state.stable_dt, state.max_dt) - laid.time, before = state.contact_sums[0].impulse[0];
+      const Real since = state.time + std::min(state.stable_dt, state.max_dt) - laid.time, before = state.ledger.contact_sums[0].impulse[0];
       drive_otherwise(model, state, 0, false, drag.velocity * std::min(Real(1), since / ramp));
       mpm::take_step(model, state, workspace);
       mpm::refuse_rigid_outside_mesh(model, state);
-      work += (state.contact_sums[0].impulse[0] - before) * pipe.velocity[0];
+      work += (state.ledger.contact_sums[0].impulse[0] - before) * pipe.velocity[0];
     }
     measured.push_back({(from + travel()) / 2, work / (travel() - from)});
     from = travel();

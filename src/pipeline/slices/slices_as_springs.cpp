@@ -83,7 +83,7 @@ void CoupledLine::let_time_pass(Real dt, problem::State<2>& state) const
 void CoupledLine::step_as_spring(Index k, Real dt, problem::State<2>& state) const
 {
   const Vec<2> velocity(sideways_[k], upwards_[k]), on_pipe(springs_sideways_[k], of_case_.settings.submerged_weight + springs_upwards_[k]);
-  state.contact_sums[0].impulse -= dt * on_pipe;
+  state.ledger.contact_sums[0].impulse -= dt * on_pipe;
   if (of_case_.settings.slices.as_spring == problem::SliceAsSpring::always) state.rigid_bodies[0].displacement += dt * velocity;
   let_time_pass(dt, state);
 }

@@ -22,7 +22,7 @@ constexpr std::size_t numbers = sizeof(RankMessage) / sizeof(Real);
 RankMessage told_by(const problem::State<2>& slice, Real contact_mass, bool failed)
 {
   const bodies::RigidState<2>& pipe = slice.rigid_bodies[0];
-  return {pipe.displacement,         pipe.velocity, pipe.reaction, slice.contact_sums[0].impulse, pipe.recent, contact_mass,
+  return {pipe.displacement,         pipe.velocity, pipe.reaction, slice.ledger.contact_sums[0].impulse, pipe.recent, contact_mass,
           failed ? Real(1) : Real(0)};
 }
 
@@ -33,7 +33,7 @@ void hear(const RankMessage& told, problem::State<2>& slice, SliceForce& force)
   pipe.velocity = told.velocity;
   pipe.reaction = told.reaction;
   pipe.recent = told.recent;
-  slice.contact_sums[0].impulse = told.impulse;
+  slice.ledger.contact_sums[0].impulse = told.impulse;
   force = {told.reaction, told.contact_mass};
 }
 

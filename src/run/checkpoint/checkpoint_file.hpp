@@ -9,7 +9,7 @@
 namespace berm::checkpoint {
 
 /// Version of the checkpoint format: changes whenever the contents do.
-constexpr int checkpoint_format = 17;
+constexpr int checkpoint_format = 18;
 
 /// Archives the contents of a checkpoint.
 using Contents = std::function<void(Archive&)>;

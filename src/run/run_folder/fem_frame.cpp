@@ -85,7 +85,7 @@ std::vector<OwnField> own_fields_of(const problem::Model<2>& model)
 /// Adds the effective stress of a body, if it is undrained.
 void add_effective_stress(const problem::Model<2>& model, std::size_t body, std::vector<DrawnField>& fields)
 {
-  const int place = pore_pressure_place(model.bodies[body].soil.materials.front());
+  const int place = pore_pressure_index(model.bodies[body].soil.materials.front());
   if (place == none) return;
   const auto effective = [](const fem::SoilPoint& point, int pressure, int component) {
     return point.stress[component] + (component < 3 ? point.law_state[pressure] : 0);
@@ -125,7 +125,7 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
       if (found == fields.end())
         found = fields.insert(found, {info, std::vector<int>(bodies, none),
                                       [](const fem::SoilPoint& point, int place, int) { return point.law_state[place]; },
-                                      first != pore_pressure_place(model.bodies[b].soil.materials.front())});
+                                      first != pore_pressure_index(model.bodies[b].soil.materials.front())});
       found->first[b] = first;
     }
     add_effective_stress(model, b, fields);
@@ -219,7 +219,7 @@ void set_pore_pressure_ratio(const fem::FemModel& model, Frame<2>& frame)
   };
   NodeField<Mean> at_rest(model.mesh.node_count());
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
-    if (pore_pressure_place(model.soil_of(cell).materials.front()) == none) continue;
+    if (pore_pressure_index(model.soil_of(cell).materials.front()) == none) continue;
     for (int q = 0; q < fem::triangle_points; ++q) {
       const Real above = overburden(model.model, model.mesh.body[cell], model.region_of(cell), model.depth[cell][q]);
       for (const Index node : model.mesh.nodes[cell]) at_rest[node].sum += above, ++at_rest[node].count;

@@ -181,7 +181,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state, Frame<dim> ol
       const SymTensor<dim> stress = effective_stress(material, p.stress, p.extra);
       for (int s = 0; s < tensor_size<dim>; ++s) effective->at(k, s) = stress[s];
       mean_effective->at(k) = trace(stress) / 3;
-      const int pressure = pore_pressure_place(material);
+      const int pressure = pore_pressure_index(material);
       if (ratio == nullptr || pressure == none) return;
       const Known& known = known_[body][p.id];
       const std::string& region = model_.mesh.region_names[model_.mesh.region[known.first_cell]];

@@ -201,7 +201,7 @@ run_folder::Summary::Checks FemMethod::checks() const
                                         {"loose_increments", static_cast<Real>(accepted_above_tolerance_)},
                                         {"largest_overstress", recorder_.largest_overstress()},
                                         {"strength_lag", recorder_.strength_lag()},
-                                        {"friction_work_is_loss", state().totals.friction >= 0}};
+                                        {"friction_work_is_loss", state().ledger.totals.friction >= 0}};
   if (trial_)
     for (auto& check : trial_->checks()) checks.push_back(std::move(check));
   return checks;

@@ -81,7 +81,7 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
   for (const fem::FemWatch& watch : model.watches) {
     row_.of(watch.name);
     const problem::BodySoil& soil = model.soil_of(watch.cell);
-    const int pressure_place = pore_pressure_place(soil.materials.front());
+    const int pressure_place = pore_pressure_index(soil.materials.front());
     Vec<2> displacement = Vec<2>::Zero();
     SymTensor<2> stress{};
     Real pressure = 0;
@@ -101,7 +101,7 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
                           run_folder::HistoryFile& file)
 {
   const problem::State<2>& now = state.state;
-  const problem::Totals<2>& t = now.totals;
+  const problem::Totals<2>& t = now.ledger.totals;
   const bool has_rigid = model.rigid != none;
   const auto of_rigid = [&] { row_.of_main(model.model.rigid_bodies[model.rigid].name); };
   row_.count_parts(model.model.parts);
@@ -138,13 +138,13 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
     observe_effective_normal<2>(row_, effective_normal_force(model, state));
   }
   for (std::size_t s = 0; s < state.support_forces.size(); ++s) {
-    row_.of(model.model.supports[s].name);
+    row_.of(model.model.conditions.reported[s]);
     observe_reaction<2>(row_, state.support_forces[s]);
   }
-  for (std::size_t h = 0; h < model.model.heads.size(); ++h) {
-    row_.of(model.model.heads[h].name);
-    observe_head<2>(row_, pressure_of_head(model.model, now, h), inflow_of_head(model, state, h));
-  }
+  boundary::for_each_of<boundary::Head<2>>(model.model.conditions, [&](std::size_t h, const auto& row, const auto& head) {
+    row_.of(row.name);
+    observe_head<2>(row_, acting_fraction(row, now.heads[h], now.time) * head.pressure, inflow_of_head(model, state, h));
+  });
   observe_movement();
   file.add(row_);
 }

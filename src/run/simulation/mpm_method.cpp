@@ -425,13 +425,13 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
 {
   run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()}};
   if (recorder_.largest_work() > 0) {
-    checks.emplace_back("filter_over_work", state().totals.filter / recorder_.largest_work());
-    checks.emplace_back("viscosity_over_work", state().totals.viscosity / recorder_.largest_work());
+    checks.emplace_back("filter_over_work", state().ledger.totals.filter / recorder_.largest_work());
+    checks.emplace_back("viscosity_over_work", state().ledger.totals.viscosity / recorder_.largest_work());
   }
   if (std::isfinite(equilibrium_)) checks.emplace_back("out_of_balance_after_geostatic", equilibrium_);
   if (std::isfinite(beyond_force_limit_)) checks.emplace_back("beyond_force_limit", beyond_force_limit_);
   checks.emplace_back("momentum_error", mpm::momentum_error(state(), model().mesh.metric));
-  checks.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
+  checks.emplace_back("friction_work_is_loss", state().ledger.totals.friction >= 0);
   if (std::isfinite(recorder_.shaking())) checks.emplace_back("shaking_at_body", recorder_.shaking());
   const mpm::SoilCondition soil = mpm::soil_condition(model(), state());
   if (model().mpm.active_distance) checks.emplace_back("energy_of_soil_that_came_to_rest", stopped_over_work());
@@ -464,11 +464,11 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
              "strength); "
              "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
              recorder_.shaking(), max_shaking);
-  if (-state().totals.friction > max_contact_work * recorder_.largest_work()) {
+  if (-state().ledger.totals.friction > max_contact_work * recorder_.largest_work()) {
     const bool coupled = std::all_of(model().contacts.begin(), model().contacts.end(),
                                      [](const auto& contact) { return contact.scheme == contact::Scheme::musl_coupled; });
     io::warn("contact added {:.2g} J instead of dissipating energy: use {}{}, and keep rigid bodies off boundaries that are fixed",
-             -state().totals.friction, coupled ? "" : "scheme = \"musl_coupled\" or ", mpm::smaller_step(model().mpm));
+             -state().ledger.totals.friction, coupled ? "" : "scheme = \"musl_coupled\" or ", mpm::smaller_step(model().mpm));
   }
   if (model().mpm.active_distance && stopped_over_work() > max_stopped)
     io::warn("soil was still moving when it became inactive: {:.2g} of the work; enlarge mpm.active_distance (now {:g} m)",

@@ -80,7 +80,7 @@ public:
   /// Since the start.
   Real particle_steps() const { return static_cast<Real>(counts().particles * state().step); }
 
-protected:
+  // For a line on several problems, of which this is the first.
   const problem::Case& case_of_run() const { return case_; }
   const problem::Problem<d>& problem() const { return problem_; }
   problem::State<d>& state_now() { return problem_.state; }

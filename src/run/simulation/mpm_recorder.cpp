@@ -54,7 +54,7 @@ template <int dim>
 MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
     : Recorder<dim>(model),
       last_time_(start.time),
-      last_(start)
+      last_(start.ledger)
 {
   row_.count_parts(model.parts);
   for (const bodies::Particles<dim>& particles : start.particles) {
@@ -66,7 +66,8 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
   if (std::none_of(model.stages.begin(), model.stages.end(), [](const problem::StageSettings& stage) { return drives(stage.kind); }))
     first_elastic_ = elastic_energy(model, start);
   first_loaded_ = start.load_points;
-  for (std::size_t h = 0; h < model.heads.size(); ++h) head_areas_.push_back(areas_of_head(c, model, h));
+  boundary::for_each_of<boundary::Head<dim>>(
+      model.conditions, [&](std::size_t, const auto& row, const auto&) { head_areas_.push_back(areas_of_head(c, model, row)); });
   for (std::size_t k = 0; k < model.watches.size(); ++k)
     watch_points_.emplace_back(model, start.particles[model.watches[k].body], model.watches[k], c.watch[k].second.point);
   watch_zeros_.assign(watch_points_.size(), Vec<dim>::Zero());
@@ -140,7 +141,7 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
 {
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (model.rigid_bodies[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigid_bodies[r], state.rigid_bodies[r]);
-  const problem::Totals<dim>& t = state.totals;
+  const problem::Totals<dim>& t = state.ledger.totals;
   Real error = kinetic + taken_out(state).kinetic - first_kinetic_;
   for_each_row(problem::rows_of_run<dim>, [&](const auto& row) {
     const auto& sum = t.*row.member;
@@ -227,7 +228,7 @@ void MpmRecorder<dim>::observe_tractions(const problem::Model<dim>& model, const
       if (point.traction == t) area.add(point.force, state.load_points[l].x - first_loaded_[l].x, point.area);
     }
     row_.of(model.tractions[t].name);
-    area.observe(row_, part_of_traction(model.tractions[t], state.tractions[t], state.time), Recorder<dim>::counted("mean displacement"));
+    area.observe(row_, acting_fraction(model.tractions[t], state.tractions[t], state.time), Recorder<dim>::counted("mean displacement"));
   }
 }
 
@@ -276,9 +277,9 @@ template <int dim>
 void MpmRecorder<dim>::observe_supports(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   const Real time = state.time - last_time_;
-  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+  for (std::size_t s = 0; s < model.conditions.reported.size(); ++s) {
     const Vec<dim>& impulse = since_.support_impulses[s];
-    row_.of(model.supports[s].name);
+    row_.of(model.conditions.reported[s]);
     observe_reaction<dim>(row_, time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()));
   }
 }
@@ -286,28 +287,27 @@ void MpmRecorder<dim>::observe_supports(const problem::Model<dim>& model, const 
 template <int dim>
 void MpmRecorder<dim>::observe_motions(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
-  for (const problem::Motion& motion : model.motions) {
-    const Vec<dim> velocity = velocity_of(motion, state.stage, state.time - state.stage.begin_time);
-    row_.of(motion.name);
+  boundary::for_each_of<boundary::Motion>(model.conditions, [&](std::size_t, const auto& row, const auto&) {
+    const Vec<dim> velocity = velocity_of(row, state.stage, state.time - state.stage.begin_time);
+    row_.of(row.name);
     for (int d = 0; d < dim; ++d)
-      if (!motion.settings.velocity[static_cast<std::size_t>(d)].empty())
+      if (row.directions >> d & 1)
         row_.component("v", d, velocity[d], run_folder::metres_per_second, "prescribed velocity of the boundary, or of the incoming wave");
-  }
+  });
 }
 
 template <int dim>
 void MpmRecorder<dim>::observe_heads(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
-  for (std::size_t h = 0; h < model.heads.size(); ++h) {
-    const problem::Head<dim>& head = model.heads[h];
+  boundary::for_each_of<boundary::Head<dim>>(model.conditions, [&](std::size_t h, const auto& row, const auto& head) {
     Inflow inflow;
     for (const NodeField<Vec<dim>>& flux : state.flux)
       if (flux.size() > 0)
         inflow +=
-            sum_of<Inflow>("inflow at a head", head.chunks, [&](Index k) { return Inflow{head_areas_[h][k].dot(flux[head.nodes[k]])}; });
-    row_.of(head.name);
-    observe_head<dim>(row_, pressure_of_head(model, state, h), inflow.sum);
-  }
+            sum_of<Inflow>("inflow at a head", row.chunks, [&](Index k) { return Inflow{head_areas_[h][k].dot(flux[row.nodes[k]])}; });
+    row_.of(row.name);
+    observe_head<dim>(row_, acting_fraction(row, state.heads[h], state.time) * head.pressure, inflow.sum);
+  });
 }
 
 template <int dim>
@@ -347,7 +347,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
     sums.push_back(mpm::sums_over(particles));
     kinetic += sums.back().kinetic;
   }
-  since_ = difference<dim>(last_, state);
+  since_ = difference<dim>(last_, state.ledger);
   row_.begin(state.time, model.stages[state.stage.index].name);
   if (model.main_rigid != none) {
     row_.of_main(model.rigid_bodies[model.main_rigid].name);
@@ -358,7 +358,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   // Of a run that was resumed the soil may sleep: then the last number is still that of its last step.
   if (!std::isnan(workspace.weight)) out_of_balance_ = workspace.weight > 0 ? workspace.unbalanced / workspace.weight : nan;
   observe_out_of_balance(row_, out_of_balance_);
-  if (!model.impermeable.empty()) observe_consolidation(row_, state.stage);
+  if (model.water_flows()) observe_consolidation(row_, state.stage);
   if (model.main_rigid != none) observe_contact_of_main(model, state);
   for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {
     if (r == model.main_rigid) continue;
@@ -385,7 +385,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, workspace); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
-  last_ = state;
+  last_ = state.ledger;
 }
 
 template class MpmRecorder<2>;

@@ -77,21 +77,21 @@ void add_shape(run_folder::Row& row, const slices::LineOfCase& of, const beam::S
 }  // namespace
 
 PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch)
-    : MpmMethod<2>(request, scratch),
-      folder_(request.folder),
-      line_(case_of_run(), model()),
-      last_impulses_(line_.count(), Vec<2>::Zero()),
+    : folder_(request.folder),
+      first_(request, scratch),
+      line_(first_.case_of_run(), model()),
+      last_(line_.count(), state().ledger),
       works_(line_.count(), 0),
       columns_(model(), line_.of_case().diameter / columns_of_diameter),
       level_(columns_.heights(state()))
 {
-  if (line_.of_case().settings.springs) springs_.emplace(case_of_run());
+  if (line_.of_case().settings.springs) springs_.emplace(first_.case_of_run());
   if (!model().earthworks.empty()) throw KeyError("pipeline: cannot be combined with fills and excavations");
   make_soils(request, scratch);
   refuse_without_memory(memory_of_others(), memory_in_use(), fmt::format("{} slices", line_.count()),
                         "take larger cells, fewer particles or fewer slices");
   const bool springs = line_.of_case().settings.slices.as_spring == problem::SliceAsSpring::always;
-  expect_slices(springs ? 0 : line_.count(), memory_of_others());
+  first_.expect_slices(springs ? 0 : line_.count(), memory_of_others());
 }
 
 /// A problem of its own for each other soil.
@@ -124,19 +124,19 @@ void PipelineMethod::make_soils(const RunRequest& request, const io::ScratchFold
 /// Bytes, at most: each has the particles and sums of the first; they share its mesh.
 Real PipelineMethod::memory_of_others() const
 {
-  return static_cast<Real>(line_.count() - 1) * memory_of<2>(size_of(problem()));
+  return static_cast<Real>(line_.count() - 1) * memory_of<2>(size_of(first_.problem()));
 }
 
 std::string PipelineMethod::size_words() const
 {
   const slices::LineOfCase& of = line_.of_case();
-  return fmt::format("{}, {}, line of {} nodes", MpmMethod<2>::size_words(), slices_in_words(of), of.line.nodes());
+  return fmt::format("{}, {}, line of {} nodes", first_.size_words(), slices_in_words(of), of.line.nodes());
 }
 
 Estimate PipelineMethod::estimate(const Context& context)
 {
   const slices::LineOfCase& of = line_.of_case();
-  Estimate e = MpmMethod<2>::estimate(context);
+  Estimate e = first_.estimate(context);
   e.lines.insert(e.lines.begin(),
                  fmt::format("pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice",
                              slices_in_words(of),
@@ -149,9 +149,9 @@ Estimate PipelineMethod::estimate(const Context& context)
 
 void PipelineMethod::step()
 {
-  if (!on_line()) return MpmMethod<2>::step();
+  if (!on_line()) return first_.step();
   if (springs_ && !springs_->ready() && !find_springs()) return come_to_checkpoint_boundary();
-  line_.step(state_now(), workspace(), [&] { MpmMethod<2>::step(); });
+  line_.step(first_.state_now(), first_.workspace(), [&] { first_.step(); });
   if (springs_) springs_->step(line_.loads_at(state(), state().time), state().dt);
 }
 
@@ -171,7 +171,7 @@ bool PipelineMethod::find_springs()
 
 bool PipelineMethod::next_stage()
 {
-  if (!MpmMethod<2>::next_stage()) return false;
+  if (!first_.next_stage()) return false;
   if (!on_line()) return true;
   if (!line_.is_coupled()) {
     for (std::size_t j = 0; j < soils_.size(); ++j) try {
@@ -180,7 +180,7 @@ bool PipelineMethod::next_stage()
         throw RunError(fmt::format("pipeline.soil[{}], while the pipe is laid there: {}", j, error.what()));
       }
     line_.couple(state());
-    for (std::size_t k = 1; k < line_.count(); ++k) last_impulses_[k] = -line_.slice(k).contact_sums[0].impulse;
+    for (std::size_t k = 1; k < line_.count(); ++k) last_[k] = line_.slice(k).ledger;
     hung_at_ = state().step;
     const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
     constexpr Real allowed = 0.1;
@@ -195,8 +195,8 @@ bool PipelineMethod::next_stage()
 
 void PipelineMethod::come_to_checkpoint_boundary()
 {
-  if (line_.is_coupled()) return line_.find_time_steps(state_now(), workspace());
-  MpmMethod<2>::come_to_checkpoint_boundary();
+  if (line_.is_coupled()) return line_.find_time_steps(first_.state_now(), first_.workspace());
+  first_.come_to_checkpoint_boundary();
 }
 
 void PipelineMethod::drive(int freedom, bool by_force, Real value)
@@ -204,12 +204,12 @@ void PipelineMethod::drive(int freedom, bool by_force, Real value)
   if (on_line())
     throw InputError(
         fmt::format("the stage \"{}\" is one of a pipeline, whose line drives the pipe", model().stages[state().stage.index].name));
-  MpmMethod<2>::drive(freedom, by_force, value);
+  first_.drive(freedom, by_force, value);
 }
 
 void PipelineMethod::archive(Archive& k)
 {
-  MpmMethod<2>::archive(k);
+  first_.archive(k);
   k.table("pipeline", [&] {
     line_.archive(k, state());
     if (springs_) k.table("springs", [&] { springs_->archive(k); });
@@ -219,7 +219,7 @@ void PipelineMethod::archive(Archive& k)
     k("energy_error_of_slices", energy_error_of_slices_);
     k.fixed("works", works_);
     k("largest_contact_mass", largest_contact_mass_);
-    for (std::size_t s = 0; s < last_impulses_.size(); ++s) k(fmt::format("last_impulse_{}", s), last_impulses_[s]);
+    for (std::size_t s = 0; s < last_.size(); ++s) k.table(fmt::format("ledger_{}", s), [&] { problem::archive(k, last_[s]); });
     k("shapes", shapes_);
     k("stages", stages_);
     k("berms", berms_);
@@ -232,7 +232,7 @@ void PipelineMethod::archive(Archive& k)
 
 void PipelineMethod::add_row(run_folder::HistoryFile& file)
 {
-  MpmMethod<2>::add_row(file, [&](run_folder::Row& row) {
+  first_.add_row(file, [&](run_folder::Row& row) {
     add_line(row);
     add_slices(row);
   });
@@ -280,7 +280,7 @@ Real PipelineMethod::energy_error_of_slices()
   for (std::size_t k = 1; k < line_.count(); ++k) {
     if (!line_.is_coupled() || line_.is_spring(k) || slices::CoupledLine::rank_of(k) != Ranks::of_run().rank()) continue;
     const problem::State<2>& slice = line_.slice(k);
-    const problem::Totals<2>& t = slice.totals;
+    const problem::Totals<2>& t = slice.ledger.totals;
     Real kinetic = 0;
     for (const bodies::Particles<2>& particles : slice.particles) kinetic += mpm::sums_over(particles).kinetic;
     const Real error = kinetic + t.internal + t.damping + t.filter + t.friction - t.external;
@@ -296,9 +296,9 @@ void PipelineMethod::add_slices(run_folder::Row& row)
   const Real time = state().time - last_row_;
   for (std::size_t k = 0; k < line_.count(); ++k) {
     const problem::State<2>& slice = k == 0 || !line_.is_coupled() ? state() : line_.slice(k);
-    const Vec<2> impulse = -slice.contact_sums[0].impulse;
-    const Vec<2> reaction = time > 0 ? Vec<2>((impulse - last_impulses_[k]) / time) : Vec<2>(Vec<2>::Zero());
-    last_impulses_[k] = impulse;
+    const Vec<2> impulse = difference<2>(slice.ledger, last_[k]).contact_sums[0].impulse;  // of the soil on the pipe
+    const Vec<2> reaction = time > 0 ? Vec<2>(impulse / time) : Vec<2>(Vec<2>::Zero());
+    last_[k] = slice.ledger;
     if (k == 0) continue;  // the main columns
     row.of(fmt::format("slice_{}", k));
     observe<2>(row, response_of<2>(model(), slice, 0, reaction));
@@ -328,7 +328,7 @@ run_folder::Frame<2> PipelineMethod::make_frame(run_folder::Frame<2> old)
     write_berms();
     if (springs_ && springs_->ready()) write_springs();
   }
-  return MpmMethod<2>::make_frame(std::move(old));
+  return first_.make_frame(std::move(old));
 }
 
 /// Of the slices that this rank has; the first has all then.
@@ -394,12 +394,12 @@ void PipelineMethod::write_springs() const
 mpm::WholeState<2> PipelineMethod::whole_state()
 {
   if (line_.is_coupled()) gather_on_first_rank([&](Archive& k, int rank) { line_.archive_of_rank(k, rank); });
-  return MpmMethod<2>::whole_state();
+  return first_.whole_state();
 }
 
 run_folder::Summary::Checks PipelineMethod::checks() const
 {
-  run_folder::Summary::Checks checks = MpmMethod<2>::checks();
+  run_folder::Summary::Checks checks = first_.checks();
   checks.push_back({"energy_error_of_slices", energy_error_of_slices_});
   checks.push_back({"line_slope", largest_slope_});
   checks.push_back({"contact_mass_over_mass", largest_contact_mass_});

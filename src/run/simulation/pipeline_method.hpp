@@ -9,9 +9,26 @@
 namespace berm::simulation {
 
 /// A pipeline on slices of soil as a Run needs it: the first slice is a run of the material point method, which lays the pipe; in stages of kind pipeline all slices are coupled to the line.
-class PipelineMethod : public MpmMethod<2> {
+class PipelineMethod {
 public:
+  static constexpr int dim = 2;
+
   PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch);
+
+  // Of the first slice.
+  const problem::Model<2>& model() const { return first_.model(); }
+  const problem::State<2>& state() const { return first_.state(); }
+  const MpmRecorder<2>& recorder() const { return first_.recorder(); }
+  sanity::Scene scene(const RunRequest& request, int threads) { return first_.scene(request, threads); }
+  Real expected_wall_time() { return first_.expected_wall_time(); }
+  void begin(bool at_start) { first_.begin(at_start); }
+  bool soil_changed() const { return first_.soil_changed(); }
+  Real history_interval() const { return first_.history_interval(); }
+  bool stage_ended() const { return first_.stage_ended(); }
+  bool at_checkpoint_boundary() const { return first_.at_checkpoint_boundary(); }
+  void limit_time_step(Real dt) { first_.limit_time_step(dt); }
+  Real contact_mass() const { return first_.contact_mass(); }
+  run_folder::MpmCounts counts() const { return first_.counts(); }
 
   std::string size_words() const;
   Estimate estimate(const Context& context);
@@ -19,7 +36,7 @@ public:
   void step();
   /// With columns of the line and of the other slices.
   void add_row(run_folder::HistoryFile& file);
-  /// Of the first slice; and line.csv and berms.csv, with the shapes of the line and of the beds of its slices so far, and springs.csv, with the resistance of springs beside.
+  /// That of the first slice; and line.csv and berms.csv, with the shapes of the line and of the beds of its slices so far, and springs.csv, with the resistance of springs beside.
   run_folder::Frame<2> make_frame(run_folder::Frame<2> old);
   bool next_stage();
   void come_to_checkpoint_boundary();
@@ -47,12 +64,13 @@ private:
   bool on_line() const { return model().stages[state().stage.index].kind == problem::StageKind::pipeline; }
 
   std::filesystem::path folder_;
+  MpmMethod<2> first_;
   slices::CoupledLine line_;
   std::optional<slices::SpringsBeside> springs_;
   std::vector<std::unique_ptr<MpmMethod<2>>> soils_;  ///< the slices of other soil, as the pipe is laid there
   BigIndex hung_at_ = 0;                              ///< step
   Real last_row_ = 0;                                 ///< s
-  std::vector<Vec<2>> last_impulses_;                 ///< N s/m, of the soil on the pipe, by slice
+  std::vector<problem::Ledger<2>> last_;              ///< by slice, at the last row
   std::vector<Real> works_;                           ///< J/m, the largest done, by slice
   Real largest_slope_ = 0;                            ///< of all rows
   Real energy_error_of_slices_ = 0;                   ///< of all rows

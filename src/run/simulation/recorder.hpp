@@ -91,7 +91,7 @@ template <int dim>
 void observe_water(run_folder::Row& row, const problem::BodySoil& soil, const SymTensor<dim>& stress, Real pressure)
 {
   const material::Material& material = soil.materials.front();
-  const int place = pore_pressure_place(material);
+  const int place = pore_pressure_index(material);
   if (place == none) return;
   std::array<Real, material::max_state> state{};
   state[place] = pressure;

@@ -205,7 +205,7 @@ Watched<dim> WatchPoint<dim>::read(const problem::Model<dim>& model, const bodie
     if (movers[k].id == nearest_) cell = movers[k].cell;
   }
 
-  const int pressure_place = pore_pressure_place(model.bodies[body_].soil.materials.front());
+  const int pressure_place = pore_pressure_index(model.bodies[body_].soil.materials.front());
   const std::vector<Index> firsts = patches_around(model, cell);
   std::vector<CellSums<dim>> own, all;
   for (const Index first : firsts)

@@ -186,8 +186,8 @@ TEST(WaterParts, are_pore_pressure_over_normal_stress_between_none_and_all)
       point.pore_pressure = water;
       point.soil_pressure = total;
     }
-    find_water_parts(bed.found, bed.mesh);
-    for (const ContactPoint<2>& point : bed.found.list) EXPECT_NEAR(point.water_part, part, 1e-12);
+    find_water_fractions(bed.found, bed.mesh);
+    for (const ContactPoint<2>& point : bed.found.list) EXPECT_NEAR(point.water_fraction, part, 1e-12);
   }
 }
 
@@ -201,9 +201,9 @@ TEST(WaterParts, are_those_of_touching_points_around)
     point.soil_pressure = 1e3 * Real(1 + k % 3);
     point.pore_pressure = point.touching ? 0.4 * point.soil_pressure : 1e9;
   }
-  find_water_parts(bed.found, bed.mesh);
+  find_water_fractions(bed.found, bed.mesh);
   Real most = 0;
-  for (const ContactPoint<2>& point : bed.found.list) most = std::max(most, point.water_part);
+  for (const ContactPoint<2>& point : bed.found.list) most = std::max(most, point.water_fraction);
   EXPECT_NEAR(most, 0.4, 1e-12);
 }
 

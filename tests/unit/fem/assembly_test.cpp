@@ -149,7 +149,7 @@ TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
       for (int k = 0; k < 4; ++k) EXPECT_NEAR(point.stress[k], stress[k], 1e-10 * 2e3);
   // The work of the stresses is half of stress times strain, over the area of the mesh.
   const SymTensor<2> strain{{e[0][0], e[1][1], 0, (e[0][1] + e[1][0]) / 2}};
-  EXPECT_NEAR(problem.state.state.totals.internal / (area_of(model.mesh) * double_dot(stress, strain) / 2), 1, 1e-12);
+  EXPECT_NEAR(problem.state.state.ledger.totals.internal / (area_of(model.mesh) * double_dot(stress, strain) / 2), 1, 1e-12);
 }
 
 // u_r = c r, u_y = d y has the strains c, d, c: a uniform stress, which leaves no force at nodes within the soil (three points of integration are exact).
@@ -303,7 +303,7 @@ TEST_F(PlateOnBlock, soil_that_is_pushed_in_a_second_time_goes_on_from_its_state
   const Vec<2> whole = go(elastic, 1, change);
   go(twice, 0.5, change);
   EXPECT_LT((go(twice, 0.5, change) - whole).norm(), 1e-12 * whole.norm());
-  EXPECT_NEAR(twice.state.state.totals.internal / elastic.state.state.totals.internal, 1, 1e-12);
+  EXPECT_NEAR(twice.state.state.ledger.totals.internal / elastic.state.state.ledger.totals.internal, 1, 1e-12);
   for (std::size_t k = 0; k < change.size(); ++k) EXPECT_NEAR(twice.state.displacement[k], change[k], 1e-15);
 }
 

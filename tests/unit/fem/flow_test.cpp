@@ -145,7 +145,7 @@ TEST_P(WaterOf, a_loaded_layer_drains_as_terzaghi_says)
   EXPECT_NEAR(pressure_at(problem, {0.5, 0}) / first, terzaghi_at_base(T),
               0.015 * terzaghi_at_base(T));  // increments and long elements: 1 %
   EXPECT_EQ(pressure_at(problem, {0.5, 0.5}), 0);
-  const problem::Totals<2>& totals = problem.state.state.totals;
+  const problem::Totals<2>& totals = problem.state.state.ledger.totals;
   EXPECT_NEAR(totals.internal, totals.external, 1e-6 * totals.external);
 }
 

@@ -31,7 +31,7 @@ Driven driven(const problem::Case& c)
   steps.find_first_equilibrium();
   do steps.advance();
   while (!stage_ended(problem.model.model, problem.state.state));
-  const problem::Totals<2>& t = problem.state.state.totals;
+  const problem::Totals<2>& t = problem.state.state.ledger.totals;
   return {problem.state.state.rigid_bodies[problem.model.rigid], problem.state.state.time,
           (t.internal + t.friction - t.external) / t.external};
 }

@@ -34,7 +34,7 @@ struct Way {
   Real V() const { return rigid().reaction[1]; }
   Real energy_error() const
   {
-    const problem::Totals<2>& t = problem.state.state.totals;
+    const problem::Totals<2>& t = problem.state.state.ledger.totals;
     return (t.internal + t.friction - t.external) / t.external;
   }
 };

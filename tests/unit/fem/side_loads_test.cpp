@@ -22,7 +22,7 @@ struct Loaded {
   }
   Real energy_error() const
   {
-    const problem::Totals<2>& t = problem.state.state.totals;
+    const problem::Totals<2>& t = problem.state.state.ledger.totals;
     return (t.internal + t.friction - t.external) / t.external;
   }
   void expect_stress(int component, Real exact, Real tolerance) const

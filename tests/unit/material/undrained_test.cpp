@@ -56,7 +56,7 @@ struct Specimen {
       high = next, at_high = change(next);
     }
   }
-  Real pressure() const { return state[static_cast<std::size_t>(pore_pressure_place(material))]; }
+  Real pressure() const { return state[static_cast<std::size_t>(pore_pressure_index(material))]; }
   SymTensor<3> effective() const { return effective_stress(material, stress, state.data()); }
 };
 
@@ -72,7 +72,7 @@ TEST(Undrained, water_levels_the_pressures_of_a_cell_and_leaves_the_effective_st
   increment.exchange = 1 / (5e7 / 0.5);  // x = 1: half of the difference
   for (const Real before : {1e3, 5e3}) {
     Specimen soil(material, {{-1e4, -1e4, -1e4}});
-    soil.state[static_cast<std::size_t>(pore_pressure_place(material))] = before;
+    soil.state[static_cast<std::size_t>(pore_pressure_index(material))] = before;
     const SymTensor<3> effective = soil.effective();
     std::visit([&](const auto& prepared) { update(prepared, soil.stress, increment, soil.state.data()); }, soil.law);
     EXPECT_NEAR(soil.pressure(), (before + 3e3) / 2, 1e-9);
@@ -157,8 +157,8 @@ TEST(Undrained, soil_has_one_state_variable_more_than_drained_soil)
     EXPECT_EQ(state_size(wet), state_size(material) + 1);
     EXPECT_EQ(state_fields(wet).back().name, "excess_pore_pressure");
     EXPECT_EQ(state_fields(wet).size(), state_fields(material).size() + 1);
-    EXPECT_EQ(pore_pressure_place(wet), state_size(material));
-    EXPECT_EQ(pore_pressure_place(material), none);
+    EXPECT_EQ(pore_pressure_index(wet), state_size(material));
+    EXPECT_EQ(pore_pressure_index(material), none);
     EXPECT_TRUE(drained(wet) == material);
   }
 }

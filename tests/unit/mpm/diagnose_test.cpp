@@ -49,7 +49,7 @@ void expect_named(bool update_stress_first, const char* what, const Spoil& spoil
                                   fmt::format("t = {:.6g} s (step 3)", problem.state.time), std::string("mpm.courant")})
     EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
   EXPECT_EQ(problem.state.step, 3);
-  EXPECT_TRUE(update_stress_first || std::isfinite(problem.state.totals.internal + problem.state.totals.external));
+  EXPECT_TRUE(update_stress_first || std::isfinite(problem.state.ledger.totals.internal + problem.state.ledger.totals.external));
 }
 
 TYPED_TEST(Sound, what_is_not_finite_of_one_particle_is_named_within_the_step_with_its_number_cell_and_time)

@@ -170,7 +170,7 @@ TYPED_TEST(Move, work_of_the_stress_is_that_of_the_internal_forces_with_and_with
       size += std::abs(term);
     }
     EXPECT_GT(std::abs(power), 1e-3 * size);
-    EXPECT_NEAR(body.problem.state.totals.internal, -dt * power, 1e-7 * dt * size) << "projection " << project;
+    EXPECT_NEAR(body.problem.state.ledger.totals.internal, -dt * power, 1e-7 * dt * size) << "projection " << project;
   }
 }
 
@@ -244,7 +244,7 @@ TYPED_TEST(Move, a_particle_that_slides_out_of_a_boundary_that_absorbs_is_not_to
   Moved<dim> body(shaken_box<dim>(), sample_solid(), 0, true);
   boundary::Dashpots<dim> everywhere;
   everywhere.of_node.assign(body.mesh().node_count(), 0);
-  body.problem.model.dashpots.push_back(everywhere);
+  body.problem.model.conditions.dashpots.push_back(everywhere);
   body.move(0.05, [](const Vec<dim>& x) { return Vec<dim>((x[1] > 1 ? 3 : 0) * Vec<dim>::UnitY()); });
   try {
     body.change_cells();

@@ -141,7 +141,7 @@ TYPED_TEST(FullCells, do_the_work_of_the_nodal_forces)
   }
   sum_volume_changes(soil.mesh(), soil.particles(), soil.problem.state.dt, soil.grid());
   move_and_strain(soil.problem.model, soil.problem.state, soil.workspace, 0);
-  EXPECT_NEAR(soil.problem.state.totals.internal / soil.problem.state.dt, -power, 1e-4 * std::abs(power));
+  EXPECT_NEAR(soil.problem.state.ledger.totals.internal / soil.problem.state.dt, -power, 1e-4 * std::abs(power));
 }
 
 }  // namespace

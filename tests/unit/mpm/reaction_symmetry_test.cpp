@@ -61,7 +61,7 @@ std::pair<Vec<3>, Real> impulse_and_work(const std::vector<std::string>& symmetr
   problem::Problem<3> problem = problem::build<3>(plate_on_block(symmetry), ".", ".");
   Workspace<3> workspace(problem.model, problem.state);
   while (problem.state.time < 0.02) step(problem.model, problem.state, workspace);
-  return {problem.model.parts * problem.state.contact_sums[0].impulse, problem.model.parts * problem.state.totals.external};
+  return {problem.model.parts * problem.state.ledger.contact_sums[0].impulse, problem.model.parts * problem.state.ledger.totals.external};
 }
 
 TEST(Symmetry, half_and_quarter_under_a_plate_take_the_impulse_and_the_work_of_the_whole)

@@ -40,8 +40,7 @@ problem::Problem<dim> problem_on(const mesh::Mesh<dim>& mesh, const material::Ma
   model.mesh = mesh;
   model.patches = make_patches(mesh);
   model.bodies.push_back({"body", problem::soil_of_one(material), NodeField<Real>(mesh.node_count(), 0)});
-  model.fixed.assign(1, NodeField<std::uint8_t>(mesh.node_count(), 0));
-  model.fixed_in = {0};
+  make_tables(mesh.node_count(), 1, model.water_flows(), model.conditions);
   model.mpm.quadrature = problem::Quadrature::particles;
   model.gravity = Vec<dim>::Zero();
   model.gravity_ramp = model.surface = 0;

@@ -45,7 +45,7 @@ struct Drifting {
     smooth_velocities(mesh, grid());
     spread_internal_forces(problem.model, particles(), problem.state.dt, grid());
     spread_new_momentum(mesh, particles(), problem.state.dt, grid());
-    gather_new_velocities(problem.model, {}, 0, grid());
+    gather_new_velocities(problem.model, {}, grid());
     move_and_strain(problem.model, problem.state, workspace, 0);
     change_cells(problem.model, problem.state, workspace, 0);
   }
@@ -77,7 +77,7 @@ TYPED_TEST(VelocityFilter, takes_noise_out_and_books_its_energy_but_keeps_moment
   const auto after = sums_over(soil.particles());
   EXPECT_LT(after.kinetic, 0.9 * before.kinetic);
   EXPECT_NEAR((after.momentum - before.momentum).norm(), 0, 1e-12 * before.mass);
-  EXPECT_NEAR(soil.problem.state.totals.filter, before.kinetic - after.kinetic, 1e-10 * before.kinetic);
+  EXPECT_NEAR(soil.problem.state.ledger.totals.filter, before.kinetic - after.kinetic, 1e-10 * before.kinetic);
 }
 
 TYPED_TEST(VelocityFilter, keeps_the_momentum_of_each_patch_and_not_of_each_cell)

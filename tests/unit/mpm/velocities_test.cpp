@@ -21,7 +21,7 @@ TYPED_TEST(Velocities, new_velocities_are_those_of_particles_that_took_the_nodes
     for (Index i : random.grid().nodes)
       random.grid().acceleration[i] = random_point<dim>(numbers, Vec<dim>::Constant(-9), Vec<dim>::Constant(9));
     spread_new_momentum(random.mesh(), random.particles(), random.state().dt, random.grid());
-    gather_new_velocities(random.problem.model, {}, 0, random.grid());
+    gather_new_velocities(random.problem.model, {}, random.grid());
 
     NodeField<Vec<dim>> momentum(random.mesh().node_count(), Vec<dim>::Zero());
     random.particles().visit([&](Index cell, Index b, int l) {
@@ -41,10 +41,11 @@ TYPED_TEST(Velocities, held_directions_have_no_new_velocity)
 {
   constexpr int dim = TypeParam::value;
   RandomBody<dim> random;
-  for (Index i = 0; i < random.mesh().node_count(); ++i) random.problem.model.fixed[0][i] = static_cast<std::uint8_t>(i % (1 << dim));
+  for (Index i = 0; i < random.mesh().node_count(); ++i)
+    random.problem.model.conditions.tables[0].held[i] = static_cast<std::uint8_t>(i % (1 << dim));
   random.to_the_nodes(true);
   spread_new_momentum(random.mesh(), random.particles(), random.state().dt, random.grid());
-  gather_new_velocities(random.problem.model, {}, 0, random.grid());
+  gather_new_velocities(random.problem.model, {}, random.grid());
   for (Index i : random.grid().nodes)
     for (int d = 0; d < dim; ++d) EXPECT_EQ(random.grid().mapped_velocity[i][d] == 0, (i % (1 << dim) >> d & 1) != 0);
 }

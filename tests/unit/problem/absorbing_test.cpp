@@ -28,15 +28,15 @@ Model<2> model_of(const Case& c)
   return make_model<2>(c, std::move(mesh));
 }
 
-TEST(Absorbing, boundary_gives_way_beside_soil_and_holds_above_it)
+TEST(Absorbing, boundary_absorbs_beside_soil_and_holds_above_it)
 {
   const Model<2> model = model_of(bed_beside_open_side());
   const mesh::Mesh<2>& mesh = model.mesh;
   for (const Index node : mesh.boundary_nodes[mesh.find_boundary("right")]) {
     const bool beside_soil = mesh.position[node][1] <= 1;
-    EXPECT_EQ(model.fixed[model.fixed_in[0]][node], 1) << "at rest all of it holds";
-    EXPECT_EQ(model.fixed[model.fixed_in[1]][node], beside_soil ? 0 : 1);
-    EXPECT_EQ(model.dashpots[0].of_node[node] != none, beside_soil);
+    EXPECT_EQ(model.conditions.in_stage(0).held[node], 1) << "at rest all of it holds";
+    EXPECT_EQ(model.conditions.in_stage(1).held[node], beside_soil ? 0 : 1);
+    EXPECT_EQ(model.conditions.dashpots[0].of_node[node] != none, beside_soil);
   }
 }
 
@@ -45,7 +45,7 @@ TEST(Absorbing, dashpots_have_the_impedance_of_the_soil_over_the_boundary_in_its
   const Model<2> model = model_of(bed_beside_open_side());
   const material::Material& soil = model.bodies[0].soil.materials.front();
   Matrix<2> sum = Matrix<2>::Zero();
-  for (const Matrix<2>& resistance : model.dashpots[0].resistance) sum += resistance;
+  for (const Matrix<2>& resistance : model.conditions.dashpots[0].resistance) sum += resistance;
   const Real impedance = std::sqrt(inertia_density(soil) * p_wave_modulus(soil));  // over 1 m
   EXPECT_NEAR(sum(0, 0), impedance, 1e-12 * impedance);
   EXPECT_EQ(sum(1, 1), 0) << "y is free";
@@ -55,7 +55,7 @@ TEST(Absorbing, costs_nothing_where_no_boundary_does)
 {
   Case c = bed_beside_open_side();
   c.support[0].second.absorbs = false;
-  EXPECT_TRUE(model_of(c).dashpots.empty());
+  EXPECT_TRUE(model_of(c).conditions.dashpots.empty());
 }
 
 TEST(Absorbing, boundary_without_soil_is_refused)

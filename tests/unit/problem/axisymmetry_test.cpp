@@ -45,7 +45,7 @@ TEST(Axis, is_held_across_without_a_support)
   int on_axis = 0;
   for (Index i = 0; i < model.mesh.node_count(); ++i) {
     const bool axis = model.mesh.position[i][0] == 0;
-    EXPECT_EQ(model.fixed[0][i], axis ? 1 : 0);
+    EXPECT_EQ(model.conditions.tables[0].held[i], axis ? 1 : 0);
     on_axis += axis;
   }
   EXPECT_EQ(on_axis, 5);

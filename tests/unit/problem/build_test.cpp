@@ -104,7 +104,7 @@ TEST(Build, holds_the_nodes_of_a_boundary_in_the_directions_named)
   const auto model = build<2>(c, ".", ".").model;
   for (Index i = 0; i < model.mesh.node_count(); ++i) {
     const Vec<2>& x = model.mesh.position[i];
-    EXPECT_EQ(model.fixed[0][i], x[1] == 0 ? 3 : x[0] == 0 ? 1 : 0) << x.transpose();
+    EXPECT_EQ(model.conditions.tables[0].held[i], x[1] == 0 ? 3 : x[0] == 0 ? 1 : 0) << x.transpose();
   }
 }
 
@@ -115,7 +115,7 @@ TEST(Build, starts_at_rest_with_the_momentum_of_the_particles)
   motion.amplitude = {0.5, -0.25};
   c.body[0].second.initial_velocity = {motion};
   const auto state = build<2>(c, ".", ".").state;
-  EXPECT_NEAR((state.totals.first_momentum - 4000 * Vec<2>(0.5, -0.25)).norm(), 0, 1e-9);
+  EXPECT_NEAR((state.ledger.totals.first_momentum - 4000 * Vec<2>(0.5, -0.25)).norm(), 0, 1e-9);
   EXPECT_EQ(state.time, 0);
   EXPECT_EQ(state.step, 0);
   EXPECT_EQ(state.particles[0].size(), 32 * 9);

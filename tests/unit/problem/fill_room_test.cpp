@@ -55,10 +55,10 @@ TEST(WorkRegion, tells_the_part_of_a_particle_that_lies_in_it)
 {
   const Problem<2> problem = with_triangle(Geometry::plane_strain);
   const WorkRegion<2> region{problem.model, problem.model.earthworks[0], {-infinity, infinity}};
-  EXPECT_EQ(region.part_within({0.6, 0.5}, 0.01), 1);
-  EXPECT_EQ(region.part_within({1.5, 1.5}, 0.01), 0);
-  EXPECT_NEAR(region.part_within({0.6, 0.2}, 0.01), 0.5, 1e-12);
-  EXPECT_NEAR(region.part_within({0.32, 0.5}, 0.01), 0.7, 1e-12) << "0.05 of 0.1 m to its right, 0.02 to its left";
+  EXPECT_EQ(region.fraction_within({0.6, 0.5}, 0.01), 1);
+  EXPECT_EQ(region.fraction_within({1.5, 1.5}, 0.01), 0);
+  EXPECT_NEAR(region.fraction_within({0.6, 0.2}, 0.01), 0.5, 1e-12);
+  EXPECT_NEAR(region.fraction_within({0.32, 0.5}, 0.01), 0.7, 1e-12) << "0.05 of 0.1 m to its right, 0.02 to its left";
 }
 
 }  // namespace

@@ -74,10 +74,10 @@ TEST(RigidContact, of_two_disks_head_on_keeps_momentum_and_has_the_restitution_a
     const Real common = (2 * 4 + 3 * -1) / 5.;
     EXPECT_NEAR(flight.body(0).velocity[0], common - 3 * e * 5 / 5, 1e-12) << e;
     EXPECT_NEAR(flight.body(1).velocity[0], common + 2 * e * 5 / 5, 1e-12) << e;
-    EXPECT_NEAR(flight.state.totals.friction, energy - flight.energy(), 1e-12);
-    EXPECT_NEAR(flight.state.totals.friction, (1 - e * e) * 0.5 * (2 * 3 / 5.) * 25, 1e-12);
-    EXPECT_EQ(flight.state.totals.external, 0);
-    EXPECT_NEAR(flight.state.rigid_impulses[0][0], -2 * (4 - flight.body(0).velocity[0]), 1e-12) << "on the first body";
+    EXPECT_NEAR(flight.state.ledger.totals.friction, energy - flight.energy(), 1e-12);
+    EXPECT_NEAR(flight.state.ledger.totals.friction, (1 - e * e) * 0.5 * (2 * 3 / 5.) * 25, 1e-12);
+    EXPECT_EQ(flight.state.ledger.totals.external, 0);
+    EXPECT_NEAR(flight.state.ledger.rigid_impulses[0][0], -2 * (4 - flight.body(0).velocity[0]), 1e-12) << "on the first body";
   }
 }
 
@@ -122,7 +122,7 @@ TEST(RigidContact, of_three_in_a_row_keeps_the_energy_of_collisions_within_one_s
           EXPECT_NEAR(flight.body(k).velocity[0], expected[k], 1e-10) << "body " << k << ", e " << e << ", gap " << gap;
           lost -= kinetic_energy(flight.model.rigid_bodies[k], flight.body(k));
         }
-        EXPECT_NEAR(flight.state.totals.friction, lost, 1e-9);
+        EXPECT_NEAR(flight.state.ledger.totals.friction, lost, 1e-9);
         EXPECT_LE(e == 1 ? std::abs(lost) : 0, 1e-9);
       }
 }
@@ -138,7 +138,7 @@ TEST(RigidContact, bears_a_stack_of_disks_that_bounce)
   Flight flight(c);
   flight.run(5000);
   for (int k = 0; k < 2; ++k) EXPECT_LE(flight.body(k).displacement.norm(), 1e-9);
-  EXPECT_NEAR(flight.state.rigid_impulses[1][1], (2 + 3) * 10 * 0.5, 1e-6) << "the weight of both times the time";
+  EXPECT_NEAR(flight.state.ledger.rigid_impulses[1][1], (2 + 3) * 10 * 0.5, 1e-6) << "the weight of both times the time";
 }
 
 // A disk that flies to and fro between two walls, many times in a step, goes through neither.
@@ -156,7 +156,7 @@ TEST(RigidContact, holds_a_disk_between_walls_that_it_hits_many_times_in_a_step)
     flight.run(1);
     EXPECT_LE(std::abs(flight.body(0).displacement[0]), 1e-4 + 1e-12);
   }
-  EXPECT_NEAR(flight.state.totals.friction, 2 * 10 * 10 / 2. - kinetic_energy(flight.model.rigid_bodies[0], flight.body(0)), 1e-9);
+  EXPECT_NEAR(flight.state.ledger.totals.friction, 2 * 10 * 10 / 2. - kinetic_energy(flight.model.rigid_bodies[0], flight.body(0)), 1e-9);
 }
 
 // A spinning disk meets an equal one at rest with v = 1 m/s: of the slip R omega a part mu (1 + e) v (1 + 2) is taken, 1 by translation and 2 by rotation of each solid
@@ -203,8 +203,8 @@ TEST(RigidContact, lets_a_driven_body_push_a_free_one_along_and_counts_its_work)
     EXPECT_NEAR(flight.body(1).velocity[0], 0.5, 1e-12);
     EXPECT_NEAR(flight.body(1).displacement[0] - flight.body(0).displacement[0], -0.1, 1e-12) << "they touch";
     const Real own = motion == bodies::Motion::free ? 2 * 0.5 * 0.5 / 2 : 0;
-    EXPECT_NEAR(flight.state.totals.external, own + 3 * 0.5 * 0.5, 1e-12);
-    EXPECT_NEAR(flight.state.totals.friction, 3 * 0.5 * 0.5 / 2, 1e-12);
+    EXPECT_NEAR(flight.state.ledger.totals.external, own + 3 * 0.5 * 0.5, 1e-12);
+    EXPECT_NEAR(flight.state.ledger.totals.friction, 3 * 0.5 * 0.5 / 2, 1e-12);
   }
 }
 
@@ -230,7 +230,7 @@ TEST(RigidContact, bears_a_box_at_rest_on_two_corners)
   flight.run(5000);
   EXPECT_LE(flight.body(0).displacement.norm(), 1e-12);
   EXPECT_LE(std::abs(flight.body(0).orientation.angle), 1e-12);
-  EXPECT_NEAR(flight.state.rigid_impulses[0][1], 5 * 10 * 0.5, 1e-9) << "its weight times the time";
+  EXPECT_NEAR(flight.state.ledger.rigid_impulses[0][1], 5 * 10 * 0.5, 1e-9) << "its weight times the time";
 }
 
 // a = g (sin - mu cos), and none below the friction angle. Under a sideways load the box would tip; here gravity is turned instead of the floor.

@@ -56,11 +56,11 @@ TEST(Stage, with_a_limit_of_force_keeps_its_velocity_where_the_limit_is_far)
   Driver run({stage});
   run.problem.model.rigid_bodies[0].fading = {infinity, 0.1};
   run.soil_pushes({0, 100});
-  EXPECT_EQ(part_of_velocity(run.problem.model, run.problem.state, 0.1), 1) << "nothing is known of the soil yet";
+  EXPECT_EQ(velocity_factor(run.problem.model, run.problem.state, 0.1), 1) << "nothing is known of the soil yet";
   run.problem.state.stage.approach = {0, 1, 1};  // 100 N/m in 1 m: V grows by 1 N/m while its mean fades
-  EXPECT_EQ(part_of_velocity(run.problem.model, run.problem.state, 0.1), 1);
+  EXPECT_EQ(velocity_factor(run.problem.model, run.problem.state, 0.1), 1);
   run.problem.state.stage.approach = {0, 1e-3, 1e-3};  // 1000 N/m
-  EXPECT_NEAR(part_of_velocity(run.problem.model, run.problem.state, 0.1), (1.01 * 500 - 100) / (2 * 1000), 1e-12);
+  EXPECT_NEAR(velocity_factor(run.problem.model, run.problem.state, 0.1), (1.01 * 500 - 100) / (2 * 1000), 1e-12);
 }
 
 TEST(Stage, that_lifts_its_body_ends_where_w_has_fallen_to_its_embedment)

@@ -303,11 +303,11 @@ TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_fro
   Real of_weight = 0;
   for (int n = 0; n < 100; ++n) {
     pipe.reaction = {5. + n, 40. - n};
-    problem.state.totals.external -= dt * pipe.reaction.dot(pipe.velocity);  // what the contact counts as work on the soil
+    problem.state.ledger.totals.external -= dt * pipe.reaction.dot(pipe.velocity);  // what the contact counts as work on the soil
     const Vec<2> before = pipe.velocity;
     drive_rigids(problem.model, problem.state, dt);
     of_weight += dt * 2 * Vec<2>(3, -10).dot(before + pipe.velocity) / 2;
-    EXPECT_NEAR(problem.state.totals.external, of_weight, 1e-13);
+    EXPECT_NEAR(problem.state.ledger.totals.external, of_weight, 1e-13);
   }
 }
 
@@ -319,12 +319,12 @@ TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_sto
     drive_rigids(problem.model, problem.state, dt);
     problem.state.time += dt;
   }
-  EXPECT_NEAR(problem.state.totals.external, 0.5 * 2 * 0.2 * 0.2, 1e-14);
+  EXPECT_NEAR(problem.state.ledger.totals.external, 0.5 * 2 * 0.2 * 0.2, 1e-14);
   EXPECT_NEAR(kinetic_energy(problem.model.rigid_bodies[0], pipe), 0.5 * 2 * 0.2 * 0.2, 1e-14);
   ++problem.state.stage.index;
   begin_stage(problem.model, problem.state);
   drive_rigids(problem.model, problem.state, dt);
-  EXPECT_NEAR(problem.state.totals.external, 0, 1e-14);
+  EXPECT_NEAR(problem.state.ledger.totals.external, 0, 1e-14);
 }
 
 StageSettings drive()

@@ -44,7 +44,7 @@ TEST(ThrownBody, goes_as_newton_has_it)
       // v0 t + g t^2/2, and g t dt/2: a step goes by the velocity at its end.
       ASSERT_NEAR(-pipe.displacement[1], 2 * t + 9.81 * t * t / 2 + 9.81 * t * dt / 2, 1e-13);
       const Real kinetic = kinetic_energy(problem.model.rigid_bodies[0], pipe);
-      ASSERT_NEAR(problem.state.totals.external, kinetic, 1e-12 * kinetic) << "of what threw it and of gravity";
+      ASSERT_NEAR(problem.state.ledger.totals.external, kinetic, 1e-12 * kinetic) << "of what threw it and of gravity";
     }
   }
 }

@@ -41,7 +41,7 @@ TEST(Symmetry, planes_are_held_across_and_only_across_without_a_support)
   const Model<3> model = build<3>(quarter_of_ball(), ".", ".").model;
   for (Index i = 0; i < model.mesh.node_count(); ++i) {
     const Vec<3>& x = model.mesh.position[i];
-    EXPECT_EQ(model.fixed[0][i], (x[0] == 1 ? 1 : 0) + (x[2] == 3 ? 4 : 0));
+    EXPECT_EQ(model.conditions.tables[0].held[i], (x[0] == 1 ? 1 : 0) + (x[2] == 3 ? 4 : 0));
   }
 }
 
@@ -52,7 +52,7 @@ TEST(Symmetry, a_case_without_is_left_as_it_is)
   const Model<3> model = build<3>(c, ".", ".").model;
   EXPECT_EQ(model.parts, 1);
   EXPECT_EQ(model.rigid_bodies[0].mass, 2);
-  EXPECT_EQ(model.fixed[0][0], 0);
+  EXPECT_EQ(model.conditions.tables[0].held[0], 0);
 }
 
 TEST(Symmetry, refuses_a_rigid_body_that_its_plane_does_not_halve)

@@ -69,8 +69,8 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
   const problem::State<dim>& state = first.problem.state;
   ASSERT_FALSE(same_blocks(state.particles[0], second.problem.state.particles[0]));
   ASSERT_NE(state.particles[0].occupied(), second.problem.state.particles[0].occupied());
-  ASSERT_GT(state.contact_sums[0].impulse_sum, 0);
-  ASSERT_GT(state.pair_impulses[1].norm(), 0);
+  ASSERT_GT(state.ledger.contact_sums[0].impulse_sum, 0);
+  ASSERT_GT(state.ledger.pair_impulses[1].norm(), 0);
   bool law_state = false;
   state.particles[0].visit([&](Index, Index b, int l) { law_state = law_state || state.particles[0].state(b)[0][l] != 0; });
   ASSERT_TRUE(law_state);
@@ -136,11 +136,11 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   fill(state.dt, next);
   state.step = 123456789012;
   fill(state.rigid_bodies[0], next);
-  fill(state.contact_sums[0], next);
+  fill(state.ledger.contact_sums[0], next);
   fill(state.listed_poses[0], next);
-  fill(state.totals, next);
-  for (Vec<dim>& impulse : state.pair_impulses) fill(impulse, next);
-  for (Vec<dim>& impulse : state.support_impulses) fill(impulse, next);
+  fill(state.ledger.totals, next);
+  for (Vec<dim>& impulse : state.ledger.pair_impulses) fill(impulse, next);
+  for (Vec<dim>& impulse : state.ledger.support_impulses) fill(impulse, next);
   state.heads.resize(1), found.heads.resize(1);  // as many as a model has
   fill(state.heads[0], next);
   fill(state.stage.begin_time, next);
@@ -158,12 +158,12 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   EXPECT_EQ(found.dt, state.dt);
   EXPECT_EQ(found.step, state.step);
   EXPECT_TRUE(same(found.rigid_bodies[0], state.rigid_bodies[0]));
-  EXPECT_TRUE(same(found.contact_sums[0], state.contact_sums[0]));
+  EXPECT_TRUE(same(found.ledger.contact_sums[0], state.ledger.contact_sums[0]));
   EXPECT_TRUE(same(found.listed_poses[0], state.listed_poses[0]));
-  EXPECT_TRUE(same(found.totals, state.totals));
-  EXPECT_EQ(found.pair_impulses, state.pair_impulses);
-  EXPECT_EQ(state.support_impulses.size(), c.support.size());
-  EXPECT_EQ(found.support_impulses, state.support_impulses);
+  EXPECT_TRUE(same(found.ledger.totals, state.ledger.totals));
+  EXPECT_EQ(found.ledger.pair_impulses, state.ledger.pair_impulses);
+  EXPECT_EQ(state.ledger.support_impulses.size(), c.support.size());
+  EXPECT_EQ(found.ledger.support_impulses, state.ledger.support_impulses);
   EXPECT_TRUE(same(found.heads[0], state.heads[0]));
   EXPECT_EQ(found.stage.begin_time, state.stage.begin_time);
   EXPECT_EQ(found.stage.begin_displacement, state.stage.begin_displacement);

@@ -75,7 +75,7 @@ TEST(CoupledLine, has_the_same_bits_on_threads)
     const Threads threads(count);
     LineRun run(test::line_case());
     for (int k = 0; k < 200; ++k) run.step();
-    return std::pair{run.line.state().displacement, run.problem.state.totals.internal};
+    return std::pair{run.line.state().displacement, run.problem.state.ledger.totals.internal};
   };
   const auto one = moved(1);
   EXPECT_EQ(one, moved(2));
@@ -135,8 +135,8 @@ TEST(CoupledLine, replays_each_slice_in_a_single_problem_to_the_bit)
     const problem::State<2>& slice = k == 0 ? run.problem.state : run.line.slice(k);
     EXPECT_EQ(alone[k]->state.time, slice.time) << k;
     EXPECT_EQ(alone[k]->state.rigid_bodies[0].displacement, slice.rigid_bodies[0].displacement) << k;
-    EXPECT_EQ(alone[k]->state.contact_sums[0].impulse, slice.contact_sums[0].impulse) << k;
-    EXPECT_EQ(alone[k]->state.totals.internal, slice.totals.internal) << k;
+    EXPECT_EQ(alone[k]->state.ledger.contact_sums[0].impulse, slice.ledger.contact_sums[0].impulse) << k;
+    EXPECT_EQ(alone[k]->state.ledger.totals.internal, slice.ledger.totals.internal) << k;
     if (k > 0) {
       EXPECT_NE(slice.rigid_bodies[0].displacement, run.pipe(k - 1)) << "no slice goes as another, " << k;
     }
@@ -159,16 +159,16 @@ TEST(CoupledLine, resolves_slices_before_their_springs_slide)
   EXPECT_FALSE(run.line.is_spring(0)) << "the first is where the crown is";
   for (std::size_t k = 1; k < run.line.count(); ++k) EXPECT_TRUE(run.line.is_spring(k));
   const BigIndex laid = run.line.slice(1).step;
-  const Real internal = run.line.slice(1).totals.internal;
+  const Real internal = run.line.slice(1).ledger.totals.internal;
   for (;;) {
     run.step();
     if (!run.line.is_spring(1)) break;
-    ASSERT_EQ(run.line.slice(1).totals.internal, internal) << "its soil waits";
+    ASSERT_EQ(run.line.slice(1).ledger.totals.internal, internal) << "its soil waits";
   }
   const Real lateral = run.line.loads_at(run.problem.state, run.problem.state.time).lateral;
   EXPECT_GT(lateral, 0.2 * 600);
   EXPECT_LT(lateral, 0.6 * 600);
-  EXPECT_NE(run.line.slice(1).totals.internal, internal);
+  EXPECT_NE(run.line.slice(1).ledger.totals.internal, internal);
   EXPECT_GT(run.line.slice(1).step, laid);
   while (!stage_ended(run.problem.model, run.problem.state)) run.step();
   // The springs have lost it less than they may move, and what they carried when they gave way.
@@ -183,9 +183,9 @@ TEST(CoupledLine, lies_on_springs_alone_where_no_slice_wakes)
   problem::Case c = line_on_springs(problem::SliceAsSpring::always);
   c.stage.back().pipeline.lateral = 300;
   LineRun run(c);
-  const Real internal = run.problem.state.totals.internal, x = run.pipe(0)[0];
+  const Real internal = run.problem.state.ledger.totals.internal, x = run.pipe(0)[0];
   while (!stage_ended(run.problem.model, run.problem.state)) run.step();
-  EXPECT_EQ(run.problem.state.totals.internal, internal) << "no soil is stepped";
+  EXPECT_EQ(run.problem.state.ledger.totals.internal, internal) << "no soil is stepped";
   // Elastic springs of 600 N/m over 5 mm; the load came up in a second, many times their period of 0.3 s.
   for (std::size_t k = 0; k < run.line.count(); ++k) EXPECT_NEAR(run.pipe(k)[0] - x, 2.5e-3, 0.2 * 2.5e-3) << k;
 }
@@ -234,7 +234,7 @@ TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
     line.step(problem.state, workspace, [&] { mpm::step(problem.model, problem.state, workspace); });
   // The line hardly bends: all pipes go as far, in soils that push back with forces of their own.
   EXPECT_NEAR(line.slice(2).rigid_bodies[0].displacement[0], line.slice(1).rigid_bodies[0].displacement[0], 1e-3);
-  EXPECT_GT(std::abs(line.slice(2).contact_sums[0].impulse[0] / line.slice(1).contact_sums[0].impulse[0] - 1), 0.01);
+  EXPECT_GT(std::abs(line.slice(2).ledger.contact_sums[0].impulse[0] / line.slice(1).ledger.contact_sums[0].impulse[0] - 1), 0.01);
 }
 
 TEST(CoupledLine, lighter_than_the_soil_that_it_moves_does_not_shake)

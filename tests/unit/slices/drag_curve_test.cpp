@@ -60,12 +60,12 @@ TEST(DragCurve, of_a_laid_slice_is_that_of_a_stage_that_drags)
   for (const auto& [from, to] : {std::pair(0.01, 0.06), {0.06, 0.15}, {0.15, 0.28}}) {
     Real work = 0, first = nan, last = nan, of_curve = 0;
     while (state.rigid_bodies[0].displacement[0] - begin < to) {
-      const Real before = state.contact_sums[0].impulse[0];
+      const Real before = state.ledger.contact_sums[0].impulse[0];
       mpm::step(dragged.problem.model, state, dragged.workspace);
       const Real u = state.rigid_bodies[0].displacement[0] - begin;
       if (u < from) continue;
       if (std::isnan(first)) first = u - state.dt * state.rigid_bodies[0].velocity[0];
-      work += (state.contact_sums[0].impulse[0] - before) * state.rigid_bodies[0].velocity[0];
+      work += (state.ledger.contact_sums[0].impulse[0] - before) * state.rigid_bodies[0].velocity[0];
       last = u;
     }
     constexpr int parts = 100;

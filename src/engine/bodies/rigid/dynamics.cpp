@@ -137,10 +137,10 @@ void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim
     state.angular_velocity = no_angular<dim>();
 }
 
-Real Fading::part_of_step(Real step_way, Real way, Real dt) const
+Real Fading::fraction_of_step(Real step_way, Real way, Real dt) const
 {
-  constexpr Real part_of_way = 0.25;
-  return 1 - 1 / (1 + dt / time + (step_way > 0 ? step_way / std::min(travel, part_of_way * way) : 0));
+  constexpr Real fraction_of_way = 0.25;
+  return 1 - 1 / (1 + dt / time + (step_way > 0 ? step_way / std::min(travel, fraction_of_way * way) : 0));
 }
 
 template <int dim>
@@ -148,14 +148,14 @@ void RecentReaction<dim>::add(const Vec<dim>& force, const Angular<dim>& torque,
 {
   const bool has_touched = way > 0 || !force.isZero(0);
   way = has_touched ? way + step_way : 0;
-  const Real part = has_touched ? fading.part_of_step(step_way, way, dt) : 1;
+  const Real fraction = has_touched ? fading.fraction_of_step(step_way, way, dt) : 1;
   lag += step_way;
-  variance = (1 - part) * (variance + part * lag * lag);
-  force_covariance = (1 - part) * (force_covariance + part * lag * (force - mean_force));
-  torque_covariance = (1 - part) * (torque_covariance + part * lag * (torque - mean_torque));
-  mean_force += part * (force - mean_force);
-  mean_torque += part * (torque - mean_torque);
-  lag *= 1 - part;
+  variance = (1 - fraction) * (variance + fraction * lag * lag);
+  force_covariance = (1 - fraction) * (force_covariance + fraction * lag * (force - mean_force));
+  torque_covariance = (1 - fraction) * (torque_covariance + fraction * lag * (torque - mean_torque));
+  mean_force += fraction * (force - mean_force);
+  mean_torque += fraction * (torque - mean_torque);
+  lag *= 1 - fraction;
 }
 
 template <int dim>

@@ -13,7 +13,7 @@ struct Fading {
 
   /// The part that a step of dt (s), in which the body goes `step_way` of its `way` since it touched (m), has in a mean. That fades over a quarter of the way at most:
   /// what was before says nothing.
-  Real part_of_step(Real step_way, Real way, Real dt) const;
+  Real fraction_of_step(Real step_way, Real way, Real dt) const;
 };
 
 /// A rigid body: shape at the start, mass, and how it may move.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/light_corners.hpp"
+#include "mpm/small_mass_nodes.hpp"
 
 #include "mpm/balance.hpp"
 #include "mpm/internal_forces.hpp"
@@ -109,21 +109,21 @@ std::array<Real, dim + 1> near_a_face(Real part)
 }  // namespace
 
 template <class Dimension>
-class LightCorners : public testing::Test {
+class SmallMassNodes : public testing::Test {
 };
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(LightCorners, Dimensions);
+TYPED_TEST_SUITE(SmallMassNodes, Dimensions);
 
-TYPED_TEST(LightCorners, cells_within_a_body_bear_any_stiffness_also_those_that_were_at_a_surface)
+TYPED_TEST(SmallMassNodes, cells_within_a_body_bear_any_stiffness_also_those_that_were_at_a_surface)
 {
   constexpr int dim = TypeParam::value;
   auto soil = Soil<dim>::full();
-  soil.grid().bearable[0] = 1;
+  soil.grid().stiffness_limit[0] = 1;
   soil.prepare(1);
-  for (const Index cell : soil.particles().occupied()) EXPECT_EQ(soil.grid().bearable[cell], 0) << cell;
+  for (const Index cell : soil.particles().occupied()) EXPECT_EQ(soil.grid().stiffness_limit[cell], 0) << cell;
 }
 
-TYPED_TEST(LightCorners, of_cells_that_a_rigid_body_cuts_have_a_limit_however_full_they_are)
+TYPED_TEST(SmallMassNodes, of_cells_that_a_rigid_body_cuts_have_a_limit_however_full_they_are)
 {
   constexpr int dim = TypeParam::value;
   auto soil = Soil<dim>::full();
@@ -131,10 +131,10 @@ TYPED_TEST(LightCorners, of_cells_that_a_rigid_body_cuts_have_a_limit_however_fu
   soil.grid().cut.parts[0].cut = true;
   soil.grid().cut.parts[0].volume = soil.mesh().volume(0);
   soil.prepare(1);
-  for (const Index cell : soil.particles().occupied()) EXPECT_EQ(soil.grid().bearable[cell] > 0, cell == 0) << cell;
+  for (const Index cell : soil.particles().occupied()) EXPECT_EQ(soil.grid().stiffness_limit[cell] > 0, cell == 0) << cell;
 }
 
-TYPED_TEST(LightCorners, a_particle_alone_bears_the_stiffness_that_its_corners_can_follow_in_a_step)
+TYPED_TEST(SmallMassNodes, a_particle_alone_bears_the_stiffness_that_its_corners_can_follow_in_a_step)
 {
   constexpr int dim = TypeParam::value;
   constexpr Real dt = 1e-3;
@@ -142,11 +142,11 @@ TYPED_TEST(LightCorners, a_particle_alone_bears_the_stiffness_that_its_corners_c
     const auto shape = near_a_face<dim>(part);
     auto soil = Soil<dim>::alone(shape);
     soil.prepare(dt);
-    EXPECT_NEAR(soil.grid().bearable[0] / (2 / (dt * dt * steepness(soil, shape))), 1, 1e-9) << part;
+    EXPECT_NEAR(soil.grid().stiffness_limit[0] / (2 / (dt * dt * steepness(soil, shape))), 1, 1e-9) << part;
   }
 }
 
-TYPED_TEST(LightCorners, stress_follows_each_part_of_the_strain_as_far_as_its_stiffness_is_borne)
+TYPED_TEST(SmallMassNodes, stress_follows_each_part_of_the_strain_as_far_as_its_stiffness_is_borne)
 {
   constexpr int dim = TypeParam::value;
   problem::SoilWaves soil;
@@ -154,21 +154,21 @@ TYPED_TEST(LightCorners, stress_follows_each_part_of_the_strain_as_far_as_its_st
   soil.shear = 2;
   SymTensor<dim> strain{};
   for (int k = 0; k < tensor_size<dim>; ++k) strain[k] = k + 1;  // mean 2
-  for (const auto& [bearable, volumetric, deviatoric] :
+  for (const auto& [limit, volumetric, deviatoric] :
        {std::tuple(0., 1., 1.), std::tuple(8., 1., 1.), std::tuple(4., 0.5, 1.), std::tuple(1., 0.125, 0.5)}) {
-    const SymTensor<dim> followed = followed_strain(strain, soil, bearable);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(followed[k], volumetric * 2 + deviatoric * (strain[k] - 2), 1e-15) << bearable << " " << k;
-    for (int k = 3; k < tensor_size<dim>; ++k) EXPECT_NEAR(followed[k], deviatoric * strain[k], 1e-15) << bearable << " " << k;
+    const SymTensor<dim> limited = limited_strain(strain, soil, limit);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(limited[k], volumetric * 2 + deviatoric * (strain[k] - 2), 1e-15) << limit << " " << k;
+    for (int k = 3; k < tensor_size<dim>; ++k) EXPECT_NEAR(limited[k], deviatoric * strain[k], 1e-15) << limit << " " << k;
   }
 }
 
-TYPED_TEST(LightCorners, the_stress_of_a_particle_alone_does_not_grow)
+TYPED_TEST(SmallMassNodes, the_stress_of_a_particle_alone_does_not_grow)
 {
   constexpr int dim = TypeParam::value;
   for (const bool bounded : {true, false}) {
     const auto shape = near_a_face<dim>(0.02);
     auto soil = Soil<dim>::alone(shape);
-    if (!bounded) soil.grid().bearable = {};
+    if (!bounded) soil.grid().stiffness_limit = {};
     const Real dt = 2 / std::sqrt(soil.problem.model.bodies[0].waves.bulk * steepness(soil, shape));  // so that (omega dt)^2 = 4
     Real largest = 0;
     for (int n = 0; n < 20; ++n) {
@@ -182,7 +182,7 @@ TYPED_TEST(LightCorners, the_stress_of_a_particle_alone_does_not_grow)
   }
 }
 
-TYPED_TEST(LightCorners, a_light_node_is_not_damped)
+TYPED_TEST(SmallMassNodes, a_node_of_small_mass_is_not_damped)
 {
   constexpr int dim = TypeParam::value;
   constexpr Real damping = 0.5;
@@ -198,10 +198,10 @@ TYPED_TEST(LightCorners, a_light_node_is_not_damped)
     for (Index e = soil.mesh().first_entry[node]; e < soil.mesh().first_entry[node + 1]; ++e)
       force += Eigen::Map<const Vec<dim>>(soil.grid().at(soil.mesh().entries[e]).sum);
     const Real full = soil.problem.model.bodies[0].waves.min_density * soil.grid().volume_around[node] / (dim + 1);
-    const bool light = soil.grid().mass[node] < 0.05 * full;
-    ASSERT_EQ(light, part < 0.5);
+    const bool small = soil.grid().mass[node] < 0.05 * full;
+    ASSERT_EQ(small, part < 0.5);
     for (int d = 0; d < dim; ++d) {
-      const Real damped = force[d] - (light ? 0 : damping * std::abs(force[d]));
+      const Real damped = force[d] - (small ? 0 : damping * std::abs(force[d]));
       EXPECT_NEAR(soil.grid().acceleration[node][d] * soil.grid().mass[node], damped, 1e-9 * force.norm()) << part << " " << d;
     }
   }
@@ -224,7 +224,7 @@ TEST(LightCornersAroundAnAxis, count_the_hoop_strain_of_nodes_away_from_it)
   grid.mass[c] = 5;
   // grad N = (-1/2, -1), (1/2, 0), (0, 1) 1/m; the nodes at the axis move along it alone.
   const Real sum = 1. / 2 + (0.5 + 0.5) * (0.5 + 0.5) / 4 + 1. / 5;
-  EXPECT_NEAR(bearable_stiffness(mesh, grid, 0, 0.1), 2 / (0.01 * 3 * sum), 1e-10);
+  EXPECT_NEAR(max_stable_stiffness(mesh, grid, 0, 0.1), 2 / (0.01 * 3 * sum), 1e-10);
 }
 
 }  // namespace berm::mpm::this_file

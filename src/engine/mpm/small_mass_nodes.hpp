@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/mpm/light_corners_test.cpp
+// Tests: tests/unit/mpm/small_mass_nodes_test.cpp
 #pragma once
 
 #include "mpm/grid.hpp"
 
 namespace berm::mpm {
 
-/// A node with less than this part of the mass that it has in cells full of soil is light: its forces are large for its mass, so that it may change its direction of
-/// motion within a step.
-inline constexpr Real light_node_part = 0.05;
+/// A node with less than this fraction of the mass that it has in cells full of soil is one of small mass: its forces are large for its mass, so that it may change its
+/// direction of motion within a step.
+inline constexpr Real small_mass_fraction = 0.05;
 
 /// The largest stiffness over density of a cell for a step of dt (s), m2/s2:
 ///
@@ -18,7 +18,7 @@ inline constexpr Real light_node_part = 0.05;
 /// added in the radial direction, R the sum of the radii of the nodes. A node without mass follows the others; one on the axis has no radial displacement.
 /// (docs/decisions/0097)
 template <int dim>
-Real bearable_stiffness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, Real dt)
+Real max_stable_stiffness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, Real dt)
 {
   const mesh::Shape<dim> shape = grid.shape(mesh, cell);
   const auto& nodes = mesh.nodes[cell];
@@ -35,18 +35,18 @@ Real bearable_stiffness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, 
   return 2 / (dt * dt * mass * of_corners);
 }
 
-/// The strain increment that the stress of a cell follows: the volumetric part times min(1, bearable / bulk), the deviatoric part times
-/// min(1, bearable / shear), all m2/s2; all of it where bearable is 0.
+/// The strain increment that the stress of a cell follows: the volumetric part times min(1, limit / bulk), the deviatoric part times
+/// min(1, limit / shear), all m2/s2; all of it where limit is 0.
 template <int dim>
-[[gnu::always_inline]] inline SymTensor<dim> followed_strain(const SymTensor<dim>& strain, const problem::SoilWaves& soil, Real bearable)
+[[gnu::always_inline]] inline SymTensor<dim> limited_strain(const SymTensor<dim>& strain, const problem::SoilWaves& soil, Real limit)
 {
-  if (bearable == 0 || bearable >= std::max(soil.bulk, soil.shear)) [[likely]]
+  if (limit == 0 || limit >= std::max(soil.bulk, soil.shear)) [[likely]]
     return strain;
-  const Real mean = trace(strain) / 3, deviatoric = std::min<Real>(1, bearable / soil.shear);
-  const Real volumetric = std::min<Real>(1, bearable / soil.bulk) - deviatoric;
-  SymTensor<dim> followed;
-  for (int k = 0; k < tensor_size<dim>; ++k) followed[k] = deviatoric * strain[k] + (k < 3 ? volumetric * mean : 0);
-  return followed;
+  const Real mean = trace(strain) / 3, deviatoric = std::min<Real>(1, limit / soil.shear);
+  const Real volumetric = std::min<Real>(1, limit / soil.bulk) - deviatoric;
+  SymTensor<dim> limited;
+  for (int k = 0; k < tensor_size<dim>; ++k) limited[k] = deviatoric * strain[k] + (k < 3 ? volumetric * mean : 0);
+  return limited;
 }
 
 }  // namespace berm::mpm
