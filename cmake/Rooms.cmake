@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# One target a room, a folder of a district (src/engine/mpm), a district that is one room (src/fem) or an inner folder (src/answers/structures/pipe). A room sees its own
+# One target a room, a folder of a district (src/methods/mpm), a district that is one room (src/settings) or an inner folder (src/answers/structures/pipe). A room sees its own
 # headers and those of the rooms that it USES, so a wrong include does not build. Includes and names of rooms do without their district, but for those of structures.
 #
 # Rooms outside the engine are compiled with -O1, which takes two thirds of the time of -O3, but for those marked HOT. Files of a room are compiled several at a
@@ -33,7 +33,7 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT BERM_SANITIZE)
   endif()
 endif()
 set_property(GLOBAL PROPERTY BERM_ENGINE_ROOMS "")
-set(BERM_DISTRICTS base engine pipeline case run answers pages studies exports)
+set(BERM_DISTRICTS base engine methods pipeline case run answers pages studies exports)
 
 function(berm_compile_for unit target)
   if(NOT unit STREQUAL "baseline")

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// What a case names that is a program: the key, and what stands there.
-std::vector<std::pair<std::string, const char*>> programs_of(const problem::Case& settings)
+std::vector<std::pair<std::string, const char*>> programs_of(const settings::Case& settings)
 {
   std::vector<std::pair<std::string, const char*>> found;
   if (const auto* mesh = std::get_if<mesh::GmshFile>(&settings.mesh); mesh != nullptr && fs::path(mesh->file).extension() == ".geo")

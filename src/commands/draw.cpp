@@ -36,8 +36,8 @@ std::vector<Picture> pictures(const CaseOptions& options)
 mesh::Mesh<2> mesh_of(const simulation::RunRequest& request, const fs::path& work_folder)
 {
   const fs::path folder = request.case_file.parent_path();
-  return request.settings.method == problem::Method::fem ? fem::make_cut_mesh(request.settings, folder, work_folder)
-                                                         : mesh::make_mesh<2>(request.settings.mesh, folder, work_folder);
+  return request.settings.method == settings::Method::fem ? fem::make_cut_mesh(request.settings, folder, work_folder)
+                                                          : mesh::make_mesh<2>(request.settings.mesh, folder, work_folder);
 }
 
 /// To the file of the picture; "-" is the standard output, for an SVG.
@@ -45,7 +45,7 @@ void draw(const Picture& picture)
 {
   const io::ScratchFolder scratch;
   const fs::path file = picture.file == "-" ? scratch.path() / "model.svg" : picture.file;
-  const problem::Case& settings = picture.request.settings;
+  const settings::Case& settings = picture.request.settings;
   try {
     if (settings.dimension() == 2)
       picture::draw_model(settings, mesh_of(picture.request, scratch.path()), file);

@@ -43,7 +43,7 @@ bool stopped()
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side after them.
 Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
-  const auto is_fem = [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; };
+  const auto is_fem = [](const simulation::RunRequest& r) { return r.settings.method == settings::Method::fem; };
   std::vector<simulation::RunRequest> fem;
   std::copy_if(all.begin(), all.end(), std::back_inserter(fem), is_fem);
   const bool side_by_side = fem.size() > 1 && options.jobs() > 1;

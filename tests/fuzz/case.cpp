@@ -6,6 +6,7 @@
 #include "input/write_case.hpp"
 #include "os/error.hpp"
 #include "problem/stages.hpp"
+#include "settings/symmetry.hpp"
 
 using namespace berm;
 
@@ -23,9 +24,9 @@ std::vector<std::string> parts_of(const std::string& text)
 }
 
 /// What is worked out of the settings alone before anything is built.
-void work_out(const problem::Case& c)
+void work_out(const settings::Case& c)
 {
-  for (const problem::StageSettings& stage : c.stage) promise(expected_time(stage) >= 0, "a stage takes time", stage.name);
+  for (const settings::StageSettings& stage : c.stage) promise(expected_time(stage) >= 0, "a stage takes time", stage.name);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::string> overrides = parts_of(text_of(data, size));
   const std::string text = overrides.front();
   overrides.erase(overrides.begin());
-  problem::Case read;
+  settings::Case read;
   try {
     read = input::read_case_text("case.toml", text, overrides);
   } catch (const InputError& error) {

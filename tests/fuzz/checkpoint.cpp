@@ -7,7 +7,6 @@
 // same bits as ever.
 #include "target.hpp"
 
-#include "checkpoint/checkpoint_file.hpp"
 #include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "mpm/diagnose.hpp"
@@ -15,6 +14,7 @@
 #include "os/error.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
+#include "run_folder/checkpoint_file.hpp"
 #include "run_folder/frame_maker.hpp"
 
 #include <cstring>
@@ -95,7 +95,7 @@ constexpr std::size_t header_bytes = 512;
 std::string whole_file()
 {
   const fs::path path = fs::path("/dev/shm") / fmt::format("berm_fuzz_{}.h5", ::getpid());
-  checkpoint::write_checkpoint(path, keep_sample);
+  run_folder::write_checkpoint(path, keep_sample);
   const std::string bytes = io::read_text_file(path);
   fs::remove(path);
   return bytes;
@@ -108,7 +108,7 @@ std::string with_true_header(const std::string& file)
   std::size_t line = file.find('\n');
   line = file.find('\n', line + 1) + 1;
   std::string header = file.substr(0, line) + fmt::format("{} bytes, CRC-32 {:08x} from byte {} on\n", header_bytes + content.size(),
-                                                          checkpoint::crc_of(content.data(), content.size()), header_bytes);
+                                                          run_folder::crc_of(content.data(), content.size()), header_bytes);
   header.resize(header_bytes, '\n');
   return header + content;
 }
@@ -117,7 +117,7 @@ void read_file(const std::string& bytes)
 {
   static const MemoryFile file;
   const fs::path& path = file.hold(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  may_be_refused([&] { checkpoint::read_checkpoint(path, keep_sample); });
+  may_be_refused([&] { run_folder::read_checkpoint(path, keep_sample); });
 }
 
 void change_header(Input input)

@@ -39,10 +39,10 @@ const std::string in_space =
               R"(shape = "sphere", center = [0.5, 1.1, 0.5])", R"("x", "y", "z")", "drag");
 
 /// A case whose only stage, or the motion of whose base, has the table.
-problem::Case with_table(const std::string& settings, char kind)
+settings::Case with_table(const std::string& settings, char kind)
 {
-  problem::Case c = input::read_case_text("case.toml", settings);
-  problem::StageSettings& stage = c.stage[0];
+  settings::Case c = input::read_case_text("case.toml", settings);
+  settings::StageSettings& stage = c.stage[0];
   if (kind == 'm') {
     boundary::MotionSettings motion;
     motion.table = table;
@@ -56,10 +56,11 @@ problem::Case with_table(const std::string& settings, char kind)
   return c;
 }
 
-const problem::Case& case_of(char kind)
+const settings::Case& case_of(char kind)
 {
-  static const problem::Case factors = with_table(in_plane, 'f'), repeated = with_table(in_plane, 'r'), columns = with_table(in_plane, 'c'),
-                             axis = with_table(around_axis, 'a'), space = with_table(in_space, 's'), motion = with_table(in_plane, 'm');
+  static const settings::Case factors = with_table(in_plane, 'f'), repeated = with_table(in_plane, 'r'),
+                              columns = with_table(in_plane, 'c'), axis = with_table(around_axis, 'a'), space = with_table(in_space, 's'),
+                              motion = with_table(in_plane, 'm');
   switch (kind) {
   case 'r':
     return repeated;
@@ -89,7 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const MemoryFolder folder;
   const auto [kind, text] = kind_and_text(data, size, 'f');
   folder.hold(table, text);
-  problem::Case c = case_of(kind);
+  settings::Case c = case_of(kind);
   bool is_read = false;
   may_be_refused([&, &kind = kind] {
     if (kind == 'm')

@@ -36,17 +36,17 @@ Real particles_of(const bodies::BodySettings& body, Real cells)
   return count;
 }
 
-bool is_small(const problem::Case& c)
+bool is_small(const settings::Case& c)
 {
   const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
   if (box == nullptr || cells_of(*box) > max_cells) return false;
   Real particles = 0;
   for (const auto& entry : c.body) particles += particles_of(entry.second, cells_of(*box));
-  return particles <= max_particles || c.method == problem::Method::fem;
+  return particles <= max_particles || c.method == settings::Method::fem;
 }
 
 template <int dim>
-void make_steps(const problem::Case& c)
+void make_steps(const settings::Case& c)
 {
   problem::Problem<dim> problem = build<dim>(c, "", scratch);
   mpm::Workspace<dim> workspace(problem.model, problem.state);
@@ -62,9 +62,9 @@ void make_steps(const problem::Case& c)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   try {
-    const problem::Case c = input::read_case_text("case.toml", text_of(data, size));
+    const settings::Case c = input::read_case_text("case.toml", text_of(data, size));
     if (!is_small(c)) return 0;
-    if (c.method == problem::Method::fem)
+    if (c.method == settings::Method::fem)
       fem::build_fem(c, "", scratch);
     else
       c.dimension() == 2 ? make_steps<2>(c) : make_steps<3>(c);

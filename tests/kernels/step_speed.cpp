@@ -9,6 +9,7 @@
 #include "material/laws.hpp"
 #include "mpm/divide.hpp"
 #include "mpm/step.hpp"
+#include "settings/interface.hpp"
 #include "simulation/memory.hpp"
 #include "user_law/loaded_law.hpp"
 
@@ -90,9 +91,9 @@ material::NorSand norsand()
   return law;
 }
 
-problem::StageSettings endless(problem::StageKind kind)
+settings::StageSettings endless(settings::StageKind kind)
 {
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "bench";
   stage.kind = kind;
   stage.until.time = infinity;
@@ -100,9 +101,9 @@ problem::StageSettings endless(problem::StageKind kind)
 }
 
 /// A circle of 20 mm that is pushed into the centrifuge's bed, with cells of near_size around it.
-problem::Case probe_in_sand(Real near_size)
+settings::Case probe_in_sand(Real near_size)
 {
-  problem::Case c;
+  settings::Case c;
   c.gravity = {0, -50 * standard_gravity};
   mesh::SeabedMesh mesh;
   mesh.length = 0.65;
@@ -131,22 +132,22 @@ problem::Case probe_in_sand(Real near_size)
   contact.friction_angle = 23.33 * degree;
   c.contact = {{"skin", contact}};
   c.support = {{"base", {"base", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
-  problem::StageSettings push = endless(problem::StageKind::push);
+  settings::StageSettings push = endless(settings::StageKind::push);
   push.velocity = 0.1;
   c.stage = {push};
   return c;
 }
 
 /// The same probe in soil of another law.
-problem::Case probe_in(const material::Material& soil)
+settings::Case probe_in(const material::Material& soil)
 {
-  problem::Case c = probe_in_sand(0.001);
+  settings::Case c = probe_in_sand(0.001);
   c.material.front().second = soil;
   return c;
 }
 
 /// The same probe in sand that does not dilate, with water that stays in its pores or flows through them.
-problem::Case probe_in_water(material::Drainage drainage)
+settings::Case probe_in_water(material::Drainage drainage)
 {
   material::MohrCoulomb soil = sand(877);
   soil.inertia_density = 1900;
@@ -162,9 +163,9 @@ problem::Case probe_in_water(material::Drainage drainage)
 }
 
 /// A column of sand that collapses over a rigid floor: all of it moves and yields.
-problem::Case column(Real particles)
+settings::Case column(Real particles)
 {
-  problem::Case c;
+  settings::Case c;
   c.gravity = {0, -standard_gravity};
   // The column, 1 wide and 2 high, is a sixth of a mesh of 6 x 2.
   const Real per_side = std::round(std::sqrt(particles / 9 / 2 / 2));
@@ -190,21 +191,21 @@ problem::Case column(Real particles)
   contact.friction_angle = 0.5;
   c.contact = {{"floor", contact}};
   c.support = {{"left", {"left", {"x"}}}, {"bottom", {"bottom", {"y"}}}, {"right", {"right", {"x"}}}};
-  c.stage = {endless(problem::StageKind::free)};
+  c.stage = {endless(settings::StageKind::free)};
   return c;
 }
 
 /// The same mesh, particles and laws around the axis that the left wall is.
-problem::Case around_axis(problem::Case c)
+settings::Case around_axis(settings::Case c)
 {
-  c.geometry = problem::Geometry::axisymmetric;
+  c.geometry = settings::Geometry::axisymmetric;
   return c;
 }
 
 /// A ball in the probe's bed around its axis, with a fine zone as large as the probe's.
-problem::Case ball_in_sand(Real near_size)
+settings::Case ball_in_sand(Real near_size)
 {
-  problem::Case c = around_axis(probe_in_sand(near_size));
+  settings::Case c = around_axis(probe_in_sand(near_size));
   auto& mesh = std::get<mesh::SeabedMesh>(c.mesh);
   mesh.left = 0;
   mesh.near_left = 0;
@@ -214,10 +215,10 @@ problem::Case ball_in_sand(Real near_size)
 }
 
 /// The same in space: 0.5 wide, 1 high, 0.25 deep in a mesh of 1.5 x 1.125 x 0.25, eight particles in each sixth of a cube.
-problem::Case column_in_space(Real particles)
+settings::Case column_in_space(Real particles)
 {
-  problem::Case c = column(particles);
-  c.geometry = problem::Geometry::space;
+  settings::Case c = column(particles);
+  c.geometry = settings::Geometry::space;
   c.gravity.push_back(0);
   const Real per_side = std::round(std::cbrt(particles / 8 / 6 / (2 * 4 * 1)));  // cubes along the depth, 0.25
   mesh::BoxMesh mesh;
@@ -251,9 +252,9 @@ extern "C" void elastic_umat(double* stress, double*, double* ddsdde, double*, d
     }
 }
 
-problem::Case elastic_probe()
+settings::Case elastic_probe()
 {
-  problem::Case c = probe_in_sand(0.001);
+  settings::Case c = probe_in_sand(0.001);
   const material::MohrCoulomb law = sand(877);
   material::LinearElastic elastic;
   elastic.density = law.density;
@@ -263,9 +264,9 @@ problem::Case elastic_probe()
   return c;
 }
 
-problem::Case probe_in_umat()
+settings::Case probe_in_umat()
 {
-  problem::Case c = elastic_probe();
+  settings::Case c = elastic_probe();
   const auto& elastic = c.material[0].second.get<material::LinearElastic>();
   material::UserLaw<material::Interface::umat> law;
   law.density = elastic.density;
@@ -280,7 +281,7 @@ problem::Case probe_in_umat()
 
 struct BenchProblem {
   const char* name;
-  problem::Case (*make)();
+  settings::Case (*make)();
 };
 
 constexpr BenchProblem problems[] = {
@@ -406,7 +407,7 @@ struct LoopTable {
 };
 
 template <int dim>
-nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, simulation::Context& context, Real bandwidth, Real seconds)
+nlohmann::ordered_json measure_speed(const char* name, const settings::Case& c, simulation::Context& context, Real bandwidth, Real seconds)
 {
   const io::ScratchFolder scratch;
   const Real memory_before = simulation::memory_of_data();
@@ -531,7 +532,7 @@ void measure_steps(const std::vector<std::string>& names, const std::string& jso
       {"version", BERM_VERSION}, {"triad_bytes_per_s", bandwidth}, {"problems", nlohmann::ordered_json::array()}};
   for (const BenchProblem& problem : problems) {
     if (!names.empty() && std::find(names.begin(), names.end(), problem.name) == names.end()) continue;
-    const problem::Case c = problem.make();
+    const settings::Case c = problem.make();
     table["problems"].push_back(c.dimension() == 2 ? measure_speed<2>(problem.name, c, context, bandwidth, seconds)
                                                    : measure_speed<3>(problem.name, c, context, bandwidth, seconds));
   }

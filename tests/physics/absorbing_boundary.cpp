@@ -19,9 +19,9 @@ boundary::SupportSettings absorbing(const char* boundary)
 }
 
 /// A strip of 1 m along x, in cells of 1/64 m, both of whose ends absorb.
-problem::Case strip(const char* held_along)
+settings::Case strip(const char* held_along)
 {
-  problem::Case c = elastic_box(2, {1, 1. / 32}, {64, 2}, young_modulus, poisson_ratio, density);
+  settings::Case c = elastic_box(2, {1, 1. / 32}, {64, 2}, young_modulus, poisson_ratio, density);
   c.body[0].second.particles_per_cell = 4;
   c.support = {
       {"left", absorbing("left")}, {"right", absorbing("right")}, {"bottom", {"bottom", {held_along}}}, {"top", {"top", {held_along}}}};
@@ -86,7 +86,7 @@ TEST(AbsorbingBoundary, leaves_the_strip_at_rest_five_hundred_steps_later)
 // Held ends send all of it back: the test above can fail.
 TEST(AbsorbingBoundary, that_only_holds_sends_all_of_it_back)
 {
-  problem::Case c = strip("y");
+  settings::Case c = strip("y");
   c.support[0].second.absorbs = c.support[1].second.absorbs = false;
   Simulation<2> run(c);
   EXPECT_GT(part_sent_back(0, std::sqrt(oedometer_modulus / density), run), 0.9);
@@ -94,7 +94,7 @@ TEST(AbsorbingBoundary, that_only_holds_sends_all_of_it_back)
 
 TEST(AbsorbingBoundary, in_space_sends_back_less_than_a_hundredth)
 {
-  problem::Case c = elastic_box(3, {1, 1. / 32, 1. / 32}, {64, 2, 2}, young_modulus, poisson_ratio, density);
+  settings::Case c = elastic_box(3, {1, 1. / 32, 1. / 32}, {64, 2, 2}, young_modulus, poisson_ratio, density);
   boundary::SupportSettings end = absorbing("left");
   end.fixed = {"x", "y", "z"};
   c.support = {
@@ -115,7 +115,7 @@ TEST(AbsorbingBoundary, in_space_sends_back_less_than_a_hundredth)
 TEST(AbsorbingBoundary, keeps_the_thrust_of_a_bed_at_rest)
 {
   constexpr Real gravity = 10, k0 = 0.43;
-  problem::Case c = elastic_box(2, {1, 0.5}, {8, 4}, young_modulus, poisson_ratio, density);
+  settings::Case c = elastic_box(2, {1, 0.5}, {8, 4}, young_modulus, poisson_ratio, density);
   c.gravity = {0, -gravity};
   c.surface = 0.5;
   c.body[0].second.k0 = k0;
@@ -124,7 +124,7 @@ TEST(AbsorbingBoundary, keeps_the_thrust_of_a_bed_at_rest)
   c.output.support_reactions = true;
   c.stage.insert(c.stage.begin(), c.stage.front());
   c.stage[0].name = "rest";
-  c.stage[0].kind = problem::StageKind::geostatic;
+  c.stage[0].kind = settings::StageKind::geostatic;
   boundary::SupportSettings left = absorbing("left"), right = absorbing("right");
   left.fixed = right.fixed = {"x"};
   c.support = {{"base", {"bottom", {"y"}}}, {"left", left}, {"right", right}};

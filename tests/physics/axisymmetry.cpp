@@ -13,11 +13,11 @@ namespace {
 constexpr Real round_off = 1e-12;
 
 /// An elastic ring (or cylinder) of the radii `inner` to `outer` around the axis, as high as its mesh.
-problem::Case elastic_ring(Real inner, Real outer, Real height, Real cells_along_r, Real cells_along_z)
+settings::Case elastic_ring(Real inner, Real outer, Real height, Real cells_along_r, Real cells_along_z)
 {
-  problem::Case c = elastic_box(2, {outer - inner, height}, {cells_along_r, cells_along_z}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {outer - inner, height}, {cells_along_r, cells_along_z}, 1e6, 0.3, 1000);
   std::get<mesh::BoxMesh>(c.mesh).lower = {inner, 0};
-  c.geometry = problem::Geometry::axisymmetric;
+  c.geometry = settings::Geometry::axisymmetric;
   return c;
 }
 
@@ -48,7 +48,7 @@ TEST(Axisymmetry, gives_particles_the_volume_and_mass_of_a_radian)
 TEST(Axisymmetry, strains_exactly_where_the_radial_velocity_is_proportional_to_the_radius)
 {
   for (const Real scattered : {0., 0.5}) {
-    problem::Case c = elastic_ring(0, 1, 1, 4, 4);
+    settings::Case c = elastic_ring(0, 1, 1, 4, 4);
     Simulation<2> run(c);
     if (scattered > 0) scatter(run, scattered);
     mpm::BodyGrid<2>& grid = run.workspace.grids[0];
@@ -72,7 +72,7 @@ TEST(Axisymmetry, uniform_stress_leaves_no_force_at_inner_nodes)
 {
   for (const Real scattered : {0., 0.5})
     for (const bool projected : {true, false}) {
-      problem::Case c = elastic_ring(0, 1, 1, 8, 8);
+      settings::Case c = elastic_ring(0, 1, 1, 8, 8);
       c.body[0].second.initial_stress = {-1e5, -3e5, -1e5};
       c.mpm.volumetric_projection = projected;
       Simulation<2> run(c);
@@ -101,10 +101,10 @@ TEST(Axisymmetry, uniform_stress_leaves_no_force_at_inner_nodes)
 }
 
 /// A cylinder of soil whose lower half a heavy load crushes: momentum, energy and bits.
-problem::Case pushed_soil()
+settings::Case pushed_soil()
 {
-  problem::Case c = pipe_in_sand();
-  c.geometry = problem::Geometry::axisymmetric;
+  settings::Case c = pipe_in_sand();
+  c.geometry = settings::Geometry::axisymmetric;
   std::get<mesh::BoxMesh>(c.mesh).cells = {30, 15};
   c.rigid[0].second.shape = bodies::CircleSettings{{0, 0.05}, 0.02};
   c.contact[0].second.adhesion = 500;
@@ -136,7 +136,7 @@ TEST(Axisymmetry, the_axis_neither_moves_nor_is_crossed)
 
 TEST(Axisymmetry, work_of_a_push_is_kept)
 {
-  problem::Case c = pushed_soil();
+  settings::Case c = pushed_soil();
   Simulation<2> run(c);
   const Real first = mpm::sums_over(run.state().particles[0]).kinetic;
   Real largest = 0, error = 0;
@@ -177,7 +177,7 @@ TEST(Axisymmetry, threads_do_not_change_one_bit)
 TEST(Axisymmetry, a_tube_under_pressure_widens_as_lame_found)
 {
   const Real a = 1, b = 2, p = 1000, E = 1e6, nu = 0.3;
-  problem::Case c = elastic_ring(a, b, 0.1, 10, 1);
+  settings::Case c = elastic_ring(a, b, 0.1, 10, 1);
   boundary::TractionSettings pressure;
   pressure.boundary = "left";
   pressure.pressure = p;

@@ -8,9 +8,9 @@ namespace berm::this_file {
 namespace {
 
 /// A block of 0.4 m x 0.4 m, 1000 kg/m3, whose lower rim is at y = 0.2 m, and a plane at y = level; cells of 0.1 m.
-problem::Case block_over_plane(Real level)
+settings::Case block_over_plane(Real level)
 {
-  problem::Case c = elastic_box(2, {1, 1.5}, {10, 15}, 1e6, 0.2, 1000);
+  settings::Case c = elastic_box(2, {1, 1.5}, {10, 15}, 1e6, 0.2, 1000);
   bodies::BlockSettings block;
   block.center = {0.5, 0.4};
   block.size = {0.4, 0.4};
@@ -31,7 +31,7 @@ problem::Case block_over_plane(Real level)
 
 TEST(Damping, does_not_act_at_the_contact_so_that_the_reaction_of_a_resting_block_is_its_weight)
 {
-  problem::Case c = block_over_plane(0.2);
+  settings::Case c = block_over_plane(0.2);
   c.gravity = {0, -10};
   c.body[0].second.damping = 0.9;
   Simulation<2> run(c);
@@ -46,10 +46,10 @@ TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_s
   // Damping opposes the motion by a part of the unbalanced forces inside, which are there only because particles cross cells. Where it acted on the
   // contact's nodes too, it would add its factor.
   const auto reaction_over_weight = [](Real factor) {
-    problem::Case c = block_over_plane(0.2);
+    settings::Case c = block_over_plane(0.2);
     c.gravity = {0, -10};
     c.body[0].second.damping = factor;
-    c.stage[0].kind = problem::StageKind::push;
+    c.stage[0].kind = settings::StageKind::push;
     c.stage[0].velocity = -0.1;  // upwards
     c.stage[0].ramp = 0.2;
     Simulation<2> run(c);
@@ -65,7 +65,7 @@ TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_s
 
 TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
 {
-  problem::Case c = block_over_plane(0.18);
+  settings::Case c = block_over_plane(0.18);
   std::get<mesh::BoxMesh>(c.mesh).cells = {20, 30};
   c.body[0].second.block->spacing = 0.05 / 3;
   bodies::InitialVelocity motion;

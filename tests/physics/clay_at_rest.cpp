@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clay that shakes below its strength stays as it is, however long.
 #include "material/clay.hpp"
+#include "settings/interface.hpp"
 #include "simulate.hpp"
 
 #include <gtest/gtest.h>
@@ -11,9 +12,9 @@ namespace {
 constexpr Real density = 1700, strength = 5e3;
 
 /// A bed of 1 m by 1 m between rollers, under its weight.
-problem::Case bed_of_clay()
+settings::Case bed_of_clay()
 {
-  problem::Case c = elastic_box(2, {1, 1}, {3, 3}, 1e6, 0.3, density);
+  settings::Case c = elastic_box(2, {1, 1}, {3, 3}, 1e6, 0.3, density);
   material::Clay clay;
   clay.density = density;
   clay.rigidity_index = 200;

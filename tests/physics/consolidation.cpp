@@ -14,12 +14,12 @@ constexpr Real skeleton = young_modulus * (1 - poisson_ratio) / ((1 + poisson_ra
 
 /// A saturated column of 1 m on an impermeable base under a load that grows in 2 ms, its top open.
 template <int dim>
-problem::Case column(int cells, material::PoreWater water)
+settings::Case column(int cells, material::PoreWater water)
 {
   const Real h = height / cells;
   std::vector<Real> size(dim, h), count(dim, 1);
   size[1] = height, count[1] = cells;
-  problem::Case c = elastic_box(dim, size, count, young_modulus, poisson_ratio, 1990);
+  settings::Case c = elastic_box(dim, size, count, young_modulus, poisson_ratio, 1990);
   c.material[0].second.get<material::LinearElastic>().water = water;
   c.body[0].second.particles_per_cell = dim == 2 ? 9 : 8;
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}};
@@ -89,7 +89,7 @@ TYPED_TEST(Consolidation, a_sudden_load_makes_both_waves_of_Biot)
 TEST(Consolidation, no_permeability_limits_the_time_step)
 {
   for (const Real permeability : {1e-8, 1e-6, 1e-4, 1e-2, 1.}) {
-    problem::Case c = column<2>(20, flowing(permeability));
+    settings::Case c = column<2>(20, flowing(permeability));
     c.mpm.courant = 0.9;
     Simulation<2> run(c);
     run.run_until(0.1);
@@ -103,7 +103,7 @@ TEST(Consolidation, no_permeability_limits_the_time_step)
 // neither has lost: they would grow to twice the load in 0.6 s. Waves of the column lose three quarters of their pressure in a tenth of that time.
 TEST(Consolidation, water_that_hardly_drags_comes_to_rest_with_the_soil)
 {
-  problem::Case c = column<2>(20, flowing(1));
+  settings::Case c = column<2>(20, flowing(1));
   c.mpm.courant = 0.9;
   c.body[0].second.damping = 0.3;
   Simulation<2> run(c);
@@ -143,7 +143,7 @@ Real pressure_from_cell_to_cell(Simulation<2>& run, Real h, int squares, int row
 TEST(Consolidation, pressure_has_no_checkerboard)
 {
   constexpr int squares = 20;
-  problem::Case c = elastic_box(2, {1, 1}, {squares, squares}, young_modulus, poisson_ratio, 1990);
+  settings::Case c = elastic_box(2, {1, 1}, {squares, squares}, young_modulus, poisson_ratio, 1990);
   c.material[0].second.get<material::LinearElastic>().water = flowing(1e-8, 2.2e9);
   c.body[0].second.particles_per_cell = 9;
   c.body[0].second.damping = 0.5;
@@ -183,11 +183,11 @@ TEST(Consolidation, of_a_given_degree_ends_a_stage_after_the_time_of_Terzaghi_wh
     Real ramp, damping;
   };
   for (const auto& [ramp, damping] : {Load{7e-3, 0.3}, {0.2, 0.3}, {20e-3, 0}}) {
-    problem::Case column_case = column<2>(20, flowing(permeability, 20e6));
+    settings::Case column_case = column<2>(20, flowing(permeability, 20e6));
     column_case.body[0].second.damping = damping;
     column_case.traction[0].second.ramp = ramp;
     column_case.stage[0].until.time = ramp;
-    problem::StageSettings rest = column_case.stage[0];
+    settings::StageSettings rest = column_case.stage[0];
     rest.name = "rest";
     rest.until.time.reset();
     rest.until.consolidation = 0.5;
@@ -217,7 +217,7 @@ TEST(Consolidation, of_soil_that_is_hardly_permeable_is_that_of_undrained_soil)
 /// The flux, m/s, at the base of a column that has consolidated for 5 ms.
 Real flux_at_base(bool drained)
 {
-  problem::Case c = column<2>(20, flowing(1e-3));
+  settings::Case c = column<2>(20, flowing(1e-3));
   for (auto& [name, support] : c.support) support.drained = drained && name == "bottom";
   Simulation<2> run(c);
   run.run_until(5e-3);
@@ -234,9 +234,9 @@ TEST(Consolidation, water_crosses_drained_supports_alone)
 }
 
 /// A column under a plate that is pressed on it by a force that grows to the load in 2 ms; the base is open where the plate is closed.
-problem::Case column_under_plate(int cells, bool drained, Real top = height)
+settings::Case column_under_plate(int cells, bool drained, Real top = height)
 {
-  problem::Case c = column<2>(cells, flowing(1e-3));
+  settings::Case c = column<2>(cells, flowing(1e-3));
   c.traction.clear();
   c.surface = top;
   for (auto& [name, support] : c.support) support.drained = !drained && name == "bottom";
@@ -253,8 +253,8 @@ problem::Case column_under_plate(int cells, bool drained, Real top = height)
   skin.friction_angle = 20 * degree;
   skin.drained = drained;
   c.contact = {{"skin", skin}};
-  problem::StageSettings& stage = c.stage[0];
-  stage.kind = problem::StageKind::push;
+  settings::StageSettings& stage = c.stage[0];
+  stage.kind = settings::StageKind::push;
   stage.force = load * height / cells;
   stage.ramp = 2e-3;
   return c;

@@ -8,9 +8,9 @@ namespace berm::this_file {
 namespace {
 
 /// An elastic column of 0.1 m x `height`, 1000 kg/m3, E = 500 kPa, nu = 0.25, on a support, with a smooth plate on it.
-problem::Case column_under_plate(Real height, Real cell, Real spacing)
+settings::Case column_under_plate(Real height, Real cell, Real spacing)
 {
-  problem::Case c = elastic_box(2, {0.1, height + cell}, {0.1 / cell, height / cell + 1}, 500e3, 0.25, 1000);
+  settings::Case c = elastic_box(2, {0.1, height + cell}, {0.1 / cell, height / cell + 1}, 500e3, 0.25, 1000);
   bodies::BlockSettings block;
   block.center = {0.05, height / 2};
   block.size = {0.1, height};
@@ -27,7 +27,7 @@ problem::Case column_under_plate(Real height, Real cell, Real spacing)
   contact.body = "body";
   contact.rigid = "plate";
   c.contact = {{"contact", contact}};
-  c.stage[0].kind = problem::StageKind::push;
+  c.stage[0].kind = settings::StageKind::push;
   return c;
 }
 
@@ -35,7 +35,7 @@ TEST(TwoSidedContact, makes_no_energy_under_a_constant_load_that_compresses_soil
 {
   // Particles cross cells and shake. Held in step 8 without a change of their own velocity they once took 9 % of the load's work from the plate.
   // Sweeps stop where impulses change by a thousandth, so the contact may miss the work by about that; allowed is 1 %.
-  problem::Case c = column_under_plate(1, 0.05, 0.011785);
+  settings::Case c = column_under_plate(1, 0.05, 0.011785);
   c.body[0].second.damping = 0.5;
   c.stage[0].force = 10e3;
   c.stage[0].ramp = 1;
@@ -53,7 +53,7 @@ TEST(Reaction, has_all_of_the_impulse_where_soil_is_pressed_against_a_support_on
 {
   // One row of cells between support and plate. The row of particles at the plate is at y and moves as it does, so velocity is v y'/y and the work of
   // the stresses, sum V sigma_yy v / y, is that of the reaction. Inertia of the slow push and what oscillates are below a percent.
-  problem::Case c = column_under_plate(0.1, 0.1, 0.02);
+  settings::Case c = column_under_plate(0.1, 0.1, 0.02);
   c.body[0].second.damping = 0.3;
   c.stage[0].velocity = 0.005;
   c.stage[0].ramp = 0.05;
@@ -80,7 +80,7 @@ TEST(Overlap, is_given_back_slowly)
 {
   // The plate is put 15 mm into the column, so deep that the first row's centres (5 mm) are inside. They come out, at no more than a thousandth of
   // the wave speed of 24.5 m/s, and what moves afterwards is what that compression stored at most.
-  problem::Case c = column_under_plate(0.2, 0.05, 0.01);
+  settings::Case c = column_under_plate(0.2, 0.05, 0.01);
   c.body[0].second.damping = 0.1;
   c.stage[0].velocity = 1e-9;
   Simulation<2> run(c);

@@ -8,10 +8,10 @@ namespace berm::this_file {
 namespace {
 
 /// A block of 0.4 m x 0.2 m with 4 particles a square on a plane that leans by `angle` against the mesh; gravity of 10 m/s2 grows within 0.1 s.
-problem::Case block_on_incline(contact::Scheme scheme, contact::Detection detection, Real friction_angle)
+settings::Case block_on_incline(contact::Scheme scheme, contact::Detection detection, Real friction_angle)
 {
   constexpr Real angle = pi / 6;
-  problem::Case c = elastic_box(2, {2, 1.6}, {20, 16}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {2, 1.6}, {20, 16}, 1e6, 0.3, 1000);
   c.gravity = {0, -10};
   c.gravity_ramp = 0.1;
   const Vec<2> base(0.6, 1.1), along(std::cos(angle), -std::sin(angle)), up(std::sin(angle), std::cos(angle));
@@ -42,7 +42,7 @@ struct Slide {
 
 /// Mean acceleration along the plane from 0.2 s to 0.6 s, how far the block's middle has come nearer to it, and how far it has gone along it in that
 /// time. m/s2, m
-Slide slide(const problem::Case& c)
+Slide slide(const settings::Case& c)
 {
   const Vec<2> along(std::cos(pi / 6), -0.5), up(0.5, std::cos(pi / 6));
   Simulation<2> run(c);
@@ -72,7 +72,7 @@ TEST(BlockOnIncline, slides_as_coulomb_says_across_the_mesh_with_4_particles_a_s
 TEST(BlockOnIncline, stays_where_friction_is_enough_and_where_it_is_stuck)
 {
   // 2e-5 of a free slide. The block swings along the plane by some 1e-4 m/s, which says nothing of how it creeps.
-  const problem::Case sticks = block_on_incline(contact::Scheme::musl_coupled, contact::Detection::particle, 31 * pi / 180);
+  const settings::Case sticks = block_on_incline(contact::Scheme::musl_coupled, contact::Detection::particle, 31 * pi / 180);
   EXPECT_NEAR(slide(sticks).slip, 0, 2e-5 * 0.5 * 5 * 0.4 * 0.4);
   // One velocity field: it stays without any friction.
   EXPECT_NEAR(slide(block_on_incline(contact::Scheme::tied, contact::Detection::overlap, 0)).acceleration, 0, 0.05 * 5);
@@ -99,7 +99,7 @@ Real mean_gap(const Simulation<2>& run)
 TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
 {
   const auto gap_of = [](contact::Detection detection) {
-    problem::Case c = pipe_in_sand();
+    settings::Case c = pipe_in_sand();
     c.contact[0].second.detection = detection;
     Simulation<2> run(c);
     take_steps(run, 400);
@@ -113,7 +113,7 @@ TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
 TEST(ParticleRim, that_wears_lets_soil_that_is_sheared_nearer_to_a_pipe_and_makes_no_energy)
 {
   const auto run_with = [](contact::ParticleRim rim) {
-    problem::Case c = pipe_in_sand();
+    settings::Case c = pipe_in_sand();
     c.contact[0].second.particle_rim = rim;
     Simulation<2> run(c);
     take_steps(run, 300);
@@ -134,7 +134,7 @@ TEST(UpdateStressFirst, keeps_the_energy_of_a_free_block_that_swings)
 {
   // The floor is far away: contact plays no part but to choose the order of the step.
   const auto energy_after = [](contact::Scheme scheme) {
-    problem::Case c = block_on_incline(scheme, contact::Detection::gap, 0.3);
+    settings::Case c = block_on_incline(scheme, contact::Detection::gap, 0.3);
     c.gravity.clear();
     bodies::InitialVelocity wave;
     wave.amplitude = {0.5, 0};

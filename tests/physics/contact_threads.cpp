@@ -11,9 +11,9 @@ namespace berm::this_file {
 namespace {
 
 /// A soft block that drops onto a plane that leans, with friction and adhesion; in space it is 0.8 m wide.
-problem::Case dropped_block(int dim, contact::Scheme scheme)
+settings::Case dropped_block(int dim, contact::Scheme scheme)
 {
-  problem::Case c =
+  settings::Case c =
       dim == 2 ? elastic_box(2, {5, 1}, {100, 20}, 1e5, 0.3, 1000) : elastic_box(3, {1.6, 1, 1.2}, {16, 10, 12}, 1e5, 0.3, 1000);
   c.gravity = {1, -10, 0};
   c.gravity.resize(dim);
@@ -47,7 +47,7 @@ struct Outcome {
 
 /// Positions and velocities of all particles, the reaction and the totals after 60 steps on so many threads.
 template <int dim>
-Outcome outcome(const problem::Case& c, int threads)
+Outcome outcome(const settings::Case& c, int threads)
 {
   const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
@@ -79,7 +79,7 @@ Outcome outcome(const problem::Case& c, int threads)
 }
 
 template <int dim>
-void expect_same_bits(const problem::Case& c)
+void expect_same_bits(const settings::Case& c)
 {
   const Outcome alone = outcome<dim>(c, 1);
   ASSERT_GE(alone.most_points, static_cast<std::size_t>(contact::min_points_for_threads)) << "the threads have nothing to share";
@@ -104,13 +104,13 @@ TEST(ContactOnThreads, has_the_same_bits_in_space)
 }
 TEST(ContactOnThreads, has_the_same_bits_where_nodes_are_the_points)
 {
-  problem::Case c = dropped_block(2, contact::Scheme::musl_double);
+  settings::Case c = dropped_block(2, contact::Scheme::musl_double);
   c.contact[0].second.detection = contact::Detection::gap;
   expect_same_bits<2>(c);
 }
 TEST(ContactOnThreads, has_the_same_bits_where_particles_remember)
 {
-  problem::Case c = dropped_block(2, contact::Scheme::musl_coupled);
+  settings::Case c = dropped_block(2, contact::Scheme::musl_coupled);
   c.contact[0].second.tension = 50;
   c.contact[0].second.adhesion_sensitivity = 4;
   c.contact[0].second.adhesion_ductility = 1e-3;
@@ -118,7 +118,7 @@ TEST(ContactOnThreads, has_the_same_bits_where_particles_remember)
 }
 TEST(ContactOnThreads, has_the_same_bits_between_two_bodies_beside_a_rigid_one)
 {
-  problem::Case c = dropped_block(2, contact::Scheme::musl_coupled);
+  settings::Case c = dropped_block(2, contact::Scheme::musl_coupled);
   auto above = c.body[0];
   above.first = "above";
   above.second.block->center[1] += 0.2;

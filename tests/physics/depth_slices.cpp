@@ -12,9 +12,9 @@ constexpr int slices = 4;
 
 /// A smooth wall at rest to the left of elastic soil 1 m high with nu / (1 - nu) = K0, on a smooth base; so soft that the contact gap, a hundredth of a millimetre, takes
 /// no pressure.
-problem::Case wall_at_rest()
+settings::Case wall_at_rest()
 {
-  problem::Case c = elastic_box(2, {2, 1}, {40, 20}, 1e6, 1. / 3, 1800);
+  settings::Case c = elastic_box(2, {2, 1}, {40, 20}, 1e6, 1. / 3, 1800);
   mesh::BoxMesh box;
   box.lower = {-0.3, 0};
   box.size = {2.3, 1.2};
@@ -65,9 +65,9 @@ TEST(DepthSlices, have_the_pressure_at_rest_that_grows_with_depth)
 TEST(DepthSlices, have_the_adhesion_of_a_wall_that_is_pushed_down)
 {
   constexpr Real adhesion = 100;
-  problem::Case c = wall_at_rest();
+  settings::Case c = wall_at_rest();
   c.contact[0].second.adhesion = adhesion;
-  c.stage[0].kind = problem::StageKind::drive;
+  c.stage[0].kind = settings::StageKind::drive;
   c.stage[0].rigid = "wall";
   c.stage[0].drive.y.velocity = -0.05;
   Simulation<2> run(c);
@@ -90,10 +90,10 @@ TEST(DepthSlices, have_the_adhesion_of_a_wall_that_is_pushed_down)
 TEST(DepthSlices, have_no_holes_where_they_are_thinner_than_particles)
 {
   constexpr int thin = 100;
-  problem::Case c = wall_at_rest();
+  settings::Case c = wall_at_rest();
   c.rigid[0].second.depth_slices = thin;
   c.contact[0].second.adhesion = 100;
-  c.stage[0].kind = problem::StageKind::drive;
+  c.stage[0].kind = settings::StageKind::drive;
   c.stage[0].rigid = "wall";
   c.stage[0].drive.y.velocity = -0.05;
   Simulation<2> run(c);
@@ -114,7 +114,7 @@ TEST(DepthSlices, have_no_holes_where_they_are_thinner_than_particles)
 TEST(DepthSlices, have_the_adhesion_of_soil_that_settles_along_a_wall_that_is_held)
 {
   constexpr Real adhesion = 100, modulus = 120e3;  // of the soil where it cannot widen: 3/2 E with a Poisson's ratio of 1/3
-  problem::Case c = wall_at_rest();
+  settings::Case c = wall_at_rest();
   c.material[0].second.get<material::LinearElastic>().young_modulus = modulus / 1.5;
   c.body[0].second.block = bodies::BlockSettings{{0.5, 0.5}, {1, 1}, 0, 1. / 80};
   mesh::BoxMesh& box = std::get<mesh::BoxMesh>(c.mesh);
@@ -125,7 +125,7 @@ TEST(DepthSlices, have_the_adhesion_of_soil_that_settles_along_a_wall_that_is_he
   c.contact[0].second.adhesion = adhesion;
   c.contact[0].second.tension = infinity;
   c.gravity_ramp = 6;
-  c.mpm.quadrature = problem::Quadrature::cut_cells;
+  c.mpm.quadrature = settings::Quadrature::cut_cells;
   Simulation<2> run(c);
   run.run_until(4);
   const Real before = run.state().ledger.contact_sums[0].shaft_impulse, begin = run.state().time;
@@ -137,7 +137,7 @@ TEST(DepthSlices, have_the_adhesion_of_soil_that_settles_along_a_wall_that_is_he
 
 TEST(DepthSlices, are_refused_of_a_body_above_the_soil)
 {
-  problem::Case c = wall_at_rest();
+  settings::Case c = wall_at_rest();
   std::get<bodies::BoxSettings>(c.rigid[0].second.shape).center = {-0.15, 1.6};
   EXPECT_THROW(Simulation<2>{c}, InputError);
 }

@@ -20,7 +20,7 @@ Real bar_period_ratio()
   std::vector<Real> size = {length, 1}, cells = {50, 2};
   bodies::InitialVelocity mode{{v0, 0}, {pi / (2 * length), 0}, 0};
   if (dim == 3) size.push_back(1), cells.push_back(2), mode.amplitude.push_back(0), mode.wave_number.push_back(0);
-  problem::Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
+  settings::Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
   // The mesh ends at the tip, so a moving tip needs room: the body fills the mesh but for one column of cells.
   std::get<mesh::BoxMesh>(c.mesh).size[0] += length / 50;
   std::get<mesh::BoxMesh>(c.mesh).cells[0] += 1;
@@ -56,7 +56,7 @@ Real column_settlement_ratio()
   constexpr Real height = 1, young_modulus = 1e8, density = 1000, g = 10;
   std::vector<Real> size = {0.1, height}, cells = {2, 20};
   if (dim == 3) size.push_back(0.1), cells.push_back(2);
-  problem::Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
+  settings::Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
   c.gravity = {0, -g};
   c.support = {{"bottom", held("bottom", {"y"})}, {"left", held("left", {"x"})}, {"right", held("right", {"x"})}};
   if (dim == 3) {

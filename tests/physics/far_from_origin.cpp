@@ -8,7 +8,7 @@ namespace berm::this_file {
 namespace {
 
 /// The case moved: its mesh, blocks, shapes and the level of its surface.
-problem::Case moved(problem::Case c, const std::vector<Real>& by)
+settings::Case moved(settings::Case c, const std::vector<Real>& by)
 {
   const auto move = [&](std::vector<Real>& x) {
     x.resize(by.size());
@@ -36,7 +36,7 @@ struct Answer {
 };
 
 template <int dim>
-Answer<dim> answer_of(const problem::Case& c, const std::vector<int>& steps)
+Answer<dim> answer_of(const settings::Case& c, const std::vector<int>& steps)
 {
   Simulation<dim> run(c);
   std::vector<Vec<dim>> begin;
@@ -84,7 +84,7 @@ constexpr Real by_sweeps_of_a_particle = 1e-3;
 
 /// Compares what happens here and there: sums to `by_contact` and rounding, the displacement of each particle to `of_particle` (empty: the same) and rounding.
 template <int dim>
-void expect_same(const problem::Case& c, const Place& place, const std::vector<int>& steps, Real by_contact = by_sweeps,
+void expect_same(const settings::Case& c, const Place& place, const std::vector<int>& steps, Real by_contact = by_sweeps,
                  std::optional<Real> of_particle = {})
 {
   int all_steps = 0;
@@ -120,7 +120,7 @@ void expect_same(const problem::Case& c, const Place& place, const std::vector<i
 // An elastic plate that turns and rings in free flight: nothing but rounding.
 TEST(FarFromOrigin, a_plate_in_free_flight_moves_alike_to_rounding)
 {
-  problem::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
   c.body[0].second.regions.clear();
   bodies::BlockSettings block;
   block.center = {0.903, 0.5041};
@@ -136,9 +136,9 @@ TEST(FarFromOrigin, a_plate_in_free_flight_moves_alike_to_rounding)
 }
 
 /// No particle lies on a side of a cell, where rounding would decide which of two cells it strains with.
-problem::Case pipe_in_bed()
+settings::Case pipe_in_bed()
 {
-  problem::Case c = pipe_in_sand();
+  settings::Case c = pipe_in_sand();
   bodies::BlockSettings& block = *c.body[0].second.block;
   block.center = {0.06003, 0.0199137};
   block.size = {0.1198, 0.0398};
@@ -154,9 +154,9 @@ TEST(FarFromOrigin, a_pipe_in_sand_feels_the_same_soil)
   }
 }
 
-problem::Case pipe_in_clay()
+settings::Case pipe_in_clay()
 {
-  problem::Case c = pipe_in_bed();
+  settings::Case c = pipe_in_bed();
   material::MohrCoulomb clay = loose_sand();
   clay.friction_angle = 0;
   clay.cohesion = 2e3;
@@ -171,7 +171,7 @@ TEST(FarFromOrigin, a_pipe_in_clay_feels_the_same_soil_at_particles_and_at_nodes
 {
   for (const contact::Detection detection : {contact::Detection::particle, contact::Detection::gap}) {
     SCOPED_TRACE(static_cast<int>(detection));
-    problem::Case c = pipe_in_clay();
+    settings::Case c = pipe_in_clay();
     c.mpm.courant = 0.5;
     c.contact[0].second.detection = detection;
     expect_same<2>(c, {{499'876.543, -1500}, 0.004}, {200, 100});
@@ -180,7 +180,7 @@ TEST(FarFromOrigin, a_pipe_in_clay_feels_the_same_soil_at_particles_and_at_nodes
 
 TEST(FarFromOrigin, update_stress_first_gives_the_same)
 {
-  problem::Case c = pipe_in_clay();
+  settings::Case c = pipe_in_clay();
   c.contact[0].second.scheme = contact::Scheme::usf;
   expect_same<2>(c, {{499'876.543, -1500}, 0.004}, {200, 100});
 }
@@ -188,8 +188,8 @@ TEST(FarFromOrigin, update_stress_first_gives_the_same)
 // Along the axis, to a deep seabed and to a height that none has.
 TEST(FarFromOrigin, a_ball_around_an_axis_feels_the_same_soil)
 {
-  problem::Case c = pipe_in_bed();
-  c.geometry = problem::Geometry::axisymmetric;
+  settings::Case c = pipe_in_bed();
+  c.geometry = settings::Geometry::axisymmetric;
   c.rigid[0].second.shape = bodies::CircleSettings{{0, 0.05}, 0.02};
   c.stage.resize(1);
   for (const Real height : {-1500.25, 499'876.543}) expect_same<2>(c, {{0, height}, 0.004}, {300});
@@ -197,8 +197,8 @@ TEST(FarFromOrigin, a_ball_around_an_axis_feels_the_same_soil)
 
 TEST(FarFromOrigin, a_ball_in_space_feels_the_same_soil)
 {
-  problem::Case c = pipe_in_clay();
-  c.geometry = problem::Geometry::space;
+  settings::Case c = pipe_in_clay();
+  c.geometry = settings::Geometry::space;
   c.gravity = {0, -50 * standard_gravity, 0};
   mesh::BoxMesh mesh;
   mesh.size = {0.06, 0.06, 0.06};
@@ -214,14 +214,14 @@ TEST(FarFromOrigin, a_ball_in_space_feels_the_same_soil)
                {"right", {"right", {"x"}}},
                {"back", {"back", {"z"}}},
                {"front", {"front", {"z"}}}};
-  c.stage[1].vertical = problem::Vertical::fixed;
+  c.stage[1].vertical = settings::Vertical::fixed;
   expect_same<3>(c, {{499'876.543, -1500, 6'543'210.987}, 0.0075}, {100, 50});
 }
 
 // Elastic blocks of 0.4 m that fall on each other: contact between deformable bodies, and free flight before.
 TEST(FarFromOrigin, blocks_that_fall_and_meet_do_so_alike)
 {
-  problem::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
   c.gravity = {0, -standard_gravity};
   const auto block_at = [](Real x, Real y, Real speed) {
     bodies::BodySettings body;

@@ -8,9 +8,9 @@ namespace berm::this_file {
 namespace {
 
 /// A free cylinder of 0.4 m and 200 kg/m, 5 mm above an elastic bed of 2 m x 0.5 m on a fixed base.
-problem::Case cylinder_over_bed()
+settings::Case cylinder_over_bed()
 {
-  problem::Case c = elastic_box(2, {2, 1}, {40, 20}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {2, 1}, {40, 20}, 1e6, 0.3, 1000);
   bodies::BlockSettings bed;
   bed.center = {1, 0.25};
   bed.size = {2, 0.5};
@@ -32,7 +32,7 @@ problem::Case cylinder_over_bed()
 
 TEST(FreeCylinder, falls_as_gravity_says_until_it_touches)
 {
-  problem::Case c = cylinder_over_bed();
+  settings::Case c = cylinder_over_bed();
   c.gravity = {1, -10};
   c.contact.clear();
   Simulation<2> run(c);
@@ -47,14 +47,14 @@ TEST(FreeCylinder, falls_as_gravity_says_until_it_touches)
 // Half a metre of air: 2 m/s for 20 ms, then gravity alone, 0.04 + 2 t + g t^2/2 after t more: 152.3 mm at 50 ms. The step moves it by the velocity at its end, g t dt/2 too far.
 TEST(FreeCylinder, that_is_thrown_falls_on_from_the_speed_of_its_drive)
 {
-  problem::Case c = cylinder_over_bed();
+  settings::Case c = cylinder_over_bed();
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[1] = 1.2;
   c.gravity = {0, -9.81};
-  problem::StageSettings& drive = c.stage[0];
-  drive.kind = problem::StageKind::push;
+  settings::StageSettings& drive = c.stage[0];
+  drive.kind = settings::StageKind::push;
   drive.velocity = 2;
   drive.until.time = 0.02;
-  problem::StageSettings fall;
+  settings::StageSettings fall;
   fall.name = "fall";
   fall.until.time = 0.05;
   c.stage.push_back(fall);
@@ -71,7 +71,7 @@ TEST(FreeCylinder, that_is_thrown_falls_on_from_the_speed_of_its_drive)
 
 TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
 {
-  problem::Case c = cylinder_over_bed();
+  settings::Case c = cylinder_over_bed();
   c.mpm.courant = 0.125;
   Simulation<2> run(c);
   bodies::RigidState<2>& cylinder = run.state().rigid_bodies[0];
@@ -96,7 +96,7 @@ TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
 
 TEST(FreeCylinder, is_turned_by_friction_as_much_as_the_bed_is_turned_back)
 {
-  problem::Case c = cylinder_over_bed();
+  settings::Case c = cylinder_over_bed();
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[1] = 0.695;  // 5 mm in the bed: it is pressed from the start
   c.gravity = {2, -10};
   c.rigid[0].second.rotation = bodies::Rotation::free;

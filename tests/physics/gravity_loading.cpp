@@ -12,12 +12,12 @@ constexpr Real gravity = 10, density_of_all = 1000;
 
 /// A bed of 4 m x 2 m in a box of 4 m x 3 m, on rollers and a fixed base, whose surface is y = 2 m + slope (x - 2 m).
 template <int dim>
-problem::Case bed(Real k0)
+settings::Case bed(Real k0)
 {
   std::vector<Real> size(dim, 3), cells(dim, dim == 2 ? 12 : 6);
   size[0] = 4;
   cells[0] = dim == 2 ? 16 : 8;
-  problem::Case c = elastic_box(dim, size, cells, 1e6, 0.3, density_of_all);
+  settings::Case c = elastic_box(dim, size, cells, 1e6, 0.3, density_of_all);
   c.gravity.assign(dim, 0);
   c.gravity[1] = -gravity;
   c.surface = 2;
@@ -25,11 +25,11 @@ problem::Case bed(Real k0)
   c.body[0].second.k0 = k0;
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"base", {"bottom", {"x", "y"}}}};
   if (dim == 3) c.support.insert(c.support.end(), {{"back", {"back", {"z"}}}, {"front", {"front", {"z"}}}});
-  c.initial_state = problem::InitialState::gravity_loading;
+  c.initial_state = settings::InitialState::gravity_loading;
   return c;
 }
 template <int dim>
-mesh::Mesh<dim> mesh_of_bed(const problem::Case& c, Real slope)
+mesh::Mesh<dim> mesh_of_bed(const settings::Case& c, Real slope)
 {
   mesh::Mesh<dim> mesh = make_box<dim>(std::get<mesh::BoxMesh>(c.mesh));
   for (Vec<dim>& x : mesh.position) x[1] += slope * (x[0] - 2) * (x[1] < 2 ? x[1] / 2 : 3 - x[1]);
@@ -52,7 +52,7 @@ template <int dim>
 void expect_level_ground(Real k0)
 {
   SCOPED_TRACE(testing::Message() << dim << "D, k0 " << k0);
-  const problem::Case c = bed<dim>(k0);
+  const settings::Case c = bed<dim>(k0);
   problem::Problem<dim> problem = build<dim>(c, mesh_of_bed<dim>(c, 0));
   const bodies::Particles<dim>& particles = problem.state.particles[0];
   // Stress is one a cell, and the volumetric projection averages it over patches, of which some join two rows: the error is a part of what the stress changes
@@ -85,7 +85,7 @@ TEST(GravityLoading, is_the_k0_state_below_level_ground)
 
 TEST(GravityLoading, leaves_a_slope_in_balance)
 {
-  problem::Case c = bed<2>(0.5);
+  settings::Case c = bed<2>(0.5);
   problem::Problem<2> problem = build<2>(c, mesh_of_bed<2>(c, 0.2));
   EXPECT_LT(out_of_balance(problem), 1e-8);
   // Under the high side more soil presses on the base than under the low one, by the weight of the columns.
@@ -101,7 +101,7 @@ TEST(GravityLoading, leaves_a_slope_in_balance)
 
 TEST(GravityLoading, carries_layers_that_a_contact_joins)
 {
-  problem::Case c = bed<2>(0.5);
+  settings::Case c = bed<2>(0.5);
   material::LinearElastic heavy = c.material[0].second.get<material::LinearElastic>();
   heavy.density = 2500;
   c.material.push_back({"heavy", heavy});
@@ -135,26 +135,26 @@ TEST(GravityLoading, carries_layers_that_a_contact_joins)
     }
     return std::string();
   };
-  c.initial_state = problem::InitialState::level_ground;
+  c.initial_state = settings::InitialState::level_ground;
   EXPECT_EQ(message_of().find("body.body.k0: the ground is not level"), 0u) << message_of();
   EXPECT_NE(message_of().find("initial_state = \"gravity_loading\""), std::string::npos);
-  c.initial_state = problem::InitialState::gravity_loading;
+  c.initial_state = settings::InitialState::gravity_loading;
   c.contact.clear();
   EXPECT_EQ(message_of().find("initial_state: body.upper does not reach equilibrium"), 0u) << message_of();
 }
 
 TEST(LevelGround, is_asked_of_k0)
 {
-  problem::Case c = bed<2>(0.5);
-  c.initial_state = problem::InitialState::level_ground;
+  settings::Case c = bed<2>(0.5);
+  c.initial_state = settings::InitialState::level_ground;
   EXPECT_NO_THROW(build<2>(c, mesh_of_bed<2>(c, 0)));
   EXPECT_THROW(build<2>(c, mesh_of_bed<2>(c, 0.1)), InputError);
   c.surface = 2.5;
   EXPECT_THROW(build<2>(c, mesh_of_bed<2>(c, 0)), InputError);
   c.body[0].second.k0.reset();
   EXPECT_NO_THROW(build<2>(c, mesh_of_bed<2>(c, 0.1)));
-  problem::Case space = bed<3>(0.5);
-  space.initial_state = problem::InitialState::level_ground;
+  settings::Case space = bed<3>(0.5);
+  space.initial_state = settings::InitialState::level_ground;
   EXPECT_NO_THROW(build<3>(space, mesh_of_bed<3>(space, 0)));
   EXPECT_THROW(build<3>(space, mesh_of_bed<3>(space, 0.1)), InputError);
 }

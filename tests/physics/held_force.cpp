@@ -10,9 +10,9 @@ namespace {
 
 constexpr Real diameter = 0.5, velocity = 0.2, depth = 0.1;  // m, m/s, m
 
-problem::Case pipe_in_clay(Real columns, Real courant)
+settings::Case pipe_in_clay(Real columns, Real courant)
 {
-  problem::Case c;
+  settings::Case c;
   mesh::BoxMesh box;
   box.lower = {-1.5, -1};
   box.size = {3, 1.5};
@@ -48,9 +48,9 @@ problem::Case pipe_in_clay(Real columns, Real courant)
   c.contact = {{"skin", skin}};
   c.support = {{"bottom", {"bottom", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"top", {"top", {"y"}}}};
   c.mpm.courant = courant;
-  problem::StageSettings push, drag;
-  push.kind = problem::StageKind::push;
-  drag.kind = problem::StageKind::drag;
+  settings::StageSettings push, drag;
+  push.kind = settings::StageKind::push;
+  drag.kind = settings::StageKind::drag;
   push.name = "push";
   drag.name = "drag";
   push.velocity = drag.velocity = velocity;

@@ -12,9 +12,9 @@ constexpr Real round_off = 1e-12;  // as in momentum.cpp
 constexpr Real distance = 0.025;   // m, 1.25 D
 
 /// The pipe of 20 mm in a bed that is three times as long, so that there is soil far from it on both sides.
-problem::Case pipe_in_long_bed(std::optional<Real> active_distance)
+settings::Case pipe_in_long_bed(std::optional<Real> active_distance)
 {
-  problem::Case c = pipe_in_sand();
+  settings::Case c = pipe_in_sand();
   auto& mesh = std::get<mesh::BoxMesh>(c.mesh);
   mesh.size[0] = 0.36;
   mesh.cells[0] = 90;
@@ -23,7 +23,7 @@ problem::Case pipe_in_long_bed(std::optional<Real> active_distance)
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[0] = 0.14;
   c.mpm.active_distance = active_distance;
   c.mpm.courant = 0.5;
-  problem::StageSettings first, last;
+  settings::StageSettings first, last;
   first.name = "at rest";
   first.until.time = infinity;
   last = first;

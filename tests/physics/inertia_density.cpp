@@ -9,9 +9,9 @@ namespace {
 
 constexpr Real weight_density = 900, inertia = 2400, gravity = 10;
 
-problem::Case submerged_block(bool held)
+settings::Case submerged_block(bool held)
 {
-  problem::Case c = elastic_box(2, {1, 1}, {8, 8}, 1e6, 0.2, weight_density);
+  settings::Case c = elastic_box(2, {1, 1}, {8, 8}, 1e6, 0.2, weight_density);
   c.material[0].second.get<material::LinearElastic>().inertia_density = inertia;
   c.gravity = {0, -gravity};
   c.body[0].second.regions.clear();
@@ -38,7 +38,7 @@ TEST(InertiaDensity, slows_a_free_fall_down_to_the_weight_over_the_inertia)
 
 TEST(InertiaDensity, leaves_the_weight_on_the_ground_as_it_is)
 {
-  problem::Case c = submerged_block(true);
+  settings::Case c = submerged_block(true);
   c.body[0].second.damping = 0.5;
   Simulation<2> run(c);
   run.run_until(1);
@@ -54,7 +54,7 @@ TEST(InertiaDensity, slows_the_waves_that_the_time_step_comes_from)
   Simulation<2> run(submerged_block(true));
   step(run.model(), run.state(), run.workspace);
   const Real slow = run.state().dt;
-  problem::Case c = submerged_block(true);
+  settings::Case c = submerged_block(true);
   c.material[0].second.get<material::LinearElastic>().inertia_density.reset();
   Simulation<2> quick(c);
   step(quick.model(), quick.state(), quick.workspace);

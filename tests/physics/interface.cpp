@@ -4,6 +4,7 @@
 
 #include "material/mohr_coulomb.hpp"
 #include "mpm/interface.hpp"
+#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -14,9 +15,9 @@ namespace {
 constexpr Real width = 0.5, height = 0.4, modulus = 1e6, speed = 0.02;
 
 /// A layer, 0.5 m wide and 0.4 m thick between smooth walls, and a plane on it that goes down at 20 mm/s times the factors: a column under one stress.
-problem::Case plate_on_layer(std::vector<Real> times, std::vector<Real> factors)
+settings::Case plate_on_layer(std::vector<Real> times, std::vector<Real> factors)
 {
-  problem::Case c = elastic_box(2, {width, 0.6}, {10, 12}, modulus, 0, 1000);
+  settings::Case c = elastic_box(2, {width, 0.6}, {10, 12}, modulus, 0, 1000);
   bodies::BlockSettings block;
   block.center = {width / 2, height / 2};
   block.size = {width, height};
@@ -32,8 +33,8 @@ problem::Case plate_on_layer(std::vector<Real> times, std::vector<Real> factors)
   contact.body = "body";
   contact.rigid = "plate";
   c.contact = {{"base", contact}};
-  problem::StageSettings& stage = c.stage[0];
-  stage.kind = problem::StageKind::push;
+  settings::StageSettings& stage = c.stage[0];
+  stage.kind = settings::StageKind::push;
   stage.velocity = speed;
   stage.load_times = times;
   stage.load_factors = factors;
@@ -64,7 +65,7 @@ Pressure pressure_between(Simulation<2>& run, Real begin, Real end)
 TEST(PlateOnElasticSoil, parts_at_the_tension_and_does_not_pull_again)
 {
   constexpr Real tension = 5e3;  // reached at 2 mm; the gap is half a particle's width, 8.3 mm, at 10.3 mm, after 0.52 s
-  problem::Case c = plate_on_layer({0, 0.8, 0.85, 1.75, 1.8, 3}, {-1, -1, 1, 1, -1, -1});
+  settings::Case c = plate_on_layer({0, 0.8, 0.85, 1.75, 1.8, 3}, {-1, -1, 1, 1, -1, -1});
   c.contact[0].second.tension = tension;
   Simulation<2> run(c);
   const Pressure held = pressure_between(run, 0.15, 0.45);
@@ -79,7 +80,7 @@ TEST(PlateOnElasticSoil, parts_at_the_tension_and_does_not_pull_again)
 
 TEST(PlateOnElasticSoil, pulls_where_it_was_pressed_on_though_it_did_not_touch_at_first)
 {
-  problem::Case c = plate_on_layer({0, 1.6, 1.65, 4}, {1, 1, -1, -1});
+  settings::Case c = plate_on_layer({0, 1.6, 1.65, 4}, {1, 1, -1, -1});
   const Real above = 0.028;  // m: more than a particle's width, which counts as touching
   c.rigid[0].second.shape = bodies::HalfPlaneSettings{{0, height + above}, {0, -1}};
   c.contact[0].second.tension = 5e3;
@@ -91,7 +92,7 @@ TEST(PlateOnElasticSoil, pulls_where_it_was_pressed_on_though_it_did_not_touch_a
 
 TEST(PlateOnElasticSoil, never_parts_where_tension_is_unlimited)
 {
-  problem::Case c = plate_on_layer({0, 10}, {-1, -1});
+  settings::Case c = plate_on_layer({0, 10}, {-1, -1});
   c.contact[0].second.tension = infinity;
   Simulation<2> run(c);
   const Real first = mpm::sums_over(run.state().particles[0]).upper[1];
@@ -106,17 +107,17 @@ TEST(PlateOnElasticSoil, never_parts_where_tension_is_unlimited)
 }
 
 /// The layer as clay of 10 kPa, and a plate that slides along it at 50 mm/s while it presses on it at 1 mm/s: the clay does not yield.
-problem::Case sliding_plate()
+settings::Case sliding_plate()
 {
-  problem::Case c = plate_on_layer({}, {});
+  settings::Case c = plate_on_layer({}, {});
   material::MohrCoulomb clay;
   clay.density = 1000;
   clay.young_modulus = 1e7;
   clay.poisson_ratio = 0.3;
   clay.cohesion = 1e4;
   c.material[0].second = clay;
-  problem::StageSettings& stage = c.stage[0];
-  stage.kind = problem::StageKind::drag;
+  settings::StageSettings& stage = c.stage[0];
+  stage.kind = settings::StageKind::drag;
   stage.velocity = 0.05;
   stage.ramp = 0.05;
   stage.vertical_velocity = 1e-3;
@@ -133,7 +134,7 @@ Real shear_until(Simulation<2>& run, Real end)
 
 TEST(SlidingPlate, shears_clay_by_the_share_of_its_strength)
 {
-  problem::Case c = sliding_plate();
+  settings::Case c = sliding_plate();
   c.contact[0].second.adhesion_factor = 0.4;
   Simulation<2> run(c);
   run.run_until(0.2);
@@ -142,7 +143,7 @@ TEST(SlidingPlate, shears_clay_by_the_share_of_its_strength)
 
 TEST(SlidingPlate, shears_by_the_strength_that_each_particle_has_for_itself)
 {
-  problem::Case c = sliding_plate();
+  settings::Case c = sliding_plate();
   auto& clay = c.material[0].second.get<material::MohrCoulomb>();
   clay.cohesion_gradient = 20e3;
   c.gravity = {0, 0};
@@ -156,7 +157,7 @@ TEST(SlidingPlate, shears_by_the_strength_that_each_particle_has_for_itself)
 TEST(SlidingPlate, loses_adhesion_exponentially_with_its_slip)
 {
   constexpr Real sensitivity = 4, ductility = 6e-3;
-  problem::Case c = sliding_plate();
+  settings::Case c = sliding_plate();
   c.contact[0].second.adhesion_factor = 0.4;
   c.contact[0].second.adhesion_sensitivity = sensitivity;
   c.contact[0].second.adhesion_ductility = ductility;
@@ -173,7 +174,7 @@ TEST(SlidingPlate, loses_adhesion_exponentially_with_its_slip)
 TEST(LiftedPlate, loses_no_adhesion_as_it_goes_along_the_normal)
 {
   // Up by 4 mm, less than the half width of a particle at which it would not touch any more, and down again.
-  problem::Case c = plate_on_layer({0, 0.19, 0.2, 0.6}, {-1, -1, 1, 1});
+  settings::Case c = plate_on_layer({0, 0.19, 0.2, 0.6}, {-1, -1, 1, 1});
   contact::ContactSettings& contact = c.contact[0].second;
   contact.adhesion = 1e3;
   contact.adhesion_sensitivity = 4;
@@ -193,7 +194,7 @@ TEST(InterfaceMemory, is_the_same_to_the_last_bit_for_any_number_of_threads)
   const auto numbers_after = [](int threads) {
     const int before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    problem::Case c = sliding_plate();
+    settings::Case c = sliding_plate();
     c.contact[0].second.adhesion_factor = 0.4;
     c.contact[0].second.adhesion_sensitivity = 4;
     c.contact[0].second.adhesion_ductility = 6e-3;

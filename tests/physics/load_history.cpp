@@ -12,11 +12,11 @@ constexpr Real mass = 50, friction = 0.2, calm = 0.1, end = 0.9;  // kg/m, -, s,
 
 /// V grows to 500 N/m while nothing else acts; then H swings by 200 N/m with a period of 0.4 s, and V by 30 % with one of 0.6 s: friction carries 100 N/m, less or
 /// more, so that the block slides, sticks and slides back.
-problem::StageSettings storm()
+settings::StageSettings storm()
 {
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "storm";
-  stage.kind = problem::StageKind::drag;
+  stage.kind = settings::StageKind::drag;
   for (int k = 0; k <= 450; ++k) {
     const Real t = 0.002 * k, since = std::max(Real(0), t - calm);
     stage.load_times.push_back(t);
@@ -29,9 +29,9 @@ problem::StageSettings storm()
 
 /// A box of 1.2 m whose flat face lies on a bed of 0.8 m x 0.1 m, so stiff that friction shears it by 0.3 um before the box slides, and too strong to yield: soil that
 /// may yield has a bulk viscosity, without which the box would bounce on it and friction with that.
-problem::Case block_on_bed()
+settings::Case block_on_bed()
 {
-  problem::Case c = elastic_box(2, {1.6, 0.3}, {32, 6}, 1e8, 0.2, 1000);
+  settings::Case c = elastic_box(2, {1.6, 0.3}, {32, 6}, 1e8, 0.2, 1000);
   bodies::BlockSettings bed;
   bed.center = {0.8, 0.05};
   bed.size = {0.8, 0.1};
@@ -61,7 +61,7 @@ problem::Case block_on_bed()
 
 /// Displacement of a rigid block on a rigid plane, m: m dv/dt = H - mu V sign(v), at rest where |H| is not more than mu V. In steps so small that they do not count.
 struct CoulombBlock {
-  problem::StageSettings stage = storm();
+  settings::StageSettings stage = storm();
   Real time = 0, v = 0, u = 0;
 
   void run_until(Real until)
@@ -69,7 +69,8 @@ struct CoulombBlock {
     constexpr Real dt = 2e-6;
     const std::size_t H_column = 0, V_column = 1;
     for (; time < until; time += dt) {
-      const Real H = problem::load_of_column(stage, H_column, time), resistance = friction * problem::load_of_column(stage, V_column, time);
+      const Real H = settings::load_of_column(stage, H_column, time),
+                 resistance = friction * settings::load_of_column(stage, V_column, time);
       const Real driven = v + dt * H / mass, stopped = dt * resistance / mass;
       v = std::abs(driven) <= stopped ? 0 : driven - std::copysign(stopped, driven);
       u += dt * v;

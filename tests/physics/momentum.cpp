@@ -41,7 +41,7 @@ TEST(Momentum, is_kept_by_every_scheme_with_every_detection)
     for (const contact::Detection detection :
          {contact::Detection::particle, contact::Detection::gap, contact::Detection::distance, contact::Detection::overlap}) {
       SCOPED_TRACE(testing::Message() << "scheme " << static_cast<int>(scheme) << ", detection " << static_cast<int>(detection));
-      problem::Case c = pipe_in_sand();
+      settings::Case c = pipe_in_sand();
       c.contact[0].second.scheme = scheme;
       c.contact[0].second.detection = detection;
       Simulation<2> run(c);
@@ -92,7 +92,7 @@ TEST(Reaction, is_the_momentum_that_the_soil_got_and_nothing_else_gave)
 
 TEST(SecondCorrection, at_nodes_moves_particles_and_never_changes_their_momentum)
 {
-  problem::Case c = pipe_in_sand();
+  settings::Case c = pipe_in_sand();
   c.contact[0].second.detection = contact::Detection::gap;
   Simulation<2> run(c);
   take_steps(run, 301);

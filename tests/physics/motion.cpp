@@ -9,10 +9,10 @@ namespace {
 
 /// An elastic block of 0.4 m a side somewhere in an empty box of 1 m a side with cells of 0.1 m.
 template <int dim>
-problem::Case free_block(std::vector<Real> center)
+settings::Case free_block(std::vector<Real> center)
 {
   center.resize(dim, 0.5);
-  problem::Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, 10), 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, 10), 1e6, 0.3, 1000);
   bodies::BlockSettings block;
   block.center = center;
   block.size.assign(dim, 0.4);
@@ -24,7 +24,7 @@ problem::Case free_block(std::vector<Real> center)
 
 /// Speed and place after `steps` steps are those of the sums v = sum dt g, x = sum dt v, and no stress is made.
 template <int dim>
-void expect_free_fall(problem::Case c, int steps)
+void expect_free_fall(settings::Case c, int steps)
 {
   bodies::InitialVelocity motion;
   motion.amplitude = {0.7, 0.9, -0.5};
@@ -72,7 +72,7 @@ TEST(FreeFall, is_exact_where_particles_begin_on_nodes_and_faces_of_tetrahedra)
 }
 TEST(FreeFall, is_exact_with_one_particle_on_a_node)
 {
-  problem::Case c = free_block<2>({0.5, 0.5});
+  settings::Case c = free_block<2>({0.5, 0.5});
   c.body[0].second.block->size = {0.05, 0.05};
   expect_free_fall<2>(c, 80);
 }
@@ -80,7 +80,7 @@ TEST(FreeFall, is_exact_with_one_particle_on_a_node)
 TEST(Rest, a_bed_under_its_own_stress_stays_at_rest_without_projection)
 {
   // The stress is linear in depth and so are the weights that corners get: forces balance to round-off at every node.
-  problem::Case c = elastic_box(2, {0.6, 0.4}, {12, 8}, 7e6, 0.25, 877);
+  settings::Case c = elastic_box(2, {0.6, 0.4}, {12, 8}, 7e6, 0.25, 877);
   c.gravity = {0, -490};
   c.surface = 0.4;
   c.body[0].second.k0 = 0.43;
@@ -96,7 +96,7 @@ TEST(Rest, a_bed_under_its_own_stress_stays_at_rest_without_projection)
 
 TEST(Rotation, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
 {
-  problem::Case c = free_block<2>({0.5, 0.5});
+  settings::Case c = free_block<2>({0.5, 0.5});
   std::get<mesh::BoxMesh>(c.mesh).cells = {20, 20};
   c.body[0].second.block->spacing = 0.0125;
   Simulation<2> run(c);

@@ -18,9 +18,9 @@ inline material::MohrCoulomb loose_sand()
 
 /// A pipe of 20 mm in sand at 50 g, small and coarse: 30 x 15 squares of 4 mm, 2700 particles. Stages "push" at 1 m/s, then "drag" at 1 m/s with
 /// the vertical force held; the first 300 steps press the pipe in by some 4 mm.
-inline problem::Case pipe_in_sand()
+inline settings::Case pipe_in_sand()
 {
-  problem::Case c;
+  settings::Case c;
   c.gravity = {0, -50 * standard_gravity};
   c.surface = 0.04;
   mesh::BoxMesh mesh;
@@ -48,22 +48,22 @@ inline problem::Case pipe_in_sand()
   contact.friction_angle = 23 * pi / 180;
   c.contact = {{"skin", contact}};
   c.support = {{"base", {"bottom", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
-  problem::StageSettings push, drag;
+  settings::StageSettings push, drag;
   push.name = "push";
-  push.kind = problem::StageKind::push;
+  push.kind = settings::StageKind::push;
   push.velocity = 1;
   push.until.time = infinity;
   drag = push;
   drag.name = "drag";
-  drag.kind = problem::StageKind::drag;
+  drag.kind = settings::StageKind::drag;
   c.stage = {push, drag};
   return c;
 }
 
 /// A column of sand, 0.5 m x 1 m, that collapses over a rough floor at y = 0.1 m and along a smooth wall at x = 0.
-inline problem::Case collapsing_column()
+inline settings::Case collapsing_column()
 {
-  problem::Case c;
+  settings::Case c;
   c.gravity = {0, -standard_gravity};
   mesh::BoxMesh mesh;
   mesh.size = {2, 1.2};
@@ -89,7 +89,7 @@ inline problem::Case collapsing_column()
   contact.friction_angle = 0.5;
   c.contact = {{"floor", contact}};
   c.support = {{"left", {"left", {"x"}}}};
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "collapse";
   stage.until.time = infinity;
   c.stage = {stage};

@@ -10,9 +10,9 @@ namespace {
 constexpr Real young_modulus = 1e6, poisson_ratio = 0.3, height = 0.5, length = 1, pressure = 1e3;
 
 /// A weightless block under pressure on its top; the right roller holds in the first stage only.
-problem::Case released_block()
+settings::Case released_block()
 {
-  problem::Case c = elastic_box(2, {length, height}, {8, 4}, young_modulus, poisson_ratio, 1000);
+  settings::Case c = elastic_box(2, {length, height}, {8, 4}, young_modulus, poisson_ratio, 1000);
   c.body[0].second.damping = 0.3;
   c.support = {{"base", {"bottom", {"y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}, {"held"}}}};
   c.stage.push_back(c.stage[0]);

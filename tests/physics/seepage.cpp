@@ -22,12 +22,12 @@ constexpr int cells = 20;
 
 /// A saturated column, open at its top and, under a head, at its base.
 template <int dim>
-problem::Case column(Real permeability = fast)
+settings::Case column(Real permeability = fast)
 {
   const Real h = height / cells;
   std::vector<Real> size(dim, h), count(dim, 1);
   size[1] = height, count[1] = cells;
-  problem::Case c = elastic_box(dim, size, count, young_modulus, poisson_ratio, weight);
+  settings::Case c = elastic_box(dim, size, count, young_modulus, poisson_ratio, weight);
   auto& law = c.material[0].second.get<material::LinearElastic>();
   law.inertia_density = 2000;
   law.water.emplace();
@@ -133,7 +133,7 @@ TEST(SeepageHeave, is_that_of_the_skeleton_that_is_relieved)
 // (gamma' - i gamma_w) z of effective stress, and the weight on the base whatever the head.
 TEST(SeepageWeight, of_the_soil_is_less_by_the_gradient)
 {
-  problem::Case c = column<2>();
+  settings::Case c = column<2>();
   c.gravity = {0, -gravity};
   c.surface = height;
   c.body[0].second.k0 = poisson_ratio / (1 - poisson_ratio);
@@ -160,7 +160,7 @@ TEST(SeepageWeight, of_the_soil_is_less_by_the_gradient)
 
 TEST(SeepageInStages, comes_and_goes_over_its_ramp_with_the_stages_of_its_support)
 {
-  problem::Case c = column<2>();
+  settings::Case c = column<2>();
   c.stage.push_back(c.stage.front());
   c.stage[0].name = "still", c.stage[1].name = "flood";
   boundary::SupportSettings still = c.support[2].second;

@@ -25,10 +25,10 @@ struct Wave {
 const Wave shear{0, shear_modulus}, pressure{1, oedometer_modulus};
 
 /// A column of 64 cells on a base that moves by the pulse in the stage "quake".
-problem::Case column(const Wave& wave, bool absorbs)
+settings::Case column(const Wave& wave, bool absorbs)
 {
   constexpr int rows = 400;
-  problem::Case c = elastic_box(2, {width, height}, {2, 64}, young_modulus, poisson_ratio, density);
+  settings::Case c = elastic_box(2, {width, height}, {2, 64}, young_modulus, poisson_ratio, density);
   c.body[0].second.particles_per_cell = 4;
   c.stage[0].name = "quake";
   const char* held_at_sides = wave.direction == 0 ? "y" : "x";
@@ -128,7 +128,7 @@ TEST_P(ShakenBase, does_the_work_that_the_soil_gets)
 
 TEST(ShakenBaseInStages, moves_in_those_that_it_names)
 {
-  problem::Case c = column(shear, false);
+  settings::Case c = column(shear, false);
   c.stage.insert(c.stage.begin(), c.stage.front());
   c.stage.push_back(c.stage.front());
   c.stage[0].name = "before";
@@ -150,7 +150,7 @@ TEST(ShakenBaseInStages, moves_in_those_that_it_names)
 // Along z, in space: until the wave comes back from the base the surface has twice its velocity.
 TEST(ShakenBaseInSpace, moves_the_surface_twice_as_fast)
 {
-  problem::Case c = elastic_box(3, {width, height, width}, {1, 32, 1}, young_modulus, poisson_ratio, density);
+  settings::Case c = elastic_box(3, {width, height, width}, {1, 32, 1}, young_modulus, poisson_ratio, density);
   c.stage[0].name = "quake";
   boundary::SupportSettings base{"bottom", {"x", "y", "z"}};
   base.motion.emplace();

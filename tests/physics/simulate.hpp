@@ -12,7 +12,7 @@ namespace berm {
 /// A case, built and stepped without files.
 template <int dim>
 struct Simulation {
-  explicit Simulation(const problem::Case& c) : problem(build<dim>(c, ".", ".")), workspace(problem.model, problem.state) {}
+  explicit Simulation(const settings::Case& c) : problem(build<dim>(c, ".", ".")), workspace(problem.model, problem.state) {}
 
   problem::Model<dim>& model() { return problem.model; }
   problem::State<dim>& state() { return problem.state; }
@@ -49,11 +49,11 @@ struct Simulation {
 };
 
 /// A case with one linear elastic body that fills a box mesh.
-inline problem::Case elastic_box(int dim, std::vector<Real> size, std::vector<Real> cells, Real young_modulus, Real poisson_ratio,
-                                 Real density)
+inline settings::Case elastic_box(int dim, std::vector<Real> size, std::vector<Real> cells, Real young_modulus, Real poisson_ratio,
+                                  Real density)
 {
-  problem::Case c;
-  c.geometry = dim == 2 ? problem::Geometry::plane_strain : problem::Geometry::space;
+  settings::Case c;
+  c.geometry = dim == 2 ? settings::Geometry::plane_strain : settings::Geometry::space;
   mesh::BoxMesh box;
   box.size = size;
   box.cells = cells;
@@ -67,7 +67,7 @@ inline problem::Case elastic_box(int dim, std::vector<Real> size, std::vector<Re
   body.material = "solid";
   body.regions = {"box"};
   c.body = {{"body", body}};
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "all";
   stage.until.time = infinity;
   c.stage = {stage};

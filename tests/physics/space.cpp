@@ -22,10 +22,10 @@ material::MohrCoulomb soft_clay()
 
 /// A body that is pushed into a bed of clay at 0.2 m/s, then dragged. The bed is 0.4 m x 0.24 m x 0.4 m around
 /// x = z = 0, of cells of 40 mm, or the part of it at x > 0, z > 0 that planes of symmetry leave.
-problem::Case pushed_into_clay(const bodies::RigidShapeSettings& shape, const std::vector<std::string>& symmetry = {})
+settings::Case pushed_into_clay(const bodies::RigidShapeSettings& shape, const std::vector<std::string>& symmetry = {})
 {
-  problem::Case c;
-  c.geometry = problem::Geometry::space;
+  settings::Case c;
+  c.geometry = settings::Geometry::space;
   mesh::SeabedMesh bed;
   bed.length = 0.4, bed.width = 0.4, bed.depth = 0.24, bed.headroom = 0.12;
   bed.near_size = 0.04, bed.near_depth = 0.16, bed.near_height = 0.08;
@@ -63,16 +63,16 @@ problem::Case pushed_into_clay(const bodies::RigidShapeSettings& shape, const st
                {"right", {"right", {"x"}}},
                {"back", {"back", {"z"}}},
                {"front", {"front", {"z"}}}};
-  problem::StageSettings push;
+  settings::StageSettings push;
   push.name = "push";
-  push.kind = problem::StageKind::push;
+  push.kind = settings::StageKind::push;
   push.velocity = 0.2;
   push.ramp = 4e-3;
   push.until.time = infinity;
-  problem::StageSettings drag = push;
+  settings::StageSettings drag = push;
   drag.name = "drag";
-  drag.kind = problem::StageKind::drag;
-  drag.vertical = problem::Vertical::fixed;
+  drag.kind = settings::StageKind::drag;
+  drag.vertical = settings::Vertical::fixed;
   c.stage = {push};
   if (symmetry.empty() || symmetry.front() != "x") c.stage.push_back(drag);
   return c;
@@ -121,7 +121,7 @@ Real deepest(const Simulation<3>& run)
 }
 
 /// What momentum, energy and particles of a push and a drag of so many steps each must fulfil.
-void expect_balances(const problem::Case& c, int steps)
+void expect_balances(const settings::Case& c, int steps)
 {
   Simulation<3> run(c);
   Real largest = 0, error = 0, depth = -infinity;
@@ -192,7 +192,7 @@ TEST(Space, momentum_is_kept_by_every_scheme_with_every_detection)
     for (const contact::Detection detection :
          {contact::Detection::particle, contact::Detection::gap, contact::Detection::distance, contact::Detection::overlap}) {
       SCOPED_TRACE(testing::Message() << "scheme " << static_cast<int>(scheme) << ", detection " << static_cast<int>(detection));
-      problem::Case c = pushed_into_clay(ball(), {"z"});
+      settings::Case c = pushed_into_clay(ball(), {"z"});
       c.contact[0].second.scheme = scheme;
       c.contact[0].second.detection = detection;
       Simulation<3> run(c);
@@ -211,7 +211,7 @@ struct Turned {
 };
 Turned turned_cube(Real cell)
 {
-  problem::Case c = elastic_box(3, {1, 1, 1}, std::vector<Real>(3, 1 / cell), 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(3, {1, 1, 1}, std::vector<Real>(3, 1 / cell), 1e6, 0.3, 1000);
   bodies::BlockSettings block;
   block.center = {0.5, 0.5, 0.5};
   block.size = {0.4, 0.4, 0.4};
@@ -243,12 +243,12 @@ TEST(Space, a_free_cube_that_turns_about_a_skew_axis_loses_angular_momentum_at_i
 
 TEST(Space, a_free_ball_gets_the_angular_momentum_that_friction_gives)
 {
-  problem::Case c = pushed_into_clay(ball());
+  settings::Case c = pushed_into_clay(ball());
   std::get<bodies::SphereSettings>(c.rigid[0].second.shape).center[1] = 0.078;  // it is pressed from the start
   c.rigid[0].second.motion = bodies::Motion::free;
   c.rigid[0].second.rotation = bodies::Rotation::free;
   c.stage.resize(1);
-  c.stage[0].kind = problem::StageKind::free;
+  c.stage[0].kind = settings::StageKind::free;
   c.stage[0].velocity.reset();
   c.gravity = {3, -standard_gravity, 2};
   Simulation<3> run(c);

@@ -16,9 +16,9 @@ constexpr Real gravity = 10, density = 1000, k0 = 0.4;
 
 /// A bed of 1 m x 0.5 m (in space 0.75 m wide) between smooth walls. Stress that is linear in each cell is in balance exactly; pressures that are averaged over
 /// patches are not quite.
-problem::Case bed(int dim)
+settings::Case bed(int dim)
 {
-  problem::Case c =
+  settings::Case c =
       dim == 2 ? elastic_box(2, {1, 0.5}, {8, 4}, 1e6, 0.2, density) : elastic_box(3, {1, 0.5, 0.75}, {4, 4, 3}, 1e6, 0.2, density);
   c.gravity = {0, -gravity, 0};
   c.gravity.resize(static_cast<std::size_t>(dim));
@@ -79,7 +79,7 @@ TEST(SupportReactions, of_a_bed_in_space_are_its_weight_and_its_thrust_on_four_w
 // A quarter has a quarter of the weight, and the halves of two walls.
 TEST(SupportReactions, of_a_quarter_are_those_of_its_part)
 {
-  problem::Case c = bed(3);
+  settings::Case c = bed(3);
   c.symmetry = {"x", "z"};
   c.support = {{"base", {"bottom", {"y"}}}, {"right", {"right", {"x"}}}, {"front", {"front", {"z"}}}};
   Simulation<3> run(c);
@@ -96,8 +96,8 @@ TEST(SupportReactions, of_a_quarter_are_those_of_its_part)
 // Per radian. The radial force of the wall is not the thrust times its length alone: hoop stress carries the rest of it in the soil.
 TEST(SupportReactions, of_a_cylinder_of_soil_are_the_weight_and_the_pressure_on_the_wall_of_a_radian)
 {
-  problem::Case c = bed(2);
-  c.geometry = problem::Geometry::axisymmetric;
+  settings::Case c = bed(2);
+  c.geometry = settings::Geometry::axisymmetric;
   c.support.erase(c.support.begin() + 1);
   c.body[0].second.damping = 0.3;
   Simulation<2> run(c);
@@ -109,9 +109,9 @@ TEST(SupportReactions, of_a_cylinder_of_soil_are_the_weight_and_the_pressure_on_
 }
 
 /// The bed without weight and stress on a rough base, under a stress along x on its right side (and down on its top).
-problem::Case sheared_block(int dim)
+settings::Case sheared_block(int dim)
 {
-  problem::Case c = bed(dim);
+  settings::Case c = bed(dim);
   c.gravity.clear();
   c.body[0].second.k0.reset();
   c.mpm.volumetric_projection = true;
@@ -149,8 +149,8 @@ TEST(SupportReactions, of_a_block_in_space_are_the_traction_times_the_area)
 
 TEST(SupportReactions, around_an_axis_carry_what_presses_the_top_of_a_cylinder)
 {
-  problem::Case c = sheared_block(2);
-  c.geometry = problem::Geometry::axisymmetric;
+  settings::Case c = sheared_block(2);
+  c.geometry = settings::Geometry::axisymmetric;
   c.traction.erase(c.traction.begin());
   Simulation<2> run(c);
   run.run_until(2);
@@ -161,7 +161,7 @@ TEST(SupportReactions, around_an_axis_carry_what_presses_the_top_of_a_cylinder)
 TEST(SupportReactions, belong_at_a_corner_to_the_support_that_the_case_names_first)
 {
   const auto forces_of = [](bool base_first) {
-    problem::Case c = bed(2);
+    settings::Case c = bed(2);
     c.support[0].second.fixed = {"x", "y"};
     if (!base_first) std::rotate(c.support.begin(), c.support.begin() + 1, c.support.end());
     Simulation<2> run(c);
@@ -180,7 +180,7 @@ TEST(SupportReactions, belong_at_a_corner_to_the_support_that_the_case_names_fir
 
 TEST(SupportReactions, of_a_support_end_where_it_is_released)
 {
-  problem::Case c = bed(2);
+  settings::Case c = bed(2);
   c.body[0].second.damping = 0.3;
   c.support[2].second.stages = {"held"};
   c.stage.push_back(c.stage[0]);
@@ -197,9 +197,9 @@ TEST(SupportReactions, of_a_support_end_where_it_is_released)
 }
 
 /// A block that a rough wall pushes over its base: points of contact at particles move nodes of the base, too; those at nodes only directions that nothing holds.
-problem::Case pushed_block(contact::Scheme scheme, contact::Detection detection)
+settings::Case pushed_block(contact::Scheme scheme, contact::Detection detection)
 {
-  problem::Case c = pipe_in_sand();
+  settings::Case c = pipe_in_sand();
   c.rigid[0].second.shape = bodies::HalfPlaneSettings{{0.008, 0}, {1, 0}};
   c.body[0].second.block->center = {0.064, 0.02};
   c.body[0].second.block->size = {0.112, 0.04};
@@ -207,7 +207,7 @@ problem::Case pushed_block(contact::Scheme scheme, contact::Detection detection)
   c.contact[0].second.detection = detection;
   c.support.erase(c.support.begin() + 1);
   c.stage.erase(c.stage.begin());
-  c.stage[0].vertical = problem::Vertical::fixed;
+  c.stage[0].vertical = settings::Vertical::fixed;
   c.output.support_reactions = true;
   return c;
 }
@@ -241,7 +241,7 @@ TEST(SupportReactions, add_up_to_the_impulse_of_all_supports_with_every_scheme)
 
 TEST(SupportReactions, add_up_to_the_impulse_of_all_supports_with_two_bodies_that_touch)
 {
-  problem::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
   c.gravity = {1, -10};
   const auto block_at = [&](Real x, const char* name) {
     bodies::BodySettings body;
@@ -276,7 +276,7 @@ TEST(SupportReactions, are_the_same_bits_on_any_number_of_threads_and_change_no_
   const auto state_on = [](int threads, bool reported) {
     const int before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    problem::Case c = pushed_block(contact::Scheme::musl_coupled, contact::Detection::particle);
+    settings::Case c = pushed_block(contact::Scheme::musl_coupled, contact::Detection::particle);
     c.output.support_reactions = reported;
     Simulation<2> run(c);
     take_steps(run, 100);

@@ -10,9 +10,9 @@ namespace {
 constexpr Real cell = 0.05;
 
 /// A smooth wall across the middle of elastic soil that is held at its right end and its base: to the right at 0.05 m/s.
-problem::Case moved_wall(Real thickness)
+settings::Case moved_wall(Real thickness)
 {
-  problem::Case c = elastic_box(2, {2, 0.5}, {40, 10}, 1e6, 0, 1600);
+  settings::Case c = elastic_box(2, {2, 0.5}, {40, 10}, 1e6, 0, 1600);
   c.surface = 0.5;
   c.body[0].second.damping = 0.1;
   c.support = {{"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}};
@@ -27,10 +27,10 @@ problem::Case moved_wall(Real thickness)
   contact.body = "body";
   contact.rigid = "wall";
   c.contact = {{"smooth", contact}};
-  problem::StageSettings& stage = c.stage[0];
-  stage.kind = problem::StageKind::drag;
+  settings::StageSettings& stage = c.stage[0];
+  stage.kind = settings::StageKind::drag;
   stage.velocity = 0.05;
-  stage.vertical = problem::Vertical::fixed;
+  stage.vertical = settings::Vertical::fixed;
   stage.ramp = 0.1;
   return c;
 }

@@ -10,9 +10,9 @@ namespace {
 constexpr Real round_off = 1e-12;  // some hundred additions of forces
 
 /// Soil in the lower left quarter of a box of 2 m x 2 m, free on all sides, with an oblique traction on its right side.
-problem::Case free_soil()
+settings::Case free_soil()
 {
-  problem::Case c = elastic_box(2, {2, 2}, {8, 8}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {2, 2}, {8, 8}, 1e6, 0.3, 1000);
   c.body[0].second.regions = {"soil"};
   boundary::TractionSettings pull;
   pull.boundary = "side";
@@ -21,7 +21,7 @@ problem::Case free_soil()
   c.traction = {{"pull", pull}};
   return c;
 }
-mesh::Mesh<2> mesh_of_quarter(const problem::Case& c)
+mesh::Mesh<2> mesh_of_quarter(const settings::Case& c)
 {
   mesh::Mesh<2> mesh = make_box<2>(std::get<mesh::BoxMesh>(c.mesh));
   mesh.region_names = {"soil", "space"};
@@ -37,7 +37,7 @@ mesh::Mesh<2> mesh_of_quarter(const problem::Case& c)
 struct PulledSoil {
   problem::Problem<2> problem;
   mpm::Workspace<2> workspace;
-  explicit PulledSoil(const problem::Case& c) : problem(build<2>(c, mesh_of_quarter(c))), workspace(problem.model, problem.state) {}
+  explicit PulledSoil(const settings::Case& c) : problem(build<2>(c, mesh_of_quarter(c))), workspace(problem.model, problem.state) {}
   void run_until(Real end)
   {
     while (problem.state.time < end) step(problem.model, problem.state, workspace);
@@ -70,7 +70,7 @@ TEST(Traction, does_the_work_that_the_soil_has)
 
 TEST(Traction, stays_with_the_soil_that_it_began_on_from_cell_to_cell)
 {
-  problem::Case c = free_soil();
+  settings::Case c = free_soil();
   c.traction[0].second.stress = {0, 0};
   bodies::InitialVelocity motion;
   motion.amplitude = {1, 0.5};
@@ -88,7 +88,7 @@ TEST(Traction, stays_with_the_soil_that_it_began_on_from_cell_to_cell)
 
 TEST(Traction, goes_over_its_ramp_and_acts_in_its_stages_only)
 {
-  problem::Case c = free_soil();
+  settings::Case c = free_soil();
   c.stage.push_back(c.stage[0]);
   c.stage[0].name = "with";
   c.stage[1].name = "without";

@@ -34,16 +34,16 @@ contact::ContactSettings contact_between(const std::string& body, const std::str
 }
 
 /// Blocks in a box of 2 m x 1 m with cells of 0.1 m; E = 1 MPa, nu = 0.3, 1000 kg/m3.
-problem::Case blocks(std::vector<std::pair<std::string, bodies::BodySettings>> bodies,
-                     std::vector<std::pair<std::string, contact::ContactSettings>> contacts)
+settings::Case blocks(std::vector<std::pair<std::string, bodies::BodySettings>> bodies,
+                      std::vector<std::pair<std::string, contact::ContactSettings>> contacts)
 {
-  problem::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
+  settings::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
   c.body = std::move(bodies);
   c.contact = std::move(contacts);
   return c;
 }
 
-problem::Case two_blocks_that_meet(Real friction_angle)
+settings::Case two_blocks_that_meet(Real friction_angle)
 {
   // Rims 0.2 m apart, 2 m/s towards each other, and one of them slides past the other.
   return blocks({{"left", block_at({0.5, 0.5}, {0.4, 0.4}, {1, 0.3})}, {"right", block_at({1.15, 0.55}, {0.5, 0.3}, {-1, 0})}},
@@ -80,7 +80,7 @@ TEST(TwoBodies, feel_nothing_of_each_other_before_their_rims_meet)
 
 TEST(TwoBodies, swapped_give_the_same_motion)
 {
-  problem::Case c = two_blocks_that_meet(0.3), swapped = c;
+  settings::Case c = two_blocks_that_meet(0.3), swapped = c;
   std::swap(swapped.contact[0].second.body, swapped.contact[0].second.other_body);
   Simulation<2> run(c), other(swapped);
   run.run_until(0.2);
@@ -114,12 +114,12 @@ Real worst_approach(Simulation<2>& run)
 TEST(ThreeBodies, that_meet_at_a_node_press_on_each_other_consistently)
 {
   // Two blocks side by side, pushed together by 1 m/s, and a third that falls on both: at the nodes above the joint all three have mass.
-  problem::Case c = blocks({{"left", block_at({0.75, 0.35}, {0.5, 0.3}, {1, 0})},
-                            {"right", block_at({1.25, 0.35}, {0.5, 0.3}, {-1, 0})},
-                            {"top", block_at({1.02, 0.65}, {0.5, 0.3}, {0, -1})}},
-                           {{"joint", contact_between("left", "right", 0.3)},
-                            {"left_top", contact_between("top", "left", 0.3)},
-                            {"right_top", contact_between("top", "right", 0.3)}});
+  settings::Case c = blocks({{"left", block_at({0.75, 0.35}, {0.5, 0.3}, {1, 0})},
+                             {"right", block_at({1.25, 0.35}, {0.5, 0.3}, {-1, 0})},
+                             {"top", block_at({1.02, 0.65}, {0.5, 0.3}, {0, -1})}},
+                            {{"joint", contact_between("left", "right", 0.3)},
+                             {"left_top", contact_between("top", "left", 0.3)},
+                             {"right_top", contact_between("top", "right", 0.3)}});
   Simulation<2> run(c);
   Vec<2> before = Vec<2>::Zero(), after = Vec<2>::Zero();
   for (Index b = 0; b < 3; ++b) before += momentum_of(run.state(), b);
@@ -142,8 +142,8 @@ TEST(ThreeBodies, that_meet_at_a_node_press_on_each_other_consistently)
 TEST(BlockOnBlock, slides_with_the_friction_of_the_interface)
 {
   // The lower block is held at its base by a plane with plenty of friction; gravity leans by 30 deg.
-  problem::Case c = blocks({{"lower", block_at({1, 0.3}, {1.8, 0.2}, {0, 0})}, {"upper", block_at({0.6, 0.5}, {0.4, 0.2}, {0, 0})}},
-                           {{"interface", contact_between("upper", "lower", std::atan(0.3))}});
+  settings::Case c = blocks({{"lower", block_at({1, 0.3}, {1.8, 0.2}, {0, 0})}, {"upper", block_at({0.6, 0.5}, {0.4, 0.2}, {0, 0})}},
+                            {{"interface", contact_between("upper", "lower", std::atan(0.3))}});
   bodies::RigidSettings floor;
   floor.shape = bodies::HalfPlaneSettings{{0, 0.2}, {0, 1}};
   c.rigid = {{"floor", floor}};

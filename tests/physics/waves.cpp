@@ -41,7 +41,7 @@ template <int dim>
 Real error_of(Mode mode, int cells, mesh::BoxPattern pattern = mesh::BoxPattern::diagonal, bool projection = true)
 {
   const Real omega = frequency<dim>(mode), speed = 1e-5 * omega / pi;
-  problem::Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, cells), young_modulus, poisson_ratio, density);
+  settings::Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, cells), young_modulus, poisson_ratio, density);
   std::get<mesh::BoxMesh>(c.mesh).pattern = pattern;
   c.body[0].second.particles_per_cell = dim == 2 ? 4 : 1;
   c.mpm.volumetric_projection = projection;

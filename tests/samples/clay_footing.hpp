@@ -56,13 +56,13 @@ velocity = "0.1 m/s"
 until.time = "1 s"
 )";
 
-inline problem::Case footing(const std::vector<std::string>& set = {})
+inline settings::Case footing(const std::vector<std::string>& set = {})
 {
   return input::read_case_text("footing.toml", coarse_footing, set);
 }
 
 /// The same as a half of a square footing in space, the plane of symmetry across z.
-inline problem::Case footing_in_space(const std::vector<std::string>& set = {})
+inline settings::Case footing_in_space(const std::vector<std::string>& set = {})
 {
   std::vector<std::string> all = {"method=mpm",
                                   "geometry=space",

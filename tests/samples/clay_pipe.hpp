@@ -60,7 +60,7 @@ vertical = "fixed"
 until.time = "1 s"
 )";
 
-inline problem::Case clay(const std::vector<std::string>& set = {})
+inline settings::Case clay(const std::vector<std::string>& set = {})
 {
   return input::read_case_text("clay.toml", coarse_clay, set);
 }

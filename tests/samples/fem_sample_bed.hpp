@@ -10,10 +10,10 @@
 namespace berm {
 
 /// A bed of 3 m x 1 m, -1.4 m < x < 1.6 m, of one elastic soil on rollers and a fixed base, with a rigid body of that shape.
-inline problem::Case bed_around(const bodies::RigidShapeSettings& shape)
+inline settings::Case bed_around(const bodies::RigidShapeSettings& shape)
 {
-  problem::Case c;
-  c.method = problem::Method::fem;
+  settings::Case c;
+  c.method = settings::Method::fem;
   c.mesh = mesh::SeabedMesh{.length = 3,
                             .depth = 1,
                             .headroom = 0.4,
@@ -47,7 +47,7 @@ inline problem::Case bed_around(const bodies::RigidShapeSettings& shape)
 }
 
 /// Fills each region of the bed with a body of its own.
-inline void fill_regions_apart(problem::Case& c)
+inline void fill_regions_apart(settings::Case& c)
 {
   c.body[0].second.regions = {"bed"};
   for (const char* region : {"near", "layer"}) {
@@ -62,20 +62,20 @@ inline bodies::CircleSettings pipe_at(Real embedment)
   return {{0.03, 0.2 - embedment}, 0.4};
 }
 
-inline std::vector<bodies::RigidShape<2>> shapes_of(const problem::Case& c)
+inline std::vector<bodies::RigidShape<2>> shapes_of(const settings::Case& c)
 {
   std::vector<bodies::RigidShape<2>> shapes;
   for (const auto& entry : c.rigid) shapes.push_back(make_shape<2>(entry.second.shape));
   return shapes;
 }
 
-inline mesh::Mesh<2> cut_mesh_of(const problem::Case& c)
+inline mesh::Mesh<2> cut_mesh_of(const settings::Case& c)
 {
   const TemporaryFolder folder;
   return fem::make_cut_mesh(c, ".", folder.path());
 }
 
-inline fem::QuadraticMesh quadratic_mesh_of(const problem::Case& c)
+inline fem::QuadraticMesh quadratic_mesh_of(const settings::Case& c)
 {
   return fem::make_quadratic(cut_mesh_of(c), c, shapes_of(c));
 }

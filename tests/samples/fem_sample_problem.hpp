@@ -11,7 +11,7 @@
 
 namespace berm {
 
-inline fem::FemProblem fem_problem_of(const problem::Case& c)
+inline fem::FemProblem fem_problem_of(const settings::Case& c)
 {
   const TemporaryFolder folder;
   return fem::build_fem(c, ".", folder.path());
@@ -39,40 +39,40 @@ inline material::MohrCoulomb plastic_soil(Real cohesion, Real friction_angle, Re
   return law;
 }
 
-inline problem::StageSettings resting(Real time)
+inline settings::StageSettings resting(Real time)
 {
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "rest";
-  stage.kind = problem::StageKind::geostatic;
+  stage.kind = settings::StageKind::geostatic;
   stage.until.time = time;
   return stage;
 }
 
 /// At 1 m/s, which the limit is to be added to.
-inline problem::StageSettings pushing()
+inline settings::StageSettings pushing()
 {
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "push";
-  stage.kind = problem::StageKind::push;
+  stage.kind = settings::StageKind::push;
   stage.velocity = 1;
   return stage;
 }
 
-inline problem::StageSettings dragging(problem::Vertical vertical)
+inline settings::StageSettings dragging(settings::Vertical vertical)
 {
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "drag";
-  stage.kind = problem::StageKind::drag;
+  stage.kind = settings::StageKind::drag;
   stage.velocity = 1;
   stage.vertical = vertical;
   return stage;
 }
 
 /// A block 0 < x < 1 m, 0 < y < 0.5 m between rollers on a fixed base, its top at the level `surface`, and nothing else.
-inline problem::Case block_of(const material::Material& soil, std::vector<Real> cells = {4, 2})
+inline settings::Case block_of(const material::Material& soil, std::vector<Real> cells = {4, 2})
 {
-  problem::Case c;
-  c.method = problem::Method::fem;
+  settings::Case c;
+  c.method = settings::Method::fem;
   c.surface = 0.5;
   mesh::BoxMesh box;
   box.size = {1, 0.5};
@@ -89,9 +89,9 @@ inline problem::Case block_of(const material::Material& soil, std::vector<Real> 
 }
 
 /// The block under a rigid plate of this width that lies on the middle of its top.
-inline problem::Case plate_on_block(const material::Material& soil, Real width = 1, std::vector<Real> cells = {4, 2})
+inline settings::Case plate_on_block(const material::Material& soil, Real width = 1, std::vector<Real> cells = {4, 2})
 {
-  problem::Case c = block_of(soil, cells);
+  settings::Case c = block_of(soil, cells);
   bodies::RigidSettings plate;
   plate.shape = bodies::BoxSettings{{0.5, 0.6}, {width, 0.2}};
   plate.mass = 1;

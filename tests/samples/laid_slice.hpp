@@ -10,7 +10,7 @@
 namespace berm::test {
 
 /// Its mesh is made in a folder of its own: tests run side by side.
-inline problem::Problem<2> built_slice(const problem::Case& c)
+inline problem::Problem<2> built_slice(const settings::Case& c)
 {
   const TemporaryFolder folder;
   return problem::build<2>(c, ".", folder.path().string());
@@ -18,7 +18,7 @@ inline problem::Problem<2> built_slice(const problem::Case& c)
 
 /// A slice in which the pipe is laid, where its last stage begins.
 struct LaidSlice {
-  explicit LaidSlice(const problem::Case& c) : problem(built_slice(c)), workspace(problem.model, problem.state)
+  explicit LaidSlice(const settings::Case& c) : problem(built_slice(c)), workspace(problem.model, problem.state)
   {
     while (problem.state.stage.index + 1 < static_cast<Index>(problem.model.stages.size())) {
       mpm::step(problem.model, problem.state, workspace);

@@ -63,7 +63,7 @@ velocity = "1 m/s"
 until.displacement = "0.5 m"
 )";
 
-inline problem::Case layered_box(const std::vector<std::string>& changes = {}, const std::string& more = "")
+inline settings::Case layered_box(const std::vector<std::string>& changes = {}, const std::string& more = "")
 {
   return input::read_case_text("case.toml", layered_box_text + more, changes);
 }

@@ -17,11 +17,11 @@ inline record::RunRecord lived_pipe()
   made.contact.adhesion_factor = 0.4;
   made.dragged = 0;
   record::RunRecord run = made.record();
-  problem::Case& c = run.settings;
+  settings::Case& c = run.settings;
   const Real D = made.D, step = 0.002 * D;
   c.stage[0].until.force = 800;
   const auto add_stage = [&](const char* name, Real velocity, Real displacement) {
-    c.stage.push_back(MadeRun::stage_of(name, problem::StageKind::drag));
+    c.stage.push_back(MadeRun::stage_of(name, settings::StageKind::drag));
     c.stage.back().velocity = velocity;
     c.stage.back().until.displacement = displacement;
   };
@@ -34,7 +34,7 @@ inline record::RunRecord lived_pipe()
   add_stage("lay_2", -0.1, 0.1 * D);
   for (int k = 1; k <= 50; ++k) add("lay_1", k * step, (0.1 + 0.002 * k) * D, 50, 800);
   for (int k = 1; k <= 50; ++k) add("lay_2", (50 - k) * step, (0.2 + 0.002 * k) * D, -50, 800);
-  c.stage.push_back(MadeRun::stage_of("unload", problem::StageKind::push));
+  c.stage.push_back(MadeRun::stage_of("unload", settings::StageKind::push));
   c.stage.back().velocity.reset();
   c.stage.back().force = 300;
   for (int k = 1; k <= 100; ++k) add("unload", 0, 0.3 * D - std::min(1., k / 50.) * 0.01 * D, 0, 800 - std::min(1., k / 50.) * 500);

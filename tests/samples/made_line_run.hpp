@@ -23,18 +23,18 @@ struct MadeLineRun {
   std::vector<Real> fed_in{0.10, 0.04, 0.11};  // m, of u at the end of the lobes
   bool springs = false;
 
-  problem::Case settings() const
+  settings::Case settings() const
   {
-    problem::Case c = line_case();
-    problem::PipelineSettings& p = *c.pipeline;
+    settings::Case c = line_case();
+    settings::PipelineSettings& p = *c.pipeline;
     p.bending_stiffness = p.axial_stiffness = {};
     p.wall = wall, p.young_modulus = young, p.expansion = expansion;
-    p.length = 1500, p.end = problem::LineEnd::anchored;
+    p.length = 1500, p.end = settings::LineEnd::anchored;
     p.imperfection = {0.4, 60}, p.slices.spacing = 8, p.slices.to = 64;
     p.far_soil = {};
     p.far_soil.friction = p.far_soil.axial_friction = 0.6;
     p.far_soil.mobilisation = 5e-3;
-    problem::StageSettings loaded = c.stage.back();
+    settings::StageSettings loaded = c.stage.back();
     c.stage.pop_back();
     loaded.pipeline = {};
     for (const std::string& name : stages) loaded.name = name, c.stage.push_back(loaded);

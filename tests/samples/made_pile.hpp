@@ -15,15 +15,15 @@ struct MadePile {
   record::RunRecord record() const
   {
     MadePush made;
-    made.geometry = problem::Geometry::space;
+    made.geometry = settings::Geometry::space;
     made.shape = bodies::CylinderSettings{{0, -depth_of_centre, 0}, {0, 1, 0}, 2, 12};
     record::RunRecord run;
     run.name = "made";
     run.settings = made.settings();
     run.settings.gravity = {0, -standard_gravity, 0};
-    problem::StageSettings rest, push_over;
-    rest.name = "rest", rest.kind = problem::StageKind::geostatic;
-    push_over.name = "push_over", push_over.kind = problem::StageKind::drive, push_over.rigid = "probe";
+    settings::StageSettings rest, push_over;
+    rest.name = "rest", rest.kind = settings::StageKind::geostatic;
+    push_over.name = "push_over", push_over.kind = settings::StageKind::drive, push_over.rigid = "probe";
     push_over.drive.x.velocity = sign * 0.2;
     push_over.drive.rotation_z.free = true;
     run.settings.stage = {rest, push_over};

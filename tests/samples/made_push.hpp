@@ -15,12 +15,12 @@ namespace berm {
 struct MadePush {
   Real D = 0.2, pushed_to = 2;  ///< m
   Real first_w = 0;             ///< m
-  problem::Geometry geometry = problem::Geometry::axisymmetric;
+  settings::Geometry geometry = settings::Geometry::axisymmetric;
   bodies::RigidShapeSettings shape = cone();
   material::MohrCoulomb law = clay();
   contact::ContactSettings contact = smooth();
   std::optional<Real> k0 = 1;
-  problem::Method method = problem::Method::fem;  ///< without noise: nothing is averaged
+  settings::Method method = settings::Method::fem;  ///< without noise: nothing is averaged
   std::function<Real(Real z)> shaft = {};  ///< N, V_shaft at z: V is q over the area and this; without it the history has no such column
   std::function<Real(Real z)> q = [](Real) { return 100e3; };
   std::string name = "made";
@@ -55,9 +55,9 @@ struct MadePush {
     return contact;
   }
 
-  problem::Case settings() const
+  settings::Case settings() const
   {
-    problem::Case c;
+    settings::Case c;
     c.title = name;
     c.method = method;
     c.geometry = geometry;
@@ -74,9 +74,9 @@ struct MadePush {
     c.rigid = {{"probe", {}}};
     c.rigid[0].second.shape = shape;
     c.contact = {{"skin", contact}};
-    problem::StageSettings push;
+    settings::StageSettings push;
     push.name = "push";
-    push.kind = problem::StageKind::push;
+    push.kind = settings::StageKind::push;
     push.rigid = "probe";
     push.velocity = 0.1;
     c.stage.push_back(push);
@@ -85,12 +85,12 @@ struct MadePush {
 
   /// The height of the level of full width above the lowest point, and the area, of the whole body.
   Real shoulder() const { return base::body_profile(shape)->shoulder; }
-  Real area() const { return geometry == problem::Geometry::plane_strain ? D : pi * D * D / 4; }
+  Real area() const { return geometry == settings::Geometry::plane_strain ? D : pi * D * D / 4; }
 
   run_folder::History history() const
   {
-    const std::string V = geometry == problem::Geometry::plane_strain ? "V_N_m" : "V_N",
-                      H = geometry == problem::Geometry::plane_strain ? "H_N_m" : "H_N";
+    const std::string V = geometry == settings::Geometry::plane_strain ? "V_N_m" : "V_N",
+                      H = geometry == settings::Geometry::plane_strain ? "H_N_m" : "H_N";
     std::vector<std::string> names{"time_s", "u_m", "w_m", H, V};
     if (shaft) names.emplace_back("V_shaft_N");
     run_folder::History h{columns_named(names), std::vector<std::vector<Real>>(names.size()), {}};

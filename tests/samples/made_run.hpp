@@ -19,7 +19,7 @@ struct MadeRun {
   bool settles = true;                                            ///< whether a geostatic stage comes before the push
   material::MohrCoulomb law = sand_law();
   contact::ContactSettings contact = contact_law();
-  problem::Method method = problem::Method::mpm;
+  settings::Method method = settings::Method::mpm;
   std::function<Real(Real w)> V = [](Real w) { return 4e5 * w; };
   std::function<Real(Real u)> H = [](Real u) { return 3e4 * u; };
   std::function<Real(Real u)> sunk = [](Real u) { return u / 2; };
@@ -50,9 +50,9 @@ struct MadeRun {
     return contact;
   }
 
-  static problem::StageSettings stage_of(const std::string& stage_name, problem::StageKind kind)
+  static settings::StageSettings stage_of(const std::string& stage_name, settings::StageKind kind)
   {
-    problem::StageSettings stage;
+    settings::StageSettings stage;
     stage.name = stage_name;
     stage.kind = kind;
     stage.rigid = "pipe";
@@ -60,9 +60,9 @@ struct MadeRun {
     return stage;
   }
 
-  problem::Case settings() const
+  settings::Case settings() const
   {
-    problem::Case c;
+    settings::Case c;
     c.title = name;
     c.method = method;
     c.gravity = {0, -gravity_level * standard_gravity};
@@ -76,8 +76,8 @@ struct MadeRun {
     c.rigid = {{"pipe", {}}};
     c.rigid[0].second.shape = bodies::CircleSettings{{0, D / 2 - first_w}, D};
     c.contact = {{"skin", contact}};
-    if (pushed_to > first_w) c.stage.push_back(stage_of("push", problem::StageKind::push));
-    if (dragged > 0) c.stage.push_back(stage_of("drag", problem::StageKind::drag));
+    if (pushed_to > first_w) c.stage.push_back(stage_of("push", settings::StageKind::push));
+    if (dragged > 0) c.stage.push_back(stage_of("drag", settings::StageKind::drag));
     return c;
   }
 

@@ -27,7 +27,7 @@ struct MadeRunInWater {
     made.dragged = 0;
     record::RunRecord run = made.record();
     run.settings.material[0].second = soil();
-    problem::StageSettings rest = MadeRun::stage_of("rest", problem::StageKind::drive);
+    settings::StageSettings rest = MadeRun::stage_of("rest", settings::StageKind::drive);
     rest.velocity.reset();
     rest.until.time = 6;
     run.settings.stage.push_back(rest);

@@ -9,7 +9,7 @@
 namespace berm {
 
 /// Whether its structure knows, before a run, that a case may have a key result of this name.
-inline bool knows(const problem::Case& c, const std::string& name)
+inline bool knows(const settings::Case& c, const std::string& name)
 {
   const std::vector<std::string> names = structures::structure_of(c).quantity_names(c);
   return std::find(names.begin(), names.end(), driven::without_number(name)) != names.end();

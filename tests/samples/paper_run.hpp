@@ -37,7 +37,7 @@ struct PaperRun {
     };
     const int rows = 200;
     const bool pushes = std::any_of(run.settings.stage.begin(), run.settings.stage.end(),
-                                    [](const problem::StageSettings& stage) { return stage.kind == problem::StageKind::push; });
+                                    [](const settings::StageSettings& stage) { return stage.kind == settings::StageKind::push; });
     for (int k = 0; k <= rows && pushes; ++k) add("push", 0, k * w_push / rows, 0, V(k * w_push / rows));
     const int first = pushes ? 1 : 0;
     for (int k = first; k <= rows; ++k) add("drag", k * u_end / rows, w(k * u_end / rows), H(k * u_end / rows), V(w_push));

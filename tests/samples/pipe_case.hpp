@@ -9,7 +9,7 @@
 namespace berm {
 
 /// The probe test, small: a pipe of 20 mm on a bed of 650 mm by 140 mm at 50 g, pushed 2 mm and dragged 20 mm; cells of D/20.
-inline problem::Case sample_case(const std::vector<std::string>& changes = {}, const std::string& more = "")
+inline settings::Case sample_case(const std::vector<std::string>& changes = {}, const std::string& more = "")
 {
   return input::read_case_text("case.toml", R"(title = "a pipe"
 gravity = [0, "-50 gravity"]
@@ -69,7 +69,7 @@ until.displacement = "20 mm"
 }
 
 /// The same in sand whose water flows.
-inline problem::Case sample_case_in_water(std::vector<std::string> changes = {})
+inline settings::Case sample_case_in_water(std::vector<std::string> changes = {})
 {
   changes.insert(changes.end(), {"material.sand.inertia_density=1877", "material.sand.water.drainage=consolidation",
                                  "material.sand.water.permeability=1e-5", "material.sand.water.porosity=0.4"});
@@ -77,7 +77,7 @@ inline problem::Case sample_case_in_water(std::vector<std::string> changes = {})
 }
 
 /// A record of a run of a case, with a summary in which all is well, and no history.
-inline record::RunRecord sample_record(const problem::Case& settings, const std::string& name = "sample")
+inline record::RunRecord sample_record(const settings::Case& settings, const std::string& name = "sample")
 {
   record::RunRecord run;
   run.name = name;

@@ -7,7 +7,7 @@
 
 namespace berm::test {
 
-inline problem::Case line_case(const std::vector<std::string>& set = {})
+inline settings::Case line_case(const std::vector<std::string>& set = {})
 {
   return input::read_case_text("line.toml", small_line_case, set);
 }

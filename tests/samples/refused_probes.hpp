@@ -9,7 +9,7 @@
 namespace berm::test {
 
 /// Why no probes are made of a case; "" where they are.
-inline std::string refusal_of(const problem::Case& c, const envelope::EnvelopeSettings& how = {})
+inline std::string refusal_of(const settings::Case& c, const envelope::EnvelopeSettings& how = {})
 {
   try {
     envelope::choose_probes(c, how);

@@ -47,7 +47,7 @@ problem::Problem<dim> sample_problem()
   material::LinearElastic solid;
   solid.density = 1000;
   solid.young_modulus = 1e6;
-  model.bodies.assign(2, {"body", problem::soil_of_one(solid), {}});
+  model.bodies.assign(2, {"body", settings::soil_of_one(solid), {}});
   for (Index cell = model.mesh.cell_count() - 1; cell >= 0; --cell) {  // backwards: storage is by cell, ids run against it
     bodies::Particle<dim> p;
     p.x = model.mesh.centroid(cell);

@@ -23,8 +23,8 @@ public:
   explicit SampleFilmRun(Index frames = 7, bool pipe = true) : pipe_(pipe)
   {
     run.folder = folder.path();
-    problem::Case& c = run.settings;
-    c.geometry = dim == 2 ? problem::Geometry::plane_strain : problem::Geometry::space;
+    settings::Case& c = run.settings;
+    c.geometry = dim == 2 ? settings::Geometry::plane_strain : settings::Geometry::space;
     mesh::BoxMesh box{.lower = {-0.2, -0.1, 0}, .size = {0.4, 0.13, 0.1}, .cells = {8, 4, 2}};
     for (auto* list : {&box.lower, &box.size, &box.cells}) list->resize(dim);
     c.mesh = box;
@@ -35,9 +35,9 @@ public:
       rigid.shape = bodies::CircleSettings{std::vector<Real>{0, D / 2, 0}, D};
       std::get<bodies::CircleSettings>(rigid.shape).center.resize(dim);
       c.rigid = {{"pipe <1>", rigid}};
-      problem::StageSettings drag;
+      settings::StageSettings drag;
       drag.name = "drag";
-      drag.kind = problem::StageKind::drag;
+      drag.kind = settings::StageKind::drag;
       drag.rigid = "pipe <1>";
       c.stage = {drag};
     }

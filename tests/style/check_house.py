@@ -31,7 +31,7 @@ MOST_LETTERS = 140  # in a line of the Python package and its tests
 # clang-format lays code out a little differently in every version; the house uses the one of Debian 12.
 CLANG_FORMAT = "14."
 # Folders of src/ that hold rooms and are none; BERM_DISTRICTS of cmake/Rooms.cmake.
-DISTRICTS = "base/|engine/|pipeline/|case/|run/|answers/|pages/|studies/|exports/"
+DISTRICTS = "base/|engine/|methods/|pipeline/|case/|run/|answers/|pages/|studies/|exports/"
 
 
 class Skip(Exception):
@@ -190,7 +190,7 @@ def tiers(tree):
 
 
 # From the lowest up. Rooms of a district use those of districts before it, and of their own.
-FLOORS = ("base", "engine", "fem", "formulas", "pipeline", "case", "run", "answers", "pages", "studies", "exports", "desk", "library", "commands")
+FLOORS = ("base", "engine", "settings", "methods", "formulas", "pipeline", "case", "run", "answers", "pages", "studies", "exports", "desk", "library", "commands")
 
 
 # How many rooms there may be, and how many the run loop may reach (decision 0106).
@@ -363,7 +363,7 @@ def starting(tree):
 
 def allocation(tree):
     """The step and the contact take no memory by hand."""
-    paths = tree.ending(CPP, ("src/engine/mpm/", "src/engine/contact/"))
+    paths = tree.ending(CPP, ("src/methods/mpm/", "src/engine/contact/"))
     yield from code_matching(tree, paths, r"\bnew\b|\b(?:malloc|calloc|realloc)\s*\(", "takes memory")
 
 

@@ -3,7 +3,7 @@
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 SPDX = "// " + LICENCE + "\n"
-TIERS = "berm_room(engine/core ENGINE)\nberm_room(engine/mesh ENGINE USES core)\nberm_room(engine/mpm ENGINE USES core mesh)\nberm_room(case/input/inner USES mpm LINKS toml)\n"
+TIERS = "berm_room(engine/core ENGINE)\nberm_room(engine/mesh ENGINE USES core)\nberm_room(methods/mpm ENGINE USES core mesh)\nberm_room(case/input/inner USES mpm LINKS toml)\n"
 CELL = '{"cell_type": "code", "source": ["sticky = 1"], "outputs": []}'
 NOTEBOOK = f'{{"metadata": {{"license": "{LICENCE}"}}, "cells": [{CELL}]}}'
 EXAMPLE = {"examples/slope/README.md": "a", "examples/slope/case.toml": "a", "examples/slope/expected.toml": "a"}
@@ -29,7 +29,7 @@ SAMPLES = {
         [
             {"CMakeLists.txt": TIERS, "src/engine/core/a.hpp": '#include "mesh/mesh.hpp"\n'},
             {"CMakeLists.txt": TIERS, "src/engine/mesh/a.cpp": '#include "../core/a.hpp"\n'},
-            {"CMakeLists.txt": TIERS, "src/fem/a.cpp": ""},
+            {"CMakeLists.txt": TIERS, "src/methods/fem/a.cpp": ""},
             {"CMakeLists.txt": TIERS, "src/case/input/a.cpp": ""},
             {"CMakeLists.txt": "berm_room(core USES mesh)\nberm_room(mesh)\n"},
         ],
@@ -58,7 +58,7 @@ SAMPLES = {
             {
                 "src/engine/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\nstruct B;\n}\n",
                 "src/engine/mesh/b.cpp": "namespace berm::mesh {\nnamespace {\nstruct A {\n};\n}  // namespace\nstruct B {\n};\n}\n",
-                "src/fem/a.hpp": "namespace berm::fem {\nstruct A {\n};\n}\n",
+                "src/methods/fem/a.hpp": "namespace berm::fem {\nstruct A {\n};\n}\n",
             }
         ],
     ),
@@ -85,30 +85,30 @@ SAMPLES = {
     ),
     "starting": (
         [
-            {"src/fem/a.cpp": "void* a = dlopen(name, 0);\n"},
+            {"src/methods/fem/a.cpp": "void* a = dlopen(name, 0);\n"},
             {"src/engine/mesh/a.cpp": "const int a = std::system(words);\n"},
             {"src/pages/a.cpp": "ChildProcess a({words});\n"},
             {"src/exports/fmu/a.c": "execvp(name, words);\n"},
         ],
-        [{"src/case/user_law/library.cpp": "void* a = ::dlopen(name, 0);\n", "src/studies/jobs/a.cpp": "ChildProcess a({words});\n", "src/fem/a.cpp": "// dlopen(name)\nint unit_system();\nint a = ut_system();\n"}],
+        [{"src/case/user_law/library.cpp": "void* a = ::dlopen(name, 0);\n", "src/studies/jobs/a.cpp": "ChildProcess a({words});\n", "src/methods/fem/a.cpp": "// dlopen(name)\nint unit_system();\nint a = ut_system();\n"}],
     ),
     "silence": (
         [
-            {"src/engine/mpm/a.cpp": "std::cout << 1;\n"},
+            {"src/methods/mpm/a.cpp": "std::cout << 1;\n"},
             {"src/engine/mesh/a.cpp": 'printf("x");\n'},
             {"src/base/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
-            {"src/engine/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
-            {"src/fem/b.cpp": 'io::tell("{}", 1);\n'},
+            {"src/methods/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
+            {"src/methods/fem/b.cpp": 'io::tell("{}", 1);\n'},
         ],
-        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/base/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/engine/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
+        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/base/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/methods/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
     ),
     "reading": (
         [{"src/base/io/a.cpp": "std::ifstream lines(file);\n"}, {"src/engine/mesh/a.cpp": 'FILE* file = fopen(name, "r");\n'}],
         [{"src/base/io/a.cpp": "std::ofstream lines(file); // no std::ifstream\n", "tests/a.cpp": "std::ifstream lines(file);\n"}],
     ),
     "allocation": (
-        [{"src/engine/mpm/a.cpp": "int* a = new int;\n"}, {"src/engine/contact/a.hpp": "void* p = std::malloc(3);\n"}],
-        [{"src/engine/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/base/io/a.cpp": "new int;\n"}],
+        [{"src/methods/mpm/a.cpp": "int* a = new int;\n"}, {"src/engine/contact/a.hpp": "void* p = std::malloc(3);\n"}],
+        [{"src/methods/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/base/io/a.cpp": "new int;\n"}],
     ),
     "dialect": (
         [

@@ -37,7 +37,7 @@ const std::vector<base::Structure>& all_structures()
   return all;
 }
 
-const base::Structure& structure_of(const problem::Case& c)
+const base::Structure& structure_of(const settings::Case& c)
 {
   return *std::ranges::find_if(all_structures(), [&](const base::Structure& structure) { return structure.applies_to(c); });
 }

@@ -9,7 +9,7 @@ namespace berm::structures {
 const std::vector<base::Structure>& all_structures();
 
 /// The structure of a case: the first that applies to it.
-const base::Structure& structure_of(const problem::Case& c);
+const base::Structure& structure_of(const settings::Case& c);
 
 /// Those of the runs that are of a structure.
 base::Runs runs_of(const base::Structure& structure, const std::vector<record::RunRecord>& runs);

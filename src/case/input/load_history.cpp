@@ -4,9 +4,9 @@
 #include "input/table_file.hpp"
 #include "input/units.hpp"
 #include "os/error.hpp"
-#include "problem/load_checks.hpp"
-#include "problem/motions.hpp"
-#include "problem/time_scale.hpp"
+#include "settings/load_checks.hpp"
+#include "settings/support_checks.hpp"
+#include "settings/time_scale.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,12 +15,12 @@ namespace berm::input {
 namespace {
 
 /// Reads the file of a load history into the stage.
-void read_load_file(const problem::Case& c, const std::string& key, const std::filesystem::path& folder, problem::StageSettings& stage)
+void read_load_file(const settings::Case& c, const std::string& key, const std::filesystem::path& folder, settings::StageSettings& stage)
 {
   const std::vector<std::size_t> allowed = columns_for(c, stage);
   TableForm form{"the load history of this stage", {}, true, "time_s,H_N_m,V_N_m"};
   for (const std::size_t k : allowed) {
-    const problem::LoadColumn& column = problem::load_columns[k];
+    const settings::LoadColumn& column = settings::load_columns[k];
     form.columns.push_back({column.name, c.force_dimension() == 3 ? unit_of_whole(column.unit) : column.unit});
   }
   read_table(key, folder / stage.load_history, form,
@@ -28,7 +28,7 @@ void read_load_file(const problem::Case& c, const std::string& key, const std::f
                stage.load_times.push_back(time);
                if (columns.empty()) stage.load_factors.push_back(values.front());
                for (std::size_t n = 0; n < columns.size(); ++n) stage.loads.columns[allowed[columns[n]]].push_back(values[n]);
-               const std::optional<problem::RowFault> fault = fault_of_row(stage, stage.load_times.size() - 1);
+               const std::optional<settings::RowFault> fault = fault_of_row(stage, stage.load_times.size() - 1);
                return fault ? fault->message : "";
              });
 }
@@ -41,7 +41,7 @@ void refuse_fault(const std::string& table, const std::string& fault)
 
 }  // namespace
 
-void read_motion(problem::Case& c, std::size_t support_number, const std::filesystem::path& folder)
+void read_motion(settings::Case& c, std::size_t support_number, const std::filesystem::path& folder)
 {
   auto& [name, support] = c.support[support_number];
   if (!support.motion || support.motion->table.empty()) return;
@@ -59,19 +59,19 @@ void read_motion(problem::Case& c, std::size_t support_number, const std::filesy
   refuse_fault(table, fault_of_motion(c, support));
 }
 
-void read_load_history(problem::Case& c, std::size_t stage_number, const std::filesystem::path& folder)
+void read_load_history(settings::Case& c, std::size_t stage_number, const std::filesystem::path& folder)
 {
-  problem::StageSettings& stage = c.stage[stage_number];
+  settings::StageSettings& stage = c.stage[stage_number];
   if (!has_load_history(stage)) return;
   const auto key = [&](const std::string& rest) { return fmt::format("stage[{}]{}", stage_number, rest); };
   if (!stage.load_history.empty()) {
     read_load_file(c, key(".load_history"), folder, stage);
     stage.load_history.clear();
-    refuse_fault(key(""), problem::fault_of_loads(c, stage));
+    refuse_fault(key(""), settings::fault_of_loads(c, stage));
   }
   if (stage.load_repeat > 1) repeat_load_history(stage);
-  if (stage.time_scale == problem::automatic_time_scale) {
-    const std::optional<problem::TimeScale> found = problem::time_scale_of(c, stage);
+  if (stage.time_scale == settings::automatic_time_scale) {
+    const std::optional<settings::TimeScale> found = settings::time_scale_of(c, stage);
     if (!found)
       throw KeyError(fmt::format("{}: is chosen for a record of forces only where a body with a width touches soil: give a number here",
                                  key(".time_scale")));

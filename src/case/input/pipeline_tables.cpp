@@ -11,7 +11,7 @@ namespace {
 /// fault(x, y) is what else is wrong with a row, or "".
 template <class Fault>
 void read_points(const std::string& key, const std::filesystem::path& folder, const TableForm& form, const Fault& fault,
-                 problem::GivenPoints& points)
+                 settings::GivenPoints& points)
 {
   if (points.table.empty()) return;
   read_table(key + ".table", folder / points.table, form, [&](Real x, const std::vector<std::size_t>&, const std::vector<Real>& values) {
@@ -26,9 +26,9 @@ void read_points(const std::string& key, const std::filesystem::path& folder, co
 
 }  // namespace
 
-void read_pipeline_tables(problem::PipelineSettings& pipeline, const std::filesystem::path& folder)
+void read_pipeline_tables(settings::PipelineSettings& pipeline, const std::filesystem::path& folder)
 {
-  problem::Route& route = pipeline.route;
+  settings::Route& route = pipeline.route;
   read_points(
       "pipeline.route", folder, {"this route", {{"y", "m"}}, false, "x_m,y_m", {"x", "m"}, "the position along the line"},
       [&](Real, Real) { return route.x.front() == 0 ? "" : "a route must begin at x = 0"; }, route);

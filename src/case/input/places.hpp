@@ -11,7 +11,7 @@ namespace berm::input {
 class Places {
 public:
   Places() = default;
-  /// `stages`: for each stage of the case the number of the one in the document, where that has others (problem::expand_sweeps).
+  /// `stages`: for each stage of the case the number of the one in the document, where that has others (settings::expand_sweeps).
   explicit Places(Document document, std::vector<std::size_t> stages = {})
       : document_(std::make_shared<const Document>(std::move(document))),
         stages_(std::move(stages))

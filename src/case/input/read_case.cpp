@@ -8,7 +8,7 @@
 #include "input/structure_words.hpp"
 #include "material/user_law.hpp"
 #include "os/error.hpp"
-#include "problem/sweeps.hpp"
+#include "settings/sweeps.hpp"
 #include "slices/place_slices.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ void read_surfaces(std::vector<std::pair<std::string, bodies::RigidSettings>>& r
   }
 }
 
-void find_macro_element(problem::FarSoil& soil, const std::filesystem::path& folder)
+void find_macro_element(settings::FarSoil& soil, const std::filesystem::path& folder)
 {
   if (!soil.macro_element.empty()) soil.macro_element = std::filesystem::absolute(folder / soil.macro_element).lexically_normal().string();
 }
@@ -67,9 +67,9 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides)
       find_macro_element(found.settings.pipeline->far_soil, folder);
       read_pipeline_tables(*found.settings.pipeline, folder);
     }
-    const std::vector<std::size_t> repeated = problem::expand_repeats(found.settings);
+    const std::vector<std::size_t> repeated = settings::expand_repeats(found.settings);
     written = Places(document, repeated);
-    std::vector<std::size_t> origins = problem::expand_sweeps(found.settings);
+    std::vector<std::size_t> origins = settings::expand_sweeps(found.settings);
     for (std::size_t& origin : origins) origin = repeated[origin];
     written = found.places = Places(std::move(document), origins);
     if (found.settings.pipeline) slices::place_slices(found.settings);
@@ -85,12 +85,12 @@ CaseInFile case_of(const std::filesystem::path& file, const std::vector<std::str
   return case_of(parse_file(file), overrides);
 }
 
-problem::Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+settings::Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
   return case_of(file, overrides).settings;
 }
 
-problem::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides)
+settings::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides)
 {
   return case_of(parse_text(file, text), overrides).settings;
 }

@@ -33,7 +33,7 @@ const std::vector<StructureWord>& structure_words()
   return words;
 }
 
-void check_structures(const problem::Case& c)
+void check_structures(const settings::Case& c)
 {
   for (const auto& [name, rigid] : c.rigid) {
     const std::string& word = rigid.structure;
@@ -43,7 +43,7 @@ void check_structures(const problem::Case& c)
     if (word == "automatic") continue;
     const auto found = std::ranges::find_if(structure_words(), [&](const StructureWord& one) { return one.word == word; });
     if (found == structure_words().end()) refuse(fmt::format("{} is not one of its words", in_quotes(word)), allowed_words());
-    const bool in_plane = c.geometry == problem::Geometry::plane_strain;
+    const bool in_plane = c.geometry == settings::Geometry::plane_strain;
     if (found->geometry == StructureGeometry::round && in_plane)
       refuse("is round: it needs geometry = \"axisymmetric\" or \"space\"; in plane strain a body is a bar or a strip",
              {"t_bar", "footing", "pipe"});
@@ -54,7 +54,7 @@ void check_structures(const problem::Case& c)
 
 Listed case_catalogue()
 {
-  Listed all = catalogue_of<problem::Case>();
+  Listed all = catalogue_of<settings::Case>();
   Listed& structure = child(child(all, "rigid"), "structure");
   structure.kind = Listed::Kind::word;
   structure.words = allowed_words();

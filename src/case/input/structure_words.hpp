@@ -2,7 +2,7 @@
 #pragma once
 
 #include "input/catalogue.hpp"
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 namespace berm::input {
 
@@ -19,7 +19,7 @@ struct StructureWord {
 const std::vector<StructureWord>& structure_words();
 
 /// Throws KeyError where rigid.NAME.structure is none of the words, or one that the geometry of the case cannot have.
-void check_structures(const problem::Case& c);
+void check_structures(const settings::Case& c);
 
 /// All parameters of a case.
 Listed case_catalogue();

@@ -150,15 +150,15 @@ std::string toml_of(const SettingTable& table)
   return text;
 }
 
-SettingTable all_settings(const problem::Case& settings)
+SettingTable all_settings(const settings::Case& settings)
 {
-  problem::Case copy = settings;
+  settings::Case copy = settings;
   SettingVisitor visitor(settings.force_dimension() == 3);
   describe(visitor, copy);
   return visitor.root();
 }
 
-std::string resolved_toml(const problem::Case& settings)
+std::string resolved_toml(const settings::Case& settings)
 {
   return std::string(resolved_heading) + toml_of(all_settings(settings));
 }

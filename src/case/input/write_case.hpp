@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 namespace berm::input {
 
@@ -55,10 +55,10 @@ private:
 std::string toml_of(const SettingTable& table);
 
 /// All parameters of a case with their values, defaults included.
-SettingTable all_settings(const problem::Case& settings);
+SettingTable all_settings(const settings::Case& settings);
 
 /// The whole case as TOML, with every default filled in, in SI units: resolved.toml.
-std::string resolved_toml(const problem::Case& settings);
+std::string resolved_toml(const settings::Case& settings);
 
 /// A resolved.toml without its last table, [report], which changes no result: cases are the same where these are.
 std::string_view without_report(std::string_view resolved);

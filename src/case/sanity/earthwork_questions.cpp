@@ -151,7 +151,7 @@ void do_bodies_fit_into_trenches(const Scene& s, Findings& found)
 {
   constexpr int levels = 8;
   constexpr Real round_off = 1e-3;  // of the width
-  if (s.up != 1 || s.up_sign < 0 || s.c.geometry == problem::Geometry::axisymmetric) return;
+  if (s.up != 1 || s.up_sign < 0 || s.c.geometry == settings::Geometry::axisymmetric) return;
   for_each_excavation(s, [&](const std::string& key, Index, const bodies::ExcavationSettings& work) {
     const std::array<Span, 2> space = space_of(work);
     for (Index r = 0; r < static_cast<Index>(s.rigids.size()); ++r) {
@@ -180,9 +180,9 @@ void are_earthworks_done_while_the_body_rests(const Scene& s, Findings& found)
     const Way& way = s.ways[k];
     if (way.rigid == none || s.c.stage[k].name != work.stage) return;
     const Move& move = way.axis[s.up];
-    const problem::StageSettings& stage = s.c.stage[k];
+    const settings::StageSettings& stage = s.c.stage[k];
     const bool lifts =
-        s.up_sign * (move.end - move.begin) > 0 || (stage.kind == problem::StageKind::push && stage.velocity.value_or(0) < 0);
+        s.up_sign * (move.end - move.begin) > 0 || (stage.kind == settings::StageKind::push && stage.velocity.value_or(0) < 0);
     if (!lifts) return;
     found.warn(key + ".stage", fmt::format("is \"{}\", in which \"{}\" is lifted: the soil changes while its uplift resistance is "
                                            "measured; put the earthwork into a stage of its own before, of kind \"free\"",

@@ -35,11 +35,11 @@ Real lobe_of(const slices::LineOnSprings& line)
   if (!(std::abs(gone(crown)) > buckled * line.of_case().diameter) || right == of.elements()) return nan;
   if (left >= 0) return place(right) - place(left);
   switch (line.of_case().settings.half) {
-  case problem::LineHalf::symmetric:
+  case settings::LineHalf::symmetric:
     return 2 * place(right);
-  case problem::LineHalf::antisymmetric:
+  case settings::LineHalf::antisymmetric:
     return place(right);
-  case problem::LineHalf::none:
+  case settings::LineHalf::none:
     break;
   }
   return 2 * (place(right) - of.x[crown]);
@@ -63,7 +63,7 @@ LineThen then_of(const slices::LineOnSprings& line)
 
 }  // namespace
 
-std::optional<Journey> journey_on_springs(const problem::Case& c, Real slower, const GoesOn& goes_on)
+std::optional<Journey> journey_on_springs(const settings::Case& c, Real slower, const GoesOn& goes_on)
 {
   slices::LineOnSprings line(c);
   const slices::LineOfCase& of = line.of_case();

@@ -27,6 +27,6 @@ struct Journey {
 using GoesOn = std::function<bool(std::size_t stage, const LineThen& then)>;
 
 /// The stages that load the line, each so many times slower (slices::go_through_stages). Empty where nothing resists sideways.
-std::optional<Journey> journey_on_springs(const problem::Case& c, Real slower, const GoesOn& goes_on);
+std::optional<Journey> journey_on_springs(const settings::Case& c, Real slower, const GoesOn& goes_on);
 
 }  // namespace berm::sanity

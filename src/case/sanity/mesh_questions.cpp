@@ -66,7 +66,7 @@ void are_depth_slices_thicker_than_cells(const Scene& s, Findings& found)
 
 void do_slices_slide_without_jolts(const Scene& s, Findings& found)
 {
-  if (!s.is_mpm() || s.c.mpm.quadrature == problem::Quadrature::cut_cells) return;
+  if (!s.is_mpm() || s.c.mpm.quadrature == settings::Quadrature::cut_cells) return;
   for (Index r = 0; r < static_cast<Index>(s.rigids.size()); ++r) {
     const auto& [name, rigid] = s.c.rigid[r];
     const bool driven = std::any_of(s.ways.begin(), s.ways.end(), [&](const Way& way) { return way.rigid == r; });

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "core/names.hpp"
 #include "os/text_of_list.hpp"
-#include "problem/names.hpp"
-#include "problem/stages.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
+#include "settings/stage.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -143,8 +143,8 @@ void do_boundaries_that_absorb_bear_what_comes(const Scene& s, Findings& found)
   constexpr Real pressure = 1e3;  // Pa
   const auto comes_later = [&](const boundary::TractionSettings& traction) {
     bool at_rest = false, later = false;
-    for (const problem::StageSettings& stage : s.c.stage)
-      (stage.kind == problem::StageKind::geostatic ? at_rest : later) |= problem::acts_in(traction.stages, stage.name);
+    for (const settings::StageSettings& stage : s.c.stage)
+      (stage.kind == settings::StageKind::geostatic ? at_rest : later) |= acts_in(traction.stages, stage.name);
     return later && !at_rest;
   };
   std::vector<std::string> loads;

@@ -105,10 +105,10 @@ void is_the_laid_pipe_as_heavy_as_the_line(const Scene& s, Findings& found)
   constexpr Real allowed = 0.1;
   if (!s.c.pipeline) return;
   const auto line =
-      std::find_if(s.c.stage.begin(), s.c.stage.end(), [](const auto& stage) { return stage.kind == problem::StageKind::pipeline; });
-  const problem::StageSettings& last = *(line - 1);
-  const bool push = last.kind == problem::StageKind::push;
-  const std::optional<Real> force = push ? last.force : last.kind == problem::StageKind::drive ? last.drive.y.force : std::nullopt;
+      std::find_if(s.c.stage.begin(), s.c.stage.end(), [](const auto& stage) { return stage.kind == settings::StageKind::pipeline; });
+  const settings::StageSettings& last = *(line - 1);
+  const bool push = last.kind == settings::StageKind::push;
+  const std::optional<Real> force = push ? last.force : last.kind == settings::StageKind::drive ? last.drive.y.force : std::nullopt;
   const Real weight = s.c.pipeline->submerged_weight;
   if (!force || has_load_history(last) || std::abs(std::abs(*force) / weight - 1) <= allowed) return;
   found.warn(
@@ -123,9 +123,9 @@ void is_the_line_laid_by_its_weight(const Scene& s, Findings& found)
   constexpr Real most = 8;  // V at touchdown over the weight: 1 to 4 of most
   if (!s.c.pipeline) return;
   for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
-    const problem::StageSettings& stage = s.c.stage[k];
-    if (stage.kind == problem::StageKind::pipeline) return;
-    const bool push = stage.kind == problem::StageKind::push;
+    const settings::StageSettings& stage = s.c.stage[k];
+    if (stage.kind == settings::StageKind::pipeline) return;
+    const bool push = stage.kind == settings::StageKind::push;
     const std::optional<Real> V = stage.vertical_force  ? stage.vertical_force
                                   : push && stage.force ? stage.force
                                   : push                ? stage.until.force
@@ -146,7 +146,7 @@ namespace {
 std::optional<Real> mass_of_steel(const Scene& s)
 {
   constexpr Real density = 7850, least_modulus = 1.5e11;  // kg/m3, Pa
-  const problem::PipelineSettings& line = *s.c.pipeline;
+  const settings::PipelineSettings& line = *s.c.pipeline;
   if (!line.wall || !line.young_modulus || *line.young_modulus < least_modulus) return {};
   return density * pi * *line.wall * (s.rigids[0].width - *line.wall);
 }
@@ -158,7 +158,7 @@ void is_the_line_a_pipe(const Scene& s, Findings& found)
   constexpr Real thinnest = 150, thickest = 5;       // diameter over wall; 15 to 60 of most steel pipes
   constexpr Real rounding = 0.95, sea_water = 1025;  // kg/m3
   if (!s.c.pipeline || s.rigids.empty() || !s.rigids[0].bounded || !(s.gravity > 0)) return;
-  const problem::PipelineSettings& line = *s.c.pipeline;
+  const settings::PipelineSettings& line = *s.c.pipeline;
   const Real D = s.rigids[0].width, mass = line.mass.value_or(s.c.rigid[0].second.mass), weight = line.submerged_weight;
   const std::string mass_key = line.mass ? "pipeline.mass" : fmt::format("rigid.{}.mass", s.c.rigid[0].first);
   if (line.wall && (D / *line.wall > thinnest || D / *line.wall < thickest))
@@ -185,12 +185,12 @@ void is_the_line_a_pipe(const Scene& s, Findings& found)
 
 void does_the_line_go_beyond_its_slices(const Scene& s, Findings& found)
 {
-  if (!s.c.pipeline || s.c.pipeline->end == problem::LineEnd::free) return;
-  const problem::PipelineSettings& line = *s.c.pipeline;
-  const std::vector<Real> places = problem::places_of(line.slices);
+  if (!s.c.pipeline || s.c.pipeline->end == settings::LineEnd::free) return;
+  const settings::PipelineSettings& line = *s.c.pipeline;
+  const std::vector<Real> places = settings::places_of(line.slices);
   if (places.empty()) return;
   const Real beyond = line.length - places.back(), wanted = std::max(line.imperfection.length, places.back());
-  if (!(beyond < wanted) || line.half == problem::LineHalf::none) return;
+  if (!(beyond < wanted) || line.half == settings::LineHalf::none) return;
   found.warn("pipeline.length",
              fmt::format("is {}: the held end is {} beyond the last slice, so little line can feed into the buckle; put it where the line "
                          "no longer slips, or half way to the next buckle, {} or more",
@@ -203,7 +203,7 @@ void does_the_case_fit_the_line_on_springs(const Scene& s, Findings& found)
   const std::optional<Journey> journey = journey_on_springs(s.c, 1, [](std::size_t, const LineThen&) { return true; });
   if (!journey) return;
   is_heating_slow(s, *journey, found);
-  if (s.c.pipeline->slices.as_spring == problem::SliceAsSpring::always) return;
+  if (s.c.pipeline->slices.as_spring == settings::SliceAsSpring::always) return;
   are_slices_near_enough(s, *journey, found);
   do_fine_cells_reach(s, *journey, true, found);
   do_fine_cells_reach(s, *journey, false, found);

@@ -3,6 +3,7 @@
 #include "problem/cells_at_body.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
+#include "settings/symmetry.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -37,11 +38,11 @@ constexpr int across_in_space = 2;  // z
 
 bool in_space(const Scene& s)
 {
-  return s.c.geometry == problem::Geometry::space;
+  return s.c.geometry == settings::Geometry::space;
 }
 bool around_axis(const Scene& s)
 {
-  return s.c.geometry == problem::Geometry::axisymmetric;
+  return s.c.geometry == settings::Geometry::axisymmetric;
 }
 /// The level axes along which the body ends and walls can be near, the first is that of the plane. Circles and polygons are endless along z.
 std::vector<int> axes_of_walls(const Scene& s, Index rigid)
@@ -58,7 +59,7 @@ bool falls(const Scene& s, Index rigid)
 {
   if (!(s.gravity > 0) || s.c.rigid[rigid].second.motion != bodies::Motion::free) return false;
   for (std::size_t k = 0; k < s.ways.size(); ++k)
-    if (s.c.stage[k].kind != problem::StageKind::geostatic && s.ways[k].rigid != rigid) return true;
+    if (s.c.stage[k].kind != settings::StageKind::geostatic && s.ways[k].rigid != rigid) return true;
   return false;
 }
 
@@ -121,7 +122,7 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
     std::string where;
     for (const auto& [contact_name, contact] : s.c.contact) {
       if (contact.rigid != name) continue;
-      const Index body = problem::index_of(s.c.body, contact.body);
+      const Index body = index_of(s.c.body, contact.body);
       const BodyScene& soil = s.bodies[body];
       meets = meets || may_fall_onto(s, rigid, soil);
       for (const Way& way : s.ways) meets = meets || (way.rigid == rigid && may_meet(s, way, body));
@@ -134,7 +135,7 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
     if (!meets)
       found.refuse(fmt::format("rigid.{}", name),
                    fmt::format("touches no soil on its whole path: {}; move its centre, or make it travel farther", where));
-    else if (above && !falls(s, rigid) && s.c.stage[k].kind == problem::StageKind::push &&
+    else if (above && !falls(s, rigid) && s.c.stage[k].kind == settings::StageKind::push &&
              -s.ways[k].begin_embedment > far_above * s.rigids[rigid].width && s.is_mpm()) {
       const Span& y = s.rigids[rigid].space[s.up];
       found.warn(fmt::format("rigid.{}", name),
@@ -192,7 +193,7 @@ void do_rigid_bodies_pass_through_each_other(const Scene& s, Findings& found)
 void do_motions_fit_a_half(const Scene& s, Findings& found)
 {
   constexpr Real round_off = 1e-6;  // of the width
-  if (s.c.geometry != problem::Geometry::plane_strain) return;
+  if (s.c.geometry != settings::Geometry::plane_strain) return;
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Way& way = s.ways[k];
     if (way.rigid == none || !s.rigids[way.rigid].bounded) continue;
@@ -444,7 +445,7 @@ void does_soil_fill_the_bed(const Scene& s, Findings& found)
 void is_there_soil_at_a_watch(const Scene& s, Findings& found)
 {
   for (const auto& [name, watch] : s.c.watch) {
-    const BodyScene& body = s.bodies[problem::index_of(s.c.body, watch.body)];
+    const BodyScene& body = s.bodies[index_of(s.c.body, watch.body)];
     for (std::size_t d = 0; d < watch.point.size(); ++d) {
       const Span& space = body.space[d];
       const Real slack = 0.05 * space.length();

@@ -9,9 +9,9 @@
 namespace berm::sanity {
 namespace {
 
-using problem::StageKind;
-using problem::StageRole;
-using problem::StageSettings;
+using settings::StageKind;
+using settings::StageRole;
+using settings::StageSettings;
 
 /// The roles that come in an order, in that; sweeps may come anywhere.
 constexpr std::pair<StageRole, const char*> life[] = {{StageRole::touchdown, "touchdown"}, {StageRole::lay, "lay"},

@@ -4,8 +4,8 @@
 
 #include "io/duration_text.hpp"
 #include "material/clay.hpp"
-#include "problem/stages.hpp"
 #include "sanity/sanity.hpp"
+#include "settings/stage.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -96,14 +96,14 @@ void add_stage_keys(const Scene& s, std::vector<Unused>& keys)
     const auto* clay = named.second.template get_if<material::Clay>();
     return clay != nullptr && is_given(s, named.first, "sensitivity", clay->sensitivity > 1);
   });
-  const problem::StageSettings as_left_out;
+  const settings::StageSettings as_left_out;
   for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
-    const problem::StageSettings& stage = s.c.stage[k];
+    const settings::StageSettings& stage = s.c.stage[k];
     keys.push_back({stage_key(k, "ramp"), s.ways[k].rigid == none, "the stage drives nothing"});
     keys.push_back({stage_key(k, "strength_recovery"), stage.strength_recovery > 0 && !softens,
                     "no clay softens: that needs a sensitivity above 1; give it"});
     keys.push_back({stage_key(k, "equilibrium"),
-                    stage.kind != problem::StageKind::geostatic && stage.equilibrium != as_left_out.equilibrium,
+                    stage.kind != settings::StageKind::geostatic && stage.equilibrium != as_left_out.equilibrium,
                     "it is for a geostatic stage, at whose end equilibrium is checked"});
   }
 }

@@ -2,9 +2,9 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "sanity/sanity.hpp"
 
-#include "problem/drainage.hpp"
-#include "problem/stages.hpp"
 #include "sanity/questions.hpp"
+#include "settings/drainage.hpp"
+#include "settings/stage.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -166,7 +166,7 @@ Real unit_weight_of(const Scene& s, Index body)
 
 std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
 {
-  return problem::strength_under(s.material_at(body, width), width, s.weight_above(body, width));
+  return settings::strength_under(s.material_at(body, width), width, s.weight_above(body, width));
 }
 
 std::string strength_key(const material::Material& material)
@@ -175,13 +175,13 @@ std::string strength_key(const material::Material& material)
   return own.size() > 1 ? own.front().name : "cohesion";
 }
 
-bool is_by_force(const problem::StageSettings& stage)
+bool is_by_force(const settings::StageSettings& stage)
 {
-  using problem::StageKind;
-  const problem::DriveSettings& d = stage.drive;
+  using settings::StageKind;
+  const settings::DriveSettings& d = stage.drive;
   if (stage.loads.has_force()) return true;
   if (stage.kind == StageKind::drive) return d.x.force || d.y.force || d.z.force || d.x.hold || d.y.hold || d.z.hold;
-  const bool holds = stage.kind == StageKind::drag && stage.vertical == problem::Vertical::hold && !stage.vertical_velocity;
+  const bool holds = stage.kind == StageKind::drag && stage.vertical == settings::Vertical::hold && !stage.vertical_velocity;
   return drives(stage.kind) && (stage.force || holds);
 }
 

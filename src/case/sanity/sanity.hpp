@@ -64,6 +64,6 @@ std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
 std::string strength_key(const material::Material& material);
 
 /// Whether a force moves the body of a stage along some axis.
-bool is_by_force(const problem::StageSettings& stage);
+bool is_by_force(const settings::StageSettings& stage);
 
 }  // namespace berm::sanity

@@ -25,7 +25,7 @@ RigidScene rigid_scene(const bodies::RigidBody<dim>& rigid)
 
 /// The cells that each body takes at the start: those of its particles, or of its regions.
 template <int dim>
-std::vector<std::vector<Index>> cells_of_bodies(const problem::Case& c, const problem::Model<dim>& model,
+std::vector<std::vector<Index>> cells_of_bodies(const settings::Case& c, const problem::Model<dim>& model,
                                                 const std::vector<bodies::Particles<dim>>& particles)
 {
   std::vector<std::vector<Index>> cells(c.body.size());
@@ -45,7 +45,7 @@ std::vector<std::vector<Index>> cells_of_bodies(const problem::Case& c, const pr
 
 /// Depth of soil of a body, m: below the level of the bed, or below the ground where that is not level.
 template <int dim>
-Real depth_below_surface(const problem::Case& c, const problem::Model<dim>& model, const Spans& space, const std::vector<Index>& cells)
+Real depth_below_surface(const settings::Case& c, const problem::Model<dim>& model, const Spans& space, const std::vector<Index>& cells)
 {
   const Span& height = space[model.axes.up];
   if (model.ground.line.level())
@@ -85,7 +85,7 @@ std::vector<RegionScene> regions_of(const mesh::Mesh<dim>& mesh, const std::vect
 
 /// The boundaries of the supports.
 template <int dim>
-std::vector<SupportScene> supports_of(const problem::Case& c, const mesh::Mesh<dim>& mesh, const std::vector<std::vector<Index>>& cells)
+std::vector<SupportScene> supports_of(const settings::Case& c, const mesh::Mesh<dim>& mesh, const std::vector<std::vector<Index>>& cells)
 {
   std::vector<SupportScene> supports;
   for (const auto& [name, settings] : c.support) {
@@ -105,7 +105,7 @@ std::vector<SupportScene> supports_of(const problem::Case& c, const mesh::Mesh<d
 
 /// The loads on the soil.
 template <int dim>
-std::vector<LoadScene> loads_of(const problem::Case& c, const problem::Model<dim>& model,
+std::vector<LoadScene> loads_of(const settings::Case& c, const problem::Model<dim>& model,
                                 const std::vector<problem::LoadPointState<dim>>& load_points)
 {
   constexpr Real within = 1e-6;  // of the mesh
@@ -118,7 +118,7 @@ std::vector<LoadScene> loads_of(const problem::Case& c, const problem::Model<dim
   for (std::size_t k = 0; k < loads.size(); ++k) loads[k].key = "traction." + c.traction[k].first;
   for (std::size_t l = 0; l < load_points.size(); ++l) {
     const std::string& name = model.tractions[model.load_points[l].traction].name;
-    loads[problem::index_of(c.traction, name)].points.push_back(place_of(load_points[l].x));
+    loads[index_of(c.traction, name)].points.push_back(place_of(load_points[l].x));
   }
   boundary::for_each_of<boundary::Head<dim>>(model.conditions, [&](std::size_t, const auto& row, const auto& head) {
     LoadScene& load = loads.emplace_back(LoadScene{"support." + row.name + ".head", {}});
@@ -130,7 +130,7 @@ std::vector<LoadScene> loads_of(const problem::Case& c, const problem::Model<dim
 }
 
 template <int dim>
-ResolvedWaves resolved_waves(const problem::Case& c, const problem::Model<dim>& model, const std::vector<std::vector<Index>>& cells)
+ResolvedWaves resolved_waves(const settings::Case& c, const problem::Model<dim>& model, const std::vector<std::vector<Index>>& cells)
 {
   ResolvedWaves resolved;
   if (std::none_of(c.support.begin(), c.support.end(), [](const auto& support) { return support.second.motion.has_value(); }))
@@ -151,7 +151,7 @@ ResolvedWaves resolved_waves(const problem::Case& c, const problem::Model<dim>& 
 Index Scene::touched_by(Index rigid) const
 {
   for (const auto& [name, contact] : c.contact)
-    if (!contact.rigid.empty() && problem::index_of(c.rigid, contact.rigid) == rigid) return problem::index_of(c.body, contact.body);
+    if (!contact.rigid.empty() && index_of(c.rigid, contact.rigid) == rigid) return index_of(c.body, contact.body);
   return none;
 }
 
@@ -183,7 +183,7 @@ Real Scene::ground_rise(Index rigid, Real from, Real to) const
 }
 
 template <int dim>
-Scene scene_of(const problem::Case& c, const input::Places& places, const problem::Model<dim>& model,
+Scene scene_of(const settings::Case& c, const input::Places& places, const problem::Model<dim>& model,
                const std::vector<bodies::Particles<dim>>& particles, const std::vector<problem::LoadPointState<dim>>& load_points,
                const Cost& cost)
 {
@@ -227,9 +227,9 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
   return scene;
 }
 
-template Scene scene_of(const problem::Case&, const input::Places&, const problem::Model<2>&, const std::vector<bodies::Particles<2>>&,
+template Scene scene_of(const settings::Case&, const input::Places&, const problem::Model<2>&, const std::vector<bodies::Particles<2>>&,
                         const std::vector<problem::LoadPointState<2>>&, const Cost&);
-template Scene scene_of(const problem::Case&, const input::Places&, const problem::Model<3>&, const std::vector<bodies::Particles<3>>&,
+template Scene scene_of(const settings::Case&, const input::Places&, const problem::Model<3>&, const std::vector<bodies::Particles<3>>&,
                         const std::vector<problem::LoadPointState<3>>&, const Cost&);
 
 }  // namespace berm::sanity

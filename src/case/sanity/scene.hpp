@@ -97,7 +97,7 @@ struct Cost {
 
 /// A case with what follows from it in its mesh, whatever its dimension: what the questions look at.
 struct Scene {
-  const problem::Case& c;
+  const settings::Case& c;
   const input::Places& places;
   int up = 1, along = 0;
   Real up_sign = 1;
@@ -112,7 +112,7 @@ struct Scene {
   ResolvedWaves resolved = {};                          ///< where a support moves
   std::vector<std::pair<Index, Index>> neighbors = {};  ///< pairs of bodies that lie at each other at the start
   std::vector<Way> ways = {};                           ///< by stage
-  std::vector<problem::StageSettings> stages = {};      ///< those of the case, with the limits of those that end at equilibrium
+  std::vector<settings::StageSettings> stages = {};     ///< those of the case, with the limits of those that end at equilibrium
   std::function<Real(Index, const Place&)> cell_size =
       {};  ///< at a rigid body with a displacement since the start, m; NaN where it is not in the mesh
   std::function<std::string(const Place&)> region = {};  ///< of the mesh at a point; "" where there is none
@@ -123,11 +123,8 @@ struct Scene {
   std::function<std::vector<ThinPlace>(Index)> thin_places = {};  ///< of a rigid body
   Cost cost = {};
 
-  bool is_mpm() const { return c.method == problem::Method::mpm; }
-  const material::Material& material_of(Index body) const
-  {
-    return c.material[problem::index_of(c.material, c.body[body].second.material)].second;
-  }
+  bool is_mpm() const { return c.method == settings::Method::mpm; }
+  const material::Material& material_of(Index body) const { return c.material[index_of(c.material, c.body[body].second.material)].second; }
   /// The region of a body's soil at a depth below the surface, m, under the main rigid body; "" where none is there.
   std::string region_at(Index body, Real depth) const;
   /// The soil there.
@@ -147,7 +144,7 @@ struct Scene {
 
 /// The scene of a problem by either method; particles and points of loads: of the material point method, else empty.
 template <int dim>
-Scene scene_of(const problem::Case& c, const input::Places& places, const problem::Model<dim>& model,
+Scene scene_of(const settings::Case& c, const input::Places& places, const problem::Model<dim>& model,
                const std::vector<bodies::Particles<dim>>& particles, const std::vector<problem::LoadPointState<dim>>& load_points,
                const Cost& cost);
 

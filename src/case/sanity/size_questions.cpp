@@ -10,7 +10,7 @@
 namespace berm::sanity {
 namespace {
 
-using problem::StageKind;
+using settings::StageKind;
 
 /// m2 (plane strain: m), that a body covers from above.
 Real area_of(const Scene& s, Index rigid)
@@ -18,7 +18,7 @@ Real area_of(const Scene& s, Index rigid)
   const Spans& space = s.rigids[rigid].space;
   const Real width = s.rigids[rigid].width;
   if (s.c.force_dimension() == 2) return width;
-  return s.c.geometry == problem::Geometry::space ? space[0].length() * space[2].length() : width * width;
+  return s.c.geometry == settings::Geometry::space ? space[0].length() * space[2].length() : width * width;
 }
 
 /// A force that a stage names, by size.
@@ -28,7 +28,7 @@ struct Force {
   bool presses;  ///< on the bed, as a weight does
 };
 
-std::vector<Force> forces_of(const problem::StageSettings& stage)
+std::vector<Force> forces_of(const settings::StageSettings& stage)
 {
   std::vector<Force> forces;
   const auto add = [&](const char* key, const std::optional<Real>& force, bool presses) {
@@ -41,8 +41,8 @@ std::vector<Force> forces_of(const problem::StageSettings& stage)
   add("drive.x.force", stage.drive.x.force, false);
   add("drive.y.force", stage.drive.y.force, false);
   add("drive.z.force", stage.drive.z.force, false);
-  for (std::size_t k = 0; k < problem::load_columns.size(); ++k)
-    if (problem::load_columns[k].quantity == problem::LoadQuantity::force && problem::load_columns[k].along <= problem::LoadAlong::z)
+  for (std::size_t k = 0; k < settings::load_columns.size(); ++k)
+    if (settings::load_columns[k].quantity == settings::LoadQuantity::force && settings::load_columns[k].along <= settings::LoadAlong::z)
       add("load_history", max_load(stage, k), false);
   return forces;
 }
@@ -102,7 +102,7 @@ void does_a_pushed_pipe_begin_at_the_surface(const Scene& s, Findings& found)
     const Index rigid = s.ways[k].rigid;
     if (rigid == none || std::exchange(asked[rigid], 1) != 0 || !s.rigids[rigid].bounded) continue;
     const auto& [name, settings] = s.c.rigid[rigid];
-    const problem::StageSettings& stage = s.c.stage[k];
+    const settings::StageSettings& stage = s.c.stage[k];
     const Real w = s.ways[k].begin_embedment, width = s.rigids[rigid].width;
     const bool down = stage.kind == StageKind::push && stage.velocity.value_or(1) > 0 && stage.force.value_or(1) > 0;
     if (!down || !bodies::pipe_section(settings.shape) || !(w > rounding * width && w < half * width) || is_round(w / width)) continue;

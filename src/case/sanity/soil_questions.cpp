@@ -2,9 +2,9 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "material/laws.hpp"
 #include "material/shear_band.hpp"
-#include "problem/drainage.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
+#include "settings/drainage.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ std::vector<Soil> yielding(const Scene& s)
 {
   std::vector<Soil> soils;
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
-    const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
+    const settings::BodySoil soil = soil_of(s.c, s.c.body[b].second);
     for (std::size_t k = 0; k < soil.materials.size(); ++k) {
       const auto same = [&](const Soil& other) { return other.name == soil.names[k]; };
       if (yields(soil.materials[k]) && std::none_of(soils.begin(), soils.end(), same))
@@ -62,14 +62,14 @@ std::string bounds_of_k0(const material::Material& material)
 }
 
 /// m, of a bed that berm meshes; 0 where it is not known.
-Real smallest_cell(const problem::Case& c)
+Real smallest_cell(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   return bed == nullptr ? 0 : bed->near_size;
 }
 
 /// The same of the largest.
-Real largest_cell(const problem::Case& c)
+Real largest_cell(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (bed == nullptr) return 0;
@@ -96,7 +96,7 @@ void does_gravity_point_down(const Scene& s, Findings& found)
             fmt::format("body.{}.k0", name),
             "without gravity there is no stress at rest, and k0 has no effect; add gravity = [0, \"-9.81 m/s^2\"], or leave k0 out");
     for (const auto& [b, name, material] : yielding(s))
-      if (const auto at_rest = problem::strength_under(material, 0, 0);
+      if (const auto at_rest = settings::strength_under(material, 0, 0);
           !any_k0 && at_rest && *at_rest == 0 && s.c.body[b].second.initial_stress.empty() && s.c.traction.empty())
         found.warn("gravity", fmt::format("is missing: the soil of [body.{}] has friction only, so it has no strength without weight; add "
                                           "gravity = [0, \"-9.81 m/s^2\"]",
@@ -187,10 +187,10 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
         if (law.rigidity_index) return "rigidity_index";
       return "young_modulus";
     };
-    return fmt::format("material.{}.{}", name, material::visit(word, s.c.material[problem::index_of(s.c.material, name)].second));
+    return fmt::format("material.{}.{}", name, material::visit(word, s.c.material[index_of(s.c.material, name)].second));
   };
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
-    const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
+    const settings::BodySoil soil = soil_of(s.c, s.c.body[b].second);
     // Where the soil is softest for the weight above it; of one that is the same at all depths that is at the base.
     constexpr int parts = 10;
     Real weight = 0, modulus = 0, least = infinity;
@@ -237,9 +237,9 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
 
 void is_the_strain_rate_smooth(const Scene& s, Findings& found)
 {
-  if (s.c.method != problem::Method::mpm) return;
+  if (s.c.method != settings::Method::mpm) return;
   const bool none_by_speed = std::all_of(s.c.stage.begin(), s.c.stage.end(),
-                                         [](const problem::StageSettings& stage) { return !drives(stage.kind) || speed_of(stage) == 0; });
+                                         [](const settings::StageSettings& stage) { return !drives(stage.kind) || speed_of(stage) == 0; });
   for (const Soil& soil : yielding(s)) {
     const auto* clay = soil.material.get_if<material::Clay>();
     if (clay == nullptr || !is_rate_dependent(*clay) || clay->rate_smoothing || !none_by_speed) continue;
@@ -287,9 +287,9 @@ void what_inertia_do_layers_get(const Scene& s, Findings& found)
   constexpr Real worth_a_word = 0.01;
   if (!s.is_mpm()) return;
   for (const auto& [name, body] : s.c.body) {
-    const problem::BodySoil soil = soil_of(s.c, body);
+    const settings::BodySoil soil = soil_of(s.c, body);
     for (std::size_t k = 1; k < soil.materials.size(); ++k) {
-      const material::Material& asked = s.c.material[problem::index_of(s.c.material, soil.names[k])].second;
+      const material::Material& asked = s.c.material[index_of(s.c.material, soil.names[k])].second;
       const Real taken = inertia_density(soil.materials[k]);
       const bool given = inertia_density(asked) != density(asked);
       if (!given || std::abs(taken / inertia_density(asked) - 1) < worth_a_word) continue;
@@ -304,7 +304,7 @@ void what_inertia_do_layers_get(const Scene& s, Findings& found)
 void is_all_soil_used(const Scene& s, Findings& found)
 {
   for (const auto& [name, material] : s.c.material)
-    if (!problem::is_used(s.c, name))
+    if (!settings::is_used(s.c, name))
       found.warn("material." + name, "is not used: no body, layer or region names it; name it, or leave the table out");
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const bodies::BodySettings& body = s.c.body[b].second;
@@ -334,7 +334,7 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
     const std::string path = "body." + s.c.body[b].first;
     const auto beyond = [&](Real depth, Real largest, Real smallest) -> std::optional<std::pair<Real, Real>> {
       const std::optional<Real> strength =
-          problem::strength_under(regularised_for(s.material_at(b, depth), largest_cell(s.c)), depth, -(largest + smallest) / 2);
+          settings::strength_under(regularised_for(s.material_at(b, depth), largest_cell(s.c)), depth, -(largest + smallest) / 2);
       const Real shear = (largest - smallest) / 2;
       if (!strength || (*strength >= 0 && shear <= *strength * (1 + rounding) + 1e-9)) return {};
       return std::pair(shear, std::max(Real(0), *strength));
@@ -365,7 +365,7 @@ namespace {
 /// Of a body of several materials: friction beside each of them, which has to be less than its own.
 void ask_of_each_soil(const Scene& s, const std::string& name, const contact::ContactSettings& contact, Findings& found)
 {
-  const problem::BodySoil soil = soil_of(s.c, s.c.body[problem::index_of(s.c.body, contact.body)].second);
+  const settings::BodySoil soil = soil_of(s.c, s.c.body[index_of(s.c.body, contact.body)].second);
   for (std::size_t k = 0; k < soil.materials.size() && soil.materials.size() > 1; ++k) {
     const std::optional<material::Strength> strength = strength_at_rest(soil.materials[k]);
     if (!strength || !yields(soil.materials[k])) continue;
@@ -393,14 +393,14 @@ void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
 {
   for (const auto& [name, contact] : s.c.contact) {
     if (rules_of(contact.scheme).tied) continue;
-    const Index body = problem::index_of(s.c.body, contact.body);
+    const Index body = index_of(s.c.body, contact.body);
     const material::Material at_surface = s.material_at(body, 0);
     const std::optional<material::Strength> soil = strength_at_rest(at_surface);
     if (!soil || !yields(at_surface)) continue;
     ask_of_each_soil(s, name, contact, found);
     if (!contact.soil.empty()) continue;
     // Of the soil that the body meets: between the surface and its width, or of a bed that has no driven body to the base.
-    const Index rigid = contact.rigid.empty() ? none : problem::index_of(s.c.rigid, contact.rigid);
+    const Index rigid = contact.rigid.empty() ? none : index_of(s.c.rigid, contact.rigid);
     const Real depth = rigid != none && s.rigids[rigid].width > 0 ? std::min(s.rigids[rigid].width, s.depth_of(body)) : s.depth_of(body);
     const std::optional<material::Strength> below = strength_at_rest(s.material_at(body, depth));
     const Real cohesion = std::max(soil->cohesion, below ? below->cohesion : 0);
@@ -421,7 +421,7 @@ void is_tension_that_of_clay(const Scene& s, Findings& found)
 {
   for (const auto& [name, contact] : s.c.contact) {
     if (!(contact.tension > 0)) continue;
-    const material::Material& material = s.material_of(problem::index_of(s.c.body, contact.body));
+    const material::Material& material = s.material_of(index_of(s.c.body, contact.body));
     if (has_pore_pressure(material)) continue;
     const std::optional<material::Strength> soil = strength_at_rest(material);
     const bool effective = material::visit(

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "io/duration_text.hpp"
-#include "problem/drainage.hpp"
-#include "problem/stages.hpp"
-#include "problem/time_scale.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
+#include "settings/drainage.hpp"
+#include "settings/stage.hpp"
+#include "settings/time_scale.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,18 +13,18 @@
 namespace berm::sanity {
 namespace {
 
-using problem::StageKind;
-using problem::StageSettings;
+using settings::StageKind;
+using settings::StageSettings;
 
 /// The freedom of a drive along an axis.
-const problem::FreedomSettings& along_axis(const StageSettings& s, int axis)
+const settings::FreedomSettings& along_axis(const StageSettings& s, int axis)
 {
   return axis == 0 ? s.drive.x : axis == 1 ? s.drive.y : s.drive.z;
 }
 
 std::optional<Real> downward_velocity_of_drive(const Scene& scene, const StageSettings& s)
 {
-  const problem::FreedomSettings& up = along_axis(s, scene.up);
+  const settings::FreedomSettings& up = along_axis(s, scene.up);
   if (up.force || up.hold || up.free || up.spring || !s.drive.point.empty()) return {};
   return up.velocity ? -scene.up_sign * *up.velocity : 0;
 }
@@ -35,7 +35,7 @@ std::optional<Real> downward_velocity(const Scene& scene, const StageSettings& s
   if (has_load_history(s)) return {};
   if (s.kind == StageKind::push) return s.velocity;
   if (s.kind == StageKind::drive) return downward_velocity_of_drive(scene, s);
-  if (s.kind == StageKind::drag && s.vertical == problem::Vertical::fixed) return 0;
+  if (s.kind == StageKind::drag && s.vertical == settings::Vertical::fixed) return 0;
   return s.kind == StageKind::drag ? s.vertical_velocity : std::nullopt;
 }
 
@@ -64,7 +64,7 @@ std::optional<Direction> only_force(const Scene& scene, const StageSettings& s)
   std::optional<Direction> found;
   if (s.kind != StageKind::drive || has_load_history(s) || !s.drive.point.empty()) return {};
   for (int d = 0; d < scene.c.dimension(); ++d) {
-    const problem::FreedomSettings& along = along_axis(s, d);
+    const settings::FreedomSettings& along = along_axis(s, d);
     if (along.velocity.value_or(0) != 0 || along.hold || along.free || along.spring || (along.force && found)) return {};
     if (along.force && *along.force != 0) found = {d, *along.force > 0 ? Real(1) : Real(-1)};
   }
@@ -121,7 +121,7 @@ std::string fault_of_displacement(const Scene& scene, const StageSettings& s, co
 }
 
 /// The unit of forces, of which a plane run has those per metre.
-const char* force_unit(const problem::Case& c)
+const char* force_unit(const settings::Case& c)
 {
   return c.force_dimension() == 2 ? "N/m" : "N";
 }
@@ -135,7 +135,7 @@ std::optional<Real> force_before(const Scene& s, std::size_t k)
     if (has_load_history(stage)) return {};
     if (stage.kind == StageKind::push && stage.force) return stage.force;
     if (stage.kind == StageKind::push) return stage.until.force;
-    if (stage.kind != StageKind::drag || stage.vertical != problem::Vertical::hold || stage.vertical_velocity) return {};
+    if (stage.kind != StageKind::drag || stage.vertical != settings::Vertical::hold || stage.vertical_velocity) return {};
     if (stage.vertical_force) return stage.vertical_force;
   }
   return 0;
@@ -186,11 +186,11 @@ Blow largest_blow(const StageSettings& s)
       if (t[k] == t[k - 1]) take(factor * v[k - 1], factor * v[k], t[k]);
   };
   if (s.velocity) take_velocities(s.load_factors, *s.velocity);
-  for (std::size_t k = 0; k < problem::load_columns.size(); ++k) {
+  for (std::size_t k = 0; k < settings::load_columns.size(); ++k) {
     const std::vector<Real>& column = s.loads.columns[k];
-    if (problem::load_columns[k].along > problem::LoadAlong::z) continue;
-    if (problem::load_columns[k].quantity == problem::LoadQuantity::velocity) take_velocities(column, 1);
-    if (problem::load_columns[k].quantity != problem::LoadQuantity::displacement) continue;
+    if (settings::load_columns[k].along > settings::LoadAlong::z) continue;
+    if (settings::load_columns[k].quantity == settings::LoadQuantity::velocity) take_velocities(column, 1);
+    if (settings::load_columns[k].quantity != settings::LoadQuantity::displacement) continue;
     Real before = 0;
     for (std::size_t row = 1; row < column.size(); ++row) {
       if (t[row] == t[row - 1]) continue;
@@ -247,7 +247,7 @@ void is_the_drive_slow(const Scene& s, Findings& found)
     if (body == none) continue;
     const Real density = inertia_density(s.material_of(body)), width = s.rigids[rigid].width;
     const Real strength = width > 0 ? strength_at_depth_of(s, body, width).value_or(0) : 0;
-    const Real limit = strength > 0 ? std::sqrt(problem::large_inertia * strength / density) : 0.1 * s.bodies[body].wave_speed;
+    const Real limit = strength > 0 ? std::sqrt(settings::large_inertia * strength / density) : 0.1 * s.bodies[body].wave_speed;
     // One warning, at the fastest stage.
     std::size_t fastest = 0;
     std::vector<std::size_t> fast;
@@ -269,7 +269,7 @@ void is_the_drive_slow(const Scene& s, Findings& found)
                fmt::format("is {}: so fast that the inertia of the soil carries part of the force (density v^2 = {:.3g} Pa{}; waves in "
                            "the soil run at {:.3g} m/s); {} or less is slow enough{}",
                            words_of(speed, "m/s"), inertia, part, s.bodies[body].wave_speed,
-                           words_of(rounded_down(limit * std::sqrt(problem::small_inertia / problem::large_inertia)), "m/s"), others));
+                           words_of(rounded_down(limit * std::sqrt(settings::small_inertia / settings::large_inertia)), "m/s"), others));
   }
 }
 
@@ -280,7 +280,7 @@ void is_the_load_history_slow(const Scene& s, Findings& found)
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const StageSettings& stage = s.c.stage[k];
     if (s.ways[k].rigid == none) continue;
-    const std::optional<problem::TimeScale> slow = time_scale_of(s.c, stage);
+    const std::optional<settings::TimeScale> slow = time_scale_of(s.c, stage);
     if (!slow) continue;
     const Real half_wave = slow->half_wave * stage.time_scale;
     if (half_wave < slow->shortest / too_fast)
@@ -303,7 +303,7 @@ void is_the_load_history_slow(const Scene& s, Findings& found)
 namespace {
 
 /// V of a stage where its record does not drive it, N/m: its own, or what an earlier stage left; empty where the input does not say it.
-std::optional<Real> held_V(const problem::Case& c, std::size_t stage)
+std::optional<Real> held_V(const settings::Case& c, std::size_t stage)
 {
   if (c.stage[stage].vertical_force) return c.stage[stage].vertical_force;
   while (stage-- > 0) {
@@ -328,7 +328,7 @@ std::vector<Real> driven_H(const StageSettings& stage)
 
 void is_a_breakout_run_in_real_time(const Scene& s, Findings& found)
 {
-  if (!s.is_mpm() || s.c.geometry != problem::Geometry::plane_strain) return;
+  if (!s.is_mpm() || s.c.geometry != settings::Geometry::plane_strain) return;
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const StageSettings& stage = s.c.stage[k];
     const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
@@ -347,7 +347,7 @@ void is_a_breakout_run_in_real_time(const Scene& s, Findings& found)
                  fmt::format("is {:.3g}: H of {} at {} of the record is more than about {}, V tan(phi) + 2 c D, the estimated resistance "
                              "of the soil: {}, so its displacement is a lower estimate; run with time_scale = 1",
                              stage.time_scale, words_of(std::abs(H[row]), "N/m"), words_of(stage.load_times[row], "s"),
-                             words_of(holds, "N/m"), problem::breakout_takes_time));
+                             words_of(holds, "N/m"), settings::breakout_takes_time));
       break;
     }
   }
@@ -445,7 +445,7 @@ void is_the_mass_that_of_the_weight(const Scene& s, Findings& found)
     if (rigid == none || !bodies::pipe_section(s.c.rigid[rigid].second.shape)) continue;
     const auto& column = stage.loads.of("V");
     Real weight = stage.vertical_force.value_or(column.empty() ? 0 : *std::max_element(column.begin(), column.end()));
-    if (stage.kind == StageKind::drag && weight == 0 && stage.vertical == problem::Vertical::hold) weight = force_before(s, k).value_or(0);
+    if (stage.kind == StageKind::drag && weight == 0 && stage.vertical == settings::Vertical::hold) weight = force_before(s, k).value_or(0);
     const std::optional<Direction> drive = only_force(s, stage);
     const bool sinks = drive && drive->axis == s.up && drive->sign == -s.up_sign,
                moves = sinks || (has_load_history(stage) && stage.kind == StageKind::drag && !stage.velocity);
@@ -502,8 +502,8 @@ void do_forces_press_down(const Scene& s, Findings& found)
           stage_key(k, fmt::format("drive.{}.force", problem_axes[s.up])),
           fmt::format("is {:.3g} {} upwards, and there is no soil above the body: it leaves the soil; a weight is less than 0 along {}",
                       pull, force_unit(s.c), problem_axes[s.up]));
-    const bool varies = stage.loads.drives(problem::LoadAlong::downwards);
-    const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity && !varies;
+    const bool varies = stage.loads.drives(settings::LoadAlong::downwards);
+    const bool holds = drag && stage.vertical == settings::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity && !varies;
     if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
       found.warn(stage_key(k, "vertical"), "holds the vertical force at the start of the stage, which is 0: nothing pushed the body down "
                                            "before; push it first, or give vertical_force");

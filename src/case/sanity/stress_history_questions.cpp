@@ -56,7 +56,7 @@ void is_the_strength_by_stress_that_of_clay(const Scene& s, Findings& found)
                                         ocr));
   }
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
-    const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
+    const settings::BodySoil soil = soil_of(s.c, s.c.body[b].second);
     const auto clay =
         std::find_if(soil.materials.begin(), soil.materials.end(), [](const auto& m) { return material::shansep(m) != nullptr; });
     if (clay == soil.materials.end() || soil.vertical_stress_at_start) continue;

@@ -67,7 +67,7 @@ std::vector<Leg> legs_of(const Scene& s, Index rigid)
       for (int d = 0; d < 3; ++d) leg.may[d] = way.axis[d].moves && !way.axis[d].known;
       add(leg);
       known = known && !leg.may[s.up];
-    } else if (is_free && s.c.stage[k].kind != problem::StageKind::geostatic) {
+    } else if (is_free && s.c.stage[k].kind != settings::StageKind::geostatic) {
       add({now, now, {true, true, true}, s.c.rigid[rigid].second.rotation == bodies::Rotation::free});
       known = false;
     }
@@ -154,7 +154,7 @@ void is_the_body_two_cells_thick(const Scene& s, Findings& found)
     const std::string& name = s.c.rigid[rigid].first;
     std::vector<Index> soils;
     for (const auto& [contact_name, contact] : s.c.contact)
-      if (contact.rigid == name) soils.push_back(problem::index_of(s.c.body, contact.body));
+      if (contact.rigid == name) soils.push_back(index_of(s.c.body, contact.body));
     if (soils.empty() || !s.rigids[rigid].bounded) continue;
     std::vector<Leg> legs = legs_of(s, rigid);
     const bool held = legs.empty();

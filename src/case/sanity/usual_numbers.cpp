@@ -74,7 +74,7 @@ void are_numbers_usual(const Scene& s, Findings& found)
     found.warn(key, fmt::format("is {}; usual values are {} to {}: {}", with_prefix(number, unit), with_prefix(usual.min, unit),
                                 with_prefix(usual.max, unit), unit.empty() ? "is that intended?" : "is its unit right?"));
   };
-  problem::Case copy = s.c;
+  settings::Case copy = s.c;
   UsualNumbers visitor(unusual);
   describe(visitor, copy);
 }

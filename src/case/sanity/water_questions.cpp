@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
-#include "problem/drainage.hpp"
-#include "problem/names.hpp"
+#include "core/names.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
+#include "settings/drainage.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -16,9 +16,9 @@ void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
   if (s.gravity == 0) return;
   const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
   for (const auto& [name, body] : s.c.body) {
-    const problem::BodySoil soil = soil_of(s.c, body);
+    const settings::BodySoil soil = soil_of(s.c, body);
     for (std::size_t k = 0; k < soil.materials.size(); ++k) {
-      const material::Material& asked = s.c.material[problem::index_of(s.c.material, soil.names[k])].second;
+      const material::Material& asked = s.c.material[index_of(s.c.material, soil.names[k])].second;
       const Real own = density(asked);
       const std::string path = "material." + soil.names[k] + ".", weight = path + "submerged_unit_weight";
       const bool as_weight = s.places.has(weight);
@@ -70,7 +70,7 @@ struct Uplift {
 Uplift uplift_of(const Scene& s, Index body, Real pressure)
 {
   constexpr int slices = 200;
-  const problem::BodySoil soil = soil_of(s.c, s.c.body[body].second);
+  const settings::BodySoil soil = soil_of(s.c, s.c.body[body].second);
   const Real height = s.depth_of(body), thick = height / slices;
   std::vector<Real> resistance = {0};  // of the soil above, m/(m/s)
   for (int k = 0; k < slices; ++k) {
@@ -96,7 +96,7 @@ void does_the_soil_keep_its_weight(const Scene& s, Findings& found)
     const auto& [name, support] = s.c.support[k];
     if (!support.head || !(*support.head > 0)) continue;
     for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
-      if (!is_base_of(s, k, s.bodies[b]) || !(s.depth_of(b) > 0) || !problem::has_flowing_water(s.c, s.c.body[b].first)) continue;
+      if (!is_base_of(s, k, s.bodies[b]) || !(s.depth_of(b) > 0) || !settings::has_flowing_water(s.c, s.c.body[b].first)) continue;
       const Uplift uplift = uplift_of(s, b, material::unit_weight_of_water * *support.head);
       if (uplift.part < near) continue;
       found.warn("support." + name + ".head",
@@ -112,9 +112,9 @@ void is_the_head_there_when_soil_rests(const Scene& s, Findings& found)
 {
   for (const auto& [name, support] : s.c.support) {
     if (!support.head || *support.head == 0) continue;
-    for (const problem::StageSettings& stage : s.c.stage) {
-      const bool acts = problem::acts_in(support.stages, stage.name);
-      if (!acts || stage.kind != problem::StageKind::geostatic) continue;
+    for (const settings::StageSettings& stage : s.c.stage) {
+      const bool acts = acts_in(support.stages, stage.name);
+      if (!acts || stage.kind != settings::StageKind::geostatic) continue;
       found.warn("support." + name + ".head",
                  fmt::format("acts in the geostatic stage \"{}\", which ends when forces are in balance, not when the flow of water is "
                              "steady: name the stages after it in `stages`, and hold the boundary in \"{}\" by a support without a head",
@@ -130,14 +130,14 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found)
   const Index rigid = main_rigid(s.c);
   const Real width = rigid == none ? 0 : s.rigids[rigid].width;
   if (!(width > 0)) return;
-  const std::vector<problem::Consolidation> soils = consolidation_of(s.c, width);
+  const std::vector<settings::Consolidation> soils = consolidation_of(s.c, width);
   if (soils.empty()) return;
-  const problem::Consolidation& soil = soils.front();
-  const material::Material& material = s.c.material[problem::index_of(s.c.material, soil.material)].second;
+  const settings::Consolidation& soil = soils.front();
+  const material::Material& material = s.c.material[index_of(s.c.material, soil.material)].second;
   const Real wave = soil.wave(), all = width * width / soil.c_v;
-  for (const problem::StageDrainage& stage : drainage_of_stages(s.c, width, soil.c_v)) {
-    const problem::StageKind kind = s.c.stage[stage.stage].kind;
-    if (kind != problem::StageKind::drive && kind != problem::StageKind::free) continue;  // what a force loads does not rest
+  for (const settings::StageDrainage& stage : drainage_of_stages(s.c, width, soil.c_v)) {
+    const settings::StageKind kind = s.c.stage[stage.stage].kind;
+    if (kind != settings::StageKind::drive && kind != settings::StageKind::free) continue;  // what a force loads does not rest
     if (stage.moves) continue;
     if (stage.number < nothing_drains)
       found.warn(
@@ -145,7 +145,7 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found)
           fmt::format("is T = c_v t/D2 = {:.2g}: almost nothing drains; half of the pressure has dissipated at about T = 0.1, {}, all of "
                       "it at T = 10: take more time or, since time may be scaled, a larger permeability and a larger velocity",
                       stage.number, words_of(all / 10, "s")));
-    else if (const std::optional<problem::StageInertia> inertia = inertia_in(s.c, stage, soil, width);
+    else if (const std::optional<settings::StageInertia> inertia = inertia_in(s.c, stage, soil, width);
              inertia && inertia->is_large() && !(stage.number > drained))
       found.warn(
           "material." + soil.material + ".water.permeability",
@@ -153,7 +153,7 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found)
               "gives c_v = {:.3g} m2/s: in stage \"{}\" half of the pressure below the body dissipates within {}, and waves, which take {} "
               "across it, affect how; up to {} the soil consolidates as in reality",
               soil.c_v, s.c.stage[stage.stage].name, words_of(all / 10, "s"), words_of(width / wave, "s"),
-              words_of(rounded_down(hydraulics(material)->permeability * problem::StageInertia::largest_at_rest / inertia->part), "m/s")));
+              words_of(rounded_down(hydraulics(material)->permeability * settings::StageInertia::largest_at_rest / inertia->part), "m/s")));
   }
 }
 

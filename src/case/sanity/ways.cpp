@@ -2,14 +2,14 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "sanity/scene.hpp"
 
-#include "problem/drives.hpp"
+#include "settings/drives.hpp"
 
 #include <algorithm>
 
 namespace berm::sanity {
 namespace {
 
-using By = problem::FreedomDrive::By;
+using By = settings::FreedomDrive::By;
 
 /// Travel at a speed after a time, when it grows to that speed in the ramp.
 Real travel_in(Real speed, Real time, Real ramp)
@@ -18,23 +18,23 @@ Real travel_in(Real speed, Real time, Real ramp)
 }
 
 /// Whether a body at a depth w has reached the stage's embedment: from above, or from below where it is lifted.
-bool at_embedment(const problem::StageSettings& s, Real down, Real w)
+bool at_embedment(const settings::StageSettings& s, Real down, Real w)
 {
   return s.until.embedment && (down < 0 ? *s.until.embedment >= w : *s.until.embedment <= w);
 }
 
 /// The time that a stage takes to the first of its limits that the input says when it is reached; infinity where it says none.
 template <int dim>
-Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, const problem::StageDrives<dim>& drives, Real begin_w)
+Real time_of(const problem::Model<dim>& model, const settings::StageSettings& s, const settings::StageDrives<dim>& drives, Real begin_w)
 {
   Real time = s.until.time.value_or(infinity), speed = 0;
   if (!s.load_times.empty()) return time;  // when it is where, its load history says
   for (int d = 0; d < dim; ++d)
-    if (drives[d].by == By::velocity && (s.kind == problem::StageKind::drive || d == model.axes.along))
+    if (drives[d].by == By::velocity && (s.kind == settings::StageKind::drive || d == model.axes.along))
       speed += drives[d].value * drives[d].value;
   speed = std::sqrt(speed);
   if (s.until.displacement && speed > 0) time = std::min(time, *s.until.displacement / speed + s.ramp / 2);
-  const problem::FreedomDrive& vertical = drives[model.axes.up];
+  const settings::FreedomDrive& vertical = drives[model.axes.up];
   const Real down = vertical.by == By::velocity ? -model.axes.sign * vertical.value : 0;
   if (at_embedment(s, down, begin_w)) return 0;
   if (s.until.embedment && down != 0) time = std::min(time, (*s.until.embedment - begin_w) / down + s.ramp / 2);
@@ -45,7 +45,7 @@ Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, 
 template <int dim>
 void let_free_bodies_go(const problem::Model<dim>& model, std::size_t stage, std::vector<std::array<Move, 3>>& now)
 {
-  if (model.stages[stage].kind == problem::StageKind::geostatic) return;
+  if (model.stages[stage].kind == settings::StageKind::geostatic) return;
   for (std::size_t r = 0; r < now.size(); ++r)
     if (model.rigid_bodies[r].motion == bodies::Motion::free && model.driven[stage] != static_cast<Index>(r))
       for (int d = 0; d < dim; ++d)
@@ -65,9 +65,9 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
     way.stage = k;
     way.rigid = model.driven[k];
     if (way.rigid == none) continue;
-    const problem::StageSettings& s = model.stages[k];
+    const settings::StageSettings& s = model.stages[k];
     const bodies::RigidBody<dim>& rigid = model.rigid_bodies[way.rigid];
-    const auto drives = problem::drives_of<dim>(s, model.axes, rigid.rotation == bodies::Rotation::free);
+    const auto drives = settings::drives_of<dim>(s, model.axes, rigid.rotation == bodies::Rotation::free);
     way.axis = now[way.rigid];
     for (Move& move : way.axis) move.begin = move.end, move.begin_known = move.known && !move.at_most;
     way.begin_known = way.axis[model.axes.up].known && !way.axis[model.axes.up].at_most;
@@ -76,7 +76,7 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
     way.begin_embedment = model.axes.sign * (model.surface_at(center) - way.axis[model.axes.up].begin) -
                           lowest_level<dim>(rigid.shape, model.axes.up_vector());
     for (int d = dim; d < bodies::freedoms<dim>; ++d) way.turns = way.turns || drives[d].by != By::velocity || drives[d].value != 0;
-    const problem::FreedomDrive& vertical = drives[model.axes.up];
+    const settings::FreedomDrive& vertical = drives[model.axes.up];
     const Real down = vertical.by == By::velocity ? -model.axes.sign * vertical.value : 0;
     const Real time = time_of(model, s, drives, way.begin_embedment);
     for (int d = 0; d < dim; ++d) {
@@ -144,7 +144,7 @@ bool may_meet_soil(const Scene& s, const Way& way)
   if (!s.rigids[way.rigid].bounded) return true;
   const std::string& name = s.c.rigid[way.rigid].first;
   return std::any_of(s.c.contact.begin(), s.c.contact.end(), [&](const auto& contact) {
-    return contact.second.rigid == name && may_meet(s, way, problem::index_of(s.c.body, contact.second.body));
+    return contact.second.rigid == name && may_meet(s, way, index_of(s.c.body, contact.second.body));
   });
 }
 

@@ -2,6 +2,7 @@
 #include "site/strength.hpp"
 
 #include "os/error.hpp"
+#include "settings/interface.hpp"
 
 #include <algorithm>
 #include <cmath>

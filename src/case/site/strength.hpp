@@ -2,6 +2,7 @@
 // Tests: tests/unit/site/strength_test.cpp
 #pragma once
 
+#include "settings/interface.hpp"
 #include "site/sounding.hpp"
 
 namespace berm::site {

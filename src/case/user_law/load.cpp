@@ -120,12 +120,12 @@ void load(Materials& materials, int dimension, const GivenLaws& given)
   });
 }
 
-void load(problem::Case& c, const GivenLaws& given)
+void load(settings::Case& c, const GivenLaws& given)
 {
   load(c.material, c.dimension(), given);
 }
 
-std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c)
+std::vector<std::pair<std::string, std::string>> library_hashes(const settings::Case& c)
 {
   std::map<std::string, std::string> hashes;
   for_each_law(c.material, [&](const std::string&, const auto& law) {
@@ -134,7 +134,7 @@ std::vector<std::pair<std::string, std::string>> library_hashes(const problem::C
   return {hashes.begin(), hashes.end()};
 }
 
-void throw_failures(const problem::Case& c)
+void throw_failures(const settings::Case& c)
 {
   throw_failures(c.material);
 }
@@ -146,7 +146,7 @@ void throw_failures(const Materials& materials)
   });
 }
 
-void forget_failures(const problem::Case& c)
+void forget_failures(const settings::Case& c)
 {
   for_each_law(c.material, [](const std::string&, const auto& law) {
     if (law.loaded) law.loaded->forget_failure();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 #include "user_law/function.hpp"
 
 #include <map>
@@ -15,7 +15,7 @@ using GivenLaws = std::map<std::string, OwnFunction>;
 /// after the other, with a warning. Throws KeyError where a library is missing, is another than library_sha256 says, does not load, has no such function, or
 /// fails the trials (trial.hpp). A law that crashes ends the program (crash_guard.hpp).
 /// A given law is called by one thread after the other. Throws KeyError where a given law stands for no such material.
-void load(problem::Case& c, const GivenLaws& given = {});
+void load(settings::Case& c, const GivenLaws& given = {});
 
 /// The same of materials by themselves, for stresses of this dimension.
 void load(std::vector<std::pair<std::string, material::Material>>& materials, int dimension, const GivenLaws& given = {});
@@ -24,13 +24,13 @@ void load(std::vector<std::pair<std::string, material::Material>>& materials, in
 bool names_library(const std::vector<std::pair<std::string, material::Material>>& materials);
 
 /// Path and SHA-256 of the libraries of a case that are loaded, each once.
-std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c);
+std::vector<std::pair<std::string, std::string>> library_hashes(const settings::Case& c);
 
 /// Throws RunError with the reason where a loaded law has failed.
-void throw_failures(const problem::Case& c);
+void throw_failures(const settings::Case& c);
 void throw_failures(const std::vector<std::pair<std::string, material::Material>>& materials);
 
 /// Forgets failures that the method has got over.
-void forget_failures(const problem::Case& c);
+void forget_failures(const settings::Case& c);
 
 }  // namespace berm::user_law

@@ -34,15 +34,15 @@ Unit unit_of(const std::string& token)
           .token = token};
 }
 
-void refuse_other_than_slice(const problem::Case& c)
+void refuse_other_than_slice(const settings::Case& c)
 {
-  if (c.method != problem::Method::mpm) throw KeyError("method: FMU export needs method = \"mpm\", the material point method");
-  if (c.geometry != problem::Geometry::plane_strain)
+  if (c.method != settings::Method::mpm) throw KeyError("method: FMU export needs method = \"mpm\", the material point method");
+  if (c.geometry != settings::Geometry::plane_strain)
     throw KeyError("geometry: FMU export needs geometry = \"plane_strain\": the unit is a slice of soil across a pipe");
   if (c.rigid.size() != 1)
     throw KeyError(fmt::format("rigid: FMU export needs one rigid body, which the co-simulation moves; here there are {}", c.rigid.size()));
-  const problem::StageSettings& last = c.stage.back();
-  if (last.kind != problem::StageKind::drive)
+  const settings::StageSettings& last = c.stage.back();
+  if (last.kind != settings::StageKind::drive)
     throw KeyError(fmt::format(
         "stage[{}].kind: FMU export needs kind = \"drive\" as the last stage, which the co-simulation moves: add a stage behind \"{}\" "
         "with kind = \"drive\", drive.x.velocity = 0, drive.y.hold = true and until.time as long as the co-simulation",
@@ -61,7 +61,7 @@ std::string slice_description(int fmi_version, const std::string& token)
   return model_description(fmi_version, unit_of(token));
 }
 
-std::string fmu_of_slice(problem::Case settings, const std::filesystem::path& folder, int fmi_version)
+std::string fmu_of_slice(settings::Case settings, const std::filesystem::path& folder, int fmi_version)
 {
   refuse_other_than_slice(settings);
   std::string mesh;

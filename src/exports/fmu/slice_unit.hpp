@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 #include <filesystem>
 
@@ -12,6 +12,6 @@ std::string slice_description(int fmi_version, const std::string& token);
 
 /// The bytes of a functional mock-up unit, FMI 2.0 or 3.0 for co-simulation: the slice of soil that a case is, driven in its last stage. `folder` is where the case lies, by which it names its mesh. Throws
 /// KeyError where the case is no slice that a caller can drive.
-std::string fmu_of_slice(problem::Case settings, const std::filesystem::path& folder, int fmi_version);
+std::string fmu_of_slice(settings::Case settings, const std::filesystem::path& folder, int fmi_version);
 
 }  // namespace berm::fmu

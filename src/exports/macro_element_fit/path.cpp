@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 /// Points that a path has about: enough for curves, few enough to go through a thousand times.
 constexpr Index path_points = 250;
 
-bool by_force(const problem::StageSettings& stage)
+bool by_force(const settings::StageSettings& stage)
 {
-  if (stage.kind == problem::StageKind::push) return stage.force.has_value();
-  if (stage.kind == problem::StageKind::drag) return stage.vertical == problem::Vertical::hold && !stage.vertical_velocity;
-  return stage.kind == problem::StageKind::drive && (stage.drive.y.force || stage.drive.y.hold);
+  if (stage.kind == settings::StageKind::push) return stage.force.has_value();
+  if (stage.kind == settings::StageKind::drag) return stage.vertical == settings::Vertical::hold && !stage.vertical_velocity;
+  return stage.kind == settings::StageKind::drive && (stage.drive.y.force || stage.drive.y.hold);
 }
 
 /// Rows [begin, end) of a history as one point: where the pipe was at their end, and the mean of the forces.
@@ -54,7 +54,7 @@ Real Path::largest_V() const
 Path path_of(const record::RunRecord& run)
 {
   const std::string folder = run.folder.string();
-  if (!base::drives_a_body(run.settings) || run.settings.geometry != problem::Geometry::plane_strain)
+  if (!base::drives_a_body(run.settings) || run.settings.geometry != settings::Geometry::plane_strain)
     throw RunError(fmt::format("{} is not a plane-strain run of a pipe: a macro-element gives forces per length of pipe", folder));
   if (run.end != record::RunEnd::finished) throw RunError(fmt::format("{} has not finished: run it to the end, or leave it out", folder));
   const run_folder::History& history = run.history;
@@ -75,7 +75,7 @@ Path path_of(const record::RunRecord& run)
     const auto& stages = run.settings.stage;
     const auto stage = std::find_if(stages.begin(), stages.end(), [&](const auto& one) { return one.name == history.stage[begin]; });
     if (stage == stages.end() || !drives(stage->kind)) continue;
-    const bool first_push = path.push.empty() && !dragged && stage->kind == problem::StageKind::push && stage->velocity;
+    const bool first_push = path.push.empty() && !dragged && stage->kind == settings::StageKind::push && stage->velocity;
     Index first = begin;
     while (first < end && !(history["w_m"][first] > 0)) ++first;
     // The stage's last block holds its last row, where the pipe turns.
@@ -85,7 +85,7 @@ Path path_of(const record::RunRecord& run)
       if (first_push) path.push.push_back(path.points.back());
       first = last;
     }
-    dragged = dragged || stage->kind != problem::StageKind::push;
+    dragged = dragged || stage->kind != settings::StageKind::push;
   }
   if (path.points.size() < 2) throw RunError(fmt::format("{}: the pipe never was in the soil", folder));
   return path;

@@ -85,7 +85,7 @@ Unloading unloading_of(const std::string& stage, std::vector<Index> rows, const 
 /// The strength of the soil at an embedment, Pa; 0 where it has friction or none is known.
 Real strength_at(const record::RunRecord& run, Real w)
 {
-  const std::optional<problem::BodySoil> soil = base::touched_soil(run);
+  const std::optional<settings::BodySoil> soil = base::touched_soil(run);
   if (!soil) return 0;
   const std::optional<material::Strength> strength = strength_at_rest(soil->at("", base::soil_depth(run.settings, run.ground, w)));
   return strength && strength->friction_angle == 0 ? strength->cohesion : 0;
@@ -94,7 +94,7 @@ Real strength_at(const record::RunRecord& run, Real w)
 /// Undisturbed strength of the clay below the pipe over that remoulded; 1 of other soil.
 Real sensitivity_of(const record::RunRecord& run)
 {
-  const std::optional<problem::BodySoil> soil = base::touched_soil(run);
+  const std::optional<settings::BodySoil> soil = base::touched_soil(run);
   const auto* clay = soil ? soil->materials.front().get_if<material::Clay>() : nullptr;
   return clay == nullptr ? 1 : clay->sensitivity;
 }
@@ -363,7 +363,7 @@ std::vector<std::string> missing_axial(const Springs& s, const driven::Results& 
 Springs springs_of(const record::RunRecord& record, const Selection& selection)
 {
   const std::string folder = record.folder.string();
-  if (!base::drives_a_body(record.settings) || record.settings.geometry != problem::Geometry::plane_strain)
+  if (!base::drives_a_body(record.settings) || record.settings.geometry != settings::Geometry::plane_strain)
     throw RunError(fmt::format("{} is not a plane-strain run of a pipe: springs are forces per length of pipe", folder));
   const driven::DrivenRun run(record);
   const driven::Results results = run.results();
@@ -371,7 +371,7 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
   if (results.push.empty() && !results.push_end && path.drags.empty() && path.other_pushes.empty())
     throw RunError(fmt::format("{} has neither pushed nor dragged its pipe yet", folder));
   const auto drags = std::count_if(run.stages.begin(), run.stages.end(),
-                                   [](const driven::Stage& stage) { return stage.kind == problem::StageKind::drag; });
+                                   [](const driven::Stage& stage) { return stage.kind == settings::StageKind::drag; });
   if (record.end == record::RunEnd::finished && static_cast<std::ptrdiff_t>(path.drags.size()) < drags)
     throw RunError(
         fmt::format("{} is finished, but its history has rows of {} of {} drags only: it is damaged", folder, path.drags.size(), drags));

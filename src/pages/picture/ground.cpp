@@ -4,8 +4,9 @@
 #include "bodies/fill.hpp"
 #include "picture/stage_words.hpp"
 #include "problem/absorbing.hpp"
-#include "problem/drainage.hpp"
 #include "problem/model.hpp"
+#include "settings/drainage.hpp"
+#include "settings/symmetry.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,11 +16,11 @@ namespace {
 
 /// The soil of a body and the numbers that its materials have among the kinds.
 struct BodyKinds {
-  problem::BodySoil soil;
+  settings::BodySoil soil;
   Index first;
 };
 
-std::vector<BodyKinds> kinds_of(const problem::Case& c, std::vector<SoilKind>& kinds)
+std::vector<BodyKinds> kinds_of(const settings::Case& c, std::vector<SoilKind>& kinds)
 {
   std::vector<BodyKinds> bodies;
   for (const auto& [name, settings] : c.body) {
@@ -29,7 +30,7 @@ std::vector<BodyKinds> kinds_of(const problem::Case& c, std::vector<SoilKind>& k
   return bodies;
 }
 
-Index filled_by(const problem::Case& c, const std::string& region)
+Index filled_by(const settings::Case& c, const std::string& region)
 {
   const auto fills = [&](const auto& body) {
     return std::find(body.second.regions.begin(), body.second.regions.end(), region) != body.second.regions.end();
@@ -40,8 +41,8 @@ Index filled_by(const problem::Case& c, const std::string& region)
 
 /// The surface that depth in the soil counts from.
 struct Surface {
-  Surface(const problem::Case& c, const problem::Ground& bed)
-      : axes(problem::axes_of<2>(bodies::to_vec<2>(c.gravity))),
+  Surface(const settings::Case& c, const problem::Ground& bed)
+      : axes(axes_of<2>(bodies::to_vec<2>(c.gravity))),
         level(c.surface),
         line(bed.laid_down)
   {
@@ -49,7 +50,7 @@ struct Surface {
 
   Real depth(const Vec<2>& x, const Vec<2>& below) const { return axes.depth(x, line.level() ? level : line.height(below[axes.along])); }
 
-  problem::Axes<2> axes;
+  Axes<2> axes;
   Real level;
   const mesh::GroundLine& line;
 };
@@ -57,7 +58,7 @@ struct Surface {
 /// A convex part of a region, cut where its body has another layer.
 void add_pieces(const BodyKinds& body, const std::string& region, const Surface& surface, const Points& corners, std::vector<Piece>& pieces)
 {
-  const problem::BodySoil& soil = body.soil;
+  const settings::BodySoil& soil = body.soil;
   if (soil.layers.empty()) return pieces.push_back({corners, body.first + soil.material_index_at(region, 0)});
   Vec<2> middle = Vec<2>::Zero();
   for (const Vec<2>& corner : corners) middle += corner / static_cast<Real>(corners.size());
@@ -81,12 +82,12 @@ Side side_of(const mesh::Mesh<2>& mesh, Index cell, int corner)
 }
 
 /// A support without its sides.
-HeldSides held_of(const problem::Case& c, const boundary::SupportSettings& support)
+HeldSides held_of(const settings::Case& c, const boundary::SupportSettings& support)
 {
   return {held_words(c, support), support.boundary, fixed_directions(support), {}};
 }
 
-HeldSides held_sides(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::string& name, const boundary::SupportSettings& support)
+HeldSides held_sides(const settings::Case& c, const mesh::Mesh<2>& mesh, const std::string& name, const boundary::SupportSettings& support)
 {
   HeldSides held = held_of(c, support);
   const std::vector<Index>& nodes = mesh.boundary_nodes[fixed_boundary(mesh, name, support)];
@@ -177,7 +178,7 @@ Index kind_of(const Ground& ground, const std::string& body, const std::string& 
   return found == ground.kinds.end() ? kind_of(ground, body) : static_cast<Index>(found - ground.kinds.begin());
 }
 
-Ground ground_of(const problem::Case& c, const Sketch& sketch)
+Ground ground_of(const settings::Case& c, const Sketch& sketch)
 {
   Ground ground;
   ground.lower = sketch.domain.lower;
@@ -213,7 +214,7 @@ Ground ground_of(const problem::Case& c, const Sketch& sketch)
   return ground;
 }
 
-Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh, const problem::Ground& bed)
+Ground ground_of(const settings::Case& c, const mesh::Mesh<2>& mesh, const problem::Ground& bed)
 {
   Ground ground;
   ground.lower = mesh.lower;

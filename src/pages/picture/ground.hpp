@@ -9,7 +9,7 @@ namespace berm::picture {
 /// A material of a body, which has one colour.
 struct SoilKind {
   std::string body, material;
-  problem::Case const* settings;
+  settings::Case const* settings;
 };
 
 /// A convex part of a cell and what fills it.
@@ -49,9 +49,9 @@ struct Ground {
 };
 
 /// `bed`: the surface, from which layers count. Throws KeyError where a name of the case refers to nothing in the mesh.
-Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh, const problem::Ground& bed);
+Ground ground_of(const settings::Case& c, const mesh::Mesh<2>& mesh, const problem::Ground& bed);
 /// The same without a mesh, as far as the case tells: regions of a bed and of a box, no loads; of a mesh from a file its surface alone.
-Ground ground_of(const problem::Case& c, const Sketch& sketch);
+Ground ground_of(const settings::Case& c, const Sketch& sketch);
 
 /// The first kind of a body: of a block or disk all of it.
 Index kind_of(const Ground& ground, const std::string& body);

@@ -88,9 +88,9 @@ std::string name_of(const SoilKind& kind)
   return kind.material == kind.body ? kind.material : fmt::format("{} (body {})", kind.material, kind.body);
 }
 
-std::string soil_words(const problem::Case& c, const SoilKind& kind)
+std::string soil_words(const settings::Case& c, const SoilKind& kind)
 {
-  const material::Material& material = c.material[problem::index_of(c.material, kind.material)].second;
+  const material::Material& material = c.material[index_of(c.material, kind.material)].second;
   std::string words = name_of(kind) + ": " + law_name(material);
   if (const std::optional<material::Strength> strength = strength_at_rest(material)) {
     const std::string c_words = with_depth(strength->cohesion, strength->cohesion_gradient);
@@ -102,7 +102,7 @@ std::string soil_words(const problem::Case& c, const SoilKind& kind)
   }
   const auto [E, nu] = young_poisson(material);
   words += fmt::format(", E = {}, ν = {}, ρ = {:.0f} kg/m³", text::stress_words(E), text::number_words(nu), density(material));
-  const bodies::BodySettings& body = c.body[problem::index_of(c.body, kind.body)].second;
+  const bodies::BodySettings& body = c.body[index_of(c.body, kind.body)].second;
   if (body.has_k0()) words += ", K₀ = " + base::k0_in_words(body.at_rest(), body.sin_friction);
   return together(words);
 }
@@ -160,7 +160,7 @@ std::string contact_words(const std::string& name, const contact::ContactSetting
 
 void rigid_bodies(Column& column, const Model& model)
 {
-  const problem::Case& c = model.settings;
+  const settings::Case& c = model.settings;
   if (!c.rigid.empty()) column.heading("Rigid bodies");
   for (std::size_t k = 0; k < c.rigid.size(); ++k)
     column.swatch(rigid_words(c.rigid[k].first, c.rigid[k].second, model.sketch.rigid_bodies[k].outline), rigid_color, {rim_color, 1});
@@ -244,7 +244,7 @@ Real draw_names(Canvas& canvas, const Model& model, const Vec<2>& at, Real width
 Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real width)
 {
   Column column(canvas, at, width);
-  const std::vector<problem::StageSettings>& stages = model.settings.stage;
+  const std::vector<settings::StageSettings>& stages = model.settings.stage;
   if (stages.empty()) return at[1];
   column.heading("Stages");
   for (std::size_t k = 0; k < stages.size() && k < max_stages; ++k)
@@ -258,10 +258,10 @@ Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real widt
 
 std::string method_words(const Model& model)
 {
-  const problem::Case& c = model.settings;
+  const settings::Case& c = model.settings;
   std::string words =
-      fmt::format("{}, {}. {} cells.", c.geometry == problem::Geometry::axisymmetric ? "Axisymmetric" : "Plane strain",
-                  c.method == problem::Method::mpm ? "material point method" : "small-strain finite elements around the body in place",
+      fmt::format("{}, {}. {} cells.", c.geometry == settings::Geometry::axisymmetric ? "Axisymmetric" : "Plane strain",
+                  c.method == settings::Method::mpm ? "material point method" : "small-strain finite elements around the body in place",
                   text::count_words(model.ground.cells));
   const Vec<2>& gravity = model.sketch.gravity;
   if (gravity.norm() > 0) words += fmt::format(" Gravity {:.3g} g", gravity.norm() / standard_gravity);

@@ -22,7 +22,7 @@ std::string method_words(const Model& model);
 void path_marks(Canvas& canvas, const Model& model, const Scale& scale);
 
 /// The colour of a stage's arrow and number.
-std::string stage_color(problem::StageKind kind);
+std::string stage_color(settings::StageKind kind);
 
 /// A number in a disk.
 void number_mark(Canvas& canvas, const Vec<2>& center, const std::string& number, const std::string& color);

@@ -75,18 +75,18 @@ void slice_signs(Canvas& canvas, const slices::LineOfCase& line, const PlanScale
 }
 
 /// What is at x = 0, where the other half begins.
-void middle_sign(Canvas& canvas, const problem::PipelineSettings& p, const PlanScale& scale)
+void middle_sign(Canvas& canvas, const settings::PipelineSettings& p, const PlanScale& scale)
 {
   const Vec<2> middle = scale(0, 0);
   canvas.line({Vec<2>(middle - Vec<2>(0, bump + 26)), Vec<2>(middle + Vec<2>(0, 60))}, {quiet_color, 1, "9 3 2 3"});
-  canvas.text(middle - Vec<2>(18, bump / 2), p.half == problem::LineHalf::symmetric ? "mirror image" : "rotated by 180 degrees",
+  canvas.text(middle - Vec<2>(18, bump / 2), p.half == settings::LineHalf::symmetric ? "mirror image" : "rotated by 180 degrees",
               {.size = 10, .anchor = Anchor::center, .upright = true});
 }
 
 /// The far end at a place of the axis, pixels.
-void end_sign(Canvas& canvas, const problem::PipelineSettings& p, const Vec<2>& at)
+void end_sign(Canvas& canvas, const settings::PipelineSettings& p, const Vec<2>& at)
 {
-  const bool held = p.end == problem::LineEnd::anchored;
+  const bool held = p.end == settings::LineEnd::anchored;
   if (held) {
     canvas.line({Vec<2>(at - Vec<2>(0, 16)), Vec<2>(at + Vec<2>(0, 16))}, {support_color, 2});
     for (const Real beside : {-10., 10.}) support_sign(canvas, at + Vec<2>(0, beside), Vec<2>(1, 0), 3);
@@ -94,17 +94,17 @@ void end_sign(Canvas& canvas, const problem::PipelineSettings& p, const Vec<2>& 
   canvas.text(at - Vec<2>(0, 32), held ? "anchored" : "free", {.size = 10, .anchor = Anchor::center});
 }
 
-std::string friction_words(const problem::FarSoil& soil)
+std::string friction_words(const settings::FarSoil& soil)
 {
   return fmt::format("springs beyond the slices: {:.3g} W lateral, {:.3g} W axial", soil.friction, soil.axial_friction);
 }
 
 }  // namespace
 
-Real draw_line_plan(Canvas& canvas, const problem::Case& c, const Vec<2>& at, Real width)
+Real draw_line_plan(Canvas& canvas, const settings::Case& c, const Vec<2>& at, Real width)
 {
   const slices::LineOfCase line(c);
-  const problem::PipelineSettings& p = line.settings;
+  const settings::PipelineSettings& p = line.settings;
   const Real last_slice = line.places.back(), wanted = 1.3 * std::max(last_slice, p.imperfection.length / 2);
   const bool broken = wanted < p.length;
   const Real reach = broken ? wanted : p.length, room = width - room_left - (broken ? room_of_end : 60);

@@ -71,7 +71,7 @@ std::string description_of(const Model& model)
                                 text::length_words(middle[1])));
   }
   for (const HeldSides& held : model.ground.held) parts.push_back(fmt::format("{}: {}", held.boundary, held.words));
-  for (const problem::StageSettings& stage : model.settings.stage) parts.push_back(stage_words(stage, model.settings.force_dimension()));
+  for (const settings::StageSettings& stage : model.settings.stage) parts.push_back(stage_words(stage, model.settings.force_dimension()));
   return text_of_list(parts, "; ");
 }
 
@@ -112,7 +112,7 @@ std::string detail_on_page(const Model& model, const std::string& title, const E
   return canvas.svg({16 + width + 16, height}, title + ", enlarged", description_of(model), page_scale);
 }
 
-std::string plan_on_page(const problem::Case& c, const std::string& title)
+std::string plan_on_page(const settings::Case& c, const std::string& title)
 {
   constexpr Real width = 900;
   Canvas canvas(Canvas::Place::page);
@@ -123,7 +123,7 @@ std::string plan_on_page(const problem::Case& c, const std::string& title)
 
 }  // namespace
 
-void draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::filesystem::path& file)
+void draw_model(const settings::Case& c, const mesh::Mesh<2>& mesh, const std::filesystem::path& file)
 {
   std::vector<bodies::RigidShape<2>> shapes;
   for (const auto& [rigid_name, rigid] : c.rigid) shapes.push_back(bodies::make_shape<2>(rigid.shape));
@@ -141,7 +141,7 @@ void draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::fi
   canvas.write(file, {picture_width, std::ceil(height + 20)}, title, description_of(model));
 }
 
-PageDrawing draw_on_page(const problem::Case& c, const problem::Ground& bed, const std::string& title)
+PageDrawing draw_on_page(const settings::Case& c, const problem::Ground& bed, const std::string& title)
 {
   const Sketch sketch = sketch_of(c, bed);
   const Ground ground = ground_of(c, sketch);

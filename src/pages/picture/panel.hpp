@@ -16,7 +16,7 @@ constexpr const char *mesh_color = "#5555557f", *rigid_color = "#9aa1ab", *rim_c
 
 /// All that a panel shows of a case.
 struct Model {
-  const problem::Case& settings;
+  const settings::Case& settings;
   const Sketch& sketch;
   const Ground& ground;
 };

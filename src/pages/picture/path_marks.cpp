@@ -32,19 +32,19 @@ std::vector<Way> ways_of(const Sketch& sketch)
 
 }  // namespace
 
-std::string stage_color(problem::StageKind kind)
+std::string stage_color(settings::StageKind kind)
 {
   switch (kind) {
-  case problem::StageKind::push:
+  case settings::StageKind::push:
     return push_color;
-  case problem::StageKind::drag:
-  case problem::StageKind::sweep:
+  case settings::StageKind::drag:
+  case settings::StageKind::sweep:
     return drag_color;
-  case problem::StageKind::drive:
-  case problem::StageKind::pipeline:
+  case settings::StageKind::drive:
+  case settings::StageKind::pipeline:
     return "#2e7d32";
-  case problem::StageKind::geostatic:
-  case problem::StageKind::free:
+  case settings::StageKind::geostatic:
+  case settings::StageKind::free:
     break;
   }
   return "#5f6b76";

@@ -4,7 +4,7 @@
 
 #include "os/text_of_list.hpp"
 #include "picture/stage_words.hpp"
-#include "problem/drainage.hpp"
+#include "settings/drainage.hpp"
 #include "structures/base/soil_words.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Vec<2> middle_of(const Outline& outline)
   return 0.5 * (extent.lower + extent.upper);
 }
 
-void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::SeabedMesh& bed)
+void add_mesh(Sketch& sketch, const settings::Case& c, const mesh::SeabedMesh& bed)
 {
   const mesh::SeabedLayout at = layout_of(bed);
   const auto part = [&](Real left, Real right, Real lower, Real upper) {
@@ -38,13 +38,13 @@ void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::SeabedMesh& be
   if (sketch.ground.line.level()) sketch.surface = c.surface;
 }
 
-void add_mesh(Sketch& sketch, const problem::Case& /*c*/, const mesh::BoxMesh& box)
+void add_mesh(Sketch& sketch, const settings::Case& /*c*/, const mesh::BoxMesh& box)
 {
   const Vec<2> lower = in_plane(box.lower);
   sketch.outline = corners_of({lower, lower + in_plane(box.size)});
 }
 
-void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::GmshFile& mesh)
+void add_mesh(Sketch& sketch, const settings::Case& c, const mesh::GmshFile& mesh)
 {
   sketch.notes.push_back(fmt::format("The mesh comes from {}: its outline is not drawn.", mesh.file));
   for (const auto& [name, support] : c.support)
@@ -52,7 +52,7 @@ void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::GmshFile& mesh
         fmt::format("Held at its boundary \"{}\": {}{}.", support.boundary, text_of_list(support.fixed, ", "), motion_words(support)));
 }
 
-void add_bodies(Sketch& sketch, const problem::Case& c)
+void add_bodies(Sketch& sketch, const settings::Case& c)
 {
   for (const auto& [name, body] : c.body) {
     if (body.block)
@@ -90,7 +90,7 @@ void take_domain_from_bodies(Sketch& sketch)
 }
 
 /// What the drawing, the plane x-y, does not show of a case in space.
-std::string space_note(const problem::Case& c)
+std::string space_note(const settings::Case& c)
 {
   std::string words = "The case is three-dimensional: drawn are the sides of its mesh and bodies in the plane x-y, y up";
   if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh); box != nullptr && box->size.size() == 3) {
@@ -100,39 +100,39 @@ std::string space_note(const problem::Case& c)
   return words + ".";
 }
 
-void add_notes(Sketch& sketch, const problem::Case& c)
+void add_notes(Sketch& sketch, const settings::Case& c)
 {
   for (const auto& [name, support] : c.support)
     if (!sketch.outline.empty() && (support.boundary == "back" || support.boundary == "front"))
       sketch.notes.push_back(fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}{}.", support.boundary,
                                          text_of_list(support.fixed, ", "), motion_words(support)));
-  if (problem::has_flowing_water(c) && !sketch.outline.empty()) {
+  if (settings::has_flowing_water(c) && !sketch.outline.empty()) {
     std::string open = "Water leaves the soil at its free surface";
     for (const auto& [name, contact] : c.contact)
       if (contact.drained) open += fmt::format(" and through \"{}\"", contact.rigid);
     sketch.notes.push_back(open + ".");
   }
-  if (c.geometry == problem::Geometry::axisymmetric)
+  if (c.geometry == settings::Geometry::axisymmetric)
     sketch.notes.emplace_back("The case is axisymmetric: x is the radius, and the left edge is the axis.");
   if (c.dimension() == 3) sketch.notes.push_back(space_note(c));
 }
 
 /// How far a drive goes in its time: it grows evenly from nothing within the ramp.
-std::optional<Real> travel_in_time(const problem::StageSettings& stage)
+std::optional<Real> travel_in_time(const settings::StageSettings& stage)
 {
   if (!stage.velocity || !stage.until.time) return {};
   return std::abs(*stage.velocity) * std::max(0., *stage.until.time - stage.ramp / 2);
 }
 
-void add_path(Sketch& sketch, const problem::Case& c)
+void add_path(Sketch& sketch, const settings::Case& c)
 {
   std::vector<Vec<2>> centers;
   for (const NamedOutline& rigid : sketch.rigid_bodies) centers.push_back(middle_of(rigid.outline));
   for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
-    const problem::StageSettings& stage = c.stage[k];
-    const bool push = stage.kind == problem::StageKind::push, drag = stage.kind == problem::StageKind::drag;
+    const settings::StageSettings& stage = c.stage[k];
+    const bool push = stage.kind == settings::StageKind::push, drag = stage.kind == settings::StageKind::drag;
     if ((!push && !drag) || c.rigid.empty()) continue;
-    const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : problem::index_of(c.rigid, stage.rigid));
+    const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : index_of(c.rigid, stage.rigid));
     const Extent extent = extent_of(sketch.rigid_bodies[rigid].outline);
     const Vec<2> from = centers[rigid];
     const Real reverse = stage.velocity.value_or(stage.force.value_or(1)) < 0 ? -1 : 1;
@@ -149,7 +149,7 @@ void add_path(Sketch& sketch, const problem::Case& c)
       to[push ? 1 : 0] += (push ? -1 : 1) * reverse * far.value_or(nominal);
       if (drag && stage.vertical_velocity && stage.velocity && *stage.velocity != 0)
         to[1] -= *stage.vertical_velocity * std::abs((to[0] - from[0]) / *stage.velocity);
-      else if (drag && stage.vertical == problem::Vertical::hold && !sketch.ground.line.level())
+      else if (drag && stage.vertical == settings::Vertical::hold && !sketch.ground.line.level())
         to[1] += sketch.ground.line.height(to[0]) - sketch.ground.line.height(from[0]);
     }
     if ((to - from).norm() > 0) sketch.path.push_back({k, rigid, from, to, known});
@@ -187,7 +187,7 @@ Points part_inside(const PlaneOutline& plane, const Extent& extent)
   return cut(corners_of(extent), [&](const Vec<2>& x) { return (plane.point - x).dot(plane.normal); });
 }
 
-Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground)
+Sketch sketch_of(const settings::Case& settings, const problem::Ground& ground)
 {
   Sketch sketch;
   sketch.ground = ground;

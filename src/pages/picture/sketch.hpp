@@ -66,8 +66,8 @@ struct Sketch {
 };
 
 /// `ground`: that of the run, where more is known of it than the case says.
-Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground);
-inline Sketch sketch_of(const problem::Case& settings)
+Sketch sketch_of(const settings::Case& settings, const problem::Ground& ground);
+inline Sketch sketch_of(const settings::Case& settings)
 {
   return sketch_of(settings, problem::ground_of(settings));
 }

@@ -58,7 +58,7 @@ Box soil_of(const bodies::BodySettings& body, const mesh::Mesh<3>& mesh)
 /// From metres of the isometric picture to pixels, such that all of a mesh is seen, and of bodies beyond it as much as half its size.
 class Placing {
 public:
-  Placing(const problem::Case& c, const mesh::Mesh<3>& mesh)
+  Placing(const settings::Case& c, const mesh::Mesh<3>& mesh)
   {
     const Box box{mesh.lower, mesh.upper};
     Vec<2> lower = Vec<2>::Constant(infinity), upper = Vec<2>::Constant(-infinity);
@@ -129,7 +129,7 @@ void add_face(std::vector<Face>& faces, const Placing& at, const std::vector<Vec
   faces.push_back({points, middle.sum(), fmt::format("#{:02x}{:02x}{:02x}", part(168), part(177), part(187))});
 }
 
-void draw_bodies(Canvas& canvas, const Placing& at, const problem::Case& c, const mesh::Mesh<3>& mesh)
+void draw_bodies(Canvas& canvas, const Placing& at, const settings::Case& c, const mesh::Mesh<3>& mesh)
 {
   using Kind = bodies::SurfaceMesh<3>::Kind;
   constexpr int sides[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
@@ -153,7 +153,7 @@ void draw_bodies(Canvas& canvas, const Placing& at, const problem::Case& c, cons
   }
 }
 
-void draw_path(Canvas& canvas, const Placing& at, const problem::Case& c)
+void draw_path(Canvas& canvas, const Placing& at, const settings::Case& c)
 {
   for (const PathStep& step : sketch_of(c).path) {
     const Real z = center_of<3>(bodies::make_shape<3>(c.rigid[step.rigid].second.shape))[2];
@@ -184,7 +184,7 @@ void draw_axes(Canvas& canvas)
   }
 }
 
-void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& mesh)
+void write_words(Canvas& canvas, const settings::Case& c, const mesh::Mesh<3>& mesh)
 {
   Real level = box_top;
   const auto write = [&](const std::string& words, bool bold = false) {
@@ -211,12 +211,12 @@ void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& me
           motion_words(support));
   if (!c.stage.empty()) write("Stages", true);
   int number = 0;
-  for (const problem::StageSettings& stage : c.stage) write(fmt::format("{}  {}", ++number, stage_words(stage, c.force_dimension())));
+  for (const settings::StageSettings& stage : c.stage) write(fmt::format("{}  {}", ++number, stage_words(stage, c.force_dimension())));
 }
 
 }  // namespace
 
-void draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& file)
+void draw_space(const settings::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& file)
 {
   const Box whole{mesh.lower, mesh.upper};
   const Placing at(c, mesh);

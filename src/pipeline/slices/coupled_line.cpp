@@ -40,7 +40,7 @@ void drive(const problem::Model<2>& model, problem::State<2>& state, Real sidewa
 
 }  // namespace
 
-CoupledLine::CoupledLine(const problem::Case& c, const problem::Model<2>& model)
+CoupledLine::CoupledLine(const settings::Case& c, const problem::Model<2>& model)
     : of_case_(c),
       soils_(count(), Soil{&model, nullptr}),
       state_(beam::state_of(of_case_.line)),
@@ -113,8 +113,8 @@ void CoupledLine::begin_stage(const problem::State<2>& first)
 
 LineLoads CoupledLine::loads_at(const problem::State<2>& first, Real time) const
 {
-  const problem::StageSettings& stage = model_of(0).stages[first.stage.index];
-  if (stage.kind != problem::StageKind::pipeline) return of_case_.laid();
+  const settings::StageSettings& stage = model_of(0).stages[first.stage.index];
+  if (stage.kind != settings::StageKind::pipeline) return of_case_.laid();
   return loads_in(stage, from_, time - first.stage.begin_time);
 }
 

@@ -25,7 +25,7 @@ struct SliceForce {
 /// ranks each has the whole line and the soil of every n-th slice, which it steps; after a step they tell each other its forces. The first rank has room for all, as it writes checkpoints.
 class CoupledLine {
 public:
-  CoupledLine(const problem::Case& c, const problem::Model<2>& model);
+  CoupledLine(const settings::Case& c, const problem::Model<2>& model);
 
   /// Gives slice k > 0 a soil of its own, in which the pipe is laid before the slices are hung. Both must outlive this.
   void give_soil(std::size_t k, const problem::Model<2>& model, const problem::State<2>& laid) { soils_[k] = {&model, &laid}; }

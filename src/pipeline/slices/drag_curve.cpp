@@ -25,7 +25,7 @@ std::vector<Real> ends_of_pieces(Real travel, Real diameter)
 }  // namespace
 
 std::optional<DragCurve> drag_sideways(const problem::Model<2>& model, const problem::State<2>& laid, Real weight,
-                                       const problem::SpringsBeside& drag, const std::function<bool()>& stop)
+                                       const settings::SpringsBeside& drag, const std::function<bool()>& stop)
 {
   problem::State<2> state = laid;
   state.stable_dt_holds = false;

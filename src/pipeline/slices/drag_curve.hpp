@@ -21,7 +21,7 @@ struct DragCurve {
 /// weight (N/m) and free upwards. H is the work of the soil over the travel in pieces, of a hundredth of the diameter at first and a twentieth later. Empty where stop() says so, which is
 /// asked now and then. Throws RunError where the pipe does not get so far.
 std::optional<DragCurve> drag_sideways(const problem::Model<2>& model, const problem::State<2>& laid, Real weight,
-                                       const problem::SpringsBeside& drag, const std::function<bool()>& stop);
+                                       const settings::SpringsBeside& drag, const std::function<bool()>& stop);
 
 /// The curve through these points that springs can have: its first line is the steepest that goes from zero to a point, points before that one are left out, and where a later line is steeper
 /// its point is lowered. Throws RunError where no point has a resistance.

@@ -13,12 +13,12 @@
 namespace berm::slices {
 namespace {
 
-Real diameter_of(const problem::Case& c)
+Real diameter_of(const settings::Case& c)
 {
   return bodies::width_of<2>(bodies::make_shape<2>(c.rigid.front().second.shape));
 }
 
-beam::Pipe pipe_of(const problem::PipelineSettings& p, Real diameter)
+beam::Pipe pipe_of(const settings::PipelineSettings& p, Real diameter)
 {
   beam::Pipe pipe;
   pipe.outer_diameter = diameter;
@@ -29,15 +29,15 @@ beam::Pipe pipe_of(const problem::PipelineSettings& p, Real diameter)
   return pipe;
 }
 
-Real mass_of(const problem::Case& c)
+Real mass_of(const settings::Case& c)
 {
   return c.pipeline->mass.value_or(c.rigid.front().second.mass);
 }
 
 /// Stiffnesses of the case, or of a wall as thick as it is; weight and masses are the case's.
-beam::Section section_of_case(const problem::Case& c)
+beam::Section section_of_case(const settings::Case& c)
 {
-  const problem::PipelineSettings& p = *c.pipeline;
+  const settings::PipelineSettings& p = *c.pipeline;
   beam::Section section;
   if (p.wall) section = beam::section_of(pipe_of(p, diameter_of(c)));
   if (p.bending_stiffness) section.bending_stiffness = *p.bending_stiffness;
@@ -49,13 +49,13 @@ beam::Section section_of_case(const problem::Case& c)
   return section;
 }
 
-Real compression(const problem::PipelineSettings& p, const beam::Section& section, Real diameter, Real temperature, Real pressure)
+Real compression(const settings::PipelineSettings& p, const beam::Section& section, Real diameter, Real temperature, Real pressure)
 {
   if (p.wall) return beam::constrained_force(pipe_of(p, diameter), temperature, pressure, p.lay_tension);
   return section.axial_stiffness * p.expansion * temperature - p.lay_tension;
 }
 
-LineLoads laid_loads(const problem::PipelineSettings& p)
+LineLoads laid_loads(const settings::PipelineSettings& p)
 {
   LineLoads loads;
   loads.weight = p.submerged_weight;
@@ -63,20 +63,20 @@ LineLoads laid_loads(const problem::PipelineSettings& p)
 }
 
 /// The load of the line that a column of a load history is of; null of another one.
-std::optional<Real>* load_of(problem::PipelineLoads& loads, problem::LoadAlong along)
+std::optional<Real>* load_of(settings::PipelineLoads& loads, settings::LoadAlong along)
 {
   switch (along) {
-  case problem::LoadAlong::temperature:
+  case settings::LoadAlong::temperature:
     return &loads.temperature;
-  case problem::LoadAlong::far_temperature:
+  case settings::LoadAlong::far_temperature:
     return &loads.far_temperature;
-  case problem::LoadAlong::pressure:
+  case settings::LoadAlong::pressure:
     return &loads.pressure;
-  case problem::LoadAlong::weight:
+  case settings::LoadAlong::weight:
     return &loads.weight;
-  case problem::LoadAlong::lateral:
+  case settings::LoadAlong::lateral:
     return &loads.lateral;
-  case problem::LoadAlong::pull:
+  case settings::LoadAlong::pull:
     return &loads.pull;
   default:
     return nullptr;
@@ -92,12 +92,12 @@ LineLoads between(const LineLoads& from, const LineLoads& to, Real part)
 
 /// Calls visit(k, loads) with the loads at the end of each stage k, and at each row of its load history: between them they go linearly.
 template <class Visit>
-void for_loads_of_stages(const problem::Case& c, const Visit& visit)
+void for_loads_of_stages(const settings::Case& c, const Visit& visit)
 {
   LineLoads now = laid_loads(*c.pipeline);
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
-    const problem::StageSettings& stage = c.stage[k];
-    if (stage.kind != problem::StageKind::pipeline) continue;
+    const settings::StageSettings& stage = c.stage[k];
+    if (stage.kind != settings::StageKind::pipeline) continue;
     for (const Real time : stage.load_times)
       if (const Real since = time * stage.time_scale; since < *stage.until.time) visit(k, loads_in(stage, now, since));
     now = end_of(stage, now);
@@ -106,7 +106,7 @@ void for_loads_of_stages(const problem::Case& c, const Visit& visit)
 }
 
 /// The largest compression that the stages can bring, N.
-Real largest_compression(const problem::Case& c, const beam::Section& section)
+Real largest_compression(const settings::Case& c, const beam::Section& section)
 {
   Real largest = 0;
   for_loads_of_stages(c, [&](std::size_t, const LineLoads& now) {
@@ -117,9 +117,9 @@ Real largest_compression(const problem::Case& c, const beam::Section& section)
 }
 
 /// Elements from slice to slice, or parts of that where a buckle needs them shorter; beyond the slices they grow.
-std::vector<Real> nodes_of(const problem::Case& c, const std::vector<Real>& places)
+std::vector<Real> nodes_of(const settings::Case& c, const std::vector<Real>& places)
 {
-  const problem::PipelineSettings& p = *c.pipeline;
+  const settings::PipelineSettings& p = *c.pipeline;
   const Real longest = longest_element_of(c);
   constexpr Real growth = 1.1, max_nodes = 20000;
   if (const Real to = places.back(); !(static_cast<Real>(places.size()) + (to + p.length) / longest < max_nodes))
@@ -143,7 +143,7 @@ std::vector<Real> nodes_of(const problem::Case& c, const std::vector<Real>& plac
 }
 
 /// Through the points, with the slope of the chord between the two beside each; straight on beyond the last. Mirrored it has no slope at x = 0.
-void give_route(beam::Line& line, const problem::Route& route, bool mirrored)
+void give_route(beam::Line& line, const settings::Route& route, bool mirrored)
 {
   const std::vector<Real>&x = route.x, &y = route.y;
   const std::size_t last = x.size() - 1;
@@ -165,19 +165,19 @@ void give_route(beam::Line& line, const problem::Route& route, bool mirrored)
       line, beam::Plane::lateral, [&](Real place) { return at(place).first; }, [&](Real place) { return at(place).second; });
 }
 
-void give_shape(beam::Line& line, const problem::PipelineSettings& p)
+void give_shape(beam::Line& line, const settings::PipelineSettings& p)
 {
-  if (!p.route.x.empty()) return give_route(line, p.route, p.half == problem::LineHalf::symmetric);
+  if (!p.route.x.empty()) return give_route(line, p.route, p.half == settings::LineHalf::symmetric);
   if (p.imperfection.amplitude == 0) return;
   const Real a = p.imperfection.amplitude, k = 2 * pi / p.imperfection.length, half = p.imperfection.length / 2;
   const Real b = a * 4 / (3 * std::sqrt(3.0));  // (1 + cos) sin has its largest, 3 sqrt(3)/4, at 60 degrees
-  const Real steepest = p.half == problem::LineHalf::symmetric ? std::abs(a) * k / 2 : 2 * std::abs(b) * k;
+  const Real steepest = p.half == settings::LineHalf::symmetric ? std::abs(a) * k / 2 : 2 * std::abs(b) * k;
   if (!(steepest <= beam::largest_valid_slope))
     throw KeyError(fmt::format("pipeline.imperfection.amplitude: is {:.4g} m in a length of {:.4g} m, a slope of {:.3g}, and the strain "
                                "measure of the line is valid up to {:g}: make it {:.2g} m or less, or longer",
                                a, p.imperfection.length, steepest, beam::largest_valid_slope,
                                std::abs(a) * beam::largest_valid_slope / steepest));
-  if (p.half == problem::LineHalf::symmetric)
+  if (p.half == settings::LineHalf::symmetric)
     beam::set_shape(
         line, beam::Plane::lateral, [&](Real x) { return x < half ? a * (1 + std::cos(k * x)) / 2 : 0; },
         [&](Real x) { return x < half ? -a * k * std::sin(k * x) / 2 : 0; });
@@ -188,9 +188,9 @@ void give_shape(beam::Line& line, const problem::PipelineSettings& p)
 }
 
 /// Sideways, beyond the slices. Nothing where there is no resistance.
-std::optional<beam::PlasticSpring> lateral_spring(const problem::PipelineSettings& p, Real diameter)
+std::optional<beam::PlasticSpring> lateral_spring(const settings::PipelineSettings& p, Real diameter)
 {
-  const problem::FarSoil& soil = p.far_soil;
+  const settings::FarSoil& soil = p.far_soil;
   beam::PlasticSpring spring;
   for (std::size_t k = 0; k < soil.lateral.x.size(); ++k) spring.backbone.points.push_back({soil.lateral.x[k], soil.lateral.y[k]});
   if (!spring.backbone.points.empty()) {
@@ -205,24 +205,24 @@ std::optional<beam::PlasticSpring> lateral_spring(const problem::PipelineSetting
   return beam::friction(soil.friction * p.submerged_weight, soil.mobilisation > 0 ? soil.mobilisation : diameter / 100);
 }
 
-Real vertical_stiffness_of(const problem::PipelineSettings& p, Real diameter)
+Real vertical_stiffness_of(const settings::PipelineSettings& p, Real diameter)
 {
   return p.far_soil.stiffness.value_or(p.submerged_weight / (diameter / 100));
 }
 
 /// The largest force that pushed the pipe down before it carries its weight, N/m.
-Real laying_force_of(const problem::Case& c)
+Real laying_force_of(const settings::Case& c)
 {
   Real largest = c.pipeline->submerged_weight;
-  for (const problem::StageSettings& stage : c.stage)
-    if (stage.kind == problem::StageKind::push) largest = std::max(largest, stage.force.value_or(0));
+  for (const settings::StageSettings& stage : c.stage)
+    if (stage.kind == settings::StageKind::push) largest = std::max(largest, stage.force.value_or(0));
   return largest;
 }
 
 /// Across and along the line at nodes with a length across; friction along it elsewhere.
-void add_macro_elements(beam::Line& line, const problem::Case& c, const std::vector<Real>& across, const std::vector<Real>& all)
+void add_macro_elements(beam::Line& line, const settings::Case& c, const std::vector<Real>& across, const std::vector<Real>& all)
 {
-  const problem::PipelineSettings& p = *c.pipeline;
+  const settings::PipelineSettings& p = *c.pipeline;
   constexpr std::uintmax_t max_bytes = 1'000'000;
   const std::string& file = p.far_soil.macro_element;
   const FileBytes found = read_file(file, max_bytes);
@@ -237,12 +237,12 @@ void add_macro_elements(beam::Line& line, const problem::Case& c, const std::vec
 }
 
 /// Springs: along the line everywhere, across it beyond the slices and where these may be springs.
-void add_soil(beam::Line& line, const problem::Case& c, Real last_slice)
+void add_soil(beam::Line& line, const settings::Case& c, Real last_slice)
 {
-  const problem::PipelineSettings& p = *c.pipeline;
-  const problem::FarSoil& soil = p.far_soil;
+  const settings::PipelineSettings& p = *c.pipeline;
+  const settings::FarSoil& soil = p.far_soil;
   const std::vector<Real> all = beam::lengths_of_nodes(line),
-                          across = p.slices.as_spring == problem::SliceAsSpring::never ? beam::lengths_of_nodes(line, last_slice) : all;
+                          across = p.slices.as_spring == settings::SliceAsSpring::never ? beam::lengths_of_nodes(line, last_slice) : all;
   if (p.end_stiffness) {
     std::vector<Real> end(static_cast<std::size_t>(line.nodes()), 0);
     end.back() = 1;
@@ -257,22 +257,22 @@ void add_soil(beam::Line& line, const problem::Case& c, Real last_slice)
   beam::add_springs(line, beam::Direction::vertical, beam::LinearSpring{vertical_stiffness_of(p, diameter_of(c))}, across);
 }
 
-beam::Line line_of(const problem::Case& c, const std::vector<Real>& places)
+beam::Line line_of(const settings::Case& c, const std::vector<Real>& places)
 {
-  const problem::PipelineSettings& p = *c.pipeline;
+  const settings::PipelineSettings& p = *c.pipeline;
   beam::Line line = beam::straight_line(nodes_of(c, places), section_of_case(c), {beam::Plane::lateral, beam::Plane::vertical});
   give_shape(line, p);
   switch (p.half) {
-  case problem::LineHalf::symmetric:
+  case settings::LineHalf::symmetric:
     beam::hold(line, 0, beam::EndCondition::symmetric);
     break;
-  case problem::LineHalf::antisymmetric:
+  case settings::LineHalf::antisymmetric:
     beam::hold(line, 0, beam::EndCondition::antisymmetric);
     break;
-  case problem::LineHalf::none:
+  case settings::LineHalf::none:
     break;
   }
-  if (p.end == problem::LineEnd::anchored) beam::hold(line, line.nodes() - 1, beam::EndCondition::clamped);
+  if (p.end == settings::LineEnd::anchored) beam::hold(line, line.nodes() - 1, beam::EndCondition::clamped);
   add_soil(line, c, places.back());
   line.axial_where_sideways = false;
   line.damping[1] = p.vertical_damping;
@@ -281,14 +281,14 @@ beam::Line line_of(const problem::Case& c, const std::vector<Real>& places)
 
 }  // namespace
 
-Real longest_element_of(const problem::Case& c)
+Real longest_element_of(const settings::Case& c)
 {
   const beam::Section section = section_of_case(c);
   const Real P = largest_compression(c, section);
   return P > 0 ? pi * std::sqrt(section.bending_stiffness / P) / 4 : c.pipeline->length;
 }
 
-LineOfCase::LineOfCase(const problem::Case& c)
+LineOfCase::LineOfCase(const settings::Case& c)
     : line(line_of(c, places_of(c.pipeline->slices))),
       places(places_of(c.pipeline->slices)),
       stations(line, places),
@@ -323,14 +323,14 @@ LineLoads LineOfCase::laid() const
 
 Real LineOfCase::axial_resistance(Real embedment, Real force) const
 {
-  const problem::FarSoil& soil = settings.far_soil;
+  const settings::FarSoil& soil = settings.far_soil;
   Real resistance = 0;
   if (soil.axial_angle) resistance += formulas::axial_drained(diameter, embedment, *soil.axial_angle, std::max(force, Real(0))).value;
   if (soil.axial_strength) resistance += formulas::axial_undrained(diameter, embedment, *soil.axial_strength).value;
   return resistance;
 }
 
-LineLoads target_of(const problem::PipelineLoads& stage, const LineLoads& before)
+LineLoads target_of(const settings::PipelineLoads& stage, const LineLoads& before)
 {
   LineLoads now = before;
   // Without a temperature of its own the far end has that of x = 0.
@@ -343,23 +343,23 @@ LineLoads target_of(const problem::PipelineLoads& stage, const LineLoads& before
   return now;
 }
 
-LineLoads loads_in(const problem::StageSettings& stage, const LineLoads& before, Real since)
+LineLoads loads_in(const settings::StageSettings& stage, const LineLoads& before, Real since)
 {
   if (!has_load_history(stage)) return between(before, target_of(stage.pipeline, before), stage.ramp > since ? since / stage.ramp : 1);
-  problem::PipelineLoads now;
-  for (std::size_t k = 0; k < problem::load_columns.size(); ++k) {
+  settings::PipelineLoads now;
+  for (std::size_t k = 0; k < settings::load_columns.size(); ++k) {
     if (stage.loads.columns[k].empty()) continue;
-    if (std::optional<Real>* load = load_of(now, problem::load_columns[k].along)) *load = load_of_column(stage, k, since);
+    if (std::optional<Real>* load = load_of(now, settings::load_columns[k].along)) *load = load_of_column(stage, k, since);
   }
   return target_of(now, before);
 }
 
-LineLoads end_of(const problem::StageSettings& stage, const LineLoads& before)
+LineLoads end_of(const settings::StageSettings& stage, const LineLoads& before)
 {
   return loads_in(stage, before, stage.until.time.value_or(infinity));
 }
 
-std::size_t hottest_stage_of(const problem::Case& c, const LineOfCase& of)
+std::size_t hottest_stage_of(const settings::Case& c, const LineOfCase& of)
 {
   Real largest = -infinity;
   std::size_t hottest = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "beam/stations.hpp"
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 namespace berm::slices {
 
@@ -20,11 +20,11 @@ struct LineLoads {
 };
 
 /// The longest element of a line that may buckle, m: a quarter of the half wave of a column under the largest compression of all stages, which short waves of a buckle come near to. Without compression the length of the line.
-Real longest_element_of(const problem::Case& c);
+Real longest_element_of(const settings::Case& c);
 
 /// What a case says of its line, as numbers that do not change.
 struct LineOfCase {
-  explicit LineOfCase(const problem::Case& c);
+  explicit LineOfCase(const settings::Case& c);
 
   beam::Line line;
   std::vector<Real> places;  ///< m, x of the slices
@@ -35,14 +35,14 @@ struct LineOfCase {
   std::vector<Real> length_beyond;             ///< m, by node: the part of the line beyond the slices
   std::optional<beam::PlasticSpring> lateral;  ///< the far soil sideways
   Real vertical_stiffness;                     ///< of the far soil, N/m2
-  problem::PipelineSettings settings;
+  settings::PipelineSettings settings;
 
   /// The effective compression of a length that cannot get longer (beam/pipe_section.hpp), N, at a place x (m).
   Real constrained_force(const LineLoads& loads, Real x) const;
   /// As it was laid.
   LineLoads laid() const;
   /// Whether slices can be springs: these are then at the nodes under them, too.
-  bool may_be_springs() const { return settings.slices.as_spring != problem::SliceAsSpring::never; }
+  bool may_be_springs() const { return settings.slices.as_spring != settings::SliceAsSpring::never; }
   /// The share of its largest resistance that the far soil has at a displacement sideways from where the line was laid, m; 1 where it has none.
   Real mobilised(Real displacement) const;
   /// Whether the resistance along the line is that of an interface, which follows the force and embedment in each slice.
@@ -52,15 +52,15 @@ struct LineOfCase {
 };
 
 /// Where the loads go that are in force, in a stage.
-LineLoads target_of(const problem::PipelineLoads& stage, const LineLoads& before);
+LineLoads target_of(const settings::PipelineLoads& stage, const LineLoads& before);
 
 /// The loads in a stage, a time (s) after it began: on the way of its ramp from those before it, or as its load history has them.
-LineLoads loads_in(const problem::StageSettings& stage, const LineLoads& before, Real since);
+LineLoads loads_in(const settings::StageSettings& stage, const LineLoads& before, Real since);
 /// Those with which it ends.
-LineLoads end_of(const problem::StageSettings& stage, const LineLoads& before);
+LineLoads end_of(const settings::StageSettings& stage, const LineLoads& before);
 
 /// The stage of kind pipeline that first brings the largest compression of all at x = 0.
-std::size_t hottest_stage_of(const problem::Case& c, const LineOfCase& of);
+std::size_t hottest_stage_of(const settings::Case& c, const LineOfCase& of);
 
 /// "20 slices every 4 m, to 76 m", or "20 slices 2.1 to 6.3 m apart, to 71 m".
 std::string words_of_places(const std::vector<Real>& places);

@@ -8,9 +8,9 @@
 namespace berm::slices {
 namespace {
 
-problem::Case without_soil(problem::Case c)
+settings::Case without_soil(settings::Case c)
 {
-  c.pipeline->slices.as_spring = problem::SliceAsSpring::always;
+  c.pipeline->slices.as_spring = settings::SliceAsSpring::always;
   return c;
 }
 
@@ -41,7 +41,7 @@ void put_loads(const LineOfCase& of, const LineLoads& now, const std::vector<Rea
   }
 }
 
-LineOnSprings::LineOnSprings(const problem::Case& c, std::optional<Real> embedment)
+LineOnSprings::LineOnSprings(const settings::Case& c, std::optional<Real> embedment)
     : of_case_(without_soil(c)),
       state_(beam::state_of(of_case_.line)),
       work_(of_case_.line),
@@ -71,14 +71,14 @@ void LineOnSprings::step(const LineLoads& now, Real dt)
     }
 }
 
-void go_through_stages(const problem::Case& c, Real slower, const Watch& watch, LineOnSprings& line)
+void go_through_stages(const settings::Case& c, Real slower, const Watch& watch, LineOnSprings& line)
 {
   constexpr Real most_node_steps = 5e5;
   LineLoads before = line.of_case().laid();
   Real steps_left = most_node_steps / static_cast<Real>(line.of_case().line.nodes());
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
-    const problem::StageSettings& stage = c.stage[k];
-    if (stage.kind != problem::StageKind::pipeline) continue;
+    const settings::StageSettings& stage = c.stage[k];
+    if (stage.kind != settings::StageKind::pipeline) continue;
     const Real end = slower * *stage.until.time;
     for (Real time = 0; time < end;) {
       if (--steps_left < 0) return;

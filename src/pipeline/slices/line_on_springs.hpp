@@ -15,7 +15,7 @@ void put_loads(const LineOfCase& of, const LineLoads& now, const std::vector<Rea
 class LineOnSprings {
 public:
   /// On the springs of the far soil, everywhere; the resistance of an interface along the line is that at this embedment (m), a tenth of the diameter while nobody knows it.
-  explicit LineOnSprings(const problem::Case& c, std::optional<Real> embedment = {});
+  explicit LineOnSprings(const settings::Case& c, std::optional<Real> embedment = {});
 
   /// A step of time, dt (s), under loads at its end; in halves where the line finds no equilibrium.
   void step(const LineLoads& now, Real dt);
@@ -40,6 +40,6 @@ struct Watch {
 
 /// Takes the line through the stages that load it, each so many times slower. In a step it goes a hundredth of its diameter, so that snaps are resolved and slow heating costs little. It ends early
 /// where a line of many nodes would take more than about a second of a processor, or finds no equilibrium.
-void go_through_stages(const problem::Case& c, Real slower, const Watch& watch, LineOnSprings& line);
+void go_through_stages(const settings::Case& c, Real slower, const Watch& watch, LineOnSprings& line);
 
 }  // namespace berm::slices

@@ -12,11 +12,11 @@ namespace berm::slices {
 namespace {
 
 /// The case with many slices, whose places a line on springs knows only by its elements: these are short as far as it may buckle.
-problem::Case with_short_elements(problem::Case c)
+settings::Case with_short_elements(settings::Case c)
 {
   constexpr Real parts = 100;
   const Real length = c.pipeline->length, size = std::min(longest_element_of(c) / 2, length / parts);
-  problem::SliceSettings& slices = c.pipeline->slices;
+  settings::SliceSettings& slices = c.pipeline->slices;
   const Real to = slices.to.value_or(std::min(length, parts * size)), count = std::max<Real>(parts / 2, std::ceil(to / size));
   slices = {};
   slices.to = to;
@@ -89,12 +89,12 @@ std::vector<Real> places_in_equal_shares(const beam::Line& line, const std::vect
 
 }  // namespace
 
-void place_slices(problem::Case& c)
+void place_slices(settings::Case& c)
 {
   constexpr Real more = 1.1;
-  problem::SliceSettings& slices = c.pipeline->slices;
+  settings::SliceSettings& slices = c.pipeline->slices;
   if (slices.count == 0) return;
-  const problem::Case tried = with_short_elements(c);
+  const settings::Case tried = with_short_elements(c);
   LineOnSprings on_springs(tried);
   const LineOfCase& of = on_springs.of_case();
   if (!of.lateral)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 namespace berm::slices {
 
@@ -12,6 +12,6 @@ namespace berm::slices {
 ///
 /// with the resistance H of the springs sideways and the place X of the last slice: half of the slices lie evenly, half where H changes along the line, as at turning points, whose H changes its sign. X is `to`;
 /// without it a tenth beyond the last place where a spring has had 40 % of its resistance. Throws KeyError where that cannot be found.
-void place_slices(problem::Case& c);
+void place_slices(settings::Case& c);
 
 }  // namespace berm::slices

@@ -11,15 +11,15 @@ namespace berm::slices {
 /// As the case has it: all, all but the first, or none.
 void CoupledLine::begin_as_springs()
 {
-  const problem::SliceAsSpring when = of_case_.settings.slices.as_spring;
-  is_spring_.assign(count(), when != problem::SliceAsSpring::never);
-  is_spring_.front() = when == problem::SliceAsSpring::always;
+  const settings::SliceAsSpring when = of_case_.settings.slices.as_spring;
+  is_spring_.assign(count(), when != settings::SliceAsSpring::never);
+  is_spring_.front() = when == settings::SliceAsSpring::always;
 }
 
 /// Slices become soil where their spring has much of its resistance, or carries much more or less than the weight.
 void CoupledLine::resolve()
 {
-  if (of_case_.settings.slices.as_spring != problem::SliceAsSpring::until_sliding) return;
+  if (of_case_.settings.slices.as_spring != settings::SliceAsSpring::until_sliding) return;
   for (Index i = 0; i < of_case_.line.freedoms(); ++i) moved_[i] = state_.displacement[i] - of_case_.line.shape[i];
   of_case_.stations.means(of_case_.line, beam::Direction::lateral, moved_, sideways_);
   of_case_.stations.means(of_case_.line, beam::Direction::vertical, moved_, upwards_);
@@ -84,7 +84,7 @@ void CoupledLine::step_as_spring(Index k, Real dt, problem::State<2>& state) con
 {
   const Vec<2> velocity(sideways_[k], upwards_[k]), on_pipe(springs_sideways_[k], of_case_.settings.submerged_weight + springs_upwards_[k]);
   state.ledger.contact_sums[0].impulse -= dt * on_pipe;
-  if (of_case_.settings.slices.as_spring == problem::SliceAsSpring::always) state.rigid_bodies[0].displacement += dt * velocity;
+  if (of_case_.settings.slices.as_spring == settings::SliceAsSpring::always) state.rigid_bodies[0].displacement += dt * velocity;
   let_time_pass(dt, state);
 }
 

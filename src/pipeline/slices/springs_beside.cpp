@@ -8,7 +8,7 @@
 
 namespace berm::slices {
 
-SpringsBeside::SpringsBeside(const problem::Case& c) : case_(c)
+SpringsBeside::SpringsBeside(const settings::Case& c) : case_(c)
 {
   const auto& [name, pipe] = c.rigid.front();
   if (!(pipe.mass > 0)) throw KeyError(fmt::format("pipeline.springs: drags [rigid.{}] under its weight, and it has no mass", name));
@@ -31,7 +31,7 @@ std::optional<DragCurve> SpringsBeside::find(const problem::Model<2>& model, con
 
 void SpringsBeside::make_line()
 {
-  problem::LateralCurve& curve = case_.pipeline->far_soil.lateral;
+  settings::LateralCurve& curve = case_.pipeline->far_soil.lateral;
   curve = {};
   for (const beam::CurvePoint& point : curve_.points) curve.x.push_back(point.displacement), curve.y.push_back(point.force);
   line_.emplace(case_, embedment_);

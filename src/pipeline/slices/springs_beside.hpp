@@ -11,7 +11,7 @@ namespace berm::slices {
 class SpringsBeside {
 public:
   /// Of a case with pipeline.springs.
-  explicit SpringsBeside(const problem::Case& c);
+  explicit SpringsBeside(const settings::Case& c);
 
   /// Whether the resistance is known.
   bool ready() const { return line_.has_value(); }
@@ -27,7 +27,7 @@ public:
 private:
   void make_line();
 
-  problem::Case case_;
+  settings::Case case_;
   beam::Backbone curve_;
   Real embedment_ = 0;  ///< m, of the laid pipe
   std::optional<LineOnSprings> line_;

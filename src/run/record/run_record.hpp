@@ -20,7 +20,7 @@ enum class RunEnd {
 struct RunRecord {
   std::filesystem::path folder;
   std::string name;                               ///< of the folder, as valid UTF-8; a page tells runs apart by it
-  problem::Case settings;                         ///< of resolved.toml
+  settings::Case settings;                        ///< of resolved.toml
   problem::Ground ground;                         ///< where the bed is not level: of a mesh that berm made, or of ground.csv
   run_folder::History history;                    ///< without rows where there is none
   std::optional<run_folder::RunSummary> summary;  ///< none in an unfinished run

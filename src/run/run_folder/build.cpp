@@ -57,11 +57,11 @@ std::vector<std::pair<std::string, std::string>> this_build()
   return {{program_entry, program_build()}, {engine_entry, engine_build_for(vector_unit())}, {unit_entry, vector_unit()}};
 }
 
-bool by_this_build(const RunSummary& summary, problem::Method method)
+bool by_this_build(const RunSummary& summary, settings::Method method)
 {
   const std::string unit = vector_unit_of(summary), engine = entry(summary, engine_entry);
   if (entry(summary, "version") != BERM_VERSION || unit.empty() || engine.empty() || engine != engine_build_for(unit)) return false;
-  return method != problem::Method::fem || recorded_by_this_program(summary);
+  return method != settings::Method::fem || recorded_by_this_program(summary);
 }
 
 bool recorded_by_this_program(const RunSummary& summary)

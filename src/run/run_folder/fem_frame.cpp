@@ -197,7 +197,7 @@ void set_own(const fem::FemModel& model, const std::vector<OwnField>& own, Frame
   NodeField<Real> cells(model.mesh.node_count(), 0);
   for (Index cell = 0; cell < model.mesh.cell_count() && !own.empty(); ++cell)
     for (const Index node : model.mesh.nodes[cell]) {
-      const problem::BodySoil& soil = model.soil_of(cell);
+      const settings::BodySoil& soil = model.soil_of(cell);
       const std::vector<Real> values = local_values(soil, model.region_of(cell), model.model.soil_depth(model.mesh.position[node]));
       ++cells[node];
       for (const OwnField& field : own)

@@ -55,7 +55,7 @@ struct Frame {
 };
 
 /// The fields that every frame has, in `dim` dimensions: those of all particles that go to frames (bodies/particle_fields.hpp), and what both methods work
-/// out from the motion of the soil, whose displacement counts since then (problem::displacements_since).
+/// out from the motion of the soil, whose displacement counts since then (settings::displacements_since).
 template <int dim>
 std::vector<FieldInfo> common_fields(const std::string& since = "");
 

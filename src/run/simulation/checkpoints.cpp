@@ -23,7 +23,7 @@ bool Checkpoints::due() const
   return asked_ || (wall_time_ > 0 && Clock::now() - last_ >= std::chrono::duration<Real>(wall_time_));
 }
 
-void Checkpoints::write(BigIndex step, const checkpoint::Contents& contents, io::WriterThread& thread, const std::function<void()>& vital,
+void Checkpoints::write(BigIndex step, const run_folder::Contents& contents, io::WriterThread& thread, const std::function<void()>& vital,
                         const std::function<void()>& before)
 {
   const Timer timer("write checkpoints");
@@ -64,7 +64,7 @@ void Checkpoints::warn(BigIndex step, const std::string& why)
   io::warn("no checkpoint of step {}: {}", step, why);
 }
 
-bool Checkpoints::read(const checkpoint::Contents& contents)
+bool Checkpoints::read(const run_folder::Contents& contents)
 {
   const fs::path used = folder_.read(
       contents, [](const fs::path& file, const std::string& why) { io::warn("the checkpoint {} is not used: {}", file.string(), why); });
@@ -83,8 +83,8 @@ template <int dim>
 void archive_same_mesh(Archive& k, const mesh::Mesh<dim>& mesh)
 {
   const std::uint32_t of_positions =
-      checkpoint::crc_of(mesh.position.data(), sizeof(Vec<dim>) * static_cast<std::size_t>(mesh.node_count()));
-  const std::uint32_t of_cells = checkpoint::crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count()));
+      run_folder::crc_of(mesh.position.data(), sizeof(Vec<dim>) * static_cast<std::size_t>(mesh.node_count()));
+  const std::uint32_t of_cells = run_folder::crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count()));
   const std::string own = fmt::format("{} nodes {:08x}, {} cells {:08x}", mesh.node_count(), of_positions, mesh.cell_count(), of_cells);
   archive_same(k, "mesh", own, "it is of another mesh");
 }
@@ -93,7 +93,7 @@ void archive_history(Archive& k, const fs::path& history, BigIndex& bytes)
 {
   // -1 where the file has not as many bytes.
   const auto crc_of_rows = [&] {
-    const std::optional<std::uint32_t> crc = bytes < 0 ? std::nullopt : checkpoint::crc_of(history, bytes);
+    const std::optional<std::uint32_t> crc = bytes < 0 ? std::nullopt : run_folder::crc_of(history, bytes);
     return crc ? static_cast<BigIndex>(*crc) : -1;
   };
   BigIndex crc = k.reads() ? 0 : crc_of_rows();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "checkpoint/checkpoint_folder.hpp"
 #include "io/writer_thread.hpp"
 #include "mesh/mesh.hpp"
+#include "run_folder/checkpoint_folder.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -25,7 +25,7 @@ public:
   bool due() const;
   /// Takes the contents to a file; that this is whole and on the disk is up to the thread, after `vital`, which ends the run where it throws, and `before`, which only keeps the
   /// checkpoint from being there, as what is thrown by the contents does. Waits where the one before it is not done.
-  void write(BigIndex step, const checkpoint::Contents& contents, io::WriterThread& thread, const std::function<void()>& vital,
+  void write(BigIndex step, const run_folder::Contents& contents, io::WriterThread& thread, const std::function<void()>& vital,
              const std::function<void()>& before);
   /// Warns of the last one where the thread could not finish it: the run continues, and the one before it is still there. Returns whether it is written, as far as it is known.
   bool tell();
@@ -33,7 +33,7 @@ public:
   void skip_checkpoint() { last_ = Clock::now(), asked_ = false; }
   /// Reads the last one that can be used and says which; the others are reported with what is wrong with them. False where there is none. Throws
   /// RunError where there are some and none can be used.
-  bool read(const checkpoint::Contents& contents);
+  bool read(const run_folder::Contents& contents);
   /// The run has come to its end.
   void remove() const { folder_.remove(); }
 
@@ -42,7 +42,7 @@ private:
 
   void warn(BigIndex step, const std::string& why);
 
-  checkpoint::CheckpointFolder folder_;
+  run_folder::CheckpointFolder folder_;
   Real wall_time_;
   Clock::time_point last_ = Clock::now();
   bool asked_ = false, written_ = true;

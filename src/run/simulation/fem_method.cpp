@@ -6,6 +6,7 @@
 #include "io/log.hpp"
 #include "problem/safety.hpp"
 #include "problem/stages.hpp"
+#include "settings/safety.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/processor_clock.hpp"
@@ -23,7 +24,7 @@ constexpr Real max_lag = 0.02;
 constexpr const char* larger_elements = "take larger elements";
 
 /// The minimum number of elements that a case can have, before its mesh is made: there are none above the bed.
-Real min_elements(problem::Case c)
+Real min_elements(settings::Case c)
 {
   if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) bed->headroom = bed->near_height = 0;
   return min_size<2>(c).cells;
@@ -31,7 +32,7 @@ Real min_elements(problem::Case c)
 
 fem::FemProblem build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
-  const problem::Case c = case_to_run(request);
+  const settings::Case c = case_to_run(request);
   const Real elements = min_elements(c);
   refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), words_of_count(elements, "elements"),
                         larger_elements);

@@ -80,7 +80,7 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
 {
   for (const fem::FemWatch& watch : model.watches) {
     row_.of(watch.name);
-    const problem::BodySoil& soil = model.soil_of(watch.cell);
+    const settings::BodySoil& soil = model.soil_of(watch.cell);
     const int pressure_place = pore_pressure_index(soil.materials.front());
     Vec<2> displacement = Vec<2>::Zero();
     SymTensor<2> stress{};

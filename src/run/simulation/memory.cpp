@@ -7,6 +7,7 @@
 #include "os/control_group.hpp"
 #include "os/error.hpp"
 #include "run_folder/frame_maker.hpp"
+#include "settings/interface.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -21,13 +22,13 @@ namespace {
 constexpr Real kibibyte = 1 << 10, mebibyte = 1 << 20;
 
 template <int dim, class CellsOf>
-std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& cells_of)
+std::vector<RunSize::OfBody> min_bodies(const settings::Case& c, const CellsOf& cells_of)
 {
   std::vector<RunSize::OfBody> bodies;
   for (const auto& [name, settings] : c.body) {
     RunSize::OfBody body;
-    if (problem::index_of(c.material, settings.material) != none)
-      for (const std::vector<FieldInfo>& fields : {particle_extra(soil_of(c, settings)), problem::memory_fields(c, name)})
+    if (index_of(c.material, settings.material) != none)
+      for (const std::vector<FieldInfo>& fields : {particle_extra(soil_of(c, settings)), settings::memory_fields(c, name)})
         for (const FieldInfo& field : fields) body.extra_size += field.components;
     if (settings.block || settings.disk) {
       body.particles = settings.block ? particles_in<dim>(*settings.block) : particles_in(*settings.disk);
@@ -67,7 +68,7 @@ std::string words_of_count(Real count, const char* of)
 }
 
 template <int dim>
-RunSize min_size(const problem::Case& c)
+RunSize min_size(const settings::Case& c)
 {
   RunSize size;
   size.contacts = c.contact.size();
@@ -88,7 +89,7 @@ RunSize min_size(const problem::Case& c)
 }
 
 template <int dim>
-RunSize min_size(const problem::Case& c, const mesh::Mesh<dim>& mesh)
+RunSize min_size(const settings::Case& c, const mesh::Mesh<dim>& mesh)
 {
   RunSize size;
   size.contacts = c.contact.size();
@@ -145,7 +146,7 @@ Real memory_of(const RunSize& size)
   return bytes + std::max(frames, mesh_file);
 }
 
-Real memory_of_gmsh(const problem::Case& c)
+Real memory_of_gmsh(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (bed == nullptr || bed->in_space()) return 0;
@@ -187,7 +188,7 @@ void refuse_without_memory(Real bytes, Real in_use, const std::string& what, con
                                words_of_memory(there), advice));
 }
 
-void refuse_without_memory_for_gmsh(const problem::Case& c)
+void refuse_without_memory_for_gmsh(const settings::Case& c)
 {
   refuse_without_memory(memory_of_gmsh(c), memory_in_use(), "gmsh and its mesh", "take larger cells");
 }
@@ -203,8 +204,8 @@ void refuse_without_memory(const RunSize& size, Real in_use)
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template RunSize min_size<dim>(const problem::Case&);                                                                                    \
-  template RunSize min_size(const problem::Case&, const mesh::Mesh<dim>&);                                                                 \
+  template RunSize min_size<dim>(const settings::Case&);                                                                                   \
+  template RunSize min_size(const settings::Case&, const mesh::Mesh<dim>&);                                                                \
   template RunSize size_of(const problem::Problem<dim>&);                                                                                  \
   template Real memory_of<dim>(const RunSize&);                                                                                            \
   template void refuse_without_memory<dim>(const RunSize&, Real);

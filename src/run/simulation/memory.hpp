@@ -2,6 +2,7 @@
 #pragma once
 
 #include "problem/model.hpp"
+#include "settings/interface.hpp"
 
 namespace berm::simulation {
 
@@ -20,11 +21,11 @@ struct RunSize {
 
 /// The least that a case can have before anything is made of it: mesh and particles of a box, about the mesh of a bed, nothing of a mesh in a file.
 template <int dim>
-RunSize min_size(const problem::Case& c);
+RunSize min_size(const settings::Case& c);
 
 /// The same with the mesh made.
 template <int dim>
-RunSize min_size(const problem::Case& c, const mesh::Mesh<dim>& mesh);
+RunSize min_size(const settings::Case& c, const mesh::Mesh<dim>& mesh);
 
 template <int dim>
 RunSize size_of(const problem::Problem<dim>& problem);
@@ -36,7 +37,7 @@ Real memory_of(const RunSize& size);
 
 /// Bytes that gmsh takes beside the program while it makes the mesh of a bed in the plane. 0 of other meshes: berm makes them, or nobody knows how many cells a
 /// geometry gives.
-Real memory_of_gmsh(const problem::Case& c);
+Real memory_of_gmsh(const settings::Case& c);
 
 /// Bytes that the program has of the machine's memory now.
 Real memory_in_use();
@@ -57,7 +58,7 @@ std::string words_of_count(Real count, const char* of);
 void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice);
 
 /// The same for gmsh, as it makes the mesh.
-void refuse_without_memory_for_gmsh(const problem::Case& c);
+void refuse_without_memory_for_gmsh(const settings::Case& c);
 
 /// The same for a run of the material point method. in_use: what the program had before anything of the run was made.
 template <int dim>

@@ -2,7 +2,6 @@
 // Tests: tests/unit/simulation/run_test.cpp
 #include "simulation/mpm_method.hpp"
 
-#include "checkpoint/checkpoint_file.hpp"
 #include "core/ranks.hpp"
 #include "io/duration_text.hpp"
 #include "io/log.hpp"
@@ -15,8 +14,11 @@
 #include "problem/equilibrium.hpp"
 #include "problem/safety.hpp"
 #include "problem/stages.hpp"
-#include "problem/time_scale.hpp"
+#include "run_folder/checkpoint_file.hpp"
 #include "run_folder/frames.hpp"
+#include "settings/interface.hpp"
+#include "settings/safety.hpp"
+#include "settings/time_scale.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/processor_clock.hpp"
@@ -33,9 +35,9 @@ constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01, max
 constexpr Real max_beyond_force = 0.02;                                                           // of a limit of force, likewise
 
 /// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
-Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
+Real typical_time(const settings::Case& c, const settings::StageSettings& stage)
 {
-  const Index rigid = stage.rigid.empty() ? main_rigid(c) : problem::index_of(c.rigid, stage.rigid);
+  const Index rigid = stage.rigid.empty() ? main_rigid(c) : index_of(c.rigid, stage.rigid);
   Real width = 0;
   if (rigid != none) {
     const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
@@ -48,11 +50,11 @@ Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
 }
 
 /// A thousandth of the time that the stages take, unless the user says.
-Real interval_of(const problem::Case& c)
+Real interval_of(const settings::Case& c)
 {
   if (c.output.history_time) return *c.output.history_time;
   Real time = 0;
-  for (const problem::StageSettings& stage : c.stage) {
+  for (const settings::StageSettings& stage : c.stage) {
     const Real expected = expected_time(stage);
     time += expected > 0 ? expected : drives(stage.kind) || ends_at_equilibrium(stage) ? typical_time(c, stage) : 0;
   }
@@ -68,13 +70,13 @@ template <int dim>
 problem::Problem<dim> build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
   interval_of(request.settings);  // refuses a case in which it is not known
-  const problem::Case c = case_to_run(request);
+  const settings::Case c = case_to_run(request);
   const Real in_use = memory_in_use();
   refuse_without_memory<dim>(min_size<dim>(c), in_use);
   refuse_without_memory_for_gmsh(c);
   mesh::Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
   refuse_without_memory<dim>(min_size(c, mesh), in_use);
-  problem::Problem<dim> problem = build(c, std::move(mesh));
+  problem::Problem<dim> problem = problem::build(c, std::move(mesh));
   refuse_without_memory<dim>(size_of(problem), in_use);
   ::malloc_trim(0);  // gives back what building took on the way: a fifth of what it made
   return problem;
@@ -137,8 +139,8 @@ void MpmMethod<d>::refuse_other_problem() const
   if (ranks.count() == 1) return;
   const mesh::Mesh<d>& mesh = model().mesh;
   const std::vector<std::uint32_t> own = {
-      checkpoint::crc_of(mesh.position.data(), sizeof(Vec<d>) * static_cast<std::size_t>(mesh.node_count())),
-      checkpoint::crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count())),
+      run_folder::crc_of(mesh.position.data(), sizeof(Vec<d>) * static_cast<std::size_t>(mesh.node_count())),
+      run_folder::crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count())),
       static_cast<std::uint32_t>(counts_.particles)};
   std::vector<std::uint32_t> all;
   ranks.gather_from_all(own, all);
@@ -289,7 +291,7 @@ bool MpmMethod<d>::stage_ended() const
 }
 
 template <int d>
-void MpmMethod<d>::log_equilibrium(const problem::StageSettings& stage) const
+void MpmMethod<d>::log_equilibrium(const settings::StageSettings& stage) const
 {
   const bool at_rest = !ends_at_equilibrium(stage) || is_at_rest();
   const char* verdict = equilibrium_ <= stage.equilibrium && at_rest ? "in equilibrium" : "NOT in equilibrium";
@@ -315,8 +317,8 @@ void MpmMethod<d>::zero_displacements()
 template <int d>
 bool MpmMethod<d>::next_stage()
 {
-  const problem::StageSettings& stage = model().stages[state().stage.index];
-  if (stage.kind == problem::StageKind::geostatic && !(trial_ && trial_->failed())) {
+  const settings::StageSettings& stage = model().stages[state().stage.index];
+  if (stage.kind == settings::StageKind::geostatic && !(trial_ && trial_->failed())) {
     equilibrium_ = recorder_.out_of_balance();
     log_equilibrium(stage);
   }
@@ -336,7 +338,7 @@ void MpmMethod<d>::enter_next_stage()
 }
 
 template <int d>
-void MpmMethod<d>::step_to(problem::StageKind kind)
+void MpmMethod<d>::step_to(settings::StageKind kind)
 {
   begin(true);
   while (model().stages[state().stage.index].kind != kind) {
@@ -363,12 +365,12 @@ void MpmMethod<d>::end_stage_of_trial()
 
 /// How near to its limit of force the stage has ended that is over, by the last row of the history.
 template <int d>
-void MpmMethod<d>::log_force_limit(const problem::StageSettings& stage)
+void MpmMethod<d>::log_force_limit(const settings::StageSettings& stage)
 {
   const bool of_main = model().driven[state().stage.index] == model().main_rigid;
   if (!of_main || !std::isfinite(problem::beyond_force_limit(model(), state()))) return;
   const Real force =
-      stage.kind == problem::StageKind::push ? recorder_.vertical() : drag_direction(model(), state()) * recorder_.horizontal();
+      stage.kind == settings::StageKind::push ? recorder_.vertical() : drag_direction(model(), state()) * recorder_.horizontal();
   const Real beyond = std::abs(force / (model().parts * *stage.until.force) - 1);
   beyond_force_limit_ = std::isfinite(beyond_force_limit_) ? std::max(beyond_force_limit_, beyond) : beyond;
   io::info("stage \"{}\" ended {:.2g} % from its limit of force", stage.name, 100 * beyond);
@@ -505,7 +507,7 @@ Estimate MpmMethod<d>::estimate(const Context& context)
   }
   say("memory       about {:.0f} MiB at most", e.memory / (1 << 20));
   say("time step    {:.4g} s", pace.dt);
-  for (const problem::StageSettings& stage : model().stages)
+  for (const settings::StageSettings& stage : model().stages)
     if (!(expected_time(stage) > 0)) say("stage \"{}\": its duration is not known in advance and is not counted below", stage.name);
   for (const std::string& line : load_history_lines()) e.lines.push_back(line);
   say("steps        about {:.0f}, {} rows of history", total / pace.dt, static_cast<BigIndex>(total / history_interval()));
@@ -519,14 +521,14 @@ template <int d>
 std::vector<std::string> MpmMethod<d>::load_history_lines() const
 {
   std::vector<std::string> lines;
-  for (const problem::StageSettings& stage : case_.stage)
-    if (const std::optional<problem::TimeScale> slow = time_scale_of(case_, stage)) {
+  for (const settings::StageSettings& stage : case_.stage)
+    if (const std::optional<settings::TimeScale> slow = time_scale_of(case_, stage)) {
       lines.push_back(fmt::format("load history of stage \"{}\": {}; automatic is {:.3g}: half waves of {:.3g} s in {:.3g} s, by {}",
                                   stage.name, time_scale_words(stage), slow->scale, slow->half_wave, slow->half_wave * slow->scale,
                                   words_of(slow->reason)));
       if (stage.time_scale < 1)
         lines.push_back(fmt::format("             that is for a body that the soil holds; {}: then run with time_scale = 1",
-                                    problem::breakout_takes_time));
+                                    settings::breakout_takes_time));
     }
   return lines;
 }
@@ -545,8 +547,8 @@ template <int d>
 Real MpmMethod<d>::expected_steps_time() const
 {
   Real sum = 0;
-  for (const problem::StageSettings& stage : model().stages)
-    sum += expected_time(stage) * (stage.kind == problem::StageKind::pipeline ? slices_ : 1);
+  for (const settings::StageSettings& stage : model().stages)
+    sum += expected_time(stage) * (stage.kind == settings::StageKind::pipeline ? slices_ : 1);
   return sum;
 }
 

@@ -47,7 +47,7 @@ public:
   void begin(bool at_start);
   void step();
   /// Steps through all stages before the first of this kind, without rows and words.
-  void step_to(problem::StageKind kind);
+  void step_to(settings::StageKind kind);
   /// Whether soil was placed or taken out before the last step.
   bool soil_changed() const { return soil_changed_; }
   /// s between rows of the history.
@@ -81,7 +81,7 @@ public:
   Real particle_steps() const { return static_cast<Real>(counts().particles * state().step); }
 
   // For a line on several problems, of which this is the first.
-  const problem::Case& case_of_run() const { return case_; }
+  const settings::Case& case_of_run() const { return case_; }
   const problem::Problem<d>& problem() const { return problem_; }
   problem::State<d>& state_now() { return problem_.state; }
   mpm::Workspace<d>& workspace() { return *workspace_; }
@@ -107,15 +107,15 @@ private:
   void begin_trial();
   void end_stage_of_trial();
   bool is_last_stage() const;
-  void log_equilibrium(const problem::StageSettings& stage) const;
-  void log_force_limit(const problem::StageSettings& stage);
+  void log_equilibrium(const settings::StageSettings& stage) const;
+  void log_force_limit(const settings::StageSettings& stage);
   std::vector<std::string> load_history_lines() const;
   Real stopped_over_work() const;
   void warn_of(const mpm::SoilCondition& soil) const;
 
   Real memory_before_;                      ///< bytes in use before the problem was built
   Real slices_ = 1, memory_of_slices_ = 0;  ///< expect_slices
-  problem::Case case_;
+  settings::Case case_;
   problem::Problem<d> problem_;
   run_folder::MpmCounts counts_;
   Real history_interval_;

@@ -51,7 +51,7 @@ Real elastic_energy(const problem::Model<dim>& model, const problem::State<dim>&
 }  // namespace
 
 template <int dim>
-MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
+MpmRecorder<dim>::MpmRecorder(const settings::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start)
     : Recorder<dim>(model),
       last_time_(start.time),
       last_(start.ledger)
@@ -63,7 +63,7 @@ MpmRecorder<dim>::MpmRecorder(const problem::Case& c, const problem::Model<dim>&
     first_kinetic_ += sums.kinetic;
   }
   // Of soil that nothing drives the work is what is left over of its own stress, next to nothing in a bed at rest.
-  if (std::none_of(model.stages.begin(), model.stages.end(), [](const problem::StageSettings& stage) { return drives(stage.kind); }))
+  if (std::none_of(model.stages.begin(), model.stages.end(), [](const settings::StageSettings& stage) { return drives(stage.kind); }))
     first_elastic_ = elastic_energy(model, start);
   first_loaded_ = start.load_points;
   boundary::for_each_of<boundary::Head<dim>>(

@@ -15,7 +15,7 @@ template <int dim>
 class MpmRecorder : public Recorder<dim> {
 public:
   /// Remembers the start, from which displacements and energies count.
-  MpmRecorder(const problem::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start);
+  MpmRecorder(const settings::Case& c, const problem::Model<dim>& model, const problem::State<dim>& start);
 
   /// What a row has of the steps before it; to be called after each.
   void observe_step(const problem::Model<dim>& model, const mpm::Workspace<dim>& workspace);

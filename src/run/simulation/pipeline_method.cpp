@@ -12,6 +12,7 @@
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "os/text_of_list.hpp"
+#include "settings/interface.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -90,14 +91,14 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
   make_soils(request, scratch);
   refuse_without_memory(memory_of_others(), memory_in_use(), fmt::format("{} slices", line_.count()),
                         "take larger cells, fewer particles or fewer slices");
-  const bool springs = line_.of_case().settings.slices.as_spring == problem::SliceAsSpring::always;
+  const bool springs = line_.of_case().settings.slices.as_spring == settings::SliceAsSpring::always;
   first_.expect_slices(springs ? 0 : line_.count(), memory_of_others());
 }
 
 /// A problem of its own for each other soil.
 void PipelineMethod::make_soils(const RunRequest& request, const io::ScratchFolder& scratch)
 {
-  const std::vector<problem::OtherSoil>& others = line_.of_case().settings.soil;
+  const std::vector<settings::OtherSoil>& others = line_.of_case().settings.soil;
   const std::vector<Real>& places = line_.of_case().places;
   for (std::size_t j = 0; j < others.size(); ++j) {
     RunRequest changed = request;
@@ -140,9 +141,9 @@ Estimate PipelineMethod::estimate(const Context& context)
   e.lines.insert(e.lines.begin(),
                  fmt::format("pipeline     {}{}, line of {} nodes to {:.4g} m; cells, nodes and particles are those of one slice",
                              slices_in_words(of),
-                             of.settings.slices.as_spring == problem::SliceAsSpring::always ? ", as springs"
-                             : of.may_be_springs()                                          ? ", as springs until they slide"
-                                                                                            : "",
+                             of.settings.slices.as_spring == settings::SliceAsSpring::always ? ", as springs"
+                             : of.may_be_springs()                                           ? ", as springs until they slide"
+                                                                                             : "",
                              of.line.nodes(), of.line.x.back()));
   return e;
 }
@@ -175,7 +176,7 @@ bool PipelineMethod::next_stage()
   if (!on_line()) return true;
   if (!line_.is_coupled()) {
     for (std::size_t j = 0; j < soils_.size(); ++j) try {
-        soils_[j]->step_to(problem::StageKind::pipeline);
+        soils_[j]->step_to(settings::StageKind::pipeline);
       } catch (const RunError& error) {
         throw RunError(fmt::format("pipeline.soil[{}], while the pipe is laid there: {}", j, error.what()));
       }

@@ -61,7 +61,7 @@ private:
   void write_berms() const;
   bool find_springs();
   void write_springs() const;
-  bool on_line() const { return model().stages[state().stage.index].kind == problem::StageKind::pipeline; }
+  bool on_line() const { return model().stages[state().stage.index].kind == settings::StageKind::pipeline; }
 
   std::filesystem::path folder_;
   MpmMethod<2> first_;

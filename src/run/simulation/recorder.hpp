@@ -88,7 +88,7 @@ void observe(run_folder::Row& row, const Energies& energies)
 
 /// The water of undrained soil at a point with this total stress and excess pore pressure.
 template <int dim>
-void observe_water(run_folder::Row& row, const problem::BodySoil& soil, const SymTensor<dim>& stress, Real pressure)
+void observe_water(run_folder::Row& row, const settings::BodySoil& soil, const SymTensor<dim>& stress, Real pressure)
 {
   const material::Material& material = soil.materials.front();
   const int place = pore_pressure_index(material);

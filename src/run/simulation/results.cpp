@@ -75,7 +75,7 @@ std::string write_results(const RunRequest& request, EndedRun ended, const After
                   {"machine", io::host_description()},
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
   for (auto& entry : run_folder::this_build()) summary.text.push_back(std::move(entry));
-  if (request.settings.method == problem::Method::fem) summary.text.emplace_back("blas_kernel", fem::blas_kernel());
+  if (request.settings.method == settings::Method::fem) summary.text.emplace_back("blas_kernel", fem::blas_kernel());
   for (auto& entry : answers.text) summary.text.push_back(std::move(entry));
   summary.checks = ended.checks;
   summary.warnings = warnings;

@@ -9,8 +9,8 @@
 #include "io/log.hpp"
 #include "os/error.hpp"
 #include "problem/stages.hpp"
-#include "problem/time_scale.hpp"
 #include "record/run_record.hpp"
+#include "settings/time_scale.hpp"
 #include "simulation/fem_method.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/mpm_method.hpp"
@@ -51,7 +51,7 @@ void Run<Method>::begin()
   if (const mesh::GroundLine& line = model().ground.line; !line.level() && !from_checkpoint) record::write_ground(folder_.path(), line);
   progress_.count_from(clock_.earlier());
   method_.begin(!from_checkpoint);
-  for (const problem::StageSettings& stage : model().stages)
+  for (const settings::StageSettings& stage : model().stages)
     if (!stage.load_times.empty()) io::info("load history of stage \"{}\": {}", stage.name, time_scale_words(stage));
   if (!from_checkpoint) record(), frame();
 }
@@ -212,7 +212,7 @@ void Run<Method>::record()
 template <class Method>
 bool Run<Method>::frame_is_due() const
 {
-  const problem::OutputSettings& output = request_.settings.output;
+  const settings::OutputSettings& output = request_.settings.output;
   const Real travel = driven() == none ? 0 : (state().rigid_bodies[driven()].displacement - frame_displacement_).norm();
   return method_.soil_changed() || (output.frame_time && state().time >= frame_time_ + *output.frame_time) ||
          (output.frame_travel && travel >= *output.frame_travel);
@@ -250,7 +250,7 @@ void Run<Method>::next_stage()
   if (finished_) return;
   const bodies::Drive& vertical = state().stage.drive[model().axes.up];
   const bool varies = load_column_of(stage(), model().axes, model().axes.up) != none;
-  if (stage().kind == problem::StageKind::drag && vertical.by_force && !varies)
+  if (stage().kind == settings::StageKind::drag && vertical.by_force && !varies)
     held_forces_[static_cast<std::size_t>(state().stage.index)] = -model().axes.sign * model().parts * vertical.to;
 }
 
@@ -271,7 +271,7 @@ void Run<Method>::report_progress()
   run_folder::ProgressReport report;
   report.stage = stage().name;
   report.done = part_done();
-  report.drag = stage().kind == problem::StageKind::drag;
+  report.drag = stage().kind == settings::StageKind::drag;
   if (const Index main = model().main_rigid; main != none) {
     const problem::RigidTravel travel = travel_of(model(), state(), main);
     report.u = travel.u;

@@ -62,7 +62,7 @@ private:
 
   const problem::Model<dim>& model() const { return method_.model(); }
   const problem::State<dim>& state() const { return method_.state(); }
-  const problem::StageSettings& stage() const { return model().stages[state().stage.index]; }
+  const settings::StageSettings& stage() const { return model().stages[state().stage.index]; }
   Index driven() const { return model().driven[state().stage.index]; }
 
   const RunRequest& request_;

@@ -10,9 +10,9 @@
 #include "io/sha256.hpp"
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
-#include "problem/safety.hpp"
 #include "run_folder/origin.hpp"
 #include "run_folder/summary_file.hpp"
+#include "settings/safety.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -73,13 +73,13 @@ run_folder::RunFolder folder_of(const RunRequest& request, const io::ScratchFold
 
 }  // namespace
 
-problem::Case case_to_run(const RunRequest& request)
+settings::Case case_to_run(const RunRequest& request)
 {
-  problem::Case settings = problem::with_reduced_strength(request.settings);
+  settings::Case settings = settings::with_reduced_strength(request.settings);
   const fs::path mesh = fs::absolute(request.folder / "mesh.msh");
   const bool from_file = std::holds_alternative<mesh::GmshFile>(settings.mesh);
   const bool made =
-      std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == problem::Method::mpm && settings.dimension() == 2;
+      std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == settings::Method::mpm && settings.dimension() == 2;
   std::error_code error;
   if (request.resume && (from_file || made) && fs::exists(mesh, error)) {
     mesh::GmshFile file = from_file ? std::get<mesh::GmshFile>(settings.mesh) : mesh::GmshFile{};
@@ -92,7 +92,7 @@ problem::Case case_to_run(const RunRequest& request)
 
 RunPlace::RunPlace(const RunRequest& request, const Context& context, const io::ScratchFolder& scratch, const std::string& size,
                    const std::vector<std::string>& warnings)
-    : replaces_(!request.resume && !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty()),
+    : replaces_(!request.resume && !run_folder::CheckpointFolder(checkpoints_in(request.folder)).files().empty()),
       folder_(folder_of(request, scratch, warnings)),
       log_(folder_.file("run.log"), request.resume, context.messages())
 {
@@ -161,7 +161,7 @@ bool can_be_resumed(const fs::path& folder)
 
 bool has_checkpoint(const fs::path& folder)
 {
-  return !checkpoint::CheckpointFolder(checkpoints_in(folder)).files().empty();
+  return !run_folder::CheckpointFolder(checkpoints_in(folder)).files().empty();
 }
 
 }  // namespace berm::simulation

@@ -9,7 +9,7 @@
 namespace berm::simulation {
 
 /// The case with the mesh that lies in the run folder, where a run is resumed: the file that it was read from may be elsewhere or gone.
-problem::Case case_to_run(const RunRequest& request);
+settings::Case case_to_run(const RunRequest& request);
 
 /// The run folder, with case.toml, resolved.toml, the mesh files that building left in `scratch` and run.log, while the run writes there. It begins with what
 /// is run (`size`: "3052 elements, 6287 nodes, 2 threads") and what is doubtful of it (`warnings`); messages go where the context says, and to the log. A

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "input/places.hpp"
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 #include "simulation/context.hpp"
 #include "simulation/estimate.hpp"
 #include "user_law/load.hpp"
@@ -13,7 +13,7 @@ namespace berm::simulation {
 
 /// One case to run.
 struct RunRequest {
-  problem::Case settings;
+  settings::Case settings;
   std::filesystem::path case_file;
   std::filesystem::path folder;       ///< the run folder
   bool resume = false;                ///< from the last checkpoint in the run folder, or from the start where there is none yet

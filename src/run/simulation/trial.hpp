@@ -18,7 +18,7 @@ namespace berm::simulation {
 /// Soil that still moves while some of it yields, but too little of it to flow, is undecided.
 class Trial {
 public:
-  /// `limit`: m; `time_factor`: c_v T / H^2 of the last stage (problem::time_factor_of_last_stage).
+  /// `limit`: m; `time_factor`: c_v T / H^2 of the last stage (settings::time_factor_of_last_stage).
   explicit Trial(Real limit, Real time_factor = nan) : limit_(limit), time_factor_(time_factor) {}
 
   /// A stage begins; `counts`: it moves no body, so that movement is a sign of failure.

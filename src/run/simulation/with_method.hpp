@@ -21,10 +21,10 @@ auto with_method(RunRequest request, const Act& act)
 {
   try {
     user_law::load(request.settings, request.laws);
-    if (request.settings.method == problem::Method::fem && Ranks::of_run().count() > 1)
+    if (request.settings.method == settings::Method::fem && Ranks::of_run().count() > 1)
       throw InputError(
           fmt::format("{}: method = \"fem\" is for one process: start it without the MPI launcher", request.case_file.string()));
-    if (request.settings.method == problem::Method::fem) return act(std::type_identity<FemMethod>(), request);
+    if (request.settings.method == settings::Method::fem) return act(std::type_identity<FemMethod>(), request);
     if (request.settings.pipeline) return act(std::type_identity<PipelineMethod>(), request);
     return request.settings.dimension() == 2 ? act(std::type_identity<MpmMethod<2>>(), request)
                                              : act(std::type_identity<MpmMethod<3>>(), request);

@@ -126,7 +126,7 @@ bool has_result(const ElementCase& settings, const fs::path& folder)
 {
   try {
     const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(folder);
-    return summary && summary->finished() && run_folder::by_this_build(*summary, problem::Method::fem) &&
+    return summary && summary->finished() && run_folder::by_this_build(*summary, settings::Method::fem) &&
            io::read_text_file(folder / "resolved.toml") == resolved_toml(settings);
   } catch (const RunError&) {
     return false;

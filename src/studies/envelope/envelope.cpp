@@ -36,7 +36,7 @@ const char* state_of(jobs::JobEnd::Kind kind)
 
 jobs::Outcome find_envelope(const EnvelopeRequest& request)
 {
-  const problem::Case settings = jobs::with_whole_paths(request.settings, request.case_file);
+  const settings::Case settings = jobs::with_whole_paths(request.settings, request.case_file);
   std::vector<EnvelopeRow> rows;
   for (const Probe& probe : choose_probes(settings, request.how)) rows.push_back({probe, "finished", {}});
   if (!user_law::names_library(settings.material))  // a probe loads it, in its sandbox

@@ -11,7 +11,7 @@ namespace berm::envelope {
 
 /// An envelope to find.
 struct EnvelopeRequest {
-  problem::Case settings;
+  settings::Case settings;
   std::filesystem::path case_file;
   std::filesystem::path folder;
   EnvelopeSettings how;

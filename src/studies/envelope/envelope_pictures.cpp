@@ -25,12 +25,12 @@ struct Shown {
   Real force = 1, moment = 1;                            ///< what is drawn per N/m and N (in space N and N m)
 };
 
-Shown shown_for(const problem::Case& c, const base::PublishedEnvelope& published, const EnvelopeExtremes& extremes)
+Shown shown_for(const settings::Case& c, const base::PublishedEnvelope& published, const EnvelopeExtremes& extremes)
 {
   const base::EmbeddedBody body = embedded_body(c);
   Shown shown;
   shown.title = fmt::format("{}: w/D = {:.3g}", c.title.empty() ? "Envelope" : c.title, body.embedment / body.width);
-  shown.method = c.method == problem::Method::fem ? "fem" : "mpm";
+  shown.method = c.method == settings::Method::fem ? "fem" : "mpm";
   if (published.unit > 0) {
     shown.force = 1 / published.unit, shown.moment = 1 / (published.unit * body.width);
     shown.force_words = " / " + published.unit_name, shown.moment_words = " / " + published.unit_name + " / D";
@@ -120,7 +120,7 @@ void draw_sections(const Shown& shown, const base::PublishedEnvelope& published,
 
 }  // namespace
 
-base::PublishedEnvelope published_for(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
+base::PublishedEnvelope published_for(const settings::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   base::EnvelopeEnds ends{{}, {}, extremes_of(rows).V_max};
   for (const EnvelopeRow& row : rows) {
@@ -130,7 +130,7 @@ base::PublishedEnvelope published_for(const problem::Case& c, const std::vector<
   return structures::structure_of(c).published_envelope(c, ends);
 }
 
-void draw_envelope(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
+void draw_envelope(const settings::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
 {
   const base::PublishedEnvelope published = published_for(c, rows);
   const EnvelopeExtremes extremes = extremes_of(rows);

@@ -15,20 +15,20 @@ constexpr Real steepest = 90, flattest = -45;            // degrees below the ho
 constexpr Real steepest_turn = 60, flattest_turn = -20;  // of a footing that turns
 constexpr int usual_turns = 5;
 
-bool drives(const problem::StageSettings& stage)
+bool drives(const settings::StageSettings& stage)
 {
-  return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
+  return stage.kind == settings::StageKind::push || stage.kind == settings::StageKind::drag;
 }
 
 /// The first stage that drives the body.
-std::vector<problem::StageSettings>::const_iterator first_drive(const problem::Case& c)
+std::vector<settings::StageSettings>::const_iterator first_drive(const settings::Case& c)
 {
   return std::find_if(c.stage.begin(), c.stage.end(), drives);
 }
 
-std::string unused_name(std::string name, const std::vector<problem::StageSettings>& stages)
+std::string unused_name(std::string name, const std::vector<settings::StageSettings>& stages)
 {
-  while (std::any_of(stages.begin(), stages.end(), [&](const problem::StageSettings& stage) { return stage.name == name; }))
+  while (std::any_of(stages.begin(), stages.end(), [&](const settings::StageSettings& stage) { return stage.name == name; }))
     name += "_probe";
   return name;
 }
@@ -36,7 +36,7 @@ std::string unused_name(std::string name, const std::vector<problem::StageSettin
 /// Makes the stages of the probes of one case.
 class ProbeMaker {
 public:
-  ProbeMaker(const problem::Case& c, const base::EmbeddedBody& body, Real travel) : case_(c), body_(body), travel_(travel * body.width)
+  ProbeMaker(const settings::Case& c, const base::EmbeddedBody& body, Real travel) : case_(c), body_(body), travel_(travel * body.width)
   {
     const auto first = first_drive(c);
     if (first == c.stage.end() || !first->velocity || *first->velocity == 0)
@@ -52,12 +52,12 @@ public:
   Probe direction(Real angle) const
   {
     Probe probe{angle == steepest ? "down" : fmt::format("direction_{:.4g}", angle), ProbeKind::direction, angle, case_, ""};
-    problem::StageSettings stage = drive_for("probe");
+    settings::StageSettings stage = drive_for("probe");
     if (angle == steepest) {
-      stage.kind = problem::StageKind::push;
+      stage.kind = settings::StageKind::push;
       stage.velocity = speed_;
     } else {
-      stage.kind = problem::StageKind::drag;
+      stage.kind = settings::StageKind::drag;
       stage.velocity = speed_ * std::cos(angle * degree);
       stage.vertical_velocity = speed_ * std::sin(angle * degree);
     }
@@ -68,10 +68,10 @@ public:
   Probe swipe() const
   {
     Probe probe{"swipe", ProbeKind::swipe, nan, case_, ""};
-    problem::StageSettings push = drive_for("push"), drag = drive_for("swipe");
-    push.kind = problem::StageKind::push;
-    drag.kind = problem::StageKind::drag;
-    drag.vertical = problem::Vertical::fixed;
+    settings::StageSettings push = drive_for("push"), drag = drive_for("swipe");
+    push.kind = settings::StageKind::push;
+    drag.kind = settings::StageKind::drag;
+    drag.vertical = settings::Vertical::fixed;
     push.velocity = drag.velocity = speed_;
     add(probe, push);
     add(probe, drag);
@@ -90,8 +90,8 @@ public:
   Probe swipe(Real turn, bool free_sideways) const
   {
     Probe probe{free_sideways ? "swipe_turn" : fmt::format("swipe_{:.4g}", turn), ProbeKind::swipe, nan, case_, "", turn, free_sideways};
-    problem::StageSettings push = drive_for("push");
-    push.kind = problem::StageKind::push;
+    settings::StageSettings push = drive_for("push");
+    push.kind = settings::StageKind::push;
     push.velocity = speed_;
     add(probe, push);
     add(probe, turning("swipe", 0, turn, free_sideways));
@@ -100,10 +100,10 @@ public:
 
 private:
   /// The displacements are those of the point that moments are about; the body's centre lies above it, and is driven.
-  problem::StageSettings turning(const char* name, Real angle, Real turn, bool free_sideways) const
+  settings::StageSettings turning(const char* name, Real angle, Real turn, bool free_sideways) const
   {
-    problem::StageSettings stage = drive_for(name);
-    stage.kind = problem::StageKind::drive;
+    settings::StageSettings stage = drive_for(name);
+    stage.kind = settings::StageKind::drive;
     const Real flat = speed_ * std::cos(angle * degree), clockwise = flat * std::sin(turn * degree) / body_.width;
     if (angle != 0) stage.drive.y.velocity = -speed_ * std::sin(angle * degree);
     if (free_sideways)
@@ -119,37 +119,37 @@ private:
     auto& [name, rigid] = case_.rigid[footing];
     rigid.rotation = bodies::Rotation::fixed;
     if (rigid.mass > 0) return;
-    if (case_.method == problem::Method::mpm)
+    if (case_.method == settings::Method::mpm)
       throw KeyError(fmt::format("rigid.{}.mass: is needed: probes that rotate the footing leave it free to move laterally", name));
     rigid.mass = 1;
   }
-  problem::StageSettings drive_for(const char* name) const
+  settings::StageSettings drive_for(const char* name) const
   {
-    problem::StageSettings stage = drive_;
+    settings::StageSettings stage = drive_;
     stage.name = unused_name(name, case_.stage);
     stage.until.time = travel_ / speed_ + stage.ramp / 2;
     return stage;
   }
-  static void add(Probe& probe, const problem::StageSettings& stage)
+  static void add(Probe& probe, const settings::StageSettings& stage)
   {
     probe.settings.stage.push_back(stage);
     probe.stage = stage.name;
   }
 
-  problem::Case case_;
+  settings::Case case_;
   base::EmbeddedBody body_;
   Real travel_, speed_ = 0;  ///< m, m/s
-  problem::StageSettings drive_;
+  settings::StageSettings drive_;
 };
 
 }  // namespace
 
-base::EmbeddedBody embedded_body(const problem::Case& c)
+base::EmbeddedBody embedded_body(const settings::Case& c)
 {
   return structures::structure_of(c).embedded(c);
 }
 
-std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings)
+std::vector<Probe> choose_probes(const settings::Case& c, const EnvelopeSettings& settings)
 {
   const base::EmbeddedBody body = embedded_body(c);
   if (settings.turns && !body.arm) throw KeyError("rigid: a pipe has no moments to search: --turns is for a footing");

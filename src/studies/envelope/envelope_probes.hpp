@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 #include "structures/base/published_envelope.hpp"
 
 #include <optional>
@@ -18,7 +18,7 @@ struct EnvelopeSettings {
 
 /// The body whose envelope is looked for, as its structure says that it lies before the first stage. Throws InputError where the case has none that has an
 /// envelope.
-base::EmbeddedBody embedded_body(const problem::Case& c);
+base::EmbeddedBody embedded_body(const settings::Case& c);
 
 /// What a probe does: it goes in one direction until the soil yields, or pushes first and then drags at that depth.
 enum class ProbeKind { direction, swipe };
@@ -28,7 +28,7 @@ struct Probe {
   std::string name;
   ProbeKind kind = ProbeKind::direction;
   Real angle = 0;              ///< degrees below the horizontal in which a direction probe goes; NaN of a swipe
-  problem::Case settings;      ///< the case with the probe's own stages
+  settings::Case settings;     ///< the case with the probe's own stages
   std::string stage;           ///< whose rows of the history tell the probe's path
   Real turn = 0;               ///< degrees from sideways (u) towards rotation (theta D) in which it goes besides: 90 turns alone
   bool free_sideways = false;  ///< nothing holds the body sideways, so H = 0
@@ -42,6 +42,6 @@ struct Probe {
 ///
 /// Throws InputError as embedded_body, where that stage has no velocity, where turns are asked of a body that has none, and where a body that inertia
 /// moves has no mass.
-std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings);
+std::vector<Probe> choose_probes(const settings::Case& c, const EnvelopeSettings& settings);
 
 }  // namespace berm::envelope

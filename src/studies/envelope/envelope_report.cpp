@@ -22,7 +22,7 @@ Json number(Real value, const char* unit)
   return {{"value", value}, {"unit", unit}};
 }
 
-std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
+std::string summary_json(const settings::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   const EnvelopeExtremes extremes = extremes_of(rows);
   const base::PublishedEnvelope published = published_for(c, rows);
@@ -72,7 +72,7 @@ std::string ratio_words(Real ratio)
 
 }  // namespace
 
-void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
+void write_envelope_report(const settings::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
 {
   io::write_atomically(folder / "envelope.csv", envelope_csv(rows, embedded_body(c).arm.has_value(), c.force_dimension()));
   io::write_atomically(folder / "summary.json", summary_json(c, rows));
@@ -89,7 +89,7 @@ void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow
     }
 }
 
-std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
+std::string envelope_words(const settings::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   const base::PublishedEnvelope published = published_for(c, rows);
   const EnvelopeExtremes extremes = extremes_of(rows);

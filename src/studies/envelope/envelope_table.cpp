@@ -49,9 +49,9 @@ StagePath path_of(const StageRows& rows)
 
 /// The same of the middle of the flat base of a footing, at `arm` below the centre that the history is about. In the history w is that of the lowest corner.
 /// Finite elements of small strain keep the arms of their forces.
-StagePath path_of_base(const StageRows& rows, const base::EmbeddedBody& body, const problem::Case& c)
+StagePath path_of_base(const StageRows& rows, const base::EmbeddedBody& body, const settings::Case& c)
 {
-  const bool plane = c.dimension() == 2, small_strain = c.method == problem::Method::fem;
+  const bool plane = c.dimension() == 2, small_strain = c.method == settings::Method::fem;
   const std::vector<Real> V = rows["V"], H = rows["H"], moment = rows[plane ? "M" : "Mz"], angle = rows[plane ? "angle" : "anglez"];
   std::vector<Real> u = rows["u"], w = rows["w"], M, travel, since[3];
   for (std::size_t k = 0; k < u.size(); ++k) {
@@ -78,7 +78,7 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, co
   const StageRows rows(history, probe.stage);
   const StagePath path = body.arm ? path_of_base(rows, body, probe.settings) : path_of(rows);
   if (path.V.empty() || path.H.empty()) return result;
-  Real half = probe.settings.method == problem::Method::fem ? 0 : base::averaging_half_width * body.width;
+  Real half = probe.settings.method == settings::Method::fem ? 0 : base::averaging_half_width * body.width;
   if (body.arm) half = std::min(half, largest_half * path.V.end());
   const auto at = [&](Real travel) {
     return EnvelopePoint{path.V.at(travel, half), path.H.at(travel, half), path.w.at(travel, half), path.M.at(travel, half)};

@@ -61,11 +61,11 @@ void note_libraries(std::vector<std::pair<std::string, material::Material>>& mat
 bool is_under_way(const Job& job)
 {
   std::error_code error;
-  return fs::exists(job.folder / "checkpoint/case_file.txt", error);
+  return fs::exists(job.folder / "run_folder/case_file.txt", error);
 }
 
 /// Whether the run folder is of these settings, and of what is in the files that they name.
-bool is_of(const fs::path& folder, problem::Case settings)
+bool is_of(const fs::path& folder, settings::Case settings)
 {
   if (!run_folder::named_files_are_the_same(folder)) return false;
   note_libraries(settings.material);
@@ -80,7 +80,7 @@ bool is_of_case(const Job& job)
   return is_of(job.folder, input::read_case(job.case_file, job.set));
 }
 
-problem::Case with_whole_paths(problem::Case settings, const fs::path& case_file)
+settings::Case with_whole_paths(settings::Case settings, const fs::path& case_file)
 {
   if (auto* mesh = std::get_if<mesh::GmshFile>(&settings.mesh))
     mesh->file = fs::absolute(case_file.parent_path() / mesh->file).lexically_normal().string();
@@ -120,7 +120,7 @@ bool has_result(const Job& job)
   if (is_under_way(job)) return false;
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
   if (!summary || !summary->finished()) return false;
-  const problem::Case settings = input::read_case(job.case_file, job.set);
+  const settings::Case settings = input::read_case(job.case_file, job.set);
   if (!run_folder::by_this_build(*summary, settings.method) || !is_of(job.folder, settings)) return false;
   return !job.uncertainty || (summary->uncertainty && summary->uncertainty->missing.empty());
 }
@@ -137,7 +137,7 @@ bool goes_on(const Job& job)
 {
   if (job.element || !is_under_way(job)) return false;
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
-  const problem::Case settings = input::read_case(job.case_file, job.set);
+  const settings::Case settings = input::read_case(job.case_file, job.set);
   if (summary && !run_folder::by_this_build(*summary, settings.method)) return false;
   return is_of(job.folder, settings);
 }

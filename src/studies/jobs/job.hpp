@@ -3,7 +3,7 @@
 
 #include "core/types.hpp"
 #include "jobs/outcome.hpp"
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 #include <filesystem>
 #include <string>
@@ -24,7 +24,7 @@ struct Job {
 };
 
 /// The case with a mesh file that is found from any folder, where a job has a case file of its own.
-problem::Case with_whole_paths(problem::Case settings, const std::filesystem::path& case_file);
+settings::Case with_whole_paths(settings::Case settings, const std::filesystem::path& case_file);
 
 /// What stands behind the program's name on the command line that does the job.
 std::vector<std::string> words_of(const Job& job);

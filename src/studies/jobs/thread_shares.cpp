@@ -11,7 +11,7 @@ namespace {
 
 /// Of the soil, before there is a mesh: half of the cells of a bed hold some, at least; 0 where it is not known.
 template <int dim>
-Real expected_particles(const problem::Case& c)
+Real expected_particles(const settings::Case& c)
 {
   Real cells = 0;
   if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh)) {
@@ -31,10 +31,10 @@ Real expected_particles(const problem::Case& c)
 
 }  // namespace
 
-int threads_worth(const problem::Case& settings)
+int threads_worth(const settings::Case& settings)
 {
   constexpr Real particles_a_thread = 10'000, most = 1024;
-  if (settings.method != problem::Method::mpm) return 1;
+  if (settings.method != settings::Method::mpm) return 1;
   const Real particles = settings.dimension() == 2 ? expected_particles<2>(settings) : expected_particles<3>(settings);
   return static_cast<int>(std::clamp(std::floor(particles / particles_a_thread), Real(1), most));
 }

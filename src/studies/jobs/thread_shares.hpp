@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 #include <map>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace berm::jobs {
 
 /// Most threads that a run of this case is worth: of finite elements one, else one for each 10 000 particles, counted before there is a mesh; one where that cannot be.
-int threads_worth(const problem::Case& settings);
+int threads_worth(const settings::Case& settings);
 
 /// Shares processors out among jobs that run side by side: one each while as many wait, more each for the last ones, the first of them most. A job that has begun keeps
 /// what it has.

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-jobs::Job job_of(const SafetyRequest& request, const problem::Case& settings, Real factor)
+jobs::Job job_of(const SafetyRequest& request, const settings::Case& settings, Real factor)
 {
   const fs::path runs = request.folder / "runs";
   const std::string name = trial_name(factor);
@@ -50,7 +50,7 @@ Trial result_of(Real factor, const fs::path& folder)
 }
 
 /// Trials of this case by an earlier command, whatever factors it came to.
-std::vector<Trial> earlier_trials(const SafetyRequest& request, const problem::Case& settings)
+std::vector<Trial> earlier_trials(const SafetyRequest& request, const settings::Case& settings)
 {
   std::vector<Trial> trials;
   std::error_code error;
@@ -58,7 +58,7 @@ std::vector<Trial> earlier_trials(const SafetyRequest& request, const problem::C
     if (entry.path().extension() != ".toml") continue;
     const jobs::Job job{entry.path(), {}, fs::path(entry.path()).replace_extension()};
     try {
-      const problem::Case found = input::read_case(job.case_file, {});
+      const settings::Case found = input::read_case(job.case_file, {});
       if (!found.safety || !has_result(job)) continue;
       const Real factor = found.safety->factor;
       if (input::resolved_toml(found) == input::resolved_toml(trial_case(settings, factor)))
@@ -78,7 +78,7 @@ struct Round {
   bool queued() const { return batch.count(jobs::JobEnd::Kind::queued) > 0; }
 };
 
-Round run_round(const SafetyRequest& request, const problem::Case& settings, const std::vector<Real>& factors)
+Round run_round(const SafetyRequest& request, const settings::Case& settings, const std::vector<Real>& factors)
 {
   Round round;
   for (const Real factor : factors) round.batch.jobs.push_back(job_of(request, settings, factor));
@@ -113,7 +113,7 @@ void sort(std::vector<Trial>& trials)
 
 }  // namespace
 
-problem::Case trial_case(problem::Case settings, Real factor)
+settings::Case trial_case(settings::Case settings, Real factor)
 {
   if (!settings.safety) settings.safety.emplace();
   settings.safety->factor = factor;
@@ -122,7 +122,7 @@ problem::Case trial_case(problem::Case settings, Real factor)
 
 jobs::Outcome find_safety(const SafetyRequest& request)
 {
-  const problem::Case settings = jobs::with_whole_paths(request.settings, request.case_file);
+  const settings::Case settings = jobs::with_whole_paths(request.settings, request.case_file);
   simulation::check_buildable(
       {.settings = trial_case(settings, request.how.low), .case_file = request.case_file, .folder = request.folder});
   io::make_folder(request.folder);

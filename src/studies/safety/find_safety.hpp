@@ -2,8 +2,8 @@
 #pragma once
 
 #include "jobs/jobs.hpp"
-#include "problem/case.hpp"
 #include "safety/search.hpp"
+#include "settings/case.hpp"
 
 #include <filesystem>
 
@@ -11,7 +11,7 @@ namespace berm::safety {
 
 /// A factor of safety to find.
 struct SafetyRequest {
-  problem::Case settings;
+  settings::Case settings;
   std::filesystem::path case_file;
   std::filesystem::path folder;
   SearchSettings how;
@@ -19,11 +19,11 @@ struct SafetyRequest {
 };
 
 /// The case that a trial runs; safety.movement stays.
-problem::Case trial_case(problem::Case settings, Real factor);
+settings::Case trial_case(settings::Case settings, Real factor);
 
 /// Looks for the largest factor by which the strength of the soil can be divided so that it stands: runs trials side by side, FOLDER/runs/F_1.3750.toml into FOLDER/runs/F_1.3750, round by round, and
 /// writes safety.csv, summary.json, figures and safety.html. Trials that have a result are not run again, whatever the settings of the search were. Ctrl-C stops it; the same command goes on. Throws
-/// InputError where the case cannot be a trial (problem::check_safety) or built, before anything is written.
+/// InputError where the case cannot be a trial (settings::check_safety) or built, before anything is written.
 jobs::Outcome find_safety(const SafetyRequest& request);
 
 }  // namespace berm::safety

@@ -34,7 +34,7 @@ std::string wall_time(Real value)
   return std::isfinite(value) ? io::duration_text(value) : "";
 }
 
-std::string title_of(const problem::Case& settings)
+std::string title_of(const settings::Case& settings)
 {
   return settings.title.empty() ? "Factor of safety" : settings.title;
 }
@@ -52,7 +52,7 @@ bool moves_alike(const std::vector<Trial>& trials)
   return most_factor >= differs * least_factor && most - least <= same * most;
 }
 
-std::string summary_json(const problem::Case& settings, const std::vector<Trial>& trials, bool finished)
+std::string summary_json(const settings::Case& settings, const std::vector<Trial>& trials, bool finished)
 {
   const Bracket bracket = bracket_of(trials);
   const auto number = [](const std::optional<Real>& value, const char* meaning) -> Json {
@@ -99,7 +99,7 @@ std::string picture_html(const fs::path& file, const std::string& caption)
                      text::base64(io::read_text_file(file)), text::html_text(caption), text::html_text(caption));
 }
 
-std::string definition_html(const problem::Case& settings)
+std::string definition_html(const settings::Case& settings)
 {
   std::string html =
       "<p>F is the factor by which the strength of the soil is divided, from the start of the first stage: cohesion, tan(friction "
@@ -111,7 +111,7 @@ std::string definition_html(const problem::Case& settings)
       "<p>The soil <b>fails</b> where a point of it moves farther than the displacement in the table, in a stage that moves no body: a "
       "hundredth of the height that can slide plus twice the compression of elastic soil of that height under its weight and loads, unless "
       "safety.movement is given.  ";
-  html += settings.method == problem::Method::fem
+  html += settings.method == settings::Method::fem
               ? "It also fails where the finite elements do not reach equilibrium, or where more than a tenth of the displacement occurs "
                 "in the last half of the last stage while the soil yields: at small strain soil that flows does not stop. Soil that moves "
                 "and yields nowhere is consolidating: it stands. Soil that yields too little to flow, and is still moving, is undecided."
@@ -119,7 +119,7 @@ std::string definition_html(const problem::Case& settings)
   return html + " It <b>stands</b> where it has not failed and is at rest at the end of the last stage.</p>\n";
 }
 
-std::string page_html(const problem::Case& settings, const std::vector<Trial>& trials, const std::vector<std::string>& figures,
+std::string page_html(const settings::Case& settings, const std::vector<Trial>& trials, const std::vector<std::string>& figures,
                       const fs::path& folder)
 {
   const Bracket bracket = bracket_of(trials);
@@ -144,7 +144,7 @@ std::string page_html(const problem::Case& settings, const std::vector<Trial>& t
   html +=
       fmt::format("<p class=\"quiet\">berm {}, {}. All digits are in <a href=\"safety.csv\">safety.csv</a> and <a "
                   "href=\"summary.json\">summary.json</a>; a trial is a run like any other: berm report runs/F_... makes its page.</p>\n",
-                  BERM_VERSION, settings.method == problem::Method::fem ? "finite elements" : "material point method");
+                  BERM_VERSION, settings.method == settings::Method::fem ? "finite elements" : "material point method");
   return text::plain_page("berm: " + title_of(settings), html);
 }
 
@@ -187,7 +187,7 @@ std::string answer_in_words(const std::vector<Trial>& trials)
   return words;
 }
 
-std::vector<std::string> doubts_of(const std::vector<Trial>& trials, problem::Method method)
+std::vector<std::string> doubts_of(const std::vector<Trial>& trials, settings::Method method)
 {
   std::vector<std::string> doubts;
   Real time_factor = nan;
@@ -205,7 +205,7 @@ std::vector<std::string> doubts_of(const std::vector<Trial>& trials, problem::Me
   if (moves_alike(trials))
     doubts.push_back("the soil moves by the same amount whatever its strength, so this is not failure: water still flows, or loads still "
                      "change. Give the last stage more time");
-  if (!trials.empty() && method == problem::Method::mpm)
+  if (!trials.empty() && method == settings::Method::mpm)
     doubts.push_back("the factor of the material point method is too large on coarse cells: a vertical cut with 20 cells over its height "
                      "gives 6 % more than the exact factor, and half of that with cells half as large. Take method = \"fem\" (1.7 % "
                      "there), or two cell sizes, and extrapolate to zero");
@@ -222,7 +222,7 @@ std::string safety_words(const std::vector<Trial>& trials)
   return words + answer_in_words(trials) + "\n";
 }
 
-void write_safety_report(const problem::Case& settings, const std::vector<Trial>& trials, const fs::path& folder, bool finished)
+void write_safety_report(const settings::Case& settings, const std::vector<Trial>& trials, const fs::path& folder, bool finished)
 {
   io::write_atomically(folder / "safety.csv", safety_csv(trials));
   io::write_atomically(folder / "summary.json", summary_json(settings, trials, finished));

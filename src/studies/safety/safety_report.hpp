@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
 #include "safety/search.hpp"
+#include "settings/case.hpp"
 
 #include <filesystem>
 
@@ -21,11 +21,11 @@ std::string safety_words(const std::vector<Trial>& trials);
 std::string answer_in_words(const std::vector<Trial>& trials);
 
 /// Why the answer is to be doubted, a sentence each: water that still flows at the end, soil that fails at every factor, movements that do not depend on the factor, and what cells do to it.
-std::vector<std::string> doubts_of(const std::vector<Trial>& trials, problem::Method method);
+std::vector<std::string> doubts_of(const std::vector<Trial>& trials, settings::Method method);
 
 /// Writes FOLDER/safety.csv, summary.json, movement.png (over the factor), movement_in_time.png (of the two trials beside the answer and those next to them) and safety.html with both, what failure means and
 /// the soil of these two trials. The trials are in the order of their factors; `finished`: the search is over.
-void write_safety_report(const problem::Case& settings, const std::vector<Trial>& trials, const std::filesystem::path& folder,
+void write_safety_report(const settings::Case& settings, const std::vector<Trial>& trials, const std::filesystem::path& folder,
                          bool finished);
 
 /// Draws the figures; the names of those that were drawn, without ".png".

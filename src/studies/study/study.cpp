@@ -56,7 +56,7 @@ const StudySkip* skip_of(const Study& study, const std::vector<std::string>& nam
 }
 
 /// Of the main rigid body, where it is a circle; else 0.
-Real diameter_of(const problem::Case& settings)
+Real diameter_of(const settings::Case& settings)
 {
   const Index main = main_rigid(settings);
   const std::optional<bodies::DiskOutline> pipe = main == none ? std::nullopt : bodies::pipe_section(settings.rigid[main].second.shape);
@@ -75,7 +75,7 @@ std::string at_its_place(const Study& study, const StudyRow& row, const std::str
   return "";
 }
 
-problem::Case read_row(const fs::path& file, const Study& study, const StudyRow& row)
+settings::Case read_row(const fs::path& file, const Study& study, const StudyRow& row)
 {
   try {
     return input::case_of(row.job.case_file, row.job.set).settings;
@@ -86,7 +86,7 @@ problem::Case read_row(const fs::path& file, const Study& study, const StudyRow&
 }
 
 /// Throws InputError where a measure of a row asks for a quantity that its run cannot have, of a structure whose quantities are known before the run.
-void check_measures(const fs::path& file, const Study& study, const StudyRow& row, const problem::Case& settings)
+void check_measures(const fs::path& file, const Study& study, const StudyRow& row, const settings::Case& settings)
 {
   std::vector<std::string> known = structures::structure_of(settings).quantity_names(settings);
   if (known.empty()) return;
@@ -151,7 +151,7 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
       plan.skipped.push_back({row.names, skip->why});
       continue;
     }
-    const problem::Case settings = read_row(file, study, row);
+    const settings::Case settings = read_row(file, study, row);
     row.diameter = diameter_of(settings);
     check_measures(file, study, row, settings);
     plan.rows.push_back(row);

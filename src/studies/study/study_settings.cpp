@@ -4,6 +4,7 @@
 
 #include "input/message_text.hpp"
 #include "input/reader.hpp"
+#include "settings/symmetry.hpp"
 #include "study/table_axis.hpp"
 
 #include <algorithm>

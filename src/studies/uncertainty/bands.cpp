@@ -261,14 +261,14 @@ std::string words_of(const run_folder::Grains& grains)
 
 }  // namespace
 
-std::string words_of(const run_folder::Uncertainty& u, problem::Method method)
+std::string words_of(const run_folder::Uncertainty& u, settings::Method method)
 {
   Real largest = 1, time = 0;
   for (const run_folder::BandRun& run : u.runs) largest = std::max(largest, run.size), time += run.wall_s;
   std::string table = fmt::format("uncertainty: {} runs with cells up to {:.3g} times as large, {:.3g} s of one thread in total\n",
                                   u.runs.size(), largest, time);
   table += fmt::format("{:<24}{:>12}{:>24}{:>6}{:>16}{:>10}{:>10}{:>12}\n", "", "this run", "converged", "", "extrapolation", "mesh",
-                       "noise", method == problem::Method::fem ? "increments" : "speed");
+                       "noise", method == settings::Method::fem ? "increments" : "speed");
   for (const auto& [name, unit, band] : u.quantities) {
     const auto& [per_si, shown] = shown_unit(unit);
     table += fmt::format("{:<24}{:>12}{:>24} {:<5}{:>16}{:>10}{:>10}{:>12}\n", name, part(band.value, per_si),

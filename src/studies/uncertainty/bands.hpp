@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/types.hpp"
-#include "problem/case.hpp"
 #include "record/run_record.hpp"
 #include "run_folder/uncertainty.hpp"
+#include "settings/case.hpp"
 
 #include <optional>
 #include <vector>
@@ -30,7 +30,7 @@ run_folder::Grains grains_of(const record::RunRecord& run, const std::vector<Var
 std::vector<Real> noise_of(const record::RunRecord& run);
 
 /// The bands as a table for people: the run's number, the converged one with its half width, and the parts of that; below it what has no band, and why.
-std::string words_of(const run_folder::Uncertainty& uncertainty, problem::Method method);
+std::string words_of(const run_folder::Uncertainty& uncertainty, settings::Method method);
 
 /// A number that a run with other cells gave.
 struct SizedNumber {

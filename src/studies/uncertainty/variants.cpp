@@ -51,7 +51,7 @@ Real make_coarser(mesh::BoxMesh& box, Real times)
   return std::pow(product, 1 / static_cast<Real>(box.cells.size()));
 }
 
-void make_faster(problem::StageSettings& stage)
+void make_faster(settings::StageSettings& stage)
 {
   const auto twice = [](std::optional<Real>& velocity) {
     if (velocity) *velocity *= 2;
@@ -63,18 +63,18 @@ void make_faster(problem::StageSettings& stage)
   stage.ramp /= 2;
   if (stage.until.time) *stage.until.time /= 2;
   for (Real& time : stage.load_times) time /= 2;
-  for (std::size_t k = 0; k < problem::load_columns.size(); ++k)
-    if (problem::load_columns[k].quantity == problem::LoadQuantity::velocity)
+  for (std::size_t k = 0; k < settings::load_columns.size(); ++k)
+    if (settings::load_columns[k].quantity == settings::LoadQuantity::velocity)
       for (Real& velocity : stage.loads.columns[k]) velocity *= 2;
 }
 
-bool knows_speed(const problem::Case& c)
+bool knows_speed(const settings::Case& c)
 {
   return std::any_of(c.material.begin(), c.material.end(), [](const auto& entry) { return is_rate_dependent(entry.second); });
 }
 
 /// The case with grains in all soil whose shear bands cells would make narrower; empty where they would in none.
-std::optional<problem::Case> with_grain_size(problem::Case c, Real d50)
+std::optional<settings::Case> with_grain_size(settings::Case c, Real d50)
 {
   bool changed = false;
   for (auto& [name, soil] : c.material) {
@@ -89,14 +89,14 @@ std::optional<problem::Case> with_grain_size(problem::Case c, Real d50)
 }
 
 /// How much coarser cells may be until they are as large as the layer along walls and base.
-Real largest_in_layer(const problem::Case& c)
+Real largest_in_layer(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   return bed != nullptr && bed->layer > 0 ? bed->layer / bed->near_size : infinity;
 }
 
 /// How much coarser the coarsest cells may be. Throws KeyError.
-Real coarsest_of(const problem::Case& c)
+Real coarsest_of(const settings::Case& c)
 {
   if (!base::drives_a_body(c))
     throw KeyError("stage: --uncertainty needs a push or a drag of a body with a width: there are no key results without");
@@ -116,16 +116,16 @@ Real coarsest_of(const problem::Case& c)
     throw KeyError(fmt::format(
         "{}: --uncertainty makes cells {:g} times as large at least, and the driven body is only {:.2g} cells wide: make them {:.3g} m or "
         "smaller, so that {:g} coarse ones remain",
-        c.method == problem::Method::fem && c.fem.contact_size ? "fem.contact_size"
-        : std::holds_alternative<mesh::BoxMesh>(c.mesh)        ? "mesh.cells"
-                                                               : "mesh.near_size",
+        c.method == settings::Method::fem && c.fem.contact_size ? "fem.contact_size"
+        : std::holds_alternative<mesh::BoxMesh>(c.mesh)         ? "mesh.cells"
+                                                                : "mesh.near_size",
         least_coarsest, width / size, width / (cells_across * least_coarsest), cells_across));
   return std::max(coarsest, least_coarsest);
 }
 
 }  // namespace
 
-std::pair<problem::Case, Real> with_coarser_cells(problem::Case c, Real times)
+std::pair<settings::Case, Real> with_coarser_cells(settings::Case c, Real times)
 {
   Real size = times;
   if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) make_coarser(*bed, times);
@@ -140,15 +140,15 @@ std::pair<problem::Case, Real> with_coarser_cells(problem::Case c, Real times)
   return {std::move(c), size};
 }
 
-problem::Case at_twice_the_speed(problem::Case c)
+settings::Case at_twice_the_speed(settings::Case c)
 {
-  for (problem::StageSettings& stage : c.stage)
+  for (settings::StageSettings& stage : c.stage)
     if (drives(stage.kind)) make_faster(stage);
   if (c.output.history_time) *c.output.history_time /= 2;
   return c;
 }
 
-VariantPlan choose_variants(const problem::Case& c)
+VariantPlan choose_variants(const settings::Case& c)
 {
   const Real coarsest = coarsest_of(c), finest = 1 + (coarsest - 1) * (least_ratio - 1) / (ratio - 1);
   VariantPlan plan;
@@ -161,8 +161,8 @@ VariantPlan choose_variants(const problem::Case& c)
     plan.variants.push_back({fmt::format("cells_{:.3g}", size), size, 1, std::move(settings)});
   }
   const Variant last = plan.variants.back();
-  if (c.method == problem::Method::fem) {
-    problem::Case longer = last.settings;
+  if (c.method == settings::Method::fem) {
+    settings::Case longer = last.settings;
     longer.fem.largest_step *= 2;
     longer.fem.relaxation *= 4;  // its error grows with the root (examples/wip_pipe): this doubles it
     plan.variants.push_back({last.name + "_long_steps", last.size, 2, std::move(longer)});
@@ -172,14 +172,14 @@ VariantPlan choose_variants(const problem::Case& c)
     plan.variants.push_back({last.name + "_fast", last.size, 2, at_twice_the_speed(last.settings)});
   }
   for (const Real d50 : grains)
-    if (std::optional<problem::Case> settings = with_grain_size(last.settings, d50))
+    if (std::optional<settings::Case> settings = with_grain_size(last.settings, d50))
       plan.variants.push_back({fmt::format("{}_d50_{:g}_mm", last.name, 1000 * d50), last.size, 1, *std::move(settings), d50});
   return plan;
 }
 
-Real work_of(const VariantPlan& plan, const problem::Case& c)
+Real work_of(const VariantPlan& plan, const settings::Case& c)
 {
-  const int order = c.method == problem::Method::fem ? c.dimension() : c.dimension() + 1;
+  const int order = c.method == settings::Method::fem ? c.dimension() : c.dimension() + 1;
   Real work = 0;
   for (const Variant& variant : plan.variants) work += std::pow(variant.size, -order) / variant.speed;
   return work;

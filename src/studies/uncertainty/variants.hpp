@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 #include <optional>
 
@@ -12,7 +12,7 @@ struct Variant {
   std::string name;  ///< of its folder: cells_1.4, cells_2.2_fast, cells_2.2_d50_0.1_mm
   Real size;         ///< of its cells over those of the case
   Real speed;        ///< of its drives over that of the case; of finite elements the length of its increments
-  problem::Case settings;
+  settings::Case settings;
   std::optional<Real> d50 = {};  ///< m, of its sand, which has none in the case: no part of the band
 };
 
@@ -27,17 +27,17 @@ struct VariantPlan {
 /// largest cells at twice the speed (finite elements: with increments twice and relaxation four times as long) where the soil does not know speed. Where it loses strength in
 /// shear bands that have no width of their own, two more of the largest cells, with grains of fine and of medium to coarse sand. Throws KeyError where no band can be
 /// made of the case: no body is driven, the mesh is a file, or cells are too large already.
-VariantPlan choose_variants(const problem::Case& c);
+VariantPlan choose_variants(const settings::Case& c);
 
 /// What the variants take over what the run of the case takes, about, on as many threads: there are fewer cells and, but for finite elements, longer time steps. Source:
 /// docs/decisions/0025.
-Real work_of(const VariantPlan& plan, const problem::Case& c);
+Real work_of(const VariantPlan& plan, const settings::Case& c);
 
 /// The case with all cells `ratio` times as large, and the particles of blocks and disks as far apart; without frames on the way. The fine zone of a bed stays clear of
 /// walls and base. The size that it came to, which differs where a box is cut into whole cells.
-std::pair<problem::Case, Real> with_coarser_cells(problem::Case c, Real ratio);
+std::pair<settings::Case, Real> with_coarser_cells(settings::Case c, Real ratio);
 
 /// The case with every drive at twice the speed over the same travel.
-problem::Case at_twice_the_speed(problem::Case c);
+settings::Case at_twice_the_speed(settings::Case c);
 
 }  // namespace berm::uncertainty

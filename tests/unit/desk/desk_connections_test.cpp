@@ -6,6 +6,7 @@
 #include "os/error.hpp"
 
 #include "samples/desk_client.hpp"
+#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@ namespace {
 
 using test::refusal_of;
 
-void expect_refusal(const problem::Case& c, const char* part, const EnvelopeSettings& how = {})
+void expect_refusal(const settings::Case& c, const char* part, const EnvelopeSettings& how = {})
 {
   const std::string refusal = refusal_of(c, how);
   EXPECT_NE(refusal.find(part), std::string::npos) << refusal;
@@ -26,12 +26,12 @@ struct BaseMotion {
   Real w, u, turn;
 };
 
-BaseMotion base_motion(const problem::StageSettings& stage)
+BaseMotion base_motion(const settings::StageSettings& stage)
 {
   constexpr Real speed = 0.1, D = 1, arm = 0.25;
-  if (stage.kind == problem::StageKind::push) return {*stage.velocity / speed, 0, 0};
-  if (stage.kind == problem::StageKind::drag) return {stage.vertical_velocity.value_or(0) / speed, *stage.velocity / speed, 0};
-  const problem::TurnSettings& rotation = stage.drive.rotation.velocity ? stage.drive.rotation : stage.drive.rotation_z;
+  if (stage.kind == settings::StageKind::push) return {*stage.velocity / speed, 0, 0};
+  if (stage.kind == settings::StageKind::drag) return {stage.vertical_velocity.value_or(0) / speed, *stage.velocity / speed, 0};
+  const settings::TurnSettings& rotation = stage.drive.rotation.velocity ? stage.drive.rotation : stage.drive.rotation_z;
   const Real theta = -rotation.velocity.value_or(0);
   return {-stage.drive.y.velocity.value_or(0) / speed, (stage.drive.x.velocity.value_or(0) - arm * theta) / speed, theta * D / speed};
 }
@@ -48,7 +48,7 @@ TEST(FootingProbes, go_down_towards_sideways_turn_and_swipe)
 
 TEST(FootingProbes, move_the_middle_of_the_base_in_their_direction_at_the_speed_of_the_case)
 {
-  for (const problem::Case& c : {footing(), footing_in_space()})
+  for (const settings::Case& c : {footing(), footing_in_space()})
     for (const Probe& probe : choose_probes(c, {.directions = 3})) {
       const BaseMotion moves = base_motion(probe.settings.stage.back());
       const Real a = probe.kind == ProbeKind::swipe ? 0 : probe.angle * pi / 180, b = probe.turn * pi / 180;
@@ -76,11 +76,11 @@ TEST(FootingProbes, turn_a_footing_of_finite_elements_without_mass_and_ask_for_o
 TEST(FootingProbes, are_refused_where_the_geometry_the_symmetry_or_the_body_allow_no_rotation)
 {
   EXPECT_EQ(refusal_of(footing()), "");
-  problem::Case around = footing();
-  around.geometry = problem::Geometry::axisymmetric;
+  settings::Case around = footing();
+  around.geometry = settings::Geometry::axisymmetric;
   expect_refusal(around, "geometry: around an axis");
   expect_refusal(around, "\"space\"");
-  problem::Case quarter = footing_in_space();
+  settings::Case quarter = footing_in_space();
   quarter.symmetry = {"x", "z"};
   expect_refusal(quarter, "symmetry = [\"z\"]");
   expect_refusal(clay(), "a pipe has no moments", {.turns = 3});
@@ -110,12 +110,12 @@ TEST(FootingTable, takes_moments_about_the_middle_of_the_base_and_its_own_travel
   const run_folder::History history =
       history_of({0, moved / 2, moved}, {0, lowered / 2, lowered}, {0, -theta / 2, -theta}, {10, 9, 8}, {0, 2, 4}, {0, halfway, 5});
   Probe probe{"probe", ProbeKind::direction, 0, {}, "probe", 90, false};
-  probe.settings.method = problem::Method::fem;
+  probe.settings.method = settings::Method::fem;
   const ProbeResult small = result_of(probe, history, {1, 0, 0.25});
   EXPECT_NEAR(small.end.M, 5 + 4 * 0.25, 1e-12) << "small strain keeps the arms";
   EXPECT_NEAR(small.end.w, 0, 1e-12);
   EXPECT_NEAR(small.growth, 1 - (halfway + 2 * 0.25 + 6) / 2 / 6, 1e-3) << "between the last two rows, whose travel is theta D";
-  probe.settings.method = problem::Method::mpm;
+  probe.settings.method = settings::Method::mpm;
   EXPECT_NEAR(result_of(probe, history, {1, 0, 0.25}).end.M, end, 1e-3) << "the travel is not quite even";
 }
 
@@ -127,7 +127,7 @@ TEST(FootingTable, takes_the_first_motion_from_rows_as_they_are)
   for (int row = 0; row <= 400; ++row) w.push_back(5e-5 * row / 5), V.push_back(V_start + k * std::min(w.back(), yields_at));
   const std::vector<Real> none(w.size(), 0);
   Probe probe{"down", ProbeKind::direction, 90, {}, "probe"};
-  probe.settings.method = problem::Method::mpm;
+  probe.settings.method = settings::Method::mpm;
   const ProbeResult result = result_of(probe, history_of(none, w, none, V, none, none), {1, 0, 0.25});
   ASSERT_TRUE(result.first);
   EXPECT_NEAR(result.first->load.V, k * result.first->w, 1e-9 * k);
@@ -167,7 +167,7 @@ TEST(FootingTable, keeps_largest_loads_of_sideways_and_turning_probes_apart)
 
 TEST(FootingFormulas, are_those_of_a_strip_on_uniform_clay_and_say_where_they_do_not_hold)
 {
-  const auto published = [](const problem::Case& c) { return structures::structure_of(c).published_envelope(c, {{}, {}, nan}); };
+  const auto published = [](const settings::Case& c) { return structures::structure_of(c).published_envelope(c, {{}, {}, nan}); };
   const auto number = [](const base::PublishedEnvelope& envelope, const std::string& name) {
     for (const base::PublishedNumber& known : envelope.numbers)
       if (known.name == name) return known.formula;

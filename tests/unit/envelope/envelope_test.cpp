@@ -26,11 +26,11 @@ TEST(EnvelopeProbes, go_down_then_ever_flatter_to_45_degrees_upwards_and_swipe)
 TEST(EnvelopeProbes, keep_the_stages_before_the_first_drive_and_take_its_speed_and_ramp)
 {
   for (const Probe& probe : choose_probes(clay(), {4, 0.1})) {
-    const std::vector<problem::StageSettings>& stages = probe.settings.stage;
+    const std::vector<settings::StageSettings>& stages = probe.settings.stage;
     EXPECT_EQ(stages[0].name, "rest");
     ASSERT_EQ(stages.size(), probe.kind == ProbeKind::swipe ? 3u : 2u);
     for (std::size_t k = 1; k < stages.size(); ++k) {
-      const problem::StageSettings& s = stages[k];
+      const settings::StageSettings& s = stages[k];
       EXPECT_NEAR(std::hypot(*s.velocity, s.vertical_velocity.value_or(0)), 0.1, 1e-15);
       EXPECT_EQ(s.ramp, 0.2);
       EXPECT_NEAR(*s.until.time, 1.1, 1e-15);  // 0.1 D at 0.1 m/s, and half the ramp
@@ -44,7 +44,7 @@ TEST(EnvelopeProbes, keep_the_stages_before_the_first_drive_and_take_its_speed_a
 
 TEST(EnvelopeProbes, find_another_name_where_a_stage_has_theirs)
 {
-  const problem::Case c = clay({"stage.rest.name=probe"});
+  const settings::Case c = clay({"stage.rest.name=probe"});
   EXPECT_EQ(choose_probes(c, {})[1].stage, "probe_probe");
 }
 
@@ -53,14 +53,14 @@ TEST(EnvelopeProbes, are_refused_where_there_is_no_pipe_in_the_bed_or_no_speed)
   EXPECT_EQ(refusal_of(clay()), "");
   EXPECT_NE(refusal_of(clay({"rigid.pipe.center=[0, 0.6]"})).find("lies 0.1 m above the bed"), std::string::npos);
   EXPECT_NE(refusal_of(clay({"rigid.pipe.center=[-1.6, 0]"})).find("beyond a wall"), std::string::npos);
-  problem::Case square = clay();
+  settings::Case square = clay();
   square.rigid[0].second.shape = bodies::BoxSettings{{0, 0}, {1, 1}};
   EXPECT_NE(refusal_of(square).find("rigid.pipe.shape: an envelope is that of a pipe"), std::string::npos);
-  problem::Case space = clay();
-  space.geometry = problem::Geometry::space;
+  settings::Case space = clay();
+  space.geometry = settings::Geometry::space;
   space.rigid[0].second.shape = bodies::CircleSettings{{0, 0.1, 0}, 1};
   EXPECT_NE(refusal_of(space).find("plane_strain"), std::string::npos);
-  problem::Case by_force = clay();
+  settings::Case by_force = clay();
   by_force.stage[1].velocity.reset();
   EXPECT_NE(refusal_of(by_force).find("by velocity"), std::string::npos);
   by_force.stage.pop_back();
@@ -71,7 +71,7 @@ TEST(EnvelopeProbes, are_refused_where_there_is_no_pipe_in_the_bed_or_no_speed)
 Probe probe_of(ProbeKind kind, Real angle)
 {
   Probe probe{"probe", kind, angle, {}, "probe"};
-  probe.settings.method = problem::Method::fem;
+  probe.settings.method = settings::Method::fem;
   return probe;
 }
 

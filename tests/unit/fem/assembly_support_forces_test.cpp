@@ -13,9 +13,9 @@ constexpr Real statics = 1e-3;
 constexpr Real gravity = 10, k0 = 0.4;
 
 /// The block of 1 m x 0.5 m, at rest under its weight.
-problem::Case bed_at_rest()
+settings::Case bed_at_rest()
 {
-  problem::Case c = block_of(elastic_soil());
+  settings::Case c = block_of(elastic_soil());
   c.gravity = {0, -gravity};
   c.body[0].second.k0 = k0;
   c.support[2].second.fixed = {"y"};
@@ -23,7 +23,7 @@ problem::Case bed_at_rest()
   return c;
 }
 
-std::vector<Vec<2>> forces_after_one_increment(const problem::Case& c)
+std::vector<Vec<2>> forces_after_one_increment(const settings::Case& c)
 {
   FemProblem problem = fem_problem_of(c);
   LoadSteps steps(problem.model, problem.state);
@@ -45,8 +45,8 @@ TEST(SupportForces, of_a_bed_at_rest_are_its_weight_and_its_thrust_on_smooth_wal
 
 TEST(SupportForces, around_an_axis_are_those_of_a_radian)
 {
-  problem::Case c = bed_at_rest();
-  c.geometry = problem::Geometry::axisymmetric;
+  settings::Case c = bed_at_rest();
+  c.geometry = settings::Geometry::axisymmetric;
   c.support.erase(c.support.begin());
   const std::vector<Vec<2>> forces = forces_after_one_increment(c);
   const Real weight = 1000 * gravity * 0.5 / 2, thrust = k0 * 1000 * gravity * 0.5 * 0.5 / 2;  // radius 1 m
@@ -56,7 +56,7 @@ TEST(SupportForces, around_an_axis_are_those_of_a_radian)
 
 TEST(SupportForces, of_a_block_that_is_pushed_sideways_are_the_traction_times_the_area)
 {
-  problem::Case c = bed_at_rest();
+  settings::Case c = bed_at_rest();
   c.gravity.clear();
   c.body[0].second.k0.reset();
   c.support = {{"base", {"bottom", {"x", "y"}}}};
@@ -73,7 +73,7 @@ TEST(SupportForces, of_a_block_that_is_pushed_sideways_are_the_traction_times_th
 
 TEST(SupportForces, and_the_force_of_a_rigid_body_carry_the_weight)
 {
-  problem::Case c = plate_on_block(plastic_soil(1e3, 0, 0), 0.4, {10, 5});
+  settings::Case c = plate_on_block(plastic_soil(1e3, 0, 0), 0.4, {10, 5});
   c.gravity = {0, -gravity};
   c.body[0].second.k0 = 1;
   c.contact[0].second.friction_angle = 0.4;
@@ -93,7 +93,7 @@ TEST(SupportForces, and_the_force_of_a_rigid_body_carry_the_weight)
 
 TEST(SupportForces, are_not_there_where_they_are_not_asked_for)
 {
-  problem::Case c = bed_at_rest();
+  settings::Case c = bed_at_rest();
   c.output.support_reactions = false;
   EXPECT_TRUE(forces_after_one_increment(c).empty());
 }

@@ -31,8 +31,8 @@ class MatrixOf : public testing::TestWithParam<Tried> {
 protected:
   MatrixOf()
   {
-    problem::Case c = plate_on_block(GetParam().soil, 1, {2, 1});
-    if (GetParam().around_axis) c.geometry = problem::Geometry::axisymmetric;
+    settings::Case c = plate_on_block(GetParam().soil, 1, {2, 1});
+    if (GetParam().around_axis) c.geometry = settings::Geometry::axisymmetric;
     problem = fem_problem_of(c);
     loads.gravity = {0, -10};
     for (FemLoads::Direction& direction : loads.rigid) direction.by_force = GetParam().by_force;
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
 {
   // Triangles of every shape around a circle, whose sides are curved.
-  problem::Case c = bed_around(pipe_at(0.3));
+  settings::Case c = bed_around(pipe_at(0.3));
   c.stage = {resting(1)};
   FemProblem problem = fem_problem_of(c);
   const FemModel& model = problem.model;
@@ -155,8 +155,8 @@ TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
 // u_r = c r, u_y = d y has the strains c, d, c: a uniform stress, which leaves no force at nodes within the soil (three points of integration are exact).
 TEST(Assembly, displacement_in_proportion_to_the_radius_makes_uniform_stress_and_balance_inside)
 {
-  problem::Case c = block_of(elastic_soil(), {4, 4});
-  c.geometry = problem::Geometry::axisymmetric;
+  settings::Case c = block_of(elastic_soil(), {4, 4});
+  c.geometry = settings::Geometry::axisymmetric;
   FemProblem problem = fem_problem_of(c);
   const FemModel& model = problem.model;
   const auto change = change_of(model, [](const Vec<2>& x) { return Vec<2>(3e-3 * x[0], -1e-3 * x[1]); });
@@ -187,7 +187,7 @@ TEST(Assembly, displacement_in_proportion_to_the_radius_makes_uniform_stress_and
 
 TEST(Assembly, a_bed_with_k0_stresses_is_in_balance_but_for_the_hole)
 {
-  problem::Case c = bed_around(pipe_at(0.3));
+  settings::Case c = bed_around(pipe_at(0.3));
   c.stage = {resting(1)};
   c.gravity = {0, -10};
   c.body[0].second.k0 = 0.5;
@@ -218,7 +218,7 @@ class PlateOnBlock : public testing::Test {
 protected:
   PlateOnBlock()
   {
-    problem::Case c = plate_on_block(plastic_soil(1e3, 30, 10), 0.5);
+    settings::Case c = plate_on_block(plastic_soil(1e3, 30, 10), 0.5);
     c.contact[0].second.friction_angle = 0.3;
     c.support.clear();
     problem = fem_problem_of(c);
@@ -385,7 +385,7 @@ TEST(Assembly, soil_that_does_not_flow_has_no_lag_of_strength)
 
 TEST(Assembly, held_back_forces_keep_the_first_state_in_balance)
 {
-  problem::Case c = block_of(elastic_soil());
+  settings::Case c = block_of(elastic_soil());
   c.gravity = {0, -10};
   FemProblem problem = fem_problem_of(c);
   Assembly assembly(problem.model);

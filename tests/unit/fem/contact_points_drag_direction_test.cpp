@@ -10,10 +10,10 @@ namespace {
 
 TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direction)
 {
-  problem::Case c = bed_around(pipe_at(0.1));
-  problem::StageSettings drag;
+  settings::Case c = bed_around(pipe_at(0.1));
+  settings::StageSettings drag;
   drag.name = "drag";
-  drag.kind = problem::StageKind::drag;
+  drag.kind = settings::StageKind::drag;
   drag.velocity = 0.1;
   drag.vertical_velocity = 0.05;
   drag.ramp = 0.01;

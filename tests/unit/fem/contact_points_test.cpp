@@ -159,7 +159,7 @@ TEST(UpdateTraction, a_point_that_has_parted_pulls_no_more_even_where_it_was_pre
 
 class PointsOfPipe : public testing::TestWithParam<Real> {
 protected:
-  problem::Case c = bed_around(pipe_at(GetParam()));
+  settings::Case c = bed_around(pipe_at(GetParam()));
   bodies::Circle<2> circle = std::get<bodies::Circle<2>>(shapes_of(c)[0]);
   QuadraticMesh mesh = quadratic_mesh_of(c);
   std::vector<BoundarySide> skin = contact_sides(mesh, circle);

@@ -33,7 +33,7 @@ struct Block {
   }
   static FemProblem problem_of(Real friction, bool sticks, Real width)
   {
-    problem::Case c = plate_on_block(elastic_soil(), width);
+    settings::Case c = plate_on_block(elastic_soil(), width);
     c.contact[0].second.friction_angle = std::atan(friction);
     if (sticks) c.contact[0].second.scheme = contact::Scheme::tied;
     return fem_problem_of(c);

@@ -8,7 +8,7 @@
 namespace berm::fem::this_file {
 namespace {
 
-mesh::SeabedMesh& bed_of(problem::Case& c)
+mesh::SeabedMesh& bed_of(settings::Case& c)
 {
   return std::get<mesh::SeabedMesh>(c.mesh);
 }
@@ -43,7 +43,7 @@ class CutMesh : public testing::TestWithParam<bodies::CircleSettings> {};
 
 TEST_P(CutMesh, keeps_out_of_the_circle_and_has_vertices_exactly_on_it)
 {
-  const problem::Case c = bed_around(GetParam());
+  const settings::Case c = bed_around(GetParam());
   const mesh::Mesh<2> mesh = cut_mesh_of(c);
   const auto circle = std::get<bodies::Circle<2>>(shapes_of(c)[0]);
   int on_circle = 0;
@@ -65,7 +65,7 @@ TEST_P(CutMesh, has_well_shaped_cells)
 
 TEST_P(CutMesh, has_sides_of_contact_size_at_the_circle)
 {
-  problem::Case c = bed_around(GetParam());
+  settings::Case c = bed_around(GetParam());
   c.fem.contact_size = 0.01;
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   const auto sides = contact_sides(mesh, shapes_of(c)[0]);
@@ -98,7 +98,7 @@ TEST(CutMesh, has_the_boundaries_of_the_bed)
 
 TEST(CutMesh, divides_regions_of_different_bodies_by_lines_of_the_mesh)
 {
-  problem::Case c = bed_around(pipe_at(0.1));
+  settings::Case c = bed_around(pipe_at(0.1));
   c.contact.clear();
   fill_regions_apart(c);
   const mesh::Mesh<2> mesh = cut_mesh_of(c);
@@ -110,7 +110,7 @@ TEST(CutMesh, divides_regions_of_different_bodies_by_lines_of_the_mesh)
 
 TEST(CutMesh, names_regions_of_one_body_by_centroids)
 {
-  problem::Case c = bed_around(pipe_at(0.1));
+  settings::Case c = bed_around(pipe_at(0.1));
   c.contact.clear();
   const mesh::Mesh<2> mesh = cut_mesh_of(c);
   // Without a line the border runs between the cells, here of about 0.05 m at "near" and 0.2 m at "layer", now on one side, now on the other.
@@ -121,7 +121,7 @@ TEST(CutMesh, names_regions_of_one_body_by_centroids)
 
 TEST(CutMesh, has_no_layer_where_there_is_none)
 {
-  problem::Case c = bed_around(pipe_at(0.1));
+  settings::Case c = bed_around(pipe_at(0.1));
   bed_of(c).layer = 0;
   const mesh::Mesh<2> mesh = cut_mesh_of(c);
   EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"near", "bed"}));
@@ -130,7 +130,7 @@ TEST(CutMesh, has_no_layer_where_there_is_none)
 TEST(CutMesh, gives_each_body_its_part_where_the_circle_cuts_through_all)
 {
   // Of radius 0.6 m around (0.45, -0.8): its centre is below the corner of the fine zone and above the lower layer by zero.
-  problem::Case c = bed_around(bodies::CircleSettings{{0.45, -0.8}, 1.2});
+  settings::Case c = bed_around(bodies::CircleSettings{{0.45, -0.8}, 1.2});
   fill_regions_apart(c);
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   std::array<Real, 3> area{};
@@ -156,7 +156,7 @@ TEST(CutMesh, is_the_same_every_time)
 
 TEST(CutMesh, ends_a_footing_that_lies_on_the_bed_at_vertices)
 {
-  const problem::Case c = bed_around(bodies::BoxSettings{{0.0123, 0.1}, {0.4, 0.2}});
+  const settings::Case c = bed_around(bodies::BoxSettings{{0.0123, 0.1}, {0.4, 0.2}});
   const mesh::Mesh<2> mesh = cut_mesh_of(c);
   EXPECT_TRUE(has_node(mesh, {-0.1877, 0}));
   EXPECT_TRUE(has_node(mesh, {0.2123, 0}));
@@ -166,19 +166,19 @@ TEST(CutMesh, ends_a_footing_that_lies_on_the_bed_at_vertices)
 
 TEST(CutMesh, takes_half_a_footing_at_the_axis_of_symmetry)
 {
-  const problem::Case c = bed_around(bodies::BoxSettings{{-1.4, 0.1}, {0.6, 0.2}});
+  const settings::Case c = bed_around(bodies::BoxSettings{{-1.4, 0.1}, {0.6, 0.2}});
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.3, 1e-12);
 }
 
 TEST(CutMesh, cuts_out_boxes_turned_or_not)
 {
-  const problem::Case c = bed_around(bodies::BoxSettings{{0, -0.1}, {0.4, 0.3}});
+  const settings::Case c = bed_around(bodies::BoxSettings{{0, -0.1}, {0.4, 0.3}});
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   EXPECT_NEAR(berm::area_of(mesh), 3 - 0.4 * 0.25, 1e-12);
   EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.4 + 2 * 0.25, 1e-12);
 
-  const problem::Case turned = bed_around(bodies::BoxSettings{{0, -0.5}, {0.4, 0.3}, 0.3});
+  const settings::Case turned = bed_around(bodies::BoxSettings{{0, -0.5}, {0.4, 0.3}, 0.3});
   const QuadraticMesh buried = quadratic_mesh_of(turned);
   EXPECT_NEAR(berm::area_of(buried), 3 - 0.4 * 0.3, 1e-12);
   EXPECT_NEAR(length_of(buried, contact_sides(buried, shapes_of(turned)[0])), 2 * 0.4 + 2 * 0.3, 1e-12);
@@ -186,7 +186,7 @@ TEST(CutMesh, cuts_out_boxes_turned_or_not)
 
 TEST(CutMesh, cuts_out_every_rigid_body_with_a_contact_and_no_other)
 {
-  problem::Case c = bed_around(pipe_at(0.2));
+  settings::Case c = bed_around(pipe_at(0.2));
   bodies::RigidSettings other;
   other.shape = bodies::CircleSettings{{0.8, -0.4}, 0.2};
   c.rigid.emplace_back("cable", other);
@@ -198,7 +198,7 @@ TEST(CutMesh, cuts_out_every_rigid_body_with_a_contact_and_no_other)
 
 TEST(CutMesh, takes_lengths_of_a_model_in_millimetres)
 {
-  problem::Case c = bed_around(pipe_at(0.1));
+  settings::Case c = bed_around(pipe_at(0.1));
   mesh::SeabedMesh& bed = bed_of(c);
   for (Real* length : {&bed.length, &bed.depth, &bed.headroom, &*bed.left, &bed.near_size, &bed.near_left, &bed.near_right, &bed.near_depth,
                        &bed.near_height, &*bed.far_size, &bed.layer, &*c.fem.contact_size})
@@ -210,7 +210,7 @@ TEST(CutMesh, takes_lengths_of_a_model_in_millimetres)
 
 TEST(CutMesh, leaves_meshes_of_other_kinds_as_they_are)
 {
-  problem::Case c = bed_around(pipe_at(0.1));
+  settings::Case c = bed_around(pipe_at(0.1));
   mesh::BoxMesh box;
   box.size = {2, 1};
   box.cells = {4, 2};
@@ -225,7 +225,7 @@ TEST(CutMesh, cuts_a_pipe_out_of_a_slope_and_a_trench)
   for (const bool trench : {false, true}) {
     SCOPED_TRACE(trench ? "trench" : "slope");
     const Vec<2> center(0.05, 0.1);
-    problem::Case c = bed_around(bodies::CircleSettings{{center[0], center[1] - (trench ? 0.25 : 0)}, 0.4});
+    settings::Case c = bed_around(bodies::CircleSettings{{center[0], center[1] - (trench ? 0.25 : 0)}, 0.4});
     if (trench)
       bed_of(c).trench = mesh::Trench{.depth = 0.25, .width = 0.6, .side_slope = 60 * pi / 180};
     else
@@ -257,7 +257,7 @@ TEST(CutMesh, cuts_a_pipe_out_of_a_slope_and_a_trench)
 
 TEST(CutMesh, refuses_what_it_cannot_cut_out_of_a_slope)
 {
-  problem::Case c = bed_around(bodies::CircleSettings{{0.5, 0.2}, 0.4});
+  settings::Case c = bed_around(bodies::CircleSettings{{0.5, 0.2}, 0.4});
   bed_of(c).slope = -15 * pi / 180;
   EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }).find("rigid.pipe.center: the body at (0.5, 0.2) m"), 0u);
   c = bed_around(bodies::BoxSettings{{0, -0.1}, {0.4, 0.2}});
@@ -285,7 +285,7 @@ TEST(CutMesh, refuses_rigid_bodies_that_it_cannot_cut_out)
 
 TEST(CutMesh, refuses_sizes_that_do_not_fit)
 {
-  problem::Case c = bed_around(pipe_at(0.1));
+  settings::Case c = bed_around(pipe_at(0.1));
   c.fem.contact_size = 0.0003;
   EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }),
             "fem.contact_size: 0.0003 m is less than a thousandth of the width of [rigid.pipe], 0.4 m");

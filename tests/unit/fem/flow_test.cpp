@@ -27,9 +27,9 @@ Real consolidation_coefficient(Real permeability)
 }
 
 /// A column of 0.5 m under 10 kPa on a base that is closed.
-problem::Case column(const material::Material& soil, Real time)
+settings::Case column(const material::Material& soil, Real time)
 {
-  problem::Case c = block_of(soil, {4, 20});
+  settings::Case c = block_of(soil, {4, 20});
   c.support[2].second.fixed = {"y"};
   boundary::TractionSettings load;
   load.boundary = "top";
@@ -39,7 +39,7 @@ problem::Case column(const material::Material& soil, Real time)
   return c;
 }
 
-FemProblem run(const problem::Case& c)
+FemProblem run(const settings::Case& c)
 {
   FemProblem problem = fem_problem_of(c);
   LoadSteps steps(problem.model, problem.state);
@@ -99,11 +99,11 @@ TEST(Flow, functions_of_the_corners_are_linear_on_a_triangle_with_straight_sides
   }
 }
 
-class WaterOf : public testing::TestWithParam<problem::Geometry> {};
+class WaterOf : public testing::TestWithParam<settings::Geometry> {};
 
 TEST_P(WaterOf, soil_has_a_symmetric_matrix_that_is_the_derivative_of_its_residual)
 {
-  problem::Case c = plate_on_block(wet_soil(), 1, {2, 1});
+  settings::Case c = plate_on_block(wet_soil(), 1, {2, 1});
   c.geometry = GetParam();
   FemProblem problem = fem_problem_of(c);
   const FemModel& model = problem.model;
@@ -133,12 +133,12 @@ TEST_P(WaterOf, soil_has_a_symmetric_matrix_that_is_the_derivative_of_its_residu
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Geometry, WaterOf, testing::Values(problem::Geometry::plane_strain, problem::Geometry::axisymmetric));
+INSTANTIATE_TEST_SUITE_P(Geometry, WaterOf, testing::Values(settings::Geometry::plane_strain, settings::Geometry::axisymmetric));
 
 TEST_P(WaterOf, a_loaded_layer_drains_as_terzaghi_says)
 {
   constexpr Real k = 1e-6, T = 0.5;
-  problem::Case c = column(wet_soil(k), T * 0.25 / consolidation_coefficient(k));
+  settings::Case c = column(wet_soil(k), T * 0.25 / consolidation_coefficient(k));
   c.geometry = GetParam();
   const FemProblem problem = run(c);
   constexpr Real first = 10e3 * material::stiffness_over_skeleton / (1 + material::stiffness_over_skeleton);
@@ -152,7 +152,7 @@ TEST_P(WaterOf, a_loaded_layer_drains_as_terzaghi_says)
 TEST(Flow, leaves_at_a_drained_support_too)
 {
   constexpr Real k = 1e-6, T = 0.5;  // over a path of half the height
-  problem::Case c = column(wet_soil(k), T * 0.0625 / consolidation_coefficient(k));
+  settings::Case c = column(wet_soil(k), T * 0.0625 / consolidation_coefficient(k));
   c.support[2].second.drained = true;
   const FemProblem problem = run(c);
   EXPECT_EQ(pressure_at(problem, {0.5, 0}), 0);
@@ -184,7 +184,7 @@ TEST(Flow, of_a_permeability_that_follows_the_porosity_slows_as_the_pores_close)
 
 TEST(Flow, does_not_cross_a_rigid_plate)
 {
-  problem::Case c = plate_on_block(wet_soil(1e-6), 1);
+  settings::Case c = plate_on_block(wet_soil(1e-6), 1);
   c.stage = {pushing()};
   c.stage[0].velocity = 1e-3;
   c.stage[0].until.embedment = 1e-4;
@@ -199,7 +199,7 @@ TEST(Flow, does_not_cross_a_rigid_plate)
 TEST(Flow, crosses_a_drained_rigid_plate)
 {
   constexpr Real k = 1e-6, T = 0.5;
-  problem::Case c = plate_on_block(wet_soil(k), 1, {4, 20});
+  settings::Case c = plate_on_block(wet_soil(k), 1, {4, 20});
   c.support[2].second.fixed = {"y"};
   c.contact[0].second.drained = true;
   c.stage = {pushing()};
@@ -217,7 +217,7 @@ TEST(Flow, of_water_that_cavitates_is_refused)
 {
   material::LinearElastic soil = wet_soil();
   soil.water->min_pressure = -1e3;
-  problem::Case c = column(soil, 1);
+  settings::Case c = column(soil, 1);
   c.traction[0].second.stress = {0, 10e3};
   EXPECT_THROW(run(c), RunError);
 }
@@ -225,9 +225,9 @@ TEST(Flow, of_water_that_cavitates_is_refused)
 TEST(Flow, lets_friction_grow_while_water_leaves)
 {
   const auto drag_after = [](Real time) {
-    problem::Case c = plate_on_block(wet_soil(1e-6), 0.5, {8, 4});
+    settings::Case c = plate_on_block(wet_soil(1e-6), 0.5, {8, 4});
     c.contact[0].second.friction_angle = std::atan(0.3);
-    c.stage = {pushing(), dragging(problem::Vertical::hold)};
+    c.stage = {pushing(), dragging(settings::Vertical::hold)};
     c.stage[0].velocity.reset();
     c.stage[0].force = 1e3;
     c.stage[0].ramp = 1e-3;

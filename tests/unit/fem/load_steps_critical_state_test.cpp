@@ -9,14 +9,14 @@ namespace berm::fem::this_file {
 namespace {
 
 /// A block of soil of 1 m x 1 m without weight between smooth sides and on a smooth base, under K0 and 10 kPa on its top, which grow by 30 kPa within 1 s.
-problem::Case oedometer(const material::Material& soil, Real k0)
+settings::Case oedometer(const material::Material& soil, Real k0)
 {
-  problem::Case c;
+  settings::Case c;
   mesh::BoxMesh mesh;
   mesh.size = {1, 1};
   mesh.cells = {2, 2};
   c.mesh = mesh;
-  c.method = problem::Method::fem;
+  c.method = settings::Method::fem;
   c.material = {{"soil", soil}};
   bodies::BodySettings body;
   body.material = "soil";
@@ -30,9 +30,9 @@ problem::Case oedometer(const material::Material& soil, Real k0)
   load.ramp = 1;
   c.traction = {{"seating", seating}, {"load", load}};
   c.support = {{"bottom", {"bottom", {"y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.name = "compression";
-  stage.kind = problem::StageKind::free;
+  stage.kind = settings::StageKind::free;
   stage.until.time = 1.1;
   c.stage = {stage};
   return c;
@@ -44,7 +44,7 @@ struct End {
   Real settlement;
 };
 
-End end_of(const problem::Case& c)
+End end_of(const settings::Case& c)
 {
   FemProblem problem = fem_problem_of(c);
   LoadSteps steps(problem.model, problem.state);

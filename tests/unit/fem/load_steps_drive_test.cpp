@@ -8,12 +8,12 @@ namespace berm::fem::this_file {
 namespace {
 
 /// A plate of 0.4 m that sticks to the middle of an elastic block, so that all answers are linear.
-problem::Case plate_to_drive(problem::StageSettings stage)
+settings::Case plate_to_drive(settings::StageSettings stage)
 {
-  problem::Case c = plate_on_block(elastic_soil(), 0.4, {10, 5});
+  settings::Case c = plate_on_block(elastic_soil(), 0.4, {10, 5});
   c.contact[0].second.scheme = contact::Scheme::tied;
   stage.name = "drive";
-  stage.kind = problem::StageKind::drive;
+  stage.kind = settings::StageKind::drive;
   if (!stage.until.displacement) stage.until.time = 1;
   c.stage = {stage};
   return c;
@@ -24,7 +24,7 @@ struct Driven {
   Real time, energy_error;
 };
 
-Driven driven(const problem::Case& c)
+Driven driven(const settings::Case& c)
 {
   FemProblem problem = fem_problem_of(c);
   LoadSteps steps(problem.model, problem.state);
@@ -38,7 +38,7 @@ Driven driven(const problem::Case& c)
 
 TEST(LoadStepsDrive, turns_a_body_by_its_angular_velocity_and_the_soil_resists)
 {
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.drive.rotation.velocity = -0.001;
   const Driven turned = driven(plate_to_drive(stage));
   EXPECT_NEAR(turned.plate.orientation.angle, -0.001, 1e-15);
@@ -49,19 +49,19 @@ TEST(LoadStepsDrive, turns_a_body_by_its_angular_velocity_and_the_soil_resists)
 
 TEST(LoadStepsDrive, turns_it_as_far_by_the_moment_that_its_rotation_needs_where_it_is_free)
 {
-  problem::StageSettings by_velocity;
+  settings::StageSettings by_velocity;
   by_velocity.drive.rotation.velocity = -0.001;
   by_velocity.drive.x.free = true;
   by_velocity.drive.y.free = true;
   const Driven turned = driven(plate_to_drive(by_velocity));
   EXPECT_NEAR(turned.plate.reaction.norm(), 0, 1e-6 * turned.plate.torque / 0.4);
   EXPECT_GT(turned.plate.displacement[0], 0) << "the base stays, and the centre above it goes to the right";
-  problem::StageSettings by_moment;
+  settings::StageSettings by_moment;
   by_moment.drive.rotation.moment = -turned.plate.torque;
   by_moment.drive.x.free = true;
   by_moment.drive.y.free = true;
   const Driven again = driven(plate_to_drive(by_moment));
-  const Real tolerance = problem::FemSettings{}.tolerance;  // of the unbalanced forces
+  const Real tolerance = settings::FemSettings{}.tolerance;  // of the unbalanced forces
   EXPECT_NEAR(again.plate.orientation.angle / turned.plate.orientation.angle, 1, tolerance);
   EXPECT_NEAR(again.plate.torque / turned.plate.torque, 1, tolerance);
   EXPECT_NEAR(again.plate.displacement[0] / turned.plate.displacement[0], 1, tolerance);
@@ -69,7 +69,7 @@ TEST(LoadStepsDrive, turns_it_as_far_by_the_moment_that_its_rotation_needs_where
 
 TEST(LoadStepsDrive, ends_at_a_distance_in_any_direction)
 {
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.drive.x.velocity = 0.3;
   stage.drive.y.velocity = -0.4;
   stage.until.displacement = 1e-3;
@@ -80,11 +80,11 @@ TEST(LoadStepsDrive, ends_at_a_distance_in_any_direction)
 
 TEST(LoadStepsDrive, holds_a_force_while_it_drags)
 {
-  problem::StageSettings push, drag;
+  settings::StageSettings push, drag;
   push.drive.y.velocity = -1e-3;
   drag.drive.x.velocity = 1e-4;
   drag.drive.y.hold = true;
-  problem::Case c = plate_to_drive(push);
+  settings::Case c = plate_to_drive(push);
   const Real V = driven(c).plate.reaction[1];
   c.stage.push_back(plate_to_drive(drag).stage[0]);
   c.stage[1].name = "drag";

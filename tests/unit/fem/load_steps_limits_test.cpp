@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of src/fem/load_steps.cpp: loads that vary together, and limits of a body that is lifted.
+// Tests of src/methods/fem/load_steps.cpp: loads that vary together, and limits of a body that is lifted.
 #include "samples/fem_sample_problem.hpp"
 
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 namespace berm::fem::this_file {
 namespace {
 
-problem::Case plate_with(std::vector<problem::StageSettings> stages)
+settings::Case plate_with(std::vector<settings::StageSettings> stages)
 {
-  problem::Case c = plate_on_block(plastic_soil(1e3, 0, 0), 0.4, {10, 5});
+  settings::Case c = plate_on_block(plastic_soil(1e3, 0, 0), 0.4, {10, 5});
   c.contact[0].second.friction_angle = std::atan(0.5);
   c.stage = std::move(stages);
   return c;
@@ -17,7 +17,7 @@ problem::Case plate_with(std::vector<problem::StageSettings> stages)
 
 /// Calls look() after each increment.
 template <class Look>
-bodies::RigidState<2> state_after(const problem::Case& c, const Look& look)
+bodies::RigidState<2> state_after(const settings::Case& c, const Look& look)
 {
   FemProblem problem = fem_problem_of(c);
   LoadSteps steps(problem.model, problem.state);
@@ -32,8 +32,8 @@ bodies::RigidState<2> state_after(const problem::Case& c, const Look& look)
 
 TEST(LoadStepsLoads, follow_the_columns_of_a_load_history_and_miss_no_turning_point)
 {
-  problem::StageSettings stage = resting(3);
-  stage.kind = problem::StageKind::drag;
+  settings::StageSettings stage = resting(3);
+  stage.kind = settings::StageKind::drag;
   stage.load_times = {0, 1, 2, 3};
   stage.loads.of("H") = {0, 100, -100, 0};
   stage.loads.of("V") = {0, 800, 400, 400};
@@ -49,8 +49,8 @@ TEST(LoadStepsLoads, follow_the_columns_of_a_load_history_and_miss_no_turning_po
 
 TEST(LoadStepsLoads, miss_no_turning_point_of_a_load_history_that_runs_faster)
 {
-  problem::StageSettings stage = resting(0.3);
-  stage.kind = problem::StageKind::drag;
+  settings::StageSettings stage = resting(0.3);
+  stage.kind = settings::StageKind::drag;
   stage.time_scale = 0.1;
   stage.load_times = {0, 1, 2, 3};
   stage.loads.of("H") = {0, 100, -100, 0};
@@ -63,8 +63,8 @@ TEST(LoadStepsLoads, miss_no_turning_point_of_a_load_history_that_runs_faster)
 
 TEST(LoadStepsLoads, multiply_the_force_of_a_push_by_factors)
 {
-  problem::StageSettings stage = resting(2);
-  stage.kind = problem::StageKind::push;
+  settings::StageSettings stage = resting(2);
+  stage.kind = settings::StageKind::push;
   stage.force = 400;
   stage.load_times = {0, 1, 2};
   stage.load_factors = {0, 2, 1};
@@ -77,7 +77,7 @@ TEST(LoadStepsLoads, multiply_the_force_of_a_push_by_factors)
 
 TEST(LoadStepsLimits, of_a_plate_that_is_lifted_are_met_from_above)
 {
-  problem::StageSettings down = pushing(), up = pushing();
+  settings::StageSettings down = pushing(), up = pushing();
   down.until.embedment = 0.02;
   up.name = "up";
   up.velocity = -1;

@@ -15,7 +15,10 @@ struct Way {
   LoadSteps steps;
   int increments = 0;
 
-  explicit Way(const problem::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state) { steps.find_first_equilibrium(); }
+  explicit Way(const settings::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state)
+  {
+    steps.find_first_equilibrium();
+  }
 
   template <class Look>
   void to_end_of_stage(const Look& look)
@@ -40,9 +43,9 @@ struct Way {
 };
 
 /// A rough plate of 0.4 m on clay of 1 kPa that is stiff enough to fail within 0.02 m, pushed in.
-problem::Case plate_on_clay()
+settings::Case plate_on_clay()
 {
-  problem::Case c = plate_on_block(plastic_soil(1e3, 0, 0), 0.4, {10, 5});
+  settings::Case c = plate_on_block(plastic_soil(1e3, 0, 0), 0.4, {10, 5});
   c.contact[0].second.friction_angle = std::atan(0.5);
   c.stage = {pushing()};
   c.stage[0].until.embedment = 0.03;
@@ -51,9 +54,9 @@ problem::Case plate_on_clay()
 
 TEST(LoadSteps, stop_at_the_embedment_the_displacement_and_the_time)
 {
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   c.stage[0].until.embedment = 0.0123;
-  c.stage.push_back(dragging(problem::Vertical::fixed));
+  c.stage.push_back(dragging(settings::Vertical::fixed));
   c.stage[1].until.displacement = 0.00456;
   c.stage.push_back(resting(0.789));
   Way way(c);
@@ -73,7 +76,7 @@ TEST(LoadSteps, stop_at_the_embedment_the_displacement_and_the_time)
 
 TEST(LoadSteps, follow_the_ramp_of_a_velocity)
 {
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   c.stage[0].ramp = 0.01;  // of which half its time is lost
   Way way(c);
   way.to_end_of_stage();
@@ -82,7 +85,7 @@ TEST(LoadSteps, follow_the_ramp_of_a_velocity)
 
 TEST(LoadSteps, stop_at_a_force)
 {
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   c.stage[0].until.embedment = {};
   c.stage[0].until.force = 1234;
   Way way(c);
@@ -93,10 +96,10 @@ TEST(LoadSteps, stop_at_a_force)
 
 TEST(LoadSteps, hold_the_vertical_force_in_a_drag_within_the_tolerance)
 {
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   c.stage[0].until.embedment = {};
   c.stage[0].until.force = 900;
-  c.stage.push_back(dragging(problem::Vertical::hold));
+  c.stage.push_back(dragging(settings::Vertical::hold));
   c.stage[1].until.displacement = 0.02;
   Way way(c);
   way.to_end_of_stage();
@@ -109,7 +112,7 @@ TEST(LoadSteps, hold_the_vertical_force_in_a_drag_within_the_tolerance)
 
 TEST(LoadSteps, a_force_pushes_until_the_soil_answers_with_it)
 {
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   c.stage[0].velocity = {};
   c.stage[0].force = 1000;
   c.stage[0].ramp = 1;
@@ -123,7 +126,7 @@ TEST(LoadSteps, a_force_pushes_until_the_soil_answers_with_it)
 TEST(LoadSteps, a_plate_that_may_turn_carries_no_moment)
 {
   // Half of the block is twice as stiff, so that a plate that cannot turn gets a moment.
-  problem::Case c = plate_on_block(elastic_soil(), 0.4, {10, 5});
+  settings::Case c = plate_on_block(elastic_soil(), 0.4, {10, 5});
   c.rigid[0].second.shape = bodies::BoxSettings{{0.3, 0.6}, {0.4, 0.2}};
   c.contact[0].second.friction_angle = std::atan(0.5);
   c.stage = {pushing()};
@@ -155,7 +158,7 @@ void expect_top_to_sink_under_weight(const Way& way)
 
 TEST(LoadSteps, settling_leaves_a_bed_with_k0_stresses_as_it_is)
 {
-  problem::Case c = block_of(plastic_soil(0, 35, 0));
+  settings::Case c = block_of(plastic_soil(0, 35, 0));
   c.gravity = {0, -10};
   c.body[0].second.k0 = 0.43;
   Way way(c);
@@ -166,7 +169,7 @@ TEST(LoadSteps, settling_leaves_a_bed_with_k0_stresses_as_it_is)
 
 TEST(LoadSteps, settling_brings_a_bed_without_stresses_under_its_weight)
 {
-  problem::Case c = block_of(elastic_soil());
+  settings::Case c = block_of(elastic_soil());
   c.gravity = {0, -10};
   Way way(c);
   expect_top_to_sink_under_weight(way);
@@ -176,7 +179,7 @@ TEST(LoadSteps, settling_brings_a_bed_without_stresses_under_its_weight)
 TEST(LoadSteps, a_bed_that_cannot_carry_its_weight_flows_and_its_overstress_tells)
 {
   // A block of 0.5 m without walls needs 10 kPa x 0.5 / 4 = 1.25 kPa at least. The viscosity finds an equilibrium for any load.
-  problem::Case c = block_of(plastic_soil(200, 0, 0));
+  settings::Case c = block_of(plastic_soil(200, 0, 0));
   c.gravity = {0, -10};
   c.support = {{"base", {"bottom", {"x", "y"}}}};
   Way weak(c);
@@ -191,7 +194,7 @@ TEST(LoadSteps, a_bed_that_cannot_carry_its_weight_flows_and_its_overstress_tell
 TEST(LoadSteps, a_force_beyond_the_strength_of_the_soil_is_refused)
 {
   // The plate carries (2 + pi) x 1 kPa x 0.4 m = 2.06 kN/m at most.
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   c.stage[0].velocity.reset();
   c.stage[0].force = 8e3;
   c.stage[0].ramp = 1;
@@ -209,7 +212,7 @@ TEST(LoadSteps, a_force_beyond_the_strength_of_the_soil_is_refused)
 
 TEST(LoadSteps, increments_are_short_while_strength_follows_a_growing_pressure)
 {
-  problem::Case c = plate_on_block(plastic_soil(500, 30, 0), 0.4, {10, 5});
+  settings::Case c = plate_on_block(plastic_soil(500, 30, 0), 0.4, {10, 5});
   c.contact[0].second.friction_angle = std::atan(0.5);
   c.fem.largest_step = 0.5;
   c.stage = {pushing()};
@@ -231,7 +234,7 @@ TEST(LoadSteps, increments_are_short_while_strength_follows_a_growing_pressure)
 
 TEST(LoadSteps, the_strength_that_follows_a_growing_pressure_lags_by_a_hundredth_at_most_and_so_does_the_force)
 {
-  problem::Case c = plate_on_block(plastic_soil(500, 30, 0), 0.4, {10, 5});
+  settings::Case c = plate_on_block(plastic_soil(500, 30, 0), 0.4, {10, 5});
   c.contact[0].second.friction_angle = std::atan(0.5);
   c.stage = {pushing()};
   const auto force_after = [&](Real travel, Real largest_step) {
@@ -253,7 +256,7 @@ TEST(LoadSteps, the_strength_that_follows_a_growing_pressure_lags_by_a_hundredth
 
 TEST(LoadSteps, gravity_grows_over_its_ramp)
 {
-  problem::Case c = block_of(elastic_soil());
+  settings::Case c = block_of(elastic_soil());
   c.gravity = {0, -10};
   c.gravity_ramp = 0.8;
   Way way(c);
@@ -265,8 +268,8 @@ TEST(LoadSteps, gravity_grows_over_its_ramp)
 
 TEST(LoadSteps, work_is_stored_dissipated_or_lost_to_friction)
 {
-  problem::Case c = plate_on_clay();
-  c.stage.push_back(dragging(problem::Vertical::hold));
+  settings::Case c = plate_on_clay();
+  c.stage.push_back(dragging(settings::Vertical::hold));
   c.stage[1].until.displacement = 0.02;
   Way way(c);
   way.to_end_of_stage();
@@ -279,7 +282,7 @@ TEST(LoadSteps, work_is_stored_dissipated_or_lost_to_friction)
 
 TEST(LoadSteps, the_plateau_does_not_depend_on_the_size_of_the_increments)
 {
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   Way coarse(c);
   coarse.to_end_of_stage();
   c.fem.largest_step = 0.001;
@@ -296,10 +299,10 @@ TEST(LoadSteps, the_plateau_does_not_depend_on_the_size_of_the_increments)
 TEST(LoadSteps, fail_with_the_stage_the_time_and_what_may_help)
 {
   // The drag may be 0.5 of V at most.
-  problem::Case c = plate_on_clay();
+  settings::Case c = plate_on_clay();
   c.stage[0].until.embedment = {};
   c.stage[0].until.force = 900;
-  c.stage.push_back(dragging(problem::Vertical::hold));
+  c.stage.push_back(dragging(settings::Vertical::hold));
   c.stage[1].velocity = {};
   c.stage[1].force = 800;
   c.stage[1].ramp = 1;

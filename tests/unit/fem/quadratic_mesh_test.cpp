@@ -12,7 +12,7 @@ namespace {
 
 class PipeInBed : public testing::TestWithParam<Real> {
 protected:
-  problem::Case c = bed_around(pipe_at(GetParam()));
+  settings::Case c = bed_around(pipe_at(GetParam()));
   bodies::Circle<2> circle = std::get<bodies::Circle<2>>(shapes_of(c)[0]);
   QuadraticMesh mesh = quadratic_mesh_of(c);
   std::vector<BoundarySide> skin = contact_sides(mesh, circle);
@@ -85,7 +85,7 @@ mesh::BoxMesh two_by_one()
 // The left half of a mesh of four triangles is filled.
 struct HalfFilledBox {
   mesh::Mesh<2> mesh = make_box<2>(two_by_one());
-  problem::Case c = bed_around(bodies::CircleSettings{{0, 5}, 1});
+  settings::Case c = bed_around(bodies::CircleSettings{{0, 5}, 1});
 
   HalfFilledBox()
   {
@@ -210,19 +210,19 @@ TEST(QuadraticMesh, refuses_what_finite_elements_do_not_know)
     change(box.c);
     return refusal_of([&] { box.make(); });
   };
-  EXPECT_EQ(refusal([](problem::Case& c) { c.body[0].second.regions = {"bed"}; }),
+  EXPECT_EQ(refusal([](settings::Case& c) { c.body[0].second.regions = {"bed"}; }),
             "body.soil.regions: the mesh has no region \"bed\"; it has left half, right half");
-  EXPECT_EQ(refusal([](problem::Case& c) {
+  EXPECT_EQ(refusal([](settings::Case& c) {
               c.support = {{"base", {"base", {"x"}}}};
             }),
             "support.base.boundary: the mesh has no boundary \"base\"; it has left, right, bottom, top");
-  EXPECT_EQ(refusal([](problem::Case& c) {
+  EXPECT_EQ(refusal([](settings::Case& c) {
               c.body.push_back({"other", c.body[0].second});
             }),
             "body.other.regions: the region \"left half\" is filled by [body.soil] already; for finite elements a region has one body");
-  EXPECT_EQ(refusal([](problem::Case& c) { c.body[0].second.block.emplace(); }),
+  EXPECT_EQ(refusal([](settings::Case& c) { c.body[0].second.block.emplace(); }),
             "body.soil.block: for finite elements a body must fill regions of the mesh: regions = [...]");
-  EXPECT_EQ(refusal([](problem::Case& c) { c.body[0].second.disk.emplace(); }),
+  EXPECT_EQ(refusal([](settings::Case& c) { c.body[0].second.disk.emplace(); }),
             "body.soil.disk: for finite elements a body must fill regions of the mesh: regions = [...]");
 }
 

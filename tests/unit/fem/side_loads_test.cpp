@@ -11,7 +11,7 @@ struct Loaded {
   FemProblem problem;
   LoadSteps steps;
 
-  explicit Loaded(const problem::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state)
+  explicit Loaded(const settings::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state)
   {
     steps.find_first_equilibrium();
   }
@@ -32,9 +32,9 @@ struct Loaded {
   }
 };
 
-problem::Case pressed_block()
+settings::Case pressed_block()
 {
-  problem::Case c = block_of(elastic_soil());
+  settings::Case c = block_of(elastic_soil());
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}, {"rest"}}}, {"base", {"bottom", {"y"}}}};
   boundary::TractionSettings load;
   load.boundary = "top";
@@ -46,7 +46,7 @@ problem::Case pressed_block()
 
 TEST(SideLoads, sum_up_to_traction_times_length_at_its_middle)
 {
-  problem::Case c = pressed_block();
+  settings::Case c = pressed_block();
   c.traction[0].second.stress = {200, -600};
   c.traction[0].second.x_range = {0.1, 0.6};  // within sides of 0.25 m
   const FemProblem problem = fem_problem_of(c);
@@ -78,7 +78,7 @@ TEST(Traction, compresses_a_block_between_rollers_as_an_oedometer_does)
 
 TEST(ReleasedSupport, lets_its_reaction_go_and_the_block_settle_as_in_uniaxial_plane_strain)
 {
-  problem::Case c = pressed_block();
+  settings::Case c = pressed_block();
   c.stage.push_back(resting(1));
   c.stage[1].name = "released";
   Loaded block(c);
@@ -98,11 +98,11 @@ TEST(ReleasedSupport, lets_its_reaction_go_and_the_block_settle_as_in_uniaxial_p
 TEST(GravityLoading, is_the_k0_state_of_a_level_bed)
 {
   for (const Real k0 : {0.4, 1., 1.4}) {
-    problem::Case c = block_of(elastic_soil());
+    settings::Case c = block_of(elastic_soil());
     c.gravity = {0, -10};
     c.body[0].second.k0 = k0;
     const FemProblem exact = fem_problem_of(c);
-    c.initial_state = problem::InitialState::gravity_loading;
+    c.initial_state = settings::InitialState::gravity_loading;
     const FemProblem found = fem_problem_of(c);
     for (Index cell = 0; cell < found.model.mesh.cell_count(); ++cell)
       for (int q = 0; q < triangle_points; ++q)

@@ -14,7 +14,7 @@ namespace {
 
 const std::filesystem::path slice = BERM_SOURCE_DIR "/tests/interfaces/slice.toml";
 
-problem::Case slice_with(const std::vector<std::string>& set)
+settings::Case slice_with(const std::vector<std::string>& set)
 {
   return input::read_case(slice, set);
 }
@@ -82,7 +82,7 @@ TEST(SliceUnit, holds_the_mesh_that_its_case_names)
 {
   const io::ScratchFolder folder;
   std::ofstream(folder.path() / "of mine.msh") << "a mesh\n";
-  problem::Case settings = slice_with({});
+  settings::Case settings = slice_with({});
   settings.mesh = mesh::GmshFile{"of mine.msh"};
   const std::string unit = fmu_of_slice(settings, folder.path(), 2);
   expect_in_order(unit, {"resources/mesh.msh", "a mesh\n", "resources/case.toml", "file = \"mesh.msh\""});
@@ -93,15 +93,15 @@ TEST(SliceUnit, is_refused_where_the_case_is_no_slice_that_its_last_stage_drives
   const auto error_with = [](const std::vector<std::string>& set) { return test::error_of<KeyError>([&] { unit_with(set); }); };
   EXPECT_EQ(error_with({"stage.follow.kind=\"free\"", "stage.follow.drive={}"}).substr(0, 70),
             "stage[2].kind: FMU export needs kind = \"drive\" as the last stage, whic");
-  problem::Case settings = slice_with({});
-  settings.geometry = problem::Geometry::axisymmetric;
+  settings::Case settings = slice_with({});
+  settings.geometry = settings::Geometry::axisymmetric;
   const auto error_of = [&] { return test::error_of<KeyError>([&] { fmu_of_slice(settings, "", 2); }); };
   EXPECT_EQ(error_of().substr(0, 9), "geometry:");
   settings = slice_with({});
   settings.rigid.push_back(settings.rigid.front());
   EXPECT_EQ(error_of().substr(0, 6), "rigid:");
   settings = slice_with({});
-  settings.method = problem::Method::fem;
+  settings.method = settings::Method::fem;
   EXPECT_EQ(error_of().substr(0, 7), "method:");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // That the examples fit and wrong inputs do not: web/tests/schema.test.ts.
 #include "input/catalogue.hpp"
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 const Json& schema()
 {
-  static const Json all = Json::parse(json_schema(catalogue_of<problem::Case>(), "A case"));
+  static const Json all = Json::parse(json_schema(catalogue_of<settings::Case>(), "A case"));
   return all;
 }
 

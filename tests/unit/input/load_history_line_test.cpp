@@ -21,7 +21,7 @@ std::string with(std::string text, const std::string& what, const std::string& b
 /// A line of steel whose last stage has the load history "heat.csv".
 class LineLoadHistory : public testing::Test {
 protected:
-  problem::Case read(const std::string& table, const std::vector<std::string>& set = {})
+  settings::Case read(const std::string& table, const std::vector<std::string>& set = {})
   {
     folder_.write("heat.csv", table);
     const std::string steel = with(test::small_line_case, "bending_stiffness = \"1e9 N m^2\"\naxial_stiffness = \"1e9 N\"",
@@ -40,7 +40,7 @@ protected:
 
 TEST_F(LineLoadHistory, is_read_with_its_units_and_ends_the_stage)
 {
-  const problem::StageSettings stage =
+  const settings::StageSettings stage =
       read("time_min,temperature_K,pressure_MPa,weight_kN_m,lateral_N_m,pull_kN\n0,0,0,1.5,0,0\n1,30,10,1.2,100,50\n2,10,0,1.5,0,0\n")
           .stage.back();
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 60, 120}));
@@ -54,7 +54,7 @@ TEST_F(LineLoadHistory, is_read_with_its_units_and_ends_the_stage)
 
 TEST_F(LineLoadHistory, is_repeated_and_slowed_down_as_any)
 {
-  const problem::StageSettings stage =
+  const settings::StageSettings stage =
       read("time_s,temperature_K\n0,0\n1,30\n2,0\n", {"stage.current.load_repeat=3", "stage.current.time_scale=10"}).stage.back();
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(stage.until.time, 60);

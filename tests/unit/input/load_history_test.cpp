@@ -9,40 +9,40 @@
 namespace berm::input::this_file {
 namespace {
 
-using problem::load_factor;
+using settings::load_factor;
 
 class LoadHistory : public testing::Test {
 protected:
   /// A case in the plane whose only stage, a drag, has the history "storm.csv"; it drags by a force where the file is of factors.
-  static problem::Case case_with_history(bool of_factors)
+  static settings::Case case_with_history(bool of_factors)
   {
-    problem::Case c;
+    settings::Case c;
     bodies::RigidSettings pipe;
     pipe.mass = 100;
     c.rigid = {{"pipe", pipe}};
-    problem::StageSettings stage;
+    settings::StageSettings stage;
     stage.name = "storm";
-    stage.kind = problem::StageKind::drag;
+    stage.kind = settings::StageKind::drag;
     if (of_factors) stage.force = 400;
     stage.load_history = "storm.csv";
     c.stage = {stage};
     return c;
   }
-  problem::StageSettings read(problem::Case c, const std::string& text)
+  settings::StageSettings read(settings::Case c, const std::string& text)
   {
     folder_.write("storm.csv", text);
     read_load_history(c, 0, folder_.path());
     return c.stage[0];
   }
-  problem::StageSettings read(const std::string& text, std::optional<Real> time = {})
+  settings::StageSettings read(const std::string& text, std::optional<Real> time = {})
   {
-    problem::Case c = case_with_history(true);
+    settings::Case c = case_with_history(true);
     c.stage[0].until.time = time;
     return read(c, text);
   }
-  problem::StageSettings read_columns(const std::string& text) { return read(case_with_history(false), text); }
+  settings::StageSettings read_columns(const std::string& text) { return read(case_with_history(false), text); }
   std::string refusal(const std::string& text, bool of_factors = true) { return refusal(case_with_history(of_factors), text); }
-  std::string refusal(const problem::Case& c, const std::string& text)
+  std::string refusal(const settings::Case& c, const std::string& text)
   {
     try {
       read(c, text);
@@ -56,7 +56,7 @@ protected:
 
 TEST_F(LoadHistory, is_read_beside_the_case)
 {
-  const problem::StageSettings stage = read("time, factor\n# a comment\n0, 0\r\n\n0.5 , 1.5\n2,-1\n");
+  const settings::StageSettings stage = read("time, factor\n# a comment\n0, 0\r\n\n0.5 , 1.5\n2,-1\n");
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 0.5, 2}));
   EXPECT_EQ(stage.load_factors, (std::vector<Real>{0, 1.5, -1}));
   EXPECT_TRUE(stage.load_history.empty()) << "a resolved case needs no file";
@@ -77,18 +77,18 @@ TEST_F(LoadHistory, with_a_unit_that_begins_with_a_number_is_refused_with_its_li
 
 TEST_F(LoadHistory, is_linear_between_its_times_and_constant_after)
 {
-  const problem::StageSettings stage = read("1,2\n3,6\n");
+  const settings::StageSettings stage = read("1,2\n3,6\n");
   EXPECT_EQ(load_factor(stage, 0), 2);
   EXPECT_EQ(load_factor(stage, 1), 2);
   EXPECT_EQ(load_factor(stage, 2), 4);
   EXPECT_EQ(load_factor(stage, 3), 6);
   EXPECT_EQ(load_factor(stage, 9), 6);
-  EXPECT_EQ(load_factor(problem::StageSettings{}, 9), 1);
+  EXPECT_EQ(load_factor(settings::StageSettings{}, 9), 1);
 }
 
 TEST_F(LoadHistory, in_a_shorter_time_keeps_its_forces_and_its_travels)
 {
-  problem::StageSettings stage = read("1,2\n3,6\n");
+  settings::StageSettings stage = read("1,2\n3,6\n");
   stage.time_scale = 0.5;
   stage.velocity.reset();
   EXPECT_EQ(load_factor(stage, 1), 4);
@@ -109,14 +109,14 @@ TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
     EXPECT_NE(refusal(one_line).find("storm.csv: has one line of numbers: it needs two at least"), std::string::npos) << one_line;
   EXPECT_NE(refusal("time,factor\n").find("storm.csv: has no line"), std::string::npos);
   EXPECT_NE(refusal("0,1,2\n1,2,3\n").find("of more columns the first line is their names"), std::string::npos);
-  problem::Case c = case_with_history(true);
+  settings::Case c = case_with_history(true);
   c.stage[0].load_history = "none.csv";
   EXPECT_THROW(read_load_history(c, 0, folder_.path()), InputError);
 }
 
 TEST_F(LoadHistory, has_columns_that_its_header_names_with_their_units)
 {
-  const problem::StageSettings stage = read_columns("# a storm\ntime_s,H_kN_m,V_N_m\n0,0.1,400\n2,-0.2,300\n");
+  const settings::StageSettings stage = read_columns("# a storm\ntime_s,H_kN_m,V_N_m\n0,0.1,400\n2,-0.2,300\n");
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 2}));
   EXPECT_EQ(stage.loads.of("H"), (std::vector<Real>{100, -200}));
   EXPECT_EQ(stage.loads.of("V"), (std::vector<Real>{400, 300}));
@@ -129,14 +129,14 @@ TEST_F(LoadHistory, has_columns_that_its_header_names_with_their_units)
 
 TEST_F(LoadHistory, of_a_drive_has_columns_of_its_freedoms)
 {
-  problem::Case c = case_with_history(false);
-  c.stage[0].kind = problem::StageKind::drive;
-  const problem::StageSettings plane = read(c, "time_s,x_N_m,y_mm_s,rotation_Nm_m\n0,1,2,3\n1,1,2,3\n");
+  settings::Case c = case_with_history(false);
+  c.stage[0].kind = settings::StageKind::drive;
+  const settings::StageSettings plane = read(c, "time_s,x_N_m,y_mm_s,rotation_Nm_m\n0,1,2,3\n1,1,2,3\n");
   EXPECT_EQ(plane.loads.of("x_force").back(), 1);
   EXPECT_EQ(plane.loads.of("y_velocity").back(), 0.002);
   EXPECT_EQ(plane.loads.of("rotation_moment").back(), 3);
-  c.geometry = problem::Geometry::space;
-  const problem::StageSettings space = read(c, "time_s,x_kN,z_m_s,rotation_z_Nm,rotation_x_rad_s\n0,1,2,3,4\n1,1,2,3,4\n");
+  c.geometry = settings::Geometry::space;
+  const settings::StageSettings space = read(c, "time_s,x_kN,z_m_s,rotation_z_Nm,rotation_x_rad_s\n0,1,2,3,4\n1,1,2,3,4\n");
   EXPECT_EQ(space.loads.of("x_force").back(), 1000);
   EXPECT_EQ(space.loads.of("z_velocity").back(), 2);
   EXPECT_EQ(space.loads.of("rotation_z_moment").back(), 3);
@@ -180,7 +180,7 @@ TEST_F(LoadHistory, with_a_wrong_number_names_its_line_and_column)
 
 TEST_F(LoadHistory, may_have_semicolons_between_its_columns)
 {
-  const problem::StageSettings stage = read_columns("# a storm, of one hour\ntime_s;H_kN_m;V_N_m\n0; 0.1; 400\n2;-0.2;300\n");
+  const settings::StageSettings stage = read_columns("# a storm, of one hour\ntime_s;H_kN_m;V_N_m\n0; 0.1; 400\n2;-0.2;300\n");
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 2}));
   EXPECT_EQ(stage.loads.of("H"), (std::vector<Real>{100, -200}));
   EXPECT_EQ(stage.loads.of("V"), (std::vector<Real>{400, 300}));
@@ -189,7 +189,7 @@ TEST_F(LoadHistory, may_have_semicolons_between_its_columns)
 
 TEST_F(LoadHistory, is_read_as_spreadsheets_and_programs_write_it)
 {
-  const problem::StageSettings stage = read("\xEF\xBB\xBFtime_s;factor\r\n+0.000E+00;+1.000E+00\r\n\"+1.0\";-.5e1\r\n;\r\n");
+  const settings::StageSettings stage = read("\xEF\xBB\xBFtime_s;factor\r\n+0.000E+00;+1.000E+00\r\n\"+1.0\";-.5e1\r\n;\r\n");
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1}));
   EXPECT_EQ(stage.load_factors, (std::vector<Real>{1, -5}));
   EXPECT_EQ(read("+0.000E+00,+0.000E+00\n+0.100E+00,+1.000E+00\n+1.000E+00,+1.000E+00\n").load_times, (std::vector<Real>{0, 0.1, 1}))
@@ -236,7 +236,7 @@ TEST_F(LoadHistory, with_commas_that_may_mean_something_else_is_refused_with_wha
 
 TEST_F(LoadHistory, jumps_where_the_same_time_stands_twice)
 {
-  const problem::StageSettings stage = read("0,0\n1,1\n1,-1\n2,-1\n");
+  const settings::StageSettings stage = read("0,0\n1,1\n1,-1\n2,-1\n");
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1, 1, 2}));
   EXPECT_EQ(load_factor(stage, 1), -1);
   EXPECT_NE(refusal("0,0\n1,1\n1,2\n1,3\n").find("storm.csv:4: the time 1 s stands three times"), std::string::npos);
@@ -244,14 +244,14 @@ TEST_F(LoadHistory, jumps_where_the_same_time_stands_twice)
 
 TEST_F(LoadHistory, of_displacements_begins_at_0_and_does_not_jump)
 {
-  const problem::StageSettings stage = read_columns("time_s,u_mm,w_m\n0,0,0\n0.5,20,0\n2,20,-0.1\n");
+  const settings::StageSettings stage = read_columns("time_s,u_mm,w_m\n0,0,0\n0.5,20,0\n2,20,-0.1\n");
   EXPECT_EQ(stage.loads.of("u_displacement"), (std::vector<Real>{0, 0.02, 0.02}));
   EXPECT_EQ(stage.loads.of("w_displacement"), (std::vector<Real>{0, 0, -0.1}));
-  problem::Case drive = case_with_history(false);
-  drive.stage[0].kind = problem::StageKind::drive;
+  settings::Case drive = case_with_history(false);
+  drive.stage[0].kind = settings::StageKind::drive;
   EXPECT_NEAR(read(drive, "time_s,rotation_deg\n0,0\n1,180\n").loads.of("rotation_angle").back(), pi, 1e-15);
-  drive.geometry = problem::Geometry::space;
-  const problem::StageSettings space = read(drive, "time_s,z_mm,rotation_x_rad\n0,0,0\n1,2,3\n");
+  drive.geometry = settings::Geometry::space;
+  const settings::StageSettings space = read(drive, "time_s,z_mm,rotation_x_rad\n0,0,0\n1,2,3\n");
   EXPECT_EQ(space.loads.of("z_displacement").back(), 0.002);
   EXPECT_EQ(space.loads.of("rotation_x_angle").back(), 3);
   const auto says = [&](const std::string& text, const std::string& words) {
@@ -265,10 +265,10 @@ TEST_F(LoadHistory, of_displacements_begins_at_0_and_does_not_jump)
 
 TEST_F(LoadHistory, that_is_repeated_ends_its_stage_after_its_last_run)
 {
-  problem::Case c = case_with_history(false);
+  settings::Case c = case_with_history(false);
   c.stage[0].load_repeat = 3;
   c.stage[0].time_scale = 0.5;
-  const problem::StageSettings stage = read(c, "time_s,u_m,V_N_m\n0,0,1\n1,0.1,2\n2,0,1\n");
+  const settings::StageSettings stage = read(c, "time_s,u_m,V_N_m\n0,0,1\n1,0.1,2\n2,0,1\n");
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(stage.loads.of("u_displacement"), (std::vector<Real>{0, 0.1, 0, 0.1, 0, 0.1, 0}));
   EXPECT_EQ(stage.until.time, 3);
@@ -285,29 +285,29 @@ TEST_F(LoadHistory, that_does_not_go_with_its_stage_is_refused_with_the_key)
   EXPECT_NE(refusal("time_s,V_N_m\n0,1\n1,2\n", false).find("stage[0]: needs either velocity, force or a column H or u"),
             std::string::npos);
   EXPECT_EQ(refusal("time_s,V_N_m\n0,1\n1,2\n"), "") << "the constant force drags";
-  problem::Case light = case_with_history(false);
+  settings::Case light = case_with_history(false);
   light.rigid[0].second.mass = 0;
   EXPECT_NE(refusal(light, "time_s,H_N_m\n0,1\n1,2\n").find("[rigid.pipe], which therefore needs a mass"), std::string::npos);
-  problem::Case held = case_with_history(false);
+  settings::Case held = case_with_history(false);
   held.stage[0].vertical_force = 3;
   EXPECT_NE(refusal(held, "time_s,H_N_m,V_N_m\n0,1,2\n1,2,3\n").find("stage[0].loads.V: drives what another key"), std::string::npos);
-  problem::Case elements = case_with_history(false);
-  elements.method = problem::Method::fem;
+  settings::Case elements = case_with_history(false);
+  elements.method = settings::Method::fem;
   EXPECT_NE(refusal(elements, "time_s,u_m_s\n0,1\n1,2\n").find("has no time"), std::string::npos);
   EXPECT_EQ(refusal(elements, "time_s,H_N_m\n0,1\n1,2\n"), "");
-  problem::Case drive = case_with_history(false);
-  drive.stage[0].kind = problem::StageKind::drive;
+  settings::Case drive = case_with_history(false);
+  drive.stage[0].kind = settings::StageKind::drive;
   EXPECT_NE(refusal(drive, "0,1\n1,2\n").find("stage[0].load_factors: multiply what a push or a drag drives"), std::string::npos);
 }
 
 TEST_F(LoadHistory, of_which_the_time_is_scaled_ends_its_stage_earlier)
 {
-  problem::Case c = case_with_history(false);
+  settings::Case c = case_with_history(false);
   c.stage[0].time_scale = 0.1;
-  const problem::StageSettings stage = read(c, "time_s,H_N_m\n0,0\n20,100\n");
+  const settings::StageSettings stage = read(c, "time_s,H_N_m\n0,0\n20,100\n");
   EXPECT_EQ(stage.load_times.back(), 20) << "the times stay those of the record";
   EXPECT_EQ(stage.until.time, 2);
-  c.stage[0].time_scale = problem::automatic_time_scale;
+  c.stage[0].time_scale = settings::automatic_time_scale;
   EXPECT_NE(refusal(c, "time_s,H_N_m\n0,0\n20,100\n").find("stage[0].time_scale: is chosen for a record of forces"), std::string::npos)
       << "the pipe touches no soil here";
 }

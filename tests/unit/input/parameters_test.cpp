@@ -20,7 +20,7 @@ void for_each_value(const Listed& table, const std::string& path, const std::fun
 
 TEST(Parameters, of_the_case_are_all_in_the_table_and_on_the_page)
 {
-  const Listed of_case = catalogue_of<problem::Case>();
+  const Listed of_case = catalogue_of<settings::Case>();
   const std::string table = parameter_table(of_case), page = parameter_page(of_case);
   int count = 0;
   for_each_value(of_case, "", [&](const Listed& entry, const std::string& path) {
@@ -39,7 +39,7 @@ TEST(Parameters, of_the_case_are_all_in_the_table_and_on_the_page)
 
 TEST(Parameters, have_units_that_are_units_and_defaults_in_range)
 {
-  for_each_value(catalogue_of<problem::Case>(), "", [](const Listed& entry, const std::string& path) {
+  for_each_value(catalogue_of<settings::Case>(), "", [](const Listed& entry, const std::string& path) {
     EXPECT_NO_THROW(to_si("1 " + entry.unit, entry.unit)) << path;
     const bool number = !entry.default_text.empty() && entry.type == Listed::Type::number && entry.number_words.empty();
     EXPECT_TRUE(!number || within(to_si(entry.default_text, entry.unit), entry.range)) << path;

@@ -16,7 +16,7 @@ namespace {
 class PipelineTables : public testing::Test {
 protected:
   /// The small line with a route or a curve in a file.
-  problem::Case read(const char* key, const std::string& text)
+  settings::Case read(const char* key, const std::string& text)
   {
     folder_.write("table.csv", text);
     return read_case_text((folder_ / "line.toml").string(), test::small_line_case,
@@ -33,11 +33,11 @@ protected:
 
 TEST_F(PipelineTables, are_the_numbers_of_the_case_in_the_units_of_their_columns)
 {
-  const problem::Route route = read(route_, "# as it was surveyed\nx_km,y_mm\n0,5\n1,-2\n").pipeline->route;
+  const settings::Route route = read(route_, "# as it was surveyed\nx_km,y_mm\n0,5\n1,-2\n").pipeline->route;
   EXPECT_EQ(route.x, (std::vector<Real>{0, 1000}));
   EXPECT_EQ(route.y, (std::vector<Real>{0.005, -0.002}));
   EXPECT_EQ(route.table, "");
-  const problem::LateralCurve curve = read(curve_, "u_mm;H_kN_m\n5;0.9\n400;1.2\n").pipeline->far_soil.lateral;
+  const settings::LateralCurve curve = read(curve_, "u_mm;H_kN_m\n5;0.9\n400;1.2\n").pipeline->far_soil.lateral;
   EXPECT_EQ(curve.x, (std::vector<Real>{0.005, 0.4}));
   EXPECT_EQ(curve.y, (std::vector<Real>{900, 1200}));
 }
@@ -45,7 +45,7 @@ TEST_F(PipelineTables, are_the_numbers_of_the_case_in_the_units_of_their_columns
 TEST_F(PipelineTables, stand_in_the_resolved_case_which_needs_no_file)
 {
   const std::string resolved = resolved_toml(read(curve_, "u_m,H_N_m\n0.005,900\n0.4,1200\n"));
-  const problem::Case again = read_case_text("resolved.toml", resolved, {});
+  const settings::Case again = read_case_text("resolved.toml", resolved, {});
   EXPECT_EQ(again.pipeline->far_soil.lateral.x, (std::vector<Real>{0.005, 0.4}));
   EXPECT_EQ(again.pipeline->far_soil.lateral.y, (std::vector<Real>{900, 1200}));
 }

@@ -109,18 +109,18 @@ TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
 
 TEST(ReadPipeline, keeps_what_it_says_and_has_defaults_for_the_rest)
 {
-  const problem::Case c = test::line_case();
+  const settings::Case c = test::line_case();
   ASSERT_TRUE(c.pipeline);
   EXPECT_EQ(places_of(c.pipeline->slices), (std::vector<Real>{0, 1, 2, 3}));
-  EXPECT_EQ(c.pipeline->half, problem::LineHalf::symmetric);
+  EXPECT_EQ(c.pipeline->half, settings::LineHalf::symmetric);
   EXPECT_EQ(c.pipeline->far_soil.axial_mobilisation, 2e-3);
-  EXPECT_EQ(c.stage.back().kind, problem::StageKind::pipeline);
+  EXPECT_EQ(c.stage.back().kind, settings::StageKind::pipeline);
   EXPECT_EQ(c.stage.back().pipeline.lateral, 1000);
 }
 
 TEST(ReadPipeline, gives_slices_places_and_writes_them_out)
 {
-  const problem::Case c = test::line_case({"pipeline.slices={count=7, to=\"3 m\"}", "pipeline.far_soil.friction=0.5"});
+  const settings::Case c = test::line_case({"pipeline.slices={count=7, to=\"3 m\"}", "pipeline.far_soil.friction=0.5"});
   const std::vector<Real> places = places_of(c.pipeline->slices);
   ASSERT_EQ(places.size(), 7U);
   EXPECT_EQ(places.back(), 3);

@@ -86,7 +86,7 @@ TEST(Ground, pressure_that_grows_needs_a_level_and_a_pressure)
 }
 
 /// The good case in soil whose water flows, which rests for 30 days of its own instead of the drag.
-problem::Case resting_with(std::vector<std::string> keys)
+settings::Case resting_with(std::vector<std::string> keys)
 {
   std::string text(test::good_case);
   const std::size_t drag = text.find("[[stage]]\nname = \"drag\""), end = text.find("[watch.tip]");
@@ -99,7 +99,7 @@ problem::Case resting_with(std::vector<std::string> keys)
 
 TEST(Ground, real_time_lasts_by_the_ratio_of_the_permeabilities)
 {
-  const problem::Case c = resting_with({"material.sand.water.real_permeability=1e-9 m/s"});
+  const settings::Case c = resting_with({"material.sand.water.real_permeability=1e-9 m/s"});
   ASSERT_TRUE(c.stage[1].until.time);
   EXPECT_NEAR(*c.stage[1].until.time, 30 * 86400 * 1e-5, 1e-9);
 }

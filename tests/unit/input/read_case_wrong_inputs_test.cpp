@@ -58,7 +58,7 @@ TEST(ReadCase, refuses_a_box_of_more_cells_than_any_soil_in_it_needs)
 
 TEST(ReadCase, takes_the_good_case)
 {
-  const problem::Case read = read_case_text("case.toml", std::string(test::good_case));
+  const settings::Case read = read_case_text("case.toml", std::string(test::good_case));
   EXPECT_EQ(read.title, "a pipe on sand");
   ASSERT_EQ(read.gravity.size(), 2u);
   EXPECT_DOUBLE_EQ(read.gravity[1], -standard_gravity);
@@ -69,7 +69,7 @@ TEST(ReadCase, takes_the_good_case)
   EXPECT_EQ(read.body[0].second.region_damping, (std::map<std::string, Real>{{"box", 0.05}}));
   EXPECT_FALSE(read.body[0].second.block.has_value());
   ASSERT_EQ(read.stage.size(), 2u);
-  EXPECT_EQ(read.stage[0].kind, problem::StageKind::push);
+  EXPECT_EQ(read.stage[0].kind, settings::StageKind::push);
   EXPECT_DOUBLE_EQ(read.stage[0].until.embedment.value(), 0.08);
   EXPECT_DOUBLE_EQ(read.stage[1].until.displacement.value(), 0.4);
   EXPECT_EQ(read.stage[1].until.force, std::nullopt);

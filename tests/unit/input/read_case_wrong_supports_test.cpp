@@ -23,8 +23,8 @@ std::string refusal_of_motion(const std::string& rows, std::vector<std::string> 
 
 TEST(Motion, of_a_base_is_read)
 {
-  const problem::Case c = read_case_text("case.toml", std::string(test::good_case),
-                                         {"support.base.motion={stages=[\"drag\"], times=[0, \"20 ms\", 1], x=[0, \"5 cm/s\", 0]}"});
+  const settings::Case c = read_case_text("case.toml", std::string(test::good_case),
+                                          {"support.base.motion={stages=[\"drag\"], times=[0, \"20 ms\", 1], x=[0, \"5 cm/s\", 0]}"});
   ASSERT_TRUE(c.support[0].second.motion);
   EXPECT_EQ(c.support[0].second.motion->velocity[0], (std::vector<Real>{0, 0.05, 0}));
   EXPECT_EQ(boundary::velocity_at(*c.support[0].second.motion, 0, 0.01), 0.025);
@@ -60,7 +60,7 @@ TEST(Motion, that_is_wrong_says_what_is_allowed)
 
 class MotionFile : public testing::Test {
 protected:
-  problem::Case read(const std::string& text)
+  settings::Case read(const std::string& text)
   {
     folder_.write("quake.csv", text);
     std::string text_of_case(test::good_case);

@@ -5,6 +5,7 @@
 #include "os/error.hpp"
 #include "samples/small_cases.hpp"
 #include "samples/wrong_inputs.hpp"
+#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -171,7 +172,7 @@ rigidity_index = 100
 poisson_ratio = 0.45
 undrained_strength = "14 kPa"
 )");
-  const problem::Case first = read_case_text("case.toml", text), again = read_case_text("resolved.toml", resolved_toml(first));
+  const settings::Case first = read_case_text("case.toml", text), again = read_case_text("resolved.toml", resolved_toml(first));
   EXPECT_EQ(first.material[0].second, again.material[0].second);
   EXPECT_NEAR(elasticity(again.material[0].second).shear, 1.4e6, 1e-6);
 }
@@ -179,8 +180,8 @@ undrained_strength = "14 kPa"
 TEST(RoundTrip, of_a_word_that_stands_for_a_number_is_the_word)
 {
   const auto written_of = [](const std::string& value) {
-    const problem::Case c = read_case_text("case.toml", std::string(test::good_case),
-                                           {"contact.pipe_on_bed.scheme=musl_coupled", "contact.pipe_on_bed.tension=" + value});
+    const settings::Case c = read_case_text("case.toml", std::string(test::good_case),
+                                            {"contact.pipe_on_bed.scheme=musl_coupled", "contact.pipe_on_bed.tension=" + value});
     return std::pair(c.contact[0].second.tension, resolved_toml(c));
   };
   const auto [unlimited, unlimited_text] = written_of("unlimited");
@@ -223,7 +224,7 @@ kind = "push"
 force = "2 kN"
 until.time = 1
 )";
-  const problem::Case c = read_case_text("case.toml", text);
+  const settings::Case c = read_case_text("case.toml", text);
   EXPECT_EQ(c.rigid[0].second.mass, 5);
   EXPECT_EQ(c.stage[0].force.value(), 2000);
   EXPECT_NE(resolved_toml(c).find("# [N] force of the drive"), std::string::npos) << resolved_toml(c);
@@ -234,8 +235,8 @@ TEST(RoundTrip, of_an_override_is_as_if_the_file_said_so)
   std::string changed(test::good_case);
   changed.replace(changed.find("\"35 deg\""), 8, "\"40 deg\"");
   changed.replace(changed.find("\"0.4 m\""), 7, "\"40 mm\"");
-  const problem::Case by_override = read_case_text("case.toml", std::string(test::good_case),
-                                                   {"material.sand.friction_angle=40 deg", "stage.drag.until.displacement=\"40 mm\""});
+  const settings::Case by_override = read_case_text("case.toml", std::string(test::good_case),
+                                                    {"material.sand.friction_angle=40 deg", "stage.drag.until.displacement=\"40 mm\""});
   EXPECT_EQ(resolved_toml(by_override), resolved_toml(read_case_text("case.toml", changed)));
 }
 

@@ -54,9 +54,9 @@ TEST(ThreadShares, of_several_threads_have_processors_of_their_own)
   EXPECT_TRUE(shares.any_free());
 }
 
-problem::Case box_of(Real squares_along_a_side)
+settings::Case box_of(Real squares_along_a_side)
 {
-  problem::Case c;
+  settings::Case c;
   mesh::BoxMesh box;
   box.size = {1, 1};
   box.cells = {squares_along_a_side, squares_along_a_side};
@@ -72,10 +72,10 @@ TEST(ThreadShares, are_worth_it_where_each_thread_has_particles_enough)
 {
   EXPECT_EQ(threads_worth(box_of(10)), 1) << "1800 particles";
   EXPECT_EQ(threads_worth(box_of(100)), 18);
-  problem::Case by_fem = box_of(100);
-  by_fem.method = problem::Method::fem;
+  settings::Case by_fem = box_of(100);
+  by_fem.method = settings::Method::fem;
   EXPECT_EQ(threads_worth(by_fem), 1);
-  problem::Case from_file = box_of(100);
+  settings::Case from_file = box_of(100);
   from_file.mesh = mesh::GmshFile{"mesh.msh"};
   EXPECT_EQ(threads_worth(from_file), 1) << "which is not read before the run";
 }

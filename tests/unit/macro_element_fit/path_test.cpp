@@ -14,7 +14,7 @@ namespace {
 MadeRun pushed_and_dragged()
 {
   MadeRun run;
-  run.method = problem::Method::fem;
+  run.method = settings::Method::fem;
   run.gravity_level = 1;
   run.held_V = 80;
   run.H = [](Real u) { return 6e4 * std::min<Real>(u, 0.001); };
@@ -57,7 +57,7 @@ TEST(Path, refuses_a_run_that_has_not_come_to_its_end_and_folders_without_runs)
   record.end = record::RunEnd::stopped;
   EXPECT_THROW(path_of(record), RunError);
   record.end = record::RunEnd::finished;
-  record.settings.geometry = problem::Geometry::space;
+  record.settings.geometry = settings::Geometry::space;
   EXPECT_THROW(path_of(record), RunError);
   EXPECT_THROW(paths_in({"no_such_folder"}), RunError);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "material/clay.hpp"
+#include "settings/interface.hpp"
 
 namespace berm::material {
 

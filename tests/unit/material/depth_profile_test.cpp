@@ -2,6 +2,7 @@
 #include "material/depth_profile.hpp"
 
 #include "material/material.hpp"
+#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

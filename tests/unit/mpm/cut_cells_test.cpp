@@ -14,9 +14,9 @@ namespace {
 constexpr Real p = 1e3;  // Pa, in all of the soil
 
 /// Soil in a box of 1 m with squares of 0.1 m, to the right of a wall that ends at x = face; one particle in thirty is missing.
-problem::Problem<2> beside_wall(Real face, problem::Quadrature quadrature)
+problem::Problem<2> beside_wall(Real face, settings::Quadrature quadrature)
 {
-  problem::Case c;
+  settings::Case c;
   mesh::BoxMesh box;
   box.size = {1, 1};
   box.cells = {10, 10};
@@ -42,7 +42,7 @@ problem::Problem<2> beside_wall(Real face, problem::Quadrature quadrature)
   contact.rigid = "wall";
   c.contact = {{"skin", contact}};
   c.mpm.quadrature = quadrature;
-  problem::StageSettings rest;
+  settings::StageSettings rest;
   rest.name = "rest";
   rest.until.time = 1;
   c.stage = {rest};
@@ -91,7 +91,7 @@ struct Forces {
 TEST(CutCells, beside_a_wall_push_with_the_pressure_of_the_soil_wherever_particles_lie_and_the_wall_cuts_them)
 {
   for (const Real face : {0.3, 0.32, 0.35, 0.38}) {
-    const Forces cut(beside_wall(face, problem::Quadrature::cut_cells));
+    const Forces cut(beside_wall(face, settings::Quadrature::cut_cells));
     EXPECT_NEAR(std::abs(cut.at_wall[0]), 0.7 * p, 1e-10 * p) << face;
     EXPECT_NEAR(cut.at_wall[1], 0, 1e-10 * p) << face;
     EXPECT_LT(cut.inside, 1e-10 * p) << face;
@@ -100,7 +100,7 @@ TEST(CutCells, beside_a_wall_push_with_the_pressure_of_the_soil_wherever_particl
 
 TEST(CutCells, are_none_unless_they_are_asked_for)
 {
-  const Forces whole(beside_wall(0.3, problem::Quadrature::full_cells));
+  const Forces whole(beside_wall(0.3, settings::Quadrature::full_cells));
   EXPECT_GT(std::abs(std::abs(whole.at_wall[0]) - 0.7 * p) + std::abs(whole.at_wall[1]), 1e-3 * p) << "particles are missing at the wall";
 }
 

@@ -30,7 +30,7 @@ problem::Problem<2> body_of_two(const material::Material& first, const material:
                                 const mesh::Mesh<2>& mesh = criss_cross<2>())
 {
   problem::Problem<2> problem = body_of_one(first, mesh);
-  problem::BodySoil& soil = problem.model.bodies[0].soil;
+  settings::BodySoil& soil = problem.model.bodies[0].soil;
   soil.materials = {first, second};
   bodies::Particles<2> made(problem.model.mesh, problem.state.particles[0].size(), particle_extra(soil));
   problem.state.particles[0].visit([&](Index cell, Index b, int l) {

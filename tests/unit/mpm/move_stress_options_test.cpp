@@ -43,7 +43,7 @@ TEST(Dilation, ends_where_a_particle_has_its_largest_volume)
   };
   EXPECT_GT(pressure_after_shear(1), 2e4);
   // With a dilation angle of zero the in-plane mean stress stays; the stress out of the plane hardly moves.
-  EXPECT_NEAR(pressure_after_shear(problem::MpmSettings{}.max_volume_ratio), 1e4, 1e3);
+  EXPECT_NEAR(pressure_after_shear(settings::MpmSettings{}.max_volume_ratio), 1e4, 1e3);
 }
 
 }  // namespace

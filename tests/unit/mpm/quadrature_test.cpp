@@ -19,7 +19,7 @@ struct Uneven {
 
   /// keep(x) says which particles of the filled box are there, volume(x) how large they are over their first volume.
   template <class Stress, class Keep>
-  Uneven(problem::Quadrature quadrature, const Stress& stress, const Keep& keep)
+  Uneven(settings::Quadrature quadrature, const Stress& stress, const Keep& keep)
       : problem(prepared(quadrature, stress, keep)),
         workspace(problem.model, problem.state)
   {
@@ -30,7 +30,7 @@ struct Uneven {
   }
 
   template <class Stress, class Kept>
-  static problem::Problem<dim> prepared(problem::Quadrature quadrature, const Stress& stress, const Kept& keep)
+  static problem::Problem<dim> prepared(settings::Quadrature quadrature, const Stress& stress, const Kept& keep)
   {
     auto made = problem_on<dim>(shaken_box<dim>(), sample_solid(), dim == 2 ? 9 : 27);
     made.model.mpm.quadrature = quadrature;
@@ -82,7 +82,7 @@ TYPED_TEST_SUITE(FullCells, Dimensions);
 TYPED_TEST(FullCells, carry_a_uniform_stress_without_forces_inside_however_particles_lie)
 {
   constexpr int dim = TypeParam::value;
-  const auto largest_inside = [](problem::Quadrature quadrature) {
+  const auto largest_inside = [](settings::Quadrature quadrature) {
     Uneven<dim> soil(quadrature, pressure<dim>, with_gaps<dim>);
     const auto boundary = boundary_flags(soil.mesh());
     Real largest = 0, at_boundary = 0;
@@ -92,15 +92,15 @@ TYPED_TEST(FullCells, carry_a_uniform_stress_without_forces_inside_however_parti
     }
     return largest / at_boundary;
   };
-  EXPECT_LT(largest_inside(problem::Quadrature::full_cells), 1e-13);
-  EXPECT_GT(largest_inside(problem::Quadrature::particles), 1e-2);
+  EXPECT_LT(largest_inside(settings::Quadrature::full_cells), 1e-13);
+  EXPECT_GT(largest_inside(settings::Quadrature::particles), 1e-2);
 }
 
 TYPED_TEST(FullCells, leave_the_cells_at_a_free_surface_to_their_particles)
 {
   constexpr int dim = TypeParam::value;
   const Real level = 0.5 * (shaken_box<dim>().lower[1] + shaken_box<dim>().upper[1]);
-  Uneven<dim> soil(problem::Quadrature::full_cells, pressure<dim>, [&](const bodies::Particle<dim>& p) { return p.x[1] < level; });
+  Uneven<dim> soil(settings::Quadrature::full_cells, pressure<dim>, [&](const bodies::Particle<dim>& p) { return p.x[1] < level; });
   Index at_surface = 0, inside = 0;
   for (Index cell : soil.particles().occupied()) {
     bool cut = false, whole = true;
@@ -125,7 +125,7 @@ TYPED_TEST(FullCells, do_the_work_of_the_nodal_forces)
 {
   constexpr int dim = TypeParam::value;
   Uneven<dim> soil(
-      problem::Quadrature::full_cells,
+      settings::Quadrature::full_cells,
       [](const Vec<dim>& x) {
         SymTensor<dim> stress{};
         for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = 1e3 * std::sin(k + 3 * x[0] - 2 * x[1]);

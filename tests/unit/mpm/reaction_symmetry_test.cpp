@@ -8,10 +8,10 @@ namespace berm::mpm::this_file {
 namespace {
 
 /// A plate that presses an elastic block of 2 m x 0.5 m x 2 m between rigid walls, or a half or a quarter of it.
-problem::Case plate_on_block(const std::vector<std::string>& symmetry)
+settings::Case plate_on_block(const std::vector<std::string>& symmetry)
 {
-  problem::Case c;
-  c.geometry = problem::Geometry::space;
+  settings::Case c;
+  c.geometry = settings::Geometry::space;
   c.symmetry = symmetry;
   mesh::BoxMesh box;
   box.lower = {-1, -0.5, -1};
@@ -46,9 +46,9 @@ problem::Case plate_on_block(const std::vector<std::string>& symmetry)
                {"right", {"right", {"x"}}},
                {"back", {"back", {"z"}}},
                {"front", {"front", {"z"}}}};
-  problem::StageSettings push;
+  settings::StageSettings push;
   push.name = "push";
-  push.kind = problem::StageKind::push;
+  push.kind = settings::StageKind::push;
   push.velocity = 1;
   push.until.time = 1;
   c.stage = {push};

@@ -39,9 +39,9 @@ problem::Problem<dim> problem_on(const mesh::Mesh<dim>& mesh, const material::Ma
   problem::Model<dim>& model = problem.model;
   model.mesh = mesh;
   model.patches = make_patches(mesh);
-  model.bodies.push_back({"body", problem::soil_of_one(material), NodeField<Real>(mesh.node_count(), 0)});
+  model.bodies.push_back({"body", settings::soil_of_one(material), NodeField<Real>(mesh.node_count(), 0)});
   make_tables(mesh.node_count(), 1, model.water_flows(), model.conditions);
-  model.mpm.quadrature = problem::Quadrature::particles;
+  model.mpm.quadrature = settings::Quadrature::particles;
   model.gravity = Vec<dim>::Zero();
   model.gravity_ramp = model.surface = 0;
   model.stages.emplace_back();

@@ -81,7 +81,7 @@ private:
     strong.cohesion = 1e9;
     strong.poisson_ratio = 0.4999;  // volume changes alone have stiffness
     auto made = problem_on<dim>(shaken_box<dim>(), strong, particles_per_cell);
-    made.model.mpm.quadrature = problem::Quadrature::full_cells;
+    made.model.mpm.quadrature = settings::Quadrature::full_cells;
     made.model.mpm.volumetric_projection = false;
     made.model.mpm.bulk_viscosity = 0;
     return made;
@@ -149,7 +149,7 @@ TYPED_TEST(SmallMassNodes, a_particle_alone_bears_the_stiffness_that_its_corners
 TYPED_TEST(SmallMassNodes, stress_follows_each_part_of_the_strain_as_far_as_its_stiffness_is_borne)
 {
   constexpr int dim = TypeParam::value;
-  problem::SoilWaves soil;
+  settings::SoilWaves soil;
   soil.bulk = 8;
   soil.shear = 2;
   SymTensor<dim> strain{};

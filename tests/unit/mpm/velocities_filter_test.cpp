@@ -20,7 +20,7 @@ struct Drifting {
   Workspace<dim> workspace;
 
   template <class Velocity>
-  Drifting(const material::Material& material, const Velocity& velocity_at, Real filter = problem::MpmSettings{}.velocity_filter)
+  Drifting(const material::Material& material, const Velocity& velocity_at, Real filter = settings::MpmSettings{}.velocity_filter)
       : problem(filtered(problem_on<dim>(shaken_box<dim>(), material, dim == 2 ? 9 : 8), filter)),
         workspace(problem.model, problem.state)
   {

@@ -30,7 +30,7 @@ Real area_of(const Ground& ground, Index kind)
 
 Ground ground_of_case(const std::vector<std::string>& changes = {}, const std::string& more = "")
 {
-  const problem::Case c = test::layered_box(changes, more);
+  const settings::Case c = test::layered_box(changes, more);
   return ground_of(c, mesh::make_mesh<2>(c.mesh, ".", "."), problem::ground_of(c));
 }
 
@@ -52,7 +52,7 @@ TEST(Ground, cells_are_cut_where_a_layer_begins)
 
 TEST(Ground, layers_follow_the_surface_that_the_soil_was_laid_down_from)
 {
-  const problem::Case c = test::layered_box();
+  const settings::Case c = test::layered_box();
   problem::Ground bed;
   bed.line.corners = {{0, 1.2}, {0.5, 1.2}, {0.5, 0.9}, {2, 1}};  // a trench, which layers do not follow
   bed.laid_down.corners = {{0, 0.9}, {1, 1.1}, {1, 0.8}, {2, 0.8}};

@@ -8,7 +8,7 @@
 namespace berm::picture::this_file {
 namespace {
 
-std::string plan_of(const problem::Case& c)
+std::string plan_of(const settings::Case& c)
 {
   Canvas canvas(Canvas::Place::file);
   const Real height = draw_line_plan(canvas, c, {40, 30}, 1320);
@@ -33,9 +33,9 @@ TEST(LinePlan, tells_its_exaggeration_imperfection_slices_springs_and_ends)
 
 TEST(LinePlan, of_a_short_turned_line_with_a_free_end_is_drawn_whole)
 {
-  problem::Case c = test::MadeLineRun{}.settings();
-  c.pipeline->half = problem::LineHalf::antisymmetric;
-  c.pipeline->end = problem::LineEnd::free;
+  settings::Case c = test::MadeLineRun{}.settings();
+  c.pipeline->half = settings::LineHalf::antisymmetric;
+  c.pipeline->end = settings::LineEnd::free;
   c.pipeline->length = 70;
   const std::string svg = plan_of(c);
   for (const char* words : {"rotated by 180 degrees", "free", "70 m"}) EXPECT_EQ(count(svg, words), 1u) << words;

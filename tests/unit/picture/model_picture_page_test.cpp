@@ -56,7 +56,7 @@ Extent extent_of_mesh(const std::string& svg)
   return corners.empty() ? Extent{Vec<2>::Zero(), Vec<2>::Zero()} : extent_of(CornersOutline{corners});
 }
 
-PageDrawing drawing_of(const problem::Case& c, const std::string& title = "x")
+PageDrawing drawing_of(const settings::Case& c, const std::string& title = "x")
 {
   return draw_on_page(c, problem::ground_of(c), title);
 }
@@ -157,7 +157,7 @@ TEST(ModelPicture_on_a_page, embedment_of_a_pipe_wished_in_place_is_told)
 
 TEST(ModelPicture_on_a_page, text_is_escaped)
 {
-  problem::Case c = sample_case();
+  settings::Case c = sample_case();
   c.body[0].first = "<b> & \"sand\"";
   c.stage[1].name = "<script>";
   const std::string svg = drawing_of(c, "</title><script>").svgs;

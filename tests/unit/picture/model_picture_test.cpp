@@ -19,7 +19,7 @@ protected:
   /// The picture of the layered box.
   fs::path draw(const std::vector<std::string>& changes = {}, const std::string& name = "model.png")
   {
-    const problem::Case c = test::layered_box(changes);
+    const settings::Case c = test::layered_box(changes);
     draw_model(c, mesh::make_mesh<2>(c.mesh, ".", "."), folder / name);
     return folder / name;
   }
@@ -98,9 +98,9 @@ TEST_F(ModelPicture, a_slope_has_its_depth_at_the_wall_and_w_below_the_axis)
                           "0.2\nnear_left = -1\nnear_right = 1.5\n"
                           "near_depth = 0.9\nnear_height = 0.5\ngrowth = 0.25\n[material.sand]";
   const std::string text = std::regex_replace(test::layered_box_text, std::regex("surface = [^]*\\[material.sand\\]"), bed);
-  const problem::Case c = input::read_case_text("case.toml", text,
-                                                {"body.bed.regions=[\"near\", \"bed\"]", "support.base.boundary=base",
-                                                 "rigid.pipe.center=[0.5, \"238.1635 mm\"]", "stage.push.until.embedment=\"0.3 m\""});
+  const settings::Case c = input::read_case_text("case.toml", text,
+                                                 {"body.bed.regions=[\"near\", \"bed\"]", "support.base.boundary=base",
+                                                  "rigid.pipe.center=[0.5, \"238.1635 mm\"]", "stage.push.until.embedment=\"0.3 m\""});
   draw_model(c, mesh::make_mesh<2>(c.mesh, ".", folder.path()), folder / "model.svg");
   const std::string words = std::regex_replace(content_of(folder / "model.svg"), std::regex("\u00a0"), " ");
   for (const char* expected : {"w = 200 mm", ">3 m<", ">800 mm<", "fine zone along the slope", "2.5 m × 1.4 m"})

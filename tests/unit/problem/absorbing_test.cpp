@@ -11,16 +11,16 @@ namespace berm::problem::this_file {
 namespace {
 
 /// An elastic bed 1 m high in a box of 2 m x 2 m whose right side absorbs in the second of two stages.
-Case bed_beside_open_side()
+settings::Case bed_beside_open_side()
 {
-  Case c = pipe_over_box({stage_of(StageKind::geostatic, "rest"), stage_of(StageKind::free, "wave")});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::geostatic, "rest"), stage_of(settings::StageKind::free, "wave")});
   c.rigid.clear();
   c.support = {{"right", {"right", {"x"}}}};
   c.support[0].second.absorbs = true;
   return c;
 }
 
-Model<2> model_of(const Case& c)
+Model<2> model_of(const settings::Case& c)
 {
   mesh::Mesh<2> mesh = mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh));
   mesh.region_names = {"box", "air"};
@@ -53,14 +53,14 @@ TEST(Absorbing, dashpots_have_the_impedance_of_the_soil_over_the_boundary_in_its
 
 TEST(Absorbing, costs_nothing_where_no_boundary_does)
 {
-  Case c = bed_beside_open_side();
+  settings::Case c = bed_beside_open_side();
   c.support[0].second.absorbs = false;
   EXPECT_TRUE(model_of(c).conditions.dashpots.empty());
 }
 
 TEST(Absorbing, boundary_without_soil_is_refused)
 {
-  Case c = bed_beside_open_side();
+  settings::Case c = bed_beside_open_side();
   c.support[0].second.boundary = "top";
   EXPECT_THROW(model_of(c), KeyError);
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "problem/symmetry.hpp"
 
 #include "os/error.hpp"
 #include "sample_case.hpp"
@@ -10,13 +9,13 @@ namespace berm::problem::this_file {
 namespace {
 
 /// A ball of 0.4 m above the axis of an elastic cylinder, pushed by a force of 100 N until the soil bears 50 N.
-Case ball_over_cylinder()
+settings::Case ball_over_cylinder()
 {
-  StageSettings push = stage_of(StageKind::push, "push");
+  settings::StageSettings push = stage_of(settings::StageKind::push, "push");
   push.force = 100;
   push.until.force = 50;
-  Case c = pipe_over_box({push});
-  c.geometry = Geometry::axisymmetric;
+  settings::Case c = pipe_over_box({push});
+  c.geometry = settings::Geometry::axisymmetric;
   c.rigid[0].second.shape = bodies::CircleSettings{{0, 1.3}, 0.4};
   return c;
 }
@@ -31,8 +30,8 @@ TEST(PerRadian, masses_and_forces_are_a_radian_s_part_of_the_input)
 
 TEST(PerRadian, plane_strain_is_left_as_it_is)
 {
-  Case c = ball_over_cylinder();
-  c.geometry = Geometry::plane_strain;
+  settings::Case c = ball_over_cylinder();
+  c.geometry = settings::Geometry::plane_strain;
   const Model<2> model = build<2>(c, ".", ".").model;
   EXPECT_EQ(model.rigid_bodies[0].mass, 2);
   EXPECT_EQ(*model.stages[0].force, 100);
@@ -53,7 +52,7 @@ TEST(Axis, is_held_across_without_a_support)
 
 TEST(Axis, a_mesh_beyond_it_is_refused_and_one_that_round_off_puts_there_is_not)
 {
-  Case c = ball_over_cylinder();
+  settings::Case c = ball_over_cylinder();
   auto& box = std::get<mesh::BoxMesh>(c.mesh);
   box.lower = {-0.1, 0};
   EXPECT_THROW(build<2>(c, ".", "."), KeyError);

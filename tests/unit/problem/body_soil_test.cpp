@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "problem/body_soil.hpp"
+#include "settings/body_soil.hpp"
 
 #include "material/mohr_coulomb.hpp"
 #include "os/error.hpp"
@@ -21,9 +21,9 @@ material::MohrCoulomb clay_of(Real strength, Real density = 1500)
 }
 
 /// A box of 2 m with the surface at y = 2 m: soft clay, from 0.5 m down stiff clay, from 1.25 m down soft clay again under another name.
-Case layered()
+settings::Case layered()
 {
-  Case c = pipe_over_box({stage_of(StageKind::geostatic)});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::geostatic)});
   c.surface = 2;
   c.material = {{"soft", clay_of(1e3)}, {"stiff", clay_of(5e3, 2000)}, {"also_soft", clay_of(1e3)}};
   c.rigid.clear();
@@ -33,9 +33,9 @@ Case layered()
   return c;
 }
 
-TEST(BodySoil, has_each_material_once_and_knows_it_by_depth)
+TEST(settings::BodySoil, has_each_material_once_and_knows_it_by_depth)
 {
-  const BodySoil soil = soil_of(layered(), layered().body[0].second);
+  const settings::BodySoil soil = soil_of(layered(), layered().body[0].second);
   ASSERT_EQ(soil.materials.size(), 2u);
   EXPECT_TRUE(varies(soil));
   const std::pair<Real, Index> expected[] = {{-1, 0}, {0.49, 0}, {0.5, 1}, {1.24, 1}, {1.25, 0}, {9, 0}};
@@ -43,24 +43,24 @@ TEST(BodySoil, has_each_material_once_and_knows_it_by_depth)
   EXPECT_NEAR(soil.mass_above("box", 1.5), 0.5 * 1500 + 0.75 * 2000 + 0.25 * 1500, 1e-9);
 }
 
-TEST(BodySoil, of_equal_layers_is_that_of_one_material)
+TEST(settings::BodySoil, of_equal_layers_is_that_of_one_material)
 {
-  Case c = layered();
+  settings::Case c = layered();
   c.material[1].second = clay_of(1e3);
-  const BodySoil soil = soil_of(c, c.body[0].second);
+  const settings::BodySoil soil = soil_of(c, c.body[0].second);
   EXPECT_EQ(soil.materials.size(), 1u);
   EXPECT_FALSE(varies(soil));
   EXPECT_TRUE(local_fields(soil).empty());
 }
 
-TEST(BodySoil, takes_materials_of_regions)
+TEST(settings::BodySoil, takes_materials_of_regions)
 {
-  Case c = layered();
+  settings::Case c = layered();
   bodies::BodySettings& body = c.body[0].second;
   body.soil_layer.clear();
   body.regions = {"box", "pit"};
   body.region_material = {{"pit", "stiff"}};
-  const BodySoil soil = soil_of(c, body);
+  const settings::BodySoil soil = soil_of(c, body);
   EXPECT_EQ(soil.material_index_at("box", 3), 0);
   EXPECT_EQ(soil.material_index_at("pit", 3), 1);
   EXPECT_EQ(soil.mass_above("pit", 3), 3 * 2000);
@@ -68,7 +68,7 @@ TEST(BodySoil, takes_materials_of_regions)
 
 TEST(Build, gives_each_particle_mass_strength_stiffness_and_stress_of_its_layer)
 {
-  Case c = layered();
+  settings::Case c = layered();
   c.gravity = {0, -10};
   c.body[0].second.k0 = 0.5;
   auto* stiff = c.material[1].second.get_if<material::MohrCoulomb>();
@@ -91,16 +91,16 @@ TEST(Build, gives_each_particle_mass_strength_stiffness_and_stress_of_its_layer)
     EXPECT_NEAR(p.stress[0], -5 * above, 1e-9 * 1e5);
   });
   EXPECT_GT(in_stiff, 50);
-  const SoilWaves& waves = problem.model.bodies[0].waves;
-  EXPECT_DOUBLE_EQ(waves.fastest, waves_of(c.material[1].second).fastest);
-  EXPECT_DOUBLE_EQ(waves.slowest, waves_of(c.material[0].second).slowest);
+  const settings::SoilWaves& waves = problem.model.bodies[0].waves;
+  EXPECT_DOUBLE_EQ(waves.fastest, settings::waves_of(c.material[1].second).fastest);
+  EXPECT_DOUBLE_EQ(waves.slowest, settings::waves_of(c.material[0].second).slowest);
   EXPECT_EQ(waves.min_density, 1500);
 }
 
 /// The box with strengths by the vertical stress: OCR over depth above, POP from 0.5 m down.
-Case by_stress()
+settings::Case by_stress()
 {
-  Case c = layered();
+  settings::Case c = layered();
   c.gravity = {0, -10};
   auto &above = *c.material[0].second.get_if<material::MohrCoulomb>(), &below = *c.material[1].second.get_if<material::MohrCoulomb>();
   above.cohesion = below.cohesion = 0;
@@ -114,7 +114,7 @@ Case by_stress()
 
 TEST(Build, gives_each_particle_the_strength_by_the_vertical_stress_that_the_soil_above_makes)
 {
-  const Case c = by_stress();
+  const settings::Case c = by_stress();
   const Problem<2> problem = build<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
   const bodies::Particles<2>& particles = problem.state.particles[0];
   int above = 0, below = 0;
@@ -135,11 +135,11 @@ TEST(Build, gives_each_particle_the_strength_by_the_vertical_stress_that_the_soi
   EXPECT_GT(below, 50);
 }
 
-TEST(BodySoil, of_a_stress_that_is_the_same_everywhere_has_the_strength_by_it)
+TEST(settings::BodySoil, of_a_stress_that_is_the_same_everywhere_has_the_strength_by_it)
 {
-  Case c = by_stress();
+  settings::Case c = by_stress();
   c.body[0].second.initial_stress = {-10e3, -20e3, -10e3};
-  const BodySoil soil = soil_of(c, c.body[0].second);
+  const settings::BodySoil soil = soil_of(c, c.body[0].second);
   for (const Real depth : {0., 0.4, 3.})
     EXPECT_DOUBLE_EQ(strength_at_rest(soil.at("box", depth))->cohesion,
                      depth < 0.5 ? 5e3 * std::pow(depth == 0 ? 5 : 3, 0.8) : 6e3 * std::pow(1.6, 0.7));
@@ -147,7 +147,7 @@ TEST(BodySoil, of_a_stress_that_is_the_same_everywhere_has_the_strength_by_it)
 
 TEST(Build, refuses_soil_whose_strength_is_negative_where_the_body_reaches)
 {
-  Case c = layered();
+  settings::Case c = layered();
   c.body[0].second.soil_layer.clear();
   c.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = -800;  // nothing is left at 1.25 m
   try {

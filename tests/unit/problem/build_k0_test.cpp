@@ -22,9 +22,9 @@ material::MohrCoulomb sand(Real sin_friction)
 }
 
 /// A bed of 1 m of sand, its lower half of another one.
-Case bed_of_sand()
+settings::Case bed_of_sand()
 {
-  Case c = pipe_over_box({stage_of(StageKind::free)});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::free)});
   c.gravity = {0, -10};
   c.material = {{"solid", sand(sine)}, {"below", sand(sine_below)}};
   bodies::BlockSettings block;
@@ -47,7 +47,7 @@ Case bed_of_sand()
 
 /// The largest difference of K0 at a particle from exact(depth, vertical stress).
 template <class Exact>
-Real error_of(const Case& c, const Exact& exact)
+Real error_of(const settings::Case& c, const Exact& exact)
 {
   const Problem<2> problem = build<2>(c, ".", ".");
   Real error = 0;
@@ -66,7 +66,7 @@ Real error_of(const Case& c, const Exact& exact)
 
 TEST(K0, follows_from_one_overconsolidation_ratio_and_the_friction_of_each_layer)
 {
-  Case c = bed_of_sand();
+  settings::Case c = bed_of_sand();
   c.body[0].second.k0_ocr = 4;
   const Real above = 0.5 * 2, below = 0.6 * std::pow(4, 0.4);  // 1 and 1.045
   EXPECT_LT(error_of(c, [&](Real depth, Real) { return depth < 0.5 ? above : below; }), 1e-12);
@@ -74,7 +74,7 @@ TEST(K0, follows_from_one_overconsolidation_ratio_and_the_friction_of_each_layer
 
 TEST(K0, of_a_layer_is_its_own)
 {
-  Case c = bed_of_sand();
+  settings::Case c = bed_of_sand();
   c.body[0].second.k0 = 0.7;
   c.body[0].second.soil_layer[0].k0_ocr = 1;
   EXPECT_LT(error_of(c, [&](Real depth, Real) { return depth < 0.5 ? 0.7 : 1 - sine_below; }), 1e-12);
@@ -83,7 +83,7 @@ TEST(K0, of_a_layer_is_its_own)
 TEST(K0, falls_with_depth_under_a_pre_overburden_pressure_and_is_Kp_at_most)
 {
   constexpr Real pop = 20e3;
-  Case c = bed_of_sand();
+  settings::Case c = bed_of_sand();
   c.body[0].second.soil_layer.clear();
   c.body[0].second.k0_pop = pop;
   const auto exact = [&](Real, Real vertical) { return std::min(3., 0.5 * std::sqrt((vertical + pop) / vertical)); };
@@ -95,10 +95,10 @@ TEST(K0, falls_with_depth_under_a_pre_overburden_pressure_and_is_Kp_at_most)
 // On ground that is not level the elastic equilibrium has the K0 of its depth below a level surface.
 TEST(K0, by_gravity_loading_is_that_of_its_cells)
 {
-  Case c = bed_of_sand();
+  settings::Case c = bed_of_sand();
   c.body[0].second.k0_ocr = 1;
   c.body[0].second.soil_layer.clear();
-  c.initial_state = InitialState::gravity_loading;
+  c.initial_state = settings::InitialState::gravity_loading;
   Problem<2> problem = build<2>(c, ".", ".");
   Real sum = 0, count = 0;
   problem.state.particles[0].visit([&](Index, Index b, int l) {

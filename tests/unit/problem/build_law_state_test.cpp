@@ -8,9 +8,9 @@ namespace berm::problem::this_file {
 namespace {
 
 /// The box of pipe_over_box() filled with Cam clay up to its surface, 1 m, under gravity.
-Case bed_of_clay(Real k0)
+settings::Case bed_of_clay(Real k0)
 {
-  Case c = pipe_over_box({stage_of(StageKind::free)});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::free)});
   c.gravity = {0, -10};
   c.material = {{"solid", sample_cam_clay()}};
   bodies::BlockSettings block;
@@ -49,7 +49,7 @@ TEST(BuildLawState, particles_get_the_state_of_soil_at_rest_under_their_stress)
 
 TEST(BuildLawState, particles_of_several_materials_get_that_of_their_own)
 {
-  Case c = bed_of_clay(0.7);
+  settings::Case c = bed_of_clay(0.7);
   material::ModifiedCamClay old = sample_cam_clay();
   old.overconsolidation_ratio = 4;
   c.material.push_back({"old", old});
@@ -62,8 +62,8 @@ TEST(BuildLawState, particles_of_several_materials_get_that_of_their_own)
 
 TEST(BuildLawState, gravity_loading_gives_it_after_its_own_stress)
 {
-  Case c = bed_of_clay(0.7);
-  c.initial_state = InitialState::gravity_loading;
+  settings::Case c = bed_of_clay(0.7);
+  c.initial_state = settings::InitialState::gravity_loading;
   expect_states_at_rest(build<2>(c, ".", "."));
 }
 

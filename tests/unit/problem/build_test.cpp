@@ -7,19 +7,19 @@
 namespace berm::problem::this_file {
 namespace {
 
-StageSettings rest()
+settings::StageSettings rest()
 {
-  return stage_of(StageKind::free);
+  return stage_of(settings::StageKind::free);
 }
-StageSettings push_of(const char* rigid)
+settings::StageSettings push_of(const char* rigid)
 {
-  StageSettings stage = stage_of(StageKind::push, rigid);
+  settings::StageSettings stage = stage_of(settings::StageKind::push, rigid);
   stage.rigid = rigid;
   stage.velocity = 1;
   return stage;
 }
 
-std::string message_of(const Case& c)
+std::string message_of(const settings::Case& c)
 {
   try {
     build<2>(c, ".", ".");
@@ -31,28 +31,28 @@ std::string message_of(const Case& c)
 
 TEST(Build, names_the_regions_there_are_when_one_is_unknown)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   c.body[0].second.regions = {"bed"};
   EXPECT_EQ(message_of(c), "body.bed.regions: the mesh has no region \"bed\"; it has box");
 }
 
 TEST(Build, names_the_region_of_a_damping_that_the_mesh_lacks)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   c.body[0].second.region_damping = {{"layer", 0.1}};
   EXPECT_EQ(message_of(c), "body.bed.regions: the mesh has no region \"layer\"; it has box");
 }
 
 TEST(Build, names_the_boundaries_there_are_when_one_is_unknown)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   c.support = {{"base", {"base", {"x"}}}};
   EXPECT_EQ(message_of(c), "support.base.boundary: the mesh has no boundary \"base\"; it has left, right, bottom, top");
 }
 
 TEST(Build, refuses_a_block_that_leaves_the_mesh)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   bodies::BlockSettings block;
   block.center = {0, 0};
   block.size = {1, 1};
@@ -64,7 +64,7 @@ TEST(Build, refuses_a_block_that_leaves_the_mesh)
 
 TEST(Build, fills_no_body_where_a_rigid_body_is_that_it_has_a_contact_with)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[1] = 1;
   const auto min_distance = [&] {
     const auto problem = build<2>(c, ".", ".");
@@ -89,7 +89,7 @@ TEST(Build, fills_no_body_where_a_rigid_body_is_that_it_has_a_contact_with)
 
 TEST(Build, gives_a_rigid_body_that_turns_the_inertia_of_a_solid_or_its_own)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   c.rigid[0].second.rotation = bodies::Rotation::free;
   const auto inertia = [&] { return build<2>(c, ".", ".").model.rigid_bodies[0].inertia; };
   EXPECT_NEAR(inertia(), 2 * 0.2 * 0.2 / 2, 1e-15);  // m R^2 / 2
@@ -99,7 +99,7 @@ TEST(Build, gives_a_rigid_body_that_turns_the_inertia_of_a_solid_or_its_own)
 
 TEST(Build, holds_the_nodes_of_a_boundary_in_the_directions_named)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   c.support = {{"left", {"left", {"x"}}}, {"base", {"bottom", {"x", "y"}}}};
   const auto model = build<2>(c, ".", ".").model;
   for (Index i = 0; i < model.mesh.node_count(); ++i) {
@@ -110,7 +110,7 @@ TEST(Build, holds_the_nodes_of_a_boundary_in_the_directions_named)
 
 TEST(Build, starts_at_rest_with_the_momentum_of_the_particles)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   bodies::InitialVelocity motion;
   motion.amplitude = {0.5, -0.25};
   c.body[0].second.initial_velocity = {motion};
@@ -123,7 +123,7 @@ TEST(Build, starts_at_rest_with_the_momentum_of_the_particles)
 
 TEST(Build, looks_contacts_and_watched_points_up)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   c.body.push_back({"second", c.body[0].second});
   contact::ContactSettings contact;
   contact.body = "second";
@@ -153,7 +153,7 @@ TEST(Build, looks_contacts_and_watched_points_up)
 
 TEST(Build, damps_a_node_as_the_most_damped_of_its_regions)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   c.body[0].second.damping = 0.1;
   c.body[0].second.region_damping = {{"box", 0.3}};
   const auto model = build<2>(c, ".", ".").model;
@@ -162,7 +162,7 @@ TEST(Build, damps_a_node_as_the_most_damped_of_its_regions)
 
 TEST(MainRigid, is_the_first_that_a_stage_names_else_the_first_there_is)
 {
-  Case c = pipe_over_box({rest()});
+  settings::Case c = pipe_over_box({rest()});
   EXPECT_EQ(main_rigid(c), 0);
   c.rigid.push_back({"floor", c.rigid[0].second});
   c.rigid.push_back({"wall", c.rigid[0].second});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "problem/drives.hpp"
+#include "settings/drives.hpp"
 
 #include "sample_case.hpp"
 
@@ -11,10 +11,10 @@ namespace {
 constexpr Real step = 1e-4;  // s
 
 /// A box in space, askew, of 2 kg without any soil near it, driven by one stage.
-Problem<3> box_in_space(const StageSettings& stage)
+Problem<3> box_in_space(const settings::StageSettings& stage)
 {
-  Case c = pipe_over_box({stage});
-  c.geometry = Geometry::space;
+  settings::Case c = pipe_over_box({stage});
+  c.geometry = settings::Geometry::space;
   mesh::BoxMesh box;
   box.size = {2, 2, 2};
   box.cells = {2, 2, 2};
@@ -32,7 +32,7 @@ void step_body(Problem<3>& problem)
 
 TEST(Spring, besides_a_force_lets_the_body_swing_about_where_both_balance)
 {
-  StageSettings stage = stage_of(StageKind::drive);
+  settings::StageSettings stage = stage_of(settings::StageKind::drive);
   stage.drive.x.force = 3;
   stage.drive.x.spring = 50;
   auto problem = box_in_space(stage);
@@ -49,7 +49,7 @@ TEST(Spring, besides_a_force_lets_the_body_swing_about_where_both_balance)
 
 TEST(Spring, of_a_rotation_lets_a_body_whose_axis_is_held_swing)
 {
-  StageSettings stage = stage_of(StageKind::drive);
+  settings::StageSettings stage = stage_of(settings::StageKind::drive);
   stage.drive.rotation_y.moment = 0.2;
   stage.drive.rotation_y.spring = 4;
   auto problem = box_in_space(stage);
@@ -66,7 +66,7 @@ TEST(Spring, of_a_rotation_lets_a_body_whose_axis_is_held_swing)
 
 TEST(Spring, begins_where_the_body_is_when_its_stage_begins)
 {
-  StageSettings first = stage_of(StageKind::drive), second = stage_of(StageKind::drive);
+  settings::StageSettings first = stage_of(settings::StageKind::drive), second = stage_of(settings::StageKind::drive);
   first.drive.z.velocity = 1;
   first.drive.rotation_x.velocity = 2;
   second.drive.z.spring = 10;
@@ -87,7 +87,7 @@ TEST(Spring, begins_where_the_body_is_when_its_stage_begins)
 
 TEST(FreeFreedom, is_moved_by_the_soil_alone_and_needs_inertia)
 {
-  StageSettings stage = stage_of(StageKind::drive);
+  settings::StageSettings stage = stage_of(settings::StageKind::drive);
   stage.drive.z.free = true;
   const auto drives = drives_of<3>(stage, axes_of<3>({0, -10, 0}), false);
   EXPECT_TRUE(has_force<3>(drives));
@@ -102,7 +102,7 @@ TEST(FreeFreedom, is_moved_by_the_soil_alone_and_needs_inertia)
 
 TEST(DriveAtAPoint, moves_the_point_along_one_axis_by_an_impulse_that_turns_the_body_as_well)
 {
-  StageSettings stage = stage_of(StageKind::drive);
+  settings::StageSettings stage = stage_of(settings::StageKind::drive);
   stage.drive.x.velocity = 1;
   stage.drive.y.free = stage.drive.z.free = true;
   stage.drive.rotation_x.free = stage.drive.rotation_y.free = stage.drive.rotation_z.free = true;
@@ -127,11 +127,11 @@ TEST(DriveAtAPoint, moves_the_point_along_one_axis_by_an_impulse_that_turns_the_
 TEST(DriveAtAPoint, holds_a_point_about_which_the_body_swings_with_the_period_of_a_pendulum)
 {
   // A bar whose upper end is held, under a force at its centre: that of gravity, given as the soil's.
-  StageSettings stage = stage_of(StageKind::drive);
+  settings::StageSettings stage = stage_of(settings::StageKind::drive);
   stage.drive.rotation_z.free = true;
   stage.drive.point = {0, 6, 0};
-  Case c = pipe_over_box({stage});
-  c.geometry = Geometry::space;
+  settings::Case c = pipe_over_box({stage});
+  c.geometry = settings::Geometry::space;
   mesh::BoxMesh box;
   box.size = {2, 2, 2};
   box.cells = {2, 2, 2};
@@ -154,7 +154,7 @@ TEST(DriveAtAPoint, holds_a_point_about_which_the_body_swings_with_the_period_of
 
 TEST(DriveAtAPoint, ends_at_the_distance_of_that_point)
 {
-  StageSettings stage = stage_of(StageKind::drive);
+  settings::StageSettings stage = stage_of(settings::StageKind::drive);
   stage.drive.rotation_z.velocity = 1;
   stage.drive.point = {0, 6, 0};  // x, y and z are fixed there
   stage.until = {};

@@ -13,9 +13,9 @@ namespace berm::problem::this_file {
 namespace {
 
 /// A box of 2 m x 2 m whose lower half is an elastic block; what is above it is filled or taken out in the second of two stages.
-Case half_full()
+settings::Case half_full()
 {
-  Case c = pipe_over_box({stage_of(StageKind::geostatic, "before"), stage_of(StageKind::free, "works")});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::geostatic, "before"), stage_of(settings::StageKind::free, "works")});
   c.rigid.clear();
   c.gravity = {0, -10};
   std::get<mesh::BoxMesh>(c.mesh).cells = {8, 8};
@@ -75,7 +75,7 @@ Real round_off(Real size)
 }
 
 /// The problem in its second stage.
-Problem<2> at_works(const Case& c)
+Problem<2> at_works(const settings::Case& c)
 {
   const TemporaryFolder folder;
   Problem<2> problem = build<2>(c, ".", folder.path().string());
@@ -86,7 +86,7 @@ Problem<2> at_works(const Case& c)
 
 TEST(Earthworks, fill_places_the_mass_of_its_area_at_rest)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.fill = {fill_of(0.5, 1.5, 1, 1.75)};
   Problem<2> problem = at_works(c);
   State<2>& state = problem.state;
@@ -104,7 +104,7 @@ TEST(Earthworks, fill_places_the_mass_of_its_area_at_rest)
 
 TEST(Earthworks, nothing_happens_before_its_stage)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.fill = {fill_of(0, 2, 1, 2)};
   Problem<2> problem = build<2>(c, ".", ".");
   EXPECT_FALSE(carry_out_earthworks(problem.model, problem.state));
@@ -112,7 +112,7 @@ TEST(Earthworks, nothing_happens_before_its_stage)
 
 TEST(Earthworks, fill_leaves_out_soil_that_is_there)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.fill = {fill_of(0, 2, 0.25, 1.5)};
   Problem<2> problem = at_works(c);
   carry_out_earthworks(problem.model, problem.state);
@@ -126,7 +126,7 @@ TEST(Earthworks, fill_leaves_out_soil_that_is_there)
 
 TEST(Earthworks, fill_leaves_out_rigid_bodies)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   bodies::RigidSettings pipe;
   pipe.shape = bodies::CircleSettings{{1, 1.5}, 0.6};
   c.rigid = {{"pipe", pipe}};
@@ -142,7 +142,7 @@ TEST(Earthworks, fill_leaves_out_rigid_bodies)
 
 TEST(Earthworks, lifts_come_from_the_bottom_up_over_the_duration_with_stress_of_their_own_weight)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   bodies::FillSettings fill = fill_of(0, 2, 1, 2);
   fill.lifts = 2;
   fill.duration = 4;
@@ -175,8 +175,8 @@ TEST(Earthworks, lifts_come_from_the_bottom_up_over_the_duration_with_stress_of_
 
 TEST(Earthworks, lifts_left_when_the_stage_ends_follow_at_once)
 {
-  Case c = half_full();
-  c.stage.push_back(stage_of(StageKind::free, "later"));
+  settings::Case c = half_full();
+  c.stage.push_back(stage_of(settings::StageKind::free, "later"));
   bodies::FillSettings fill = fill_of(0, 2, 1, 2);
   fill.lifts = 10;
   fill.duration = 1000;
@@ -191,7 +191,7 @@ TEST(Earthworks, lifts_left_when_the_stage_ends_follow_at_once)
 
 TEST(Earthworks, excavation_tells_what_it_takes_along)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.initial_velocity = {{{0.3, -0.2}, {}, 0}};
   c.body[0].second.excavation = {excavation_of(0.6, 1.1, 0.4, 1.2)};
   Problem<2> problem = at_works(c);
@@ -212,7 +212,7 @@ TEST(Earthworks, excavation_tells_what_it_takes_along)
 
 TEST(Earthworks, what_is_taken_out_and_filled_in_one_stage_is_replaced)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.excavation = {excavation_of(0, 1, 0.5, 1)};
   c.body[0].second.fill = {fill_of(0, 1, 0.5, 1)};
   Problem<2> problem = at_works(c);
@@ -223,21 +223,21 @@ TEST(Earthworks, what_is_taken_out_and_filled_in_one_stage_is_replaced)
 
 TEST(Earthworks, particles_of_a_fill_have_its_material)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.fill = {fill_of(0, 2, 1, 2)};
   Problem<2> problem = at_works(c);
   carry_out_earthworks(problem.model, problem.state);
-  const BodySoil& soil = problem.model.bodies[0].soil;
+  const settings::BodySoil& soil = problem.model.bodies[0].soil;
   problem.state.particles[0].visit([&](Index, Index b, int l) {
     const bodies::Particle<2> p = problem.state.particles[0].read(b, l);
     EXPECT_EQ(density(material_of(soil, p.extra)), p.x[1] > 1 ? 2000 : 1000);
   });
-  EXPECT_EQ(problem.model.bodies[0].waves.fastest, waves_of(soil.materials[0]).fastest) << "1000 m/s2 x 1e6 Pa and twice both";
+  EXPECT_EQ(problem.model.bodies[0].waves.fastest, settings::waves_of(soil.materials[0]).fastest) << "1000 m/s2 x 1e6 Pa and twice both";
 }
 
 TEST(Earthworks, fill_outside_the_mesh_is_refused)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.fill = {fill_of(5, 6, 1, 2)};
   EXPECT_THROW(build<2>(c, ".", "."), KeyError);
   c.body[0].second.fill.insert(c.body[0].second.fill.begin(), fill_of(0, 1, 1, 2));
@@ -246,7 +246,7 @@ TEST(Earthworks, fill_outside_the_mesh_is_refused)
 
 TEST(Earthworks, fill_above_the_mesh_is_refused)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   c.body[0].second.fill = {fill_of(0, 1, 1, 2.5)};
   EXPECT_THROW(build<2>(c, ".", "."), KeyError);
 }
@@ -255,7 +255,7 @@ TEST(Earthworks, fill_above_the_mesh_is_refused)
 struct Filled {
   Real mass, room;
 };
-Filled filled(Case c, int lifts, Real bottom, Real top)
+Filled filled(settings::Case c, int lifts, Real bottom, Real top)
 {
   bodies::FillSettings fill = fill_of(-0.1, 2.1, bottom, top);
   fill.lifts = lifts;
@@ -278,7 +278,7 @@ TEST(Earthworks, fill_has_its_mass_in_any_number_of_lifts_on_any_mesh)
 {
   for (const mesh::BoxPattern pattern : {mesh::BoxPattern::diagonal, mesh::BoxPattern::criss_cross})
     for (const int cells : {8, 13, 20}) {
-      Case c = half_full();
+      settings::Case c = half_full();
       std::get<mesh::BoxMesh>(c.mesh).pattern = pattern;
       std::get<mesh::BoxMesh>(c.mesh).cells = {static_cast<Real>(cells), static_cast<Real>(cells)};
       for (const int lifts : {1, 2, 3, 5, 7, 10}) {
@@ -291,15 +291,15 @@ TEST(Earthworks, fill_has_its_mass_in_any_number_of_lifts_on_any_mesh)
 
 TEST(Earthworks, fill_has_its_mass_around_an_axis)
 {
-  Case c = half_full();
-  c.geometry = Geometry::axisymmetric;
+  settings::Case c = half_full();
+  c.geometry = settings::Geometry::axisymmetric;
   for (const int lifts : {1, 5, 10})
     EXPECT_NEAR(filled(c, lifts, 0.9, 1.53).mass, 2000 * 0.53 * 2, a_hundredth * 2120) << lifts << " lifts, per radian: R2 / 2 = 2";
 }
 
 TEST(Earthworks, fill_has_its_mass_on_triangles_of_gmsh_with_few_particles)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   mesh::SeabedMesh bed;
   bed.length = 2;
   bed.left = 0;
@@ -321,7 +321,7 @@ TEST(Earthworks, fill_has_its_mass_on_triangles_of_gmsh_with_few_particles)
 
 TEST(Earthworks, fill_has_the_stress_of_its_own_weight_whatever_its_particles_hold)
 {
-  Case c = half_full();
+  settings::Case c = half_full();
   bodies::FillSettings fill = fill_of(0, 2, 1, 1.13);
   fill.k0 = 0.5;
   c.body[0].second.fill = {fill};

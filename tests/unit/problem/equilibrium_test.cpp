@@ -12,9 +12,9 @@ namespace {
 
 constexpr Real depth = 2, density = 1000, young = 1e6, g = 10;  // of the box of pipe_over_box
 
-Case resting_box(std::optional<Real> damping, Real of_body = 0)
+settings::Case resting_box(std::optional<Real> damping, Real of_body = 0)
 {
-  Case c = pipe_over_box({stage_of(StageKind::geostatic, "rest")});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::geostatic, "rest")});
   c.gravity = {0, -g};
   c.surface = 2;
   c.stage[0].until.time.reset();
@@ -25,14 +25,14 @@ Case resting_box(std::optional<Real> damping, Real of_body = 0)
 }
 
 /// 4 H / c_S of the box, whose Poisson's ratio is that of LinearElastic.
-Real period_of(const Case& c)
+Real period_of(const settings::Case& c)
 {
   return 4 * depth / std::sqrt(elasticity(c.material[0].second).shear / density);
 }
 
 TEST(Equilibrium, takes_the_time_in_which_damping_takes_away_the_swing_of_the_deepest_soil)
 {
-  const Case c = resting_box(0.7);
+  const settings::Case c = resting_box(0.7);
   const Problem<2> problem = build<2>(c, ".", ".");
   EXPECT_NEAR(problem.model.longest_period, period_of(c), 1e-12 * period_of(c));
   // A swing falls by exp(-2 alpha) a period at least: to 0.01 in ln(100) / 1.4 periods, and four times as many for soil that yields.
@@ -63,14 +63,14 @@ TEST(Equilibrium, is_found_by_a_swing_with_local_damping_in_that_time)
 
 TEST(Equilibrium, keeps_the_limit_that_the_input_names)
 {
-  Case c = resting_box(0.7);
+  settings::Case c = resting_box(0.7);
   c.stage[0].until.equilibrium = true;
   c.stage[0].until.time = 0.125;
   EXPECT_EQ(build<2>(c, ".", ".").model.stages[0].until.time, 0.125);
   c.stage[0].until.equilibrium = false;
   const Problem<2> fixed = build<2>(c, ".", ".");
   EXPECT_EQ(fixed.model.stages[0].until.time, 0.125);
-  EXPECT_FALSE(ends_at_equilibrium(fixed.model.stages[0])) << "a stage with a time ends by its time";
+  EXPECT_FALSE(settings::ends_at_equilibrium(fixed.model.stages[0])) << "a stage with a time ends by its time";
 }
 
 TEST(Equilibrium, is_no_sooner_than_a_wave_has_crossed_the_soil)
@@ -84,7 +84,7 @@ TEST(Equilibrium, is_no_sooner_than_a_wave_has_crossed_the_soil)
 
 TEST(Equilibrium, is_no_sooner_than_all_of_gravity_acts)
 {
-  Case c = resting_box(0.7);
+  settings::Case c = resting_box(0.7);
   const Real without = *build<2>(c, ".", ".").model.stages[0].until.time;
   c.gravity_ramp = 3 * period_of(c);
   Problem<2> problem = build<2>(c, ".", ".");

@@ -9,9 +9,9 @@ namespace berm::problem::this_file {
 namespace {
 
 /// The area of a triangle with the corners (0.3, 0.2), (1.7, 0.2), (0.3, 1.6) in a box of 2 m.
-Problem<2> with_triangle(Geometry geometry)
+Problem<2> with_triangle(settings::Geometry geometry)
 {
-  Case c = pipe_over_box({stage_of(StageKind::free, "works")});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::free, "works")});
   c.rigid.clear();
   c.geometry = geometry;
   std::get<mesh::BoxMesh>(c.mesh).cells = {7, 7};
@@ -29,7 +29,7 @@ constexpr Real of_bounds = 0.01 * 2. / 7 * 5;
 
 TEST(WorkRegion, has_the_volume_of_its_polygon_between_two_levels)
 {
-  const Problem<2> problem = with_triangle(Geometry::plane_strain);
+  const Problem<2> problem = with_triangle(settings::Geometry::plane_strain);
   const Earthwork<2>& work = problem.model.earthworks[0];
   EXPECT_NEAR((WorkRegion<2>{problem.model, work, {-infinity, infinity}}.volume()), 1.4 * 1.4 / 2, of_bounds);
   EXPECT_NEAR((WorkRegion<2>{problem.model, work, {0.9, infinity}}.volume()), 0.7 * 0.7 / 2, of_bounds);
@@ -37,7 +37,7 @@ TEST(WorkRegion, has_the_volume_of_its_polygon_between_two_levels)
 
 TEST(WorkRegion, has_it_per_radian_around_an_axis)
 {
-  const Problem<2> problem = with_triangle(Geometry::axisymmetric);
+  const Problem<2> problem = with_triangle(settings::Geometry::axisymmetric);
   const Real center = 0.3 + 1.4 / 3;
   EXPECT_NEAR((WorkRegion<2>{problem.model, problem.model.earthworks[0], {-infinity, infinity}}.volume()), 1.4 * 1.4 / 2 * center,
               of_bounds);
@@ -45,7 +45,7 @@ TEST(WorkRegion, has_it_per_radian_around_an_axis)
 
 TEST(WorkRegion, leaves_out_rigid_bodies)
 {
-  const Problem<2> problem = with_triangle(Geometry::plane_strain);
+  const Problem<2> problem = with_triangle(settings::Geometry::plane_strain);
   const bodies::RigidShape<2> disk = bodies::make_shape<2>(bodies::CircleSettings{{0.7, 0.6}, 0.4});
   EXPECT_NEAR((WorkRegion<2>{problem.model, problem.model.earthworks[0], {-infinity, infinity}, {disk}}.volume()),
               1.4 * 1.4 / 2 - pi * 0.04, of_bounds);
@@ -53,7 +53,7 @@ TEST(WorkRegion, leaves_out_rigid_bodies)
 
 TEST(WorkRegion, tells_the_part_of_a_particle_that_lies_in_it)
 {
-  const Problem<2> problem = with_triangle(Geometry::plane_strain);
+  const Problem<2> problem = with_triangle(settings::Geometry::plane_strain);
   const WorkRegion<2> region{problem.model, problem.model.earthworks[0], {-infinity, infinity}};
   EXPECT_EQ(region.fraction_within({0.6, 0.5}, 0.01), 1);
   EXPECT_EQ(region.fraction_within({1.5, 1.5}, 0.01), 0);

@@ -32,9 +32,9 @@ mesh::SeabedMesh sloping_bed()
 }
 
 /// A pipe of 0.2 m that touches the slope, on a bed of that mesh.
-Case pipe_on(const mesh::MeshSettings& mesh)
+settings::Case pipe_on(const mesh::MeshSettings& mesh)
 {
-  Case c = pipe_over_box({stage_of(StageKind::push, "push")});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::push, "push")});
   c.stage[0].velocity = 0.1;
   c.mesh = mesh;
   c.surface = 0;
@@ -50,7 +50,7 @@ Case pipe_on(const mesh::MeshSettings& mesh)
 
 TEST(Ground, is_that_of_the_mesh_that_the_input_asks_for)
 {
-  const Case c = pipe_on(sloping_bed());
+  const settings::Case c = pipe_on(sloping_bed());
   EXPECT_NEAR(ground_of(c).line.height(0.5), 0.5 * incline, 1e-15);
   EXPECT_TRUE(loads_by_gravity(c, ground_of(c)));
   mesh::SeabedMesh flat = sloping_bed();
@@ -65,7 +65,7 @@ TEST(Ground, is_found_in_a_mesh_of_the_users)
   mesh::SeabedMesh bed = sloping_bed();
   bed.trench = mesh::Trench{.depth = 0.15, .width = 0.3, .side_slope = 60 * degree, .center = 0.1};
   const mesh::Mesh<2> mesh = mesh::make_mesh<2>(bed, ".", folder.path());
-  Case c = pipe_on(mesh::GmshFile{"mesh.msh"});
+  settings::Case c = pipe_on(mesh::GmshFile{"mesh.msh"});
   const Ground found = ground_in(c, mesh, {});
   const mesh::GroundLine expected = ground_of(bed);
   ASSERT_EQ(found.line.corners.size(), expected.corners.size());
@@ -86,7 +86,7 @@ TEST(Ground, has_no_dent_where_the_mesh_is_shaped_around_the_pipe)
 {
   const TemporaryFolder folder;
   mesh::Mesh<2> mesh = mesh::make_mesh<2>(sloping_bed(), ".", folder.path());
-  const Case c = pipe_on(mesh::GmshFile{"mesh.msh"});
+  const settings::Case c = pipe_on(mesh::GmshFile{"mesh.msh"});
   const Vec<2> center(0, 0.06);
   for (const Index i : mesh.boundary_nodes[mesh.find_boundary("surface")])
     if (Vec<2>& x = mesh.position[i]; (x - center).norm() < 0.1) x[1] = center[1] - std::sqrt(0.01 - x[0] * x[0]);
@@ -98,7 +98,7 @@ TEST(Ground, has_no_dent_where_the_mesh_is_shaped_around_the_pipe)
 TEST(Embedment, counts_from_the_ground_below_the_axis_of_the_pipe_where_it_is)
 {
   const TemporaryFolder folder;
-  const Case c = pipe_on(sloping_bed());
+  const settings::Case c = pipe_on(sloping_bed());
   Problem<2> problem = build<2>(c, ".", folder.path().string());
   const Real touches = 0.1 - 0.1 / std::cos(10 * degree);
   EXPECT_NEAR(travel_of(problem.model, problem.state, 0).w, touches, 1e-15);
@@ -111,7 +111,7 @@ TEST(Embedment, counts_from_the_ground_below_the_axis_of_the_pipe_where_it_is)
 TEST(Embedment, counts_from_the_level_that_the_input_names)
 {
   const TemporaryFolder folder;
-  Case c = pipe_on(sloping_bed());
+  settings::Case c = pipe_on(sloping_bed());
   c.surface_given = true;
   Problem<2> problem = build<2>(c, ".", folder.path().string());
   problem.state.rigid_bodies[0].displacement = Vec<2>(0.3, 0);

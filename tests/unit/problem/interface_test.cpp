@@ -2,8 +2,9 @@
 #include "problem/interface.hpp"
 
 #include "material/clay.hpp"
-#include "problem/body_soil.hpp"
-#include "problem/case.hpp"
+#include "settings/body_soil.hpp"
+#include "settings/case.hpp"
+#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ contact::ContactSettings skin(Real factor, Real sensitivity, Real ductility)
 TEST(AdhesionLaw, is_the_share_of_the_strength_that_the_soil_has_now)
 {
   const material::Material soil = clay(5e3, 0.1);
-  const AdhesionLaw law = adhesion_law(skin(0.4, 1, 0), soil_of_one(soil));
+  const AdhesionLaw law = adhesion_law(skin(0.4, 1, 0), settings::soil_of_one(soil));
   const Real undisturbed[3] = {}, faster[3] = {0, 0.16, 0.16};  // the state of the law: what the rate adds
   EXPECT_EQ(law.at(soil, undisturbed, 0, 0), 2000);
   EXPECT_EQ(law.at(soil, faster, 0, 0), 0.4 * 5800);
@@ -46,7 +47,7 @@ TEST(AdhesionLaw, is_the_share_of_the_strength_that_the_soil_has_now)
 TEST(AdhesionLaw, falls_exponentially_with_the_slip_to_one_over_its_sensitivity)
 {
   const material::Material soil = clay(5e3, 0);
-  const AdhesionLaw law = adhesion_law(skin(1, 4, 0.01), soil_of_one(soil));
+  const AdhesionLaw law = adhesion_law(skin(1, 4, 0.01), settings::soil_of_one(soil));
   const Real undisturbed[3] = {};
   EXPECT_EQ(law.at(soil, undisturbed, 0, 0), 5e3);
   // 95 % of the fall, 1 - e^-3, after the ductility; all of it after much more.
@@ -57,7 +58,7 @@ TEST(AdhesionLaw, falls_exponentially_with_the_slip_to_one_over_its_sensitivity)
 TEST(AdhesionLaw, of_a_softening_interface_is_never_above_its_share_of_the_present_strength)
 {
   const material::Material soil = clay(5e3, 0);
-  const AdhesionLaw law = adhesion_law(skin(0.5, 2, 0.01), soil_of_one(soil));
+  const AdhesionLaw law = adhesion_law(skin(0.5, 2, 0.01), settings::soil_of_one(soil));
   const Real softened[3] = {10, 0, -0.8};
   EXPECT_NEAR(law.at(soil, softened, 0, 0), 500, 1e-9);
   EXPECT_NEAR(law.at(soil, softened, 1, 0), 500, 1e-9);
@@ -67,7 +68,7 @@ TEST(AdhesionLaw, of_an_adhesion_in_pascals_falls_too)
 {
   contact::ContactSettings contact = skin(0, 2, 0.01);
   contact.adhesion = 3e3;
-  const AdhesionLaw law = adhesion_law(contact, soil_of_one(clay(5e3, 0)));
+  const AdhesionLaw law = adhesion_law(contact, settings::soil_of_one(clay(5e3, 0)));
   EXPECT_TRUE(law.soils.empty());
   EXPECT_EQ(law.at(clay(5e3, 0), nullptr, 0, 0), 3e3);
   EXPECT_NEAR(law.at(clay(5e3, 0), nullptr, 1, 0), 1.5e3, 1e-9);
@@ -75,7 +76,7 @@ TEST(AdhesionLaw, of_an_adhesion_in_pascals_falls_too)
 
 TEST(MemoryOfParticles, is_there_for_the_contacts_that_need_it_and_follows_the_numbers_of_the_soil)
 {
-  Case c;
+  settings::Case c;
   material::Clay growing = clay(5e3, 0.1).get<material::Clay>();
   growing.undrained_strength_gradient = 1e3;
   c.material = {{"clay", growing}};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns of displacements, jumps, and records that are repeated.
-#include "problem/load_checks.hpp"
-#include "problem/symmetry.hpp"
 #include "sample_driver.hpp"
+#include "settings/load_checks.hpp"
+#include "settings/symmetry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,9 @@ Real zigzag(Real t, Real time_scale = 1)
   return s < 0.4003 ? 0.06 - 0.9 * (s - 0.3003) : -0.03;
 }
 
-StageSettings stage_with(StageKind kind, const std::vector<std::pair<const char*, Real>>& parts)
+settings::StageSettings stage_with(settings::StageKind kind, const std::vector<std::pair<const char*, Real>>& parts)
 {
-  StageSettings stage = stage_of(kind, "table");
+  settings::StageSettings stage = stage_of(kind, "table");
   stage.load_times = {0, 0.1003, 0.3003, 0.4003, 0.5};
   for (const auto& [key, part] : parts)
     for (const Real value : {0., 0., 0.06, -0.03, -0.03}) stage.loads.of(key).push_back(part * value);
@@ -46,7 +46,7 @@ Real since_begin(const Driver& run)
 
 TEST(DisplacementColumns, of_a_push_are_where_the_body_is_at_the_end_of_every_step)
 {
-  Driver run({push(0.7), stage_with(StageKind::push, {{"w_displacement", 1}})});
+  Driver run({push(0.7), stage_with(settings::StageKind::push, {{"w_displacement", 1}})});
   for (int n = 0; n < 50; ++n) step(run, n);
   run.next_stage();
   const Vec<2> begin = run.pipe.displacement;
@@ -61,7 +61,7 @@ TEST(DisplacementColumns, of_a_push_are_where_the_body_is_at_the_end_of_every_st
 
 TEST(DisplacementColumns, of_a_drag_are_both_at_the_end_of_every_step)
 {
-  Driver run({drag(0.7), stage_with(StageKind::drag, {{"u_displacement", 1}, {"w_displacement", -0.5}})});
+  Driver run({drag(0.7), stage_with(settings::StageKind::drag, {{"u_displacement", 1}, {"w_displacement", -0.5}})});
   for (int n = 0; n < 50; ++n) step(run, n);
   run.next_stage();
   const Vec<2> begin = run.pipe.displacement;
@@ -74,7 +74,7 @@ TEST(DisplacementColumns, of_a_drag_are_both_at_the_end_of_every_step)
 
 TEST(DisplacementColumns, of_a_drive_are_along_its_axes_and_about_it)
 {
-  Driver run({stage_with(StageKind::drive, {{"x_displacement", 2}, {"y_displacement", 1}, {"rotation_angle", -10}})});
+  Driver run({stage_with(settings::StageKind::drive, {{"x_displacement", 2}, {"y_displacement", 1}, {"rotation_angle", -10}})});
   for (int n = 0; since_begin(run) < 0.6; ++n) {
     step(run, n);
     const Real expected = zigzag(since_begin(run));
@@ -86,7 +86,7 @@ TEST(DisplacementColumns, of_a_drive_are_along_its_axes_and_about_it)
 
 TEST(DisplacementColumns, drive_the_point_of_a_drive_to_the_second_order_of_the_angle_of_a_step)
 {
-  StageSettings stage = stage_with(StageKind::drive, {{"x_displacement", 2}, {"y_displacement", 1}});
+  settings::StageSettings stage = stage_with(settings::StageKind::drive, {{"x_displacement", 2}, {"y_displacement", 1}});
   stage.drive.point = {1.1, 1.6};
   const Vec<2> arm(0.1, 0.3);
   for (const Real turn : {0., -10.}) {
@@ -106,7 +106,7 @@ TEST(DisplacementColumns, drive_the_point_of_a_drive_to_the_second_order_of_the_
 
 TEST(DisplacementColumns, keep_their_travel_where_the_time_is_scaled)
 {
-  StageSettings stage = stage_with(StageKind::drag, {{"u_displacement", 1}});
+  settings::StageSettings stage = stage_with(settings::StageKind::drag, {{"u_displacement", 1}});
   stage.time_scale = 0.25;
   Driver run({stage});
   for (int n = 0; since_begin(run) < 0.15; ++n) {
@@ -118,8 +118,8 @@ TEST(DisplacementColumns, keep_their_travel_where_the_time_is_scaled)
 
 TEST(DisplacementColumns, of_an_angle_in_space_turn_the_body_about_its_axis_by_it)
 {
-  Case c = pipe_over_box({stage_with(StageKind::drive, {{"z_displacement", 1}, {"rotation_y_angle", 20}})});
-  c.geometry = Geometry::space;
+  settings::Case c = pipe_over_box({stage_with(settings::StageKind::drive, {{"z_displacement", 1}, {"rotation_y_angle", 20}})});
+  c.geometry = settings::Geometry::space;
   mesh::BoxMesh box;
   box.size = {2, 2, 2};
   box.cells = {2, 2, 2};
@@ -142,55 +142,55 @@ TEST(DisplacementColumns, of_an_angle_in_space_turn_the_body_about_its_axis_by_i
 
 TEST(DisplacementColumns, are_not_of_a_part_of_the_whole_body)
 {
-  Case c = pipe_over_box({stage_with(StageKind::push, {{"w_displacement", 1}})});
+  settings::Case c = pipe_over_box({stage_with(settings::StageKind::push, {{"w_displacement", 1}})});
   c.symmetry = {"z"};
   EXPECT_EQ(part_of_whole(c).stage[0].loads.of("w_displacement"), c.stage[0].loads.of("w_displacement"));
 }
 
-std::string fault_of(const StageSettings& stage)
+std::string fault_of(const settings::StageSettings& stage)
 {
-  const Case c = pipe_over_box({stage});
+  const settings::Case c = pipe_over_box({stage});
   return fault_of_loads(c, stage);
 }
 
 TEST(DisplacementColumns, that_a_body_cannot_follow_are_refused)
 {
-  StageSettings stage = stage_with(StageKind::push, {{"w_displacement", 1}});
+  settings::StageSettings stage = stage_with(settings::StageKind::push, {{"w_displacement", 1}});
   EXPECT_EQ(fault_of(stage), "");
-  StageSettings late = stage;
+  settings::StageSettings late = stage;
   late.load_times[0] = 0.05;
   EXPECT_NE(fault_of(late).find(
                 "loads.w_displacement: w is the displacement since the start of the stage: its first row must be 0 at the time 0, "
                 "and is 0 m at 0.05 s"),
             std::string::npos)
       << fault_of(late);
-  StageSettings off = stage;
+  settings::StageSettings off = stage;
   off.loads.of("w_displacement")[0] = 0.01;
   EXPECT_NE(fault_of(off).find("and is 0.01 m at 0 s; take its first value from all"), std::string::npos) << fault_of(off);
-  StageSettings jump = stage;
+  settings::StageSettings jump = stage;
   jump.load_times[2] = jump.load_times[1];
   EXPECT_NE(fault_of(jump).find("loads.w_displacement: w jumps from 0 to 0.06 m at 0.1003 s: a body cannot"), std::string::npos);
   jump.loads.of("w_displacement")[2] = 0;
   EXPECT_EQ(fault_of(jump), "") << "another column may jump there";
-  StageSettings ramped = stage;
+  settings::StageSettings ramped = stage;
   ramped.ramp = 0.1;
   EXPECT_EQ(fault_of(ramped).find("ramp: is not for displacements"), 0u) << fault_of(ramped);
-  StageSettings by_force = drag(0.1, 0.1);
+  settings::StageSettings by_force = drag(0.1, 0.1);
   by_force.load_times = stage.load_times;
   by_force.loads.of("w_displacement") = stage.loads.of("w_displacement");
   EXPECT_EQ(fault_of(by_force), "") << "the ramp is that of the velocity along x";
-  StageSettings both = stage;
+  settings::StageSettings both = stage;
   both.loads.of("w").assign(5, 0);
   EXPECT_NE(fault_of(both).find("cannot be combined with w_displacement: a degree of freedom is driven in one way only"),
             std::string::npos);
-  Case elements = pipe_over_box({stage});
-  elements.method = Method::fem;
+  settings::Case elements = pipe_over_box({stage});
+  elements.method = settings::Method::fem;
   EXPECT_NE(fault_of_loads(elements, stage).find("not of velocities or displacements"), std::string::npos);
 }
 
 TEST(Jumps, of_a_force_act_from_their_time_on)
 {
-  StageSettings stage = stage_of(StageKind::drag, "blow");
+  settings::StageSettings stage = stage_of(settings::StageKind::drag, "blow");
   stage.load_times = {0, 0.1, 0.1, 0.2};
   stage.loads.of("H") = {10, 20, -5, -5};
   Driver run({stage});
@@ -204,7 +204,7 @@ TEST(Jumps, of_a_force_act_from_their_time_on)
 
 TEST(Jumps, of_velocities_and_factors_are_the_first_value_before_their_time_and_the_second_from_it_on)
 {
-  StageSettings stage = drag(0.2);
+  settings::StageSettings stage = drag(0.2);
   stage.load_times = {0, 0, 1, 1, 2, 2};
   stage.load_factors = {5, 0, 2, -1, -1, 3};
   EXPECT_EQ(load_factor(stage, 0), 0);
@@ -214,7 +214,7 @@ TEST(Jumps, of_velocities_and_factors_are_the_first_value_before_their_time_and_
   EXPECT_EQ(load_factor(stage, 1.999), -1);
   EXPECT_EQ(load_factor(stage, 2), 3);
   EXPECT_EQ(load_factor(stage, 9), 3);
-  StageSettings columns = stage_of(StageKind::drag, "columns");
+  settings::StageSettings columns = stage_of(settings::StageKind::drag, "columns");
   columns.load_times = {0, 1, 1, 2};
   columns.loads.of("u") = {0.1, 0.1, -0.3, -0.3};
   EXPECT_EQ(load_of_column(columns, 2, 0.99), 0.1);
@@ -223,7 +223,7 @@ TEST(Jumps, of_velocities_and_factors_are_the_first_value_before_their_time_and_
 
 TEST(Jumps, of_three_values_are_refused_and_of_finite_elements_all)
 {
-  StageSettings stage = drag(0.2);
+  settings::StageSettings stage = drag(0.2);
   stage.load_times = {0, 1, 1, 1};
   stage.load_factors = {0, 1, 2, 3};
   EXPECT_EQ(fault_of(stage).find("load_times: the time 1 s stands three times: twice is a jump"), 0u) << fault_of(stage);
@@ -233,17 +233,17 @@ TEST(Jumps, of_three_values_are_refused_and_of_finite_elements_all)
   EXPECT_EQ(fault_of(stage), "");
   stage.velocity.reset();
   stage.force = 100;
-  Case elements = pipe_over_box({stage});
-  elements.method = Method::fem;
+  settings::Case elements = pipe_over_box({stage});
+  elements.method = settings::Method::fem;
   EXPECT_EQ(fault_of_loads(elements, stage).find("load_times: the same time twice is a jump, and the finite element method"), 0u);
 }
 
 TEST(Repeat, runs_a_record_again_where_its_last_run_ended)
 {
-  StageSettings stage = drag(0.2);
+  settings::StageSettings stage = drag(0.2);
   stage.load_times = {0, 0.25, 0.75, 1};
   stage.load_factors = {0, 1, -1, 0};
-  const StageSettings once = stage;
+  const settings::StageSettings once = stage;
   stage.load_repeat = 3;
   repeat_load_history(stage);
   EXPECT_EQ(stage.load_repeat, 1);
@@ -255,7 +255,7 @@ TEST(Repeat, runs_a_record_again_where_its_last_run_ended)
 
 TEST(Repeat, jumps_where_the_record_does_not_end_as_it_begins)
 {
-  StageSettings stage = stage_of(StageKind::drag, "saw");
+  settings::StageSettings stage = stage_of(settings::StageKind::drag, "saw");
   stage.load_times = {0.5, 2};
   stage.loads.of("H") = {1, 4};
   stage.loads.of("V") = {7, 7};
@@ -264,7 +264,7 @@ TEST(Repeat, jumps_where_the_record_does_not_end_as_it_begins)
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0.5, 2, 2, 2.5, 4}));
   EXPECT_EQ(stage.loads.of("H"), (std::vector<Real>{1, 4, 1, 1, 4})) << "before its first row a record has that row's values";
   EXPECT_EQ(stage.loads.of("V"), (std::vector<Real>{7, 7, 7, 7, 7}));
-  StageSettings square = stage_of(StageKind::drag, "square");
+  settings::StageSettings square = stage_of(settings::StageKind::drag, "square");
   square.load_times = {0, 0, 1, 1, 2, 2};
   square.loads.of("H") = {0, 1, 1, -1, -1, 0};
   square.load_repeat = 2;
@@ -276,7 +276,7 @@ TEST(Repeat, jumps_where_the_record_does_not_end_as_it_begins)
 
 TEST(Repeat, of_a_displacement_needs_that_it_ends_where_it_began)
 {
-  StageSettings stage = stage_with(StageKind::drag, {{"u_displacement", 1}});
+  settings::StageSettings stage = stage_with(settings::StageKind::drag, {{"u_displacement", 1}});
   stage.load_repeat = 4;
   EXPECT_EQ(
       fault_of(stage).find("load_repeat: u_displacement ends at -0.03 m and begins again at 0, where the body cannot jump: add a row"), 0u)
@@ -285,7 +285,7 @@ TEST(Repeat, of_a_displacement_needs_that_it_ends_where_it_began)
   EXPECT_EQ(fault_of(stage), "");
   stage.loads.of("u_displacement").back() = 1e-17;  // a sine of a spreadsheet
   EXPECT_EQ(fault_of(stage), "");
-  const StageSettings once = stage;
+  const settings::StageSettings once = stage;
   repeat_load_history(stage);
   EXPECT_EQ(stage.load_times.size(), 17u);
   EXPECT_EQ(fault_of(stage), "");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "problem/loads.hpp"
+#include "settings/loads.hpp"
 
-#include "problem/load_checks.hpp"
-#include "problem/symmetry.hpp"
 #include "sample_driver.hpp"
+#include "settings/load_checks.hpp"
+#include "settings/symmetry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@ namespace berm::problem::this_file {
 namespace {
 
 /// A drag with columns at 0 s and 1 s.
-StageSettings drag_with(const std::vector<std::pair<const char*, std::vector<Real>>>& columns)
+settings::StageSettings drag_with(const std::vector<std::pair<const char*, std::vector<Real>>>& columns)
 {
-  StageSettings stage = stage_of(StageKind::drag, "storm");
+  settings::StageSettings stage = stage_of(settings::StageKind::drag, "storm");
   stage.load_times = {0, 1};
   for (const auto& [key, values] : columns) stage.loads.of(key) = values;
   return stage;
@@ -34,7 +34,7 @@ TEST(LoadColumns, drive_their_freedoms_together_linear_between_their_times)
 
 TEST(LoadColumns, begin_with_the_ramp_of_their_stage_from_the_force_that_was_there)
 {
-  StageSettings stage = drag_with({{"H", {10, 10}}, {"V", {100, 100}}});
+  settings::StageSettings stage = drag_with({{"H", {10, 10}}, {"V", {100, 100}}});
   stage.ramp = 0.1;
   Driver run({push(0), stage});
   run.soil_pushes({0, 40});
@@ -48,7 +48,7 @@ TEST(LoadColumns, begin_with_the_ramp_of_their_stage_from_the_force_that_was_the
 
 TEST(LoadColumns, of_velocities_keep_their_travel_where_the_time_is_scaled)
 {
-  StageSettings stage = drag_with({{"u", {0, 0.2}}, {"w", {0.1, 0.1}}});
+  settings::StageSettings stage = drag_with({{"u", {0, 0.2}}, {"w", {0.1, 0.1}}});
   for (const Real scale : {1., 0.25}) {
     stage.time_scale = scale;
     Driver run({stage});
@@ -61,42 +61,42 @@ TEST(LoadColumns, of_velocities_keep_their_travel_where_the_time_is_scaled)
 
 TEST(LoadColumns, leave_what_they_do_not_name_to_the_other_keys)
 {
-  StageSettings stage = drag_with({{"V", {50, 50}}});
+  settings::StageSettings stage = drag_with({{"V", {50, 50}}});
   stage.velocity = 0.2;
   const Axes<2> axes;
-  const StageDrives<2> drives = drives_of(stage, axes, false);
-  EXPECT_EQ(drives[0].by, FreedomDrive::By::velocity);
+  const settings::StageDrives<2> drives = drives_of(stage, axes, false);
+  EXPECT_EQ(drives[0].by, settings::FreedomDrive::By::velocity);
   EXPECT_EQ(drives[0].value, 0.2);
-  EXPECT_EQ(drives[1].by, FreedomDrive::By::force);
+  EXPECT_EQ(drives[1].by, settings::FreedomDrive::By::force);
   EXPECT_EQ(drives[1].value, -1) << "V is downwards";
   EXPECT_EQ(load_column_of(stage, axes, 0), none);
 }
 
 TEST(LoadColumns, of_a_part_of_the_whole_body_are_a_part_of_the_forces)
 {
-  Case c = pipe_over_box({drag_with({{"H", {8, 8}}, {"w", {8, 8}}})});
+  settings::Case c = pipe_over_box({drag_with({{"H", {8, 8}}, {"w", {8, 8}}})});
   c.symmetry = {"z"};
-  const Case part = part_of_whole(c);
+  const settings::Case part = part_of_whole(c);
   EXPECT_EQ(part.stage[0].loads.of("H"), (std::vector<Real>{4, 4}));
   EXPECT_EQ(part.stage[0].loads.of("w"), (std::vector<Real>{8, 8}));
 }
 
 TEST(LoadColumns, that_a_geometry_has_not_are_none)
 {
-  Case c = pipe_over_box({stage_of(StageKind::drive)});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::drive)});
   const auto keys = [&] {
     std::vector<std::string> found;
-    for (const std::size_t k : columns_for(c, c.stage[0])) found.emplace_back(load_columns[k].key);
+    for (const std::size_t k : columns_for(c, c.stage[0])) found.emplace_back(settings::load_columns[k].key);
     return found;
   };
   EXPECT_EQ(keys(), (std::vector<std::string>{"x_force", "x_velocity", "x_displacement", "y_force", "y_velocity", "y_displacement",
                                               "rotation_moment", "rotation_velocity", "rotation_angle"}));
-  c.geometry = Geometry::axisymmetric;
+  c.geometry = settings::Geometry::axisymmetric;
   EXPECT_EQ(keys(), (std::vector<std::string>{"y_force", "y_velocity", "y_displacement"}));
-  c.geometry = Geometry::space;
+  c.geometry = settings::Geometry::space;
   c.symmetry = {"x", "z"};
   EXPECT_EQ(keys(), (std::vector<std::string>{"y_force", "y_velocity", "y_displacement"}));
-  c.stage[0].kind = StageKind::push;
+  c.stage[0].kind = settings::StageKind::push;
   EXPECT_EQ(keys(), (std::vector<std::string>{"V", "w", "w_displacement"}));
 }
 

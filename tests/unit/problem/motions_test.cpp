@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Supports that move what their mesh does not let them move, and heads at boundaries that give way.
-#include "problem/motions.hpp"
 
 #include "mesh/box.hpp"
 #include "os/error.hpp"
@@ -13,9 +12,9 @@ namespace berm::problem::this_file {
 namespace {
 
 /// An elastic box on a base that moves along an axis.
-Case box_on_moving_base(std::size_t axis)
+settings::Case box_on_moving_base(std::size_t axis)
 {
-  Case c = pipe_over_box({stage_of(StageKind::free, "quake")});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::free, "quake")});
   c.rigid.clear();
   boundary::SupportSettings base{"bottom", {"x", "y"}};
   base.motion.emplace();
@@ -26,7 +25,7 @@ Case box_on_moving_base(std::size_t axis)
   return c;
 }
 
-Model<2> model_of(const Case& c)
+Model<2> model_of(const settings::Case& c)
 {
   return make_model<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
 }
@@ -39,7 +38,7 @@ std::string mover_of(const Model<2>& model, Index stage, Index node, int axis)
   return row == none ? "" : model.conditions.rows[row].name;
 }
 
-std::string refusal_of(const Case& c)
+std::string refusal_of(const settings::Case& c)
 {
   try {
     model_of(c);
@@ -61,32 +60,32 @@ TEST(Motions, move_the_nodes_of_their_boundary_along_their_axis_alone)
 
 TEST(Motions, cost_nothing_where_there_are_none)
 {
-  Case c = box_on_moving_base(0);
+  settings::Case c = box_on_moving_base(0);
   c.support[0].second.motion.reset();
   EXPECT_TRUE(model_of(c).conditions.in_stage(0).moved.empty());
 }
 
 TEST(Motions, around_an_axis_are_not_along_the_radius_at_the_axis)
 {
-  Case c = box_on_moving_base(0);
-  c.geometry = Geometry::axisymmetric;
+  settings::Case c = box_on_moving_base(0);
+  c.geometry = settings::Geometry::axisymmetric;
   EXPECT_NE(refusal_of(c).find("support.base.motion.x: is along the radius, and the boundary touches the axis"), std::string::npos);
   c = box_on_moving_base(1);
-  c.geometry = Geometry::axisymmetric;
+  c.geometry = settings::Geometry::axisymmetric;
   EXPECT_EQ(refusal_of(c), "");
 }
 
 TEST(Motions, of_two_supports_at_one_boundary_in_one_stage_are_refused)
 {
-  Case c = box_on_moving_base(0);
+  settings::Case c = box_on_moving_base(0);
   c.support.emplace_back("again", c.support[0].second);
   EXPECT_NE(refusal_of(c).find("support.again.motion: [support.base] moves the same boundary"), std::string::npos);
 }
 
 TEST(Motions, of_two_supports_at_one_boundary_take_turns)
 {
-  Case c = box_on_moving_base(0);
-  c.stage.push_back(stage_of(StageKind::free, "aftershock"));
+  settings::Case c = box_on_moving_base(0);
+  c.stage.push_back(stage_of(settings::StageKind::free, "aftershock"));
   c.support.emplace_back("again", c.support[0].second);
   c.support[1].second.motion->stages = {"aftershock"};
   const Model<2> model = model_of(c);
@@ -97,7 +96,7 @@ TEST(Motions, of_two_supports_at_one_boundary_take_turns)
 
 TEST(Heads, of_boundaries_that_go_on_in_one_line_are_refused)
 {
-  Case c = box_on_moving_base(0);
+  settings::Case c = box_on_moving_base(0);
   c.support[0].second.motion.reset();
   c.support[0].second.drained = true;
   c.support[0].second.head = 1;
@@ -118,7 +117,7 @@ TEST(Heads, of_boundaries_that_go_on_in_one_line_are_refused)
 
 TEST(Heads, need_a_support_that_holds_the_soil_along_the_normal)
 {
-  Case c = box_on_moving_base(0);
+  settings::Case c = box_on_moving_base(0);
   c.support[0].second.motion.reset();
   c.support[0].second.drained = true;
   c.support[0].second.head = 1;

@@ -22,9 +22,10 @@ bodies::RigidSettings disk(Real x, Real y, Real mass)
 }
 
 /// Two bodies, "left" and "right", far above an elastic box.
-Case two_bodies(const bodies::RigidSettings& left, const bodies::RigidSettings& right, Real friction_angle = 0, Real restitution = 0)
+settings::Case two_bodies(const bodies::RigidSettings& left, const bodies::RigidSettings& right, Real friction_angle = 0,
+                          Real restitution = 0)
 {
-  Case c = pipe_over_box({stage_of(StageKind::free)});
+  settings::Case c = pipe_over_box({stage_of(settings::StageKind::free)});
   c.rigid = {{"left", left}, {"right", right}};
   c.rigid_contact = {{"proximity", {"left", "right", friction_angle, restitution}}};
   return c;
@@ -36,7 +37,7 @@ struct Flight {
   Model<2>& model = problem.model;
   State<2>& state = problem.state;
 
-  explicit Flight(const Case& c) : problem(build<2>(c, ".", ".")) { state.dt = step_size; }
+  explicit Flight(const settings::Case& c) : problem(build<2>(c, ".", ".")) { state.dt = step_size; }
   bodies::RigidState<2>& body(int k) { return state.rigid_bodies[k]; }
   Real mass(int k) const { return model.rigid_bodies[k].mass; }
   void run(int steps)
@@ -82,9 +83,9 @@ TEST(RigidContact, of_two_disks_head_on_keeps_momentum_and_has_the_restitution_a
 }
 
 /// Three disks in a row, of which the first flies at the others.
-Case three_in_a_row(const std::array<Real, 3>& masses, Real gap, Real restitution)
+settings::Case three_in_a_row(const std::array<Real, 3>& masses, Real gap, Real restitution)
 {
-  Case c = two_bodies(disk(0.5, 3, masses[0]), disk(0.705, 3, masses[1]), 0, restitution);
+  settings::Case c = two_bodies(disk(0.5, 3, masses[0]), disk(0.705, 3, masses[1]), 0, restitution);
   c.rigid.push_back({"last", disk(0.905 + gap, 3, masses[2])});
   c.rigid_contact.push_back({"next", {"right", "last", 0, restitution}});
   return c;
@@ -130,7 +131,7 @@ TEST(RigidContact, of_three_in_a_row_keeps_the_energy_of_collisions_within_one_s
 // Bodies that bounce rest on each other all the same: the weight of a step is no collision.
 TEST(RigidContact, bears_a_stack_of_disks_that_bounce)
 {
-  Case c = two_bodies(disk(1, 3.1, 2), disk(1, 3.3, 3), 0, 0.5);
+  settings::Case c = two_bodies(disk(1, 3.1, 2), disk(1, 3.3, 3), 0, 0.5);
   c.rigid.push_back({"floor", {}});
   c.rigid.back().second.shape = bodies::HalfPlaneSettings{{1, 3}, {0, 1}};
   c.rigid_contact.push_back({"ground", {"left", "floor", 0, 0.5}});
@@ -144,7 +145,7 @@ TEST(RigidContact, bears_a_stack_of_disks_that_bounce)
 // A disk that flies to and fro between two walls, many times in a step, goes through neither.
 TEST(RigidContact, holds_a_disk_between_walls_that_it_hits_many_times_in_a_step)
 {
-  Case c = two_bodies(disk(1, 3, 2), disk(0, 0, 1), 0, 1);
+  settings::Case c = two_bodies(disk(1, 3, 2), disk(0, 0, 1), 0, 1);
   c.rigid[1].second = {};
   c.rigid[1].second.shape = bodies::HalfPlaneSettings{{0.8999, 3}, {1, 0}};
   c.rigid.push_back({"wall", {}});
@@ -189,10 +190,10 @@ TEST(RigidContact, rubs_by_coulombs_law_and_sticks_where_friction_is_enough)
 TEST(RigidContact, lets_a_driven_body_push_a_free_one_along_and_counts_its_work)
 {
   for (const bodies::Motion motion : {bodies::Motion::driven, bodies::Motion::free}) {
-    Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
-    StageSettings drag = stage_of(StageKind::drag);
+    settings::Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
+    settings::StageSettings drag = stage_of(settings::StageKind::drag);
     drag.velocity = 0.5;
-    drag.vertical = Vertical::fixed;
+    drag.vertical = settings::Vertical::fixed;
     drag.rigid = "left";
     c.rigid[0].second.motion = motion;
     c.rigid[0].second.rotation = bodies::Rotation::fixed;
@@ -224,7 +225,7 @@ bodies::RigidSettings floor_under(Real angle)
 
 TEST(RigidContact, bears_a_box_at_rest_on_two_corners)
 {
-  Case c = two_bodies(box_on_floor(1, 3.1), floor_under(0), std::atan(0.5));
+  settings::Case c = two_bodies(box_on_floor(1, 3.1), floor_under(0), std::atan(0.5));
   c.gravity = {0, -10};
   Flight flight(c);
   flight.run(5000);
@@ -237,7 +238,7 @@ TEST(RigidContact, bears_a_box_at_rest_on_two_corners)
 TEST(RigidContact, lets_a_box_slide_down_a_slope_as_friction_has_it)
 {
   for (const Real mu : {0.2, 0.6}) {
-    Case c = two_bodies(box_on_floor(1, 3.1), floor_under(0), std::atan(mu));
+    settings::Case c = two_bodies(box_on_floor(1, 3.1), floor_under(0), std::atan(mu));
     c.gravity = {10 * std::sin(0.4), -10 * std::cos(0.4)};
     c.rigid[0].second.shape = bodies::BoxSettings{{1, 3.02}, {0.4, 0.04}};
     Flight flight(c);
@@ -250,11 +251,11 @@ TEST(RigidContact, lets_a_box_slide_down_a_slope_as_friction_has_it)
 
 TEST(RigidContact, stops_the_run_where_neither_body_gives_way)
 {
-  Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
-  StageSettings drag = stage_of(StageKind::drag);
+  settings::Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
+  settings::StageSettings drag = stage_of(settings::StageKind::drag);
   drag.velocity = 0.5;
   drag.rigid = "left";
-  drag.vertical = Vertical::fixed;
+  drag.vertical = settings::Vertical::fixed;
   for (auto& [name, rigid] : c.rigid) rigid.motion = bodies::Motion::driven;
   c.stage = {drag};
   Flight flight(c);
@@ -264,7 +265,7 @@ TEST(RigidContact, stops_the_run_where_neither_body_gives_way)
 
 TEST(RigidContact, is_asked_for_where_bodies_without_one_come_to_overlap)
 {
-  Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
+  settings::Case c = two_bodies(disk(0.5, 3, 2), disk(0.8, 3, 3));
   c.rigid_contact.clear();
   Flight flight(c);
   flight.body(0).velocity = {1, 0};
@@ -276,9 +277,9 @@ TEST(RigidContact, is_asked_for_where_bodies_without_one_come_to_overlap)
 
 TEST(RigidContact, refuses_bodies_that_overlap_at_the_start)
 {
-  const Case with = two_bodies(disk(0.5, 3, 2), disk(0.69, 3, 3));
+  const settings::Case with = two_bodies(disk(0.5, 3, 2), disk(0.69, 3, 3));
   EXPECT_THROW(build<2>(with, ".", "."), KeyError);
-  Case without = with;
+  settings::Case without = with;
   without.rigid_contact.clear();
   EXPECT_THROW(build<2>(without, ".", "."), KeyError);
   for (auto& [name, rigid] : without.rigid) rigid.motion = bodies::Motion::driven;

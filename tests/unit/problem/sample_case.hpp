@@ -7,9 +7,9 @@
 
 namespace berm::problem {
 
-inline StageSettings stage_of(StageKind kind, const char* name = "stage")
+inline settings::StageSettings stage_of(settings::StageKind kind, const char* name = "stage")
 {
-  StageSettings stage;
+  settings::StageSettings stage;
   stage.name = name;
   stage.kind = kind;
   stage.until.time = 1e9;
@@ -17,9 +17,9 @@ inline StageSettings stage_of(StageKind kind, const char* name = "stage")
 }
 
 /// An elastic box of 2 m x 1 m with a pipe of 0.4 m, 2 kg/m, whose invert is 0.1 m above the surface y = 1 m.
-inline Case pipe_over_box(std::vector<StageSettings> stages)
+inline settings::Case pipe_over_box(std::vector<settings::StageSettings> stages)
 {
-  Case c;
+  settings::Case c;
   mesh::BoxMesh box;
   box.size = {2, 2};
   box.cells = {4, 4};

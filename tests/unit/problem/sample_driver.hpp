@@ -12,7 +12,7 @@ struct Driver {
   Problem<2> problem;
   bodies::RigidState<2>& pipe;
 
-  explicit Driver(std::vector<StageSettings> stages)
+  explicit Driver(std::vector<settings::StageSettings> stages)
       : problem(build<2>(pipe_over_box(std::move(stages)), ".", ".")),
         pipe(problem.state.rigid_bodies[0])
   {
@@ -37,16 +37,16 @@ struct Driver {
   Real w() const { return travel_of(problem.model, problem.state, 0).w; }
 };
 
-inline StageSettings push(Real velocity, Real ramp = 0)
+inline settings::StageSettings push(Real velocity, Real ramp = 0)
 {
-  StageSettings stage = stage_of(StageKind::push, "push");
+  settings::StageSettings stage = stage_of(settings::StageKind::push, "push");
   stage.velocity = velocity;
   stage.ramp = ramp;
   return stage;
 }
-inline StageSettings drag(Real velocity, Real ramp = 0)
+inline settings::StageSettings drag(Real velocity, Real ramp = 0)
 {
-  StageSettings stage = stage_of(StageKind::drag, "drag");
+  settings::StageSettings stage = stage_of(settings::StageKind::drag, "drag");
   stage.velocity = velocity;
   stage.ramp = ramp;
   return stage;

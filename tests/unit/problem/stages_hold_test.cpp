@@ -44,7 +44,7 @@ TEST(Hold, is_of_the_force_at_the_end_of_a_push_whatever_the_step)
 
 TEST(Hold, of_a_moment_is_of_that_without_its_chatter)
 {
-  StageSettings turn = stage_of(StageKind::drive), more = stage_of(StageKind::drive);
+  settings::StageSettings turn = stage_of(settings::StageKind::drive), more = stage_of(settings::StageKind::drive);
   turn.drive.rotation.velocity = 0.1;
   more.drive.rotation.moment = 80;
   Driver run({turn, more});

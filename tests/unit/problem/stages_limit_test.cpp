@@ -7,9 +7,9 @@
 namespace berm::problem::this_file {
 namespace {
 
-StageSettings push_by_force(Real force, Real ramp)
+settings::StageSettings push_by_force(Real force, Real ramp)
 {
-  StageSettings stage = stage_of(StageKind::push, "unload");
+  settings::StageSettings stage = stage_of(settings::StageKind::push, "unload");
   stage.force = force;
   stage.ramp = ramp;
   return stage;
@@ -19,7 +19,7 @@ StageSettings push_by_force(Real force, Real ramp)
 Real beyond_limit(Real n, Real w, Real velocity)
 {
   constexpr Real limit = 500, surface = 0.02;  // N/m; m that the push goes before it touches
-  StageSettings stage = push(velocity, 0.02);
+  settings::StageSettings stage = push(velocity, 0.02);
   stage.until = {};
   stage.until.force = limit;
   Driver run({stage});
@@ -51,7 +51,7 @@ TEST(Stage, ends_within_two_percent_of_its_limit_of_force_however_stiff_the_soil
 
 TEST(Stage, with_a_limit_of_force_keeps_its_velocity_where_the_limit_is_far)
 {
-  StageSettings stage = push(0.1);
+  settings::StageSettings stage = push(0.1);
   stage.until.force = 500;
   Driver run({stage});
   run.problem.model.rigid_bodies[0].fading = {infinity, 0.1};
@@ -65,7 +65,7 @@ TEST(Stage, with_a_limit_of_force_keeps_its_velocity_where_the_limit_is_far)
 
 TEST(Stage, that_lifts_its_body_ends_where_w_has_fallen_to_its_embedment)
 {
-  StageSettings stage = push(-0.5);
+  settings::StageSettings stage = push(-0.5);
   stage.until = {};
   stage.until.embedment = 0.07;
   Driver run({push(0.5), stage});
@@ -80,7 +80,7 @@ TEST(Stage, that_lifts_its_body_ends_where_w_has_fallen_to_its_embedment)
 TEST(Stage, that_lifts_its_body_ends_where_V_has_fallen_to_its_force)
 {
   for (const Real limit : {25., -25.}) {
-    StageSettings up = push(-0.5);
+    settings::StageSettings up = push(-0.5);
     up.until = {};
     up.until.force = limit;
     Driver run({push(0.5), up});
@@ -96,7 +96,7 @@ TEST(Stage, that_lifts_its_body_ends_where_V_has_fallen_to_its_force)
 
 TEST(Stage, that_unloads_by_a_force_ends_where_V_has_fallen_to_its_limit)
 {
-  StageSettings unload = push_by_force(20, 0.1);
+  settings::StageSettings unload = push_by_force(20, 0.1);
   unload.until = {};
   unload.until.force = 50;
   Driver run({push(0.5), unload});
@@ -110,7 +110,7 @@ TEST(Stage, that_unloads_by_a_force_ends_where_V_has_fallen_to_its_limit)
 
 TEST(Stage, counts_a_displacement_along_its_velocity)
 {
-  StageSettings back = drag(-0.2, 0.2);
+  settings::StageSettings back = drag(-0.2, 0.2);
   back.until = {};
   back.until.displacement = 0.005;
   Driver run({drag(0.2), back});

@@ -7,9 +7,9 @@
 namespace berm::problem::this_file {
 namespace {
 
-StageSettings push_by_force(Real force, Real ramp)
+settings::StageSettings push_by_force(Real force, Real ramp)
 {
-  StageSettings stage = stage_of(StageKind::push, "unload");
+  settings::StageSettings stage = stage_of(settings::StageKind::push, "unload");
   stage.force = force;
   stage.ramp = ramp;
   return stage;
@@ -17,10 +17,10 @@ StageSettings push_by_force(Real force, Real ramp)
 
 TEST(Push, after_a_drag_stands_still_along_x_at_once_whatever_its_ramp)
 {
-  StageSettings hold = stage_of(StageKind::drive, "rest");
+  settings::StageSettings hold = stage_of(settings::StageKind::drive, "rest");
   hold.drive.y.hold = true;
   hold.ramp = 0.1;
-  for (const StageSettings& stage : {push_by_force(30, 0.1), push(0.1, 0.1), hold}) {
+  for (const settings::StageSettings& stage : {push_by_force(30, 0.1), push(0.1, 0.1), hold}) {
     Driver run({drag(0.3), stage});
     for (int n = 0; n < 10; ++n) run.step();
     run.soil_pushes({-20, 70});

@@ -25,7 +25,7 @@ TEST(Push, without_a_ramp_moves_at_once)
 
 TEST(Push, by_force_begins_with_the_force_that_balances_the_soil)
 {
-  StageSettings by_force = stage_of(StageKind::push, "force");
+  settings::StageSettings by_force = stage_of(settings::StageKind::push, "force");
   by_force.force = 300;
   by_force.ramp = 0.1;
   Driver run({push(0.5), by_force});
@@ -78,7 +78,7 @@ TEST(Drag, holds_the_vertical_force_of_the_moment_when_it_begins)
 
 TEST(Drag, holds_the_force_that_drove_the_body_before)
 {
-  StageSettings first = drag(0.2);
+  settings::StageSettings first = drag(0.2);
   first.vertical_force = 50;
   Driver run({first, drag(-0.2)});
   run.step();
@@ -91,7 +91,7 @@ TEST(Drag, holds_the_force_that_drove_the_body_before)
 
 TEST(Drag, holds_the_end_of_the_load_history_that_pushed_the_body)
 {
-  StageSettings falling = push(0);
+  settings::StageSettings falling = push(0);
   falling.velocity.reset();
   falling.force = 100;
   falling.load_times = {0, 10 * dt};
@@ -105,7 +105,7 @@ TEST(Drag, holds_the_end_of_the_load_history_that_pushed_the_body)
 
 TEST(Drag, follows_its_load_history_along_x_alone)
 {
-  StageSettings storm = drag(0.2);
+  settings::StageSettings storm = drag(0.2);
   storm.vertical_force = 50;
   storm.load_times = {0, 10 * dt};
   storm.load_factors = {0, 1};
@@ -120,7 +120,7 @@ TEST(Drag, follows_its_load_history_along_x_alone)
 
 TEST(Drag, goes_to_another_vertical_force_over_the_ramp)
 {
-  StageSettings lighter = drag(0.2, 0.1);
+  settings::StageSettings lighter = drag(0.2, 0.1);
   lighter.vertical_force = 20;
   Driver run({push(0), lighter});
   run.step();
@@ -135,8 +135,8 @@ TEST(Drag, goes_to_another_vertical_force_over_the_ramp)
 
 TEST(Drag, with_the_vertical_fixed_stops_the_vertical_motion_over_the_ramp)
 {
-  StageSettings level = drag(0.2, 0.1);
-  level.vertical = Vertical::fixed;
+  settings::StageSettings level = drag(0.2, 0.1);
+  level.vertical = settings::Vertical::fixed;
   Driver run({push(0.5), level});
   run.step();
   run.soil_pushes({0, 70});
@@ -149,7 +149,7 @@ TEST(Drag, with_the_vertical_fixed_stops_the_vertical_motion_over_the_ramp)
 
 TEST(Drag, with_a_vertical_velocity_reaches_it_over_the_ramp_whatever_the_soil_does)
 {
-  StageSettings slanted = drag(0.2, 0.1);
+  settings::StageSettings slanted = drag(0.2, 0.1);
   slanted.vertical_velocity = 0.05;
   Driver run({push(0.5), slanted});
   run.step();
@@ -163,7 +163,7 @@ TEST(Drag, with_a_vertical_velocity_reaches_it_over_the_ramp_whatever_the_soil_d
 
 TEST(Drag, by_force_moves_the_body_by_its_mass_and_what_the_soil_leaves)
 {
-  StageSettings by_force = stage_of(StageKind::drag, "drag");
+  settings::StageSettings by_force = stage_of(settings::StageKind::drag, "drag");
   by_force.force = 50;
   Driver run({by_force});
   run.soil_pushes({-30, 0});
@@ -173,7 +173,7 @@ TEST(Drag, by_force_moves_the_body_by_its_mass_and_what_the_soil_leaves)
 
 TEST(Drag, along_minus_x_meets_a_positive_resistance)
 {
-  StageSettings back = drag(-0.2);
+  settings::StageSettings back = drag(-0.2);
   back.until = {};
   back.until.force = 40;
   Driver run({back});
@@ -185,7 +185,7 @@ TEST(Drag, along_minus_x_meets_a_positive_resistance)
   run.soil_pushes({40, 0});
   EXPECT_TRUE(run.ended());
 
-  StageSettings pulled = stage_of(StageKind::drag, "pulled");
+  settings::StageSettings pulled = stage_of(settings::StageKind::drag, "pulled");
   pulled.force = -5;
   EXPECT_EQ(drag_direction(Driver({pulled}).problem.model, Driver({pulled}).problem.state), -1);
   EXPECT_EQ(drag_direction(Driver({drag(0.2)}).problem.model, Driver({drag(0.2)}).problem.state), 1);
@@ -194,7 +194,7 @@ TEST(Drag, along_minus_x_meets_a_positive_resistance)
 
 TEST(Stage, ends_after_its_time)
 {
-  StageSettings stage = push(0.5);
+  settings::StageSettings stage = push(0.5);
   stage.until.time = 0.1;
   Driver run({stage, stage});
   for (const int begun_at : {0, 100}) {  // the second counts from its own beginning
@@ -209,7 +209,7 @@ TEST(Stage, ends_after_its_time)
 TEST(Stage, ends_after_its_horizontal_travel_in_either_direction)
 {
   for (const Real velocity : {0.5, -0.5}) {
-    StageSettings stage = drag(velocity);
+    settings::StageSettings stage = drag(velocity);
     stage.until = {};
     stage.until.displacement = 0.02;
     Driver run({drag(0.1), stage});
@@ -223,7 +223,7 @@ TEST(Stage, ends_after_its_horizontal_travel_in_either_direction)
 
 TEST(Stage, ends_at_its_embedment_below_the_surface)
 {
-  StageSettings stage = push(0.5);
+  settings::StageSettings stage = push(0.5);
   stage.until = {};
   stage.until.embedment = 0.02;
   Driver run({stage});
@@ -236,7 +236,7 @@ TEST(Stage, ends_at_its_embedment_below_the_surface)
 
 TEST(Stage, ends_at_its_force)
 {
-  StageSettings down = push(0.5), along = drag(0.5);
+  settings::StageSettings down = push(0.5), along = drag(0.5);
   down.until = along.until = {};
   down.until.force = along.until.force = 25;
   Driver pushed({down}), dragged({along});
@@ -252,7 +252,7 @@ TEST(Stage, ends_at_its_force)
 
 TEST(Stage, moves_no_rigid_body_where_it_drives_none)
 {
-  for (const StageKind kind : {StageKind::free, StageKind::geostatic}) {
+  for (const settings::StageKind kind : {settings::StageKind::free, settings::StageKind::geostatic}) {
     Driver run({push(0.5), stage_of(kind)});
     run.step();
     run.next_stage();
@@ -263,9 +263,9 @@ TEST(Stage, moves_no_rigid_body_where_it_drives_none)
   }
 }
 
-Case free_pipe(std::vector<StageSettings> stages)
+settings::Case free_pipe(std::vector<settings::StageSettings> stages)
 {
-  Case c = pipe_over_box(std::move(stages));
+  settings::Case c = pipe_over_box(std::move(stages));
   c.gravity = {3, -10};
   c.rigid[0].second.motion = bodies::Motion::free;
   return c;
@@ -273,7 +273,7 @@ Case free_pipe(std::vector<StageSettings> stages)
 
 TEST(FreeBody, moves_by_its_weight_and_the_force_of_the_soil)
 {
-  auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
+  auto problem = build<2>(free_pipe({stage_of(settings::StageKind::free)}), ".", ".");
   bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   pipe.velocity = {1, 2};
   pipe.reaction = {8, 12};  // 4 and 6 m/s2 of its 2 kg/m
@@ -284,7 +284,7 @@ TEST(FreeBody, moves_by_its_weight_and_the_force_of_the_soil)
 
 TEST(FreeBody, rests_in_a_geostatic_stage_and_follows_the_drive_of_a_stage)
 {
-  auto problem = build<2>(free_pipe({stage_of(StageKind::geostatic), drag(0.2)}), ".", ".");
+  auto problem = build<2>(free_pipe({stage_of(settings::StageKind::geostatic), drag(0.2)}), ".", ".");
   bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   pipe.reaction = {8, 12};
   pipe.recent = bodies::RecentReaction<2>::steady(pipe.reaction, 0);
@@ -298,7 +298,7 @@ TEST(FreeBody, rests_in_a_geostatic_stage_and_follows_the_drive_of_a_stage)
 
 TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_from_within)
 {
-  auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
+  auto problem = build<2>(free_pipe({stage_of(settings::StageKind::free)}), ".", ".");
   bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   Real of_weight = 0;
   for (int n = 0; n < 100; ++n) {
@@ -313,7 +313,7 @@ TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_fro
 
 TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_stopped)
 {
-  auto problem = build<2>(free_pipe({drag(0.2, 0.1), stage_of(StageKind::geostatic)}), ".", ".");
+  auto problem = build<2>(free_pipe({drag(0.2, 0.1), stage_of(settings::StageKind::geostatic)}), ".", ".");
   bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   for (int n = 0; n < 150; ++n) {
     drive_rigids(problem.model, problem.state, dt);
@@ -327,14 +327,14 @@ TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_sto
   EXPECT_NEAR(problem.state.ledger.totals.external, 0, 1e-14);
 }
 
-StageSettings drive()
+settings::StageSettings drive()
 {
-  return stage_of(StageKind::drive, "drive");
+  return stage_of(settings::StageKind::drive, "drive");
 }
 
 TEST(Drive, of_each_freedom_does_what_it_says)
 {
-  StageSettings stage = drive();
+  settings::StageSettings stage = drive();
   stage.drive.x.velocity = -0.3;
   stage.drive.y.force = -50;
   stage.drive.rotation.velocity = 2;
@@ -347,7 +347,7 @@ TEST(Drive, of_each_freedom_does_what_it_says)
 
 TEST(Drive, by_a_moment_turns_by_the_inertia_and_a_freedom_that_is_left_out_is_fixed)
 {
-  StageSettings stage = drive();
+  settings::StageSettings stage = drive();
   stage.drive.rotation.moment = 0.3;
   Driver run({stage});
   run.soil_pushes({7, 9});
@@ -359,7 +359,7 @@ TEST(Drive, by_a_moment_turns_by_the_inertia_and_a_freedom_that_is_left_out_is_f
 
 TEST(Drive, holds_the_force_that_balances_the_soil_when_it_begins)
 {
-  StageSettings stage = drive();
+  settings::StageSettings stage = drive();
   stage.drive.y.hold = true;
   Driver run({push(0.5), stage});
   run.soil_pushes({0, 80});
@@ -375,14 +375,14 @@ TEST(Drive, holds_the_force_that_balances_the_soil_when_it_begins)
 TEST(Drive, is_what_push_and_drag_are_short_for)
 {
   const Axes<2> axes;
-  const auto same = [&](const StageSettings& a, const StageSettings& b) {
-    const StageDrives<2> one = drives_of(a, axes, false), other = drives_of(b, axes, false);
+  const auto same = [&](const settings::StageSettings& a, const settings::StageSettings& b) {
+    const settings::StageDrives<2> one = drives_of(a, axes, false), other = drives_of(b, axes, false);
     for (std::size_t f = 0; f < one.size(); ++f) {
       EXPECT_EQ(one[f].by, other[f].by) << f;
       EXPECT_EQ(one[f].value, other[f].value) << f;
     }
   };
-  StageSettings down = drive(), along = drive();
+  settings::StageSettings down = drive(), along = drive();
   down.drive.y.velocity = -0.5;
   same(push(0.5), down);
   along.drive.x.velocity = 0.2;
@@ -393,22 +393,22 @@ TEST(Drive, is_what_push_and_drag_are_short_for)
 TEST(Drive, turns_the_body_of_a_push_or_a_drag_as_well)
 {
   const Axes<2> axes;
-  for (StageSettings stage : {push(0.5), drag(0.2)}) {
-    EXPECT_EQ(drives_of(stage, axes, true)[2].by, FreedomDrive::By::free) << "as [rigid] says";
+  for (settings::StageSettings stage : {push(0.5), drag(0.2)}) {
+    EXPECT_EQ(drives_of(stage, axes, true)[2].by, settings::FreedomDrive::By::free) << "as [rigid] says";
     stage.drive.rotation.spring = 3;
-    const StageDrives<2> sprung = drives_of(stage, axes, false);
-    EXPECT_EQ(sprung[2].by, FreedomDrive::By::force);
+    const settings::StageDrives<2> sprung = drives_of(stage, axes, false);
+    EXPECT_EQ(sprung[2].by, settings::FreedomDrive::By::force);
     EXPECT_EQ(sprung[2].value, 0);
     EXPECT_EQ(sprung[2].spring, 3);
     stage.drive.rotation = {};
     stage.drive.rotation.fixed = true;
-    EXPECT_EQ(drives_of(stage, axes, true)[2].by, FreedomDrive::By::velocity);
+    EXPECT_EQ(drives_of(stage, axes, true)[2].by, settings::FreedomDrive::By::velocity);
   }
 }
 
 TEST(Drive, ends_at_a_distance_whatever_its_direction)
 {
-  StageSettings stage = drive();
+  settings::StageSettings stage = drive();
   stage.drive.x.velocity = 3;
   stage.drive.y.velocity = 4;
   stage.until = {};
@@ -438,7 +438,7 @@ TEST(Axes, are_against_gravity_along_the_nearest_axis)
 
 TEST(Axes, a_push_goes_down_and_its_embedment_is_along_gravity)
 {
-  Case c = pipe_over_box({push(0.5)});
+  settings::Case c = pipe_over_box({push(0.5)});
   c.gravity = {10, 0};  // down is +x, so the pipe's invert is its point of largest x
   auto problem = build<2>(c, ".", ".");
   EXPECT_NEAR(travel_of(problem.model, problem.state, 0).w, 1.2 - 1, 1e-15);  // the surface is x = 1 then
@@ -448,7 +448,7 @@ TEST(Axes, a_push_goes_down_and_its_embedment_is_along_gravity)
 
 TEST(FreeRotation, follows_the_moment_of_the_soil_and_the_inertia)
 {
-  Case c = pipe_over_box({drag(0.2), stage_of(StageKind::free)});
+  settings::Case c = pipe_over_box({drag(0.2), stage_of(settings::StageKind::free)});
   c.rigid[0].second.rotation = bodies::Rotation::free;
   auto problem = build<2>(c, ".", ".");
   bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
@@ -462,7 +462,7 @@ TEST(FreeRotation, follows_the_moment_of_the_soil_and_the_inertia)
 
 TEST(Stage, drives_the_rigid_body_that_it_names_alone)
 {
-  Case c = pipe_over_box({push(0.5)});
+  settings::Case c = pipe_over_box({push(0.5)});
   c.rigid.push_back(c.rigid[0]);
   c.rigid[1].first = "other";
   c.rigid[1].second.shape = bodies::CircleSettings{{1.5, 1.3}, 0.4};
@@ -475,20 +475,20 @@ TEST(Stage, drives_the_rigid_body_that_it_names_alone)
 
 TEST(Stage, expected_time_follows_from_travel_speed_and_ramp)
 {
-  StageSettings stage = push(0.5, 0.2);
+  settings::StageSettings stage = push(0.5, 0.2);
   stage.until = {};
   stage.until.embedment = 0.1;
   EXPECT_NEAR(expected_time(stage), 0.3, 1e-15);
   stage.until.time = 0.25;
   EXPECT_NEAR(expected_time(stage), 0.25, 1e-15);
-  StageSettings along = drag(-0.5, 0.2);
+  settings::StageSettings along = drag(-0.5, 0.2);
   along.until = {};
   along.until.displacement = 0.1;
   EXPECT_NEAR(expected_time(along), 0.3, 1e-15);
   along.until = {};
   along.until.force = 3;
   EXPECT_EQ(expected_time(along), 0);
-  along.kind = StageKind::push;
+  along.kind = settings::StageKind::push;
   along.until = {};
   along.until.embedment = -0.5;  // above the bed
   EXPECT_EQ(expected_time(along), 0);
@@ -496,7 +496,7 @@ TEST(Stage, expected_time_follows_from_travel_speed_and_ramp)
 
 TEST(Gravity, grows_from_nothing_over_its_ramp)
 {
-  Case c = pipe_over_box({push(0.5)});
+  settings::Case c = pipe_over_box({push(0.5)});
   c.gravity = {1, -10};
   c.gravity_ramp = 2;
   const auto problem = build<2>(c, ".", ".");

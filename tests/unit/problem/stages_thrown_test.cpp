@@ -8,11 +8,11 @@ namespace berm::problem::this_file {
 namespace {
 
 /// The pipe of 2 kg/m, free, thrown to the right and down, after so many stages in which all rests.
-Case thrown_pipe(int geostatic_stages)
+settings::Case thrown_pipe(int geostatic_stages)
 {
-  std::vector<StageSettings> stages(geostatic_stages, stage_of(StageKind::geostatic, "rest"));
-  stages.push_back(stage_of(StageKind::free, "fall"));
-  Case c = pipe_over_box(stages);
+  std::vector<settings::StageSettings> stages(geostatic_stages, stage_of(settings::StageKind::geostatic, "rest"));
+  stages.push_back(stage_of(settings::StageKind::free, "fall"));
+  settings::Case c = pipe_over_box(stages);
   c.gravity = {0, -9.81};
   c.gravity_ramp = 0;
   c.rigid[0].second.motion = bodies::Motion::free;
@@ -51,8 +51,8 @@ TEST(ThrownBody, goes_as_newton_has_it)
 
 TEST(ThrownBody, is_thrown_once)
 {
-  Case c = thrown_pipe(1);
-  c.stage.push_back(stage_of(StageKind::free, "later"));
+  settings::Case c = thrown_pipe(1);
+  c.stage.push_back(stage_of(settings::StageKind::free, "later"));
   Problem<2> problem = build<2>(c, ".", ".");
   EXPECT_TRUE(problem.state.rigid_bodies[0].velocity.isZero(0));
   ++problem.state.stage.index;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "problem/symmetry.hpp"
 
 #include "os/error.hpp"
 #include "sample_case.hpp"
@@ -10,13 +9,13 @@ namespace berm::problem::this_file {
 namespace {
 
 /// A quarter of a ball of 0.4 m above a quarter of an elastic block, pushed by a force of 100 N on the whole until the soil bears 50 N.
-Case quarter_of_ball()
+settings::Case quarter_of_ball()
 {
-  StageSettings push = stage_of(StageKind::push, "push");
+  settings::StageSettings push = stage_of(settings::StageKind::push, "push");
   push.force = 100;
   push.until.force = 50;
-  Case c = pipe_over_box({push});
-  c.geometry = Geometry::space;
+  settings::Case c = pipe_over_box({push});
+  c.geometry = settings::Geometry::space;
   c.symmetry = {"x", "z"};
   mesh::BoxMesh box;
   box.lower = {1, 0, 3};
@@ -47,7 +46,7 @@ TEST(Symmetry, planes_are_held_across_and_only_across_without_a_support)
 
 TEST(Symmetry, a_case_without_is_left_as_it_is)
 {
-  Case c = quarter_of_ball();
+  settings::Case c = quarter_of_ball();
   c.symmetry.clear();
   const Model<3> model = build<3>(c, ".", ".").model;
   EXPECT_EQ(model.parts, 1);
@@ -57,7 +56,7 @@ TEST(Symmetry, a_case_without_is_left_as_it_is)
 
 TEST(Symmetry, refuses_a_rigid_body_that_its_plane_does_not_halve)
 {
-  Case c = quarter_of_ball();
+  settings::Case c = quarter_of_ball();
   std::get<bodies::SphereSettings>(c.rigid[0].second.shape).center[2] = 3.1;
   EXPECT_THROW(build<3>(c, ".", "."), KeyError);
   c.symmetry = {"x"};
@@ -69,7 +68,7 @@ TEST(Symmetry, refuses_a_rigid_body_that_its_plane_does_not_halve)
 TEST(Symmetry, refuses_a_rigid_body_that_leans_and_takes_one_that_does_not)
 {
   const auto refusal = [](const bodies::RigidShapeSettings& shape) {
-    Case c = quarter_of_ball();
+    settings::Case c = quarter_of_ball();
     c.symmetry = {"z"};
     c.rigid[0].second.shape = shape;
     try {

@@ -14,7 +14,7 @@ RunSummary summary_of_this()
   return summary;
 }
 
-bool fits_with(const char* entry, const std::string& words, problem::Method method)
+bool fits_with(const char* entry, const std::string& words, settings::Method method)
 {
   RunSummary summary = summary_of_this();
   summary.text[entry] = words;
@@ -23,7 +23,7 @@ bool fits_with(const char* entry, const std::string& words, problem::Method meth
 
 TEST(Build, knows_a_summary_of_its_own_by_version_and_build_ids)
 {
-  for (const problem::Method method : {problem::Method::mpm, problem::Method::fem}) {
+  for (const settings::Method method : {settings::Method::mpm, settings::Method::fem}) {
     EXPECT_TRUE(by_this_build(summary_of_this(), method));
     EXPECT_FALSE(by_this_build({}, method)) << "of an earlier version, which said less";
     EXPECT_FALSE(fits_with("version", "0.0.1", method));
@@ -37,8 +37,8 @@ TEST(Build, knows_a_summary_of_its_own_by_version_and_build_ids)
 // The material point method is in the engine alone.
 TEST(Build, of_the_executable_matters_to_finite_elements_alone)
 {
-  EXPECT_TRUE(fits_with("program_build", "0123456789abcdef", problem::Method::mpm));
-  EXPECT_FALSE(fits_with("program_build", "0123456789abcdef", problem::Method::fem));
+  EXPECT_TRUE(fits_with("program_build", "0123456789abcdef", settings::Method::mpm));
+  EXPECT_FALSE(fits_with("program_build", "0123456789abcdef", settings::Method::fem));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ problem::Problem<2> block_in_box(int bodies = 1)
   material::LinearElastic solid;
   solid.density = 1000;
   solid.young_modulus = 1e6;
-  problem.model.bodies.assign(bodies, {"body", problem::soil_of_one(solid), {}});
+  problem.model.bodies.assign(bodies, {"body", settings::soil_of_one(solid), {}});
   for (int b = 0; b < bodies; ++b) {
     bodies::BlockSettings block;
     block.center = {bodies == 1 ? 0 : -0.05 + 0.1 * b, 0};
@@ -177,9 +177,9 @@ TEST(FrameMaker, grains_that_are_thrown_leave_finite_numbers_and_the_soil_away_f
 }
 
 /// A bed of sand, 0.4 m wide and 0.2 m deep, at rest under its weight.
-problem::Case bed_at_rest()
+settings::Case bed_at_rest()
 {
-  problem::Case c;
+  settings::Case c;
   c.gravity = {0, -10};
   c.mesh = mesh::BoxMesh{.lower = {-0.2, -0.2}, .size = {0.4, 0.4}, .cells = {16, 16}};
   material::MohrCoulomb sand;
@@ -203,7 +203,7 @@ problem::Case bed_at_rest()
     support.fixed = {side == std::string("bottom") ? "y" : "x"};
     c.support.emplace_back(side, support);
   }
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.until.time = 10;
   c.stage = {stage};
   return c;
@@ -213,7 +213,7 @@ problem::Case bed_at_rest()
 // at the bottom of an elastic bed, twice that where it is put on at once. 1e-3 leaves room for the cell at the surface.
 TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
 {
-  const problem::Case c = bed_at_rest();
+  const settings::Case c = bed_at_rest();
   problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
   FrameMaker<2> maker(problem.model, problem.state);
   mpm::Workspace<2> workspace(problem.model, problem.state);
@@ -234,7 +234,7 @@ TEST(FrameMaker, shows_pore_pressure_and_effective_stress_where_a_body_is_undrai
   problem::Problem<2> problem = block_in_box(2);
   material::LinearElastic wet = problem.model.bodies[1].soil.materials.front().get<material::LinearElastic>();
   wet.water.emplace();
-  problem.model.bodies[1].soil = problem::soil_of_one(wet);
+  problem.model.bodies[1].soil = settings::soil_of_one(wet);
   bodies::BlockSettings block;
   block.center = {0.05, 0};
   block.size = {0.1, 0.2};
@@ -279,7 +279,7 @@ TEST(FrameMaker, shows_the_flux_of_the_water_at_the_particles)
   soil.water->permeability = 1e-5;
   FrameMaker<2> dry(problem.model, problem.state);
   EXPECT_EQ(find_field(dry.make(problem.state).fields, "water_flux"), nullptr);
-  problem.model.bodies[0].soil = problem::soil_of_one(soil);
+  problem.model.bodies[0].soil = settings::soil_of_one(soil);
   const auto flux = [](const Vec<2>& x) { return Vec<2>(1 + 2 * x[0] - x[1], -0.5 * x[0] + 3 * x[1]); };
   problem.state.flux = {NodeField<Vec<2>>::zeros(problem.model.mesh.node_count())};
   for (Index node = 0; node < problem.model.mesh.node_count(); ++node)

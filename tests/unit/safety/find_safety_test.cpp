@@ -224,18 +224,18 @@ bool says(const std::vector<std::string>& doubts, const std::string& words)
 TEST(SafetyReport, doubts_soil_that_fails_at_every_factor_or_moves_alike_at_all_of_them)
 {
   const std::vector<Trial> plain = {{1, TrialEnd::stands, 0.001, 0.1, 2}, {1.3, TrialEnd::fails, 0.11, 0.1, 5}};
-  EXPECT_TRUE(doubts_of(plain, problem::Method::fem).empty());
-  EXPECT_TRUE(says(doubts_of(plain, problem::Method::mpm), "the factor of the material point method is too large on coarse cells"));
+  EXPECT_TRUE(doubts_of(plain, settings::Method::fem).empty());
+  EXPECT_TRUE(says(doubts_of(plain, settings::Method::mpm), "the factor of the material point method is too large on coarse cells"));
   const std::vector<Trial> all = {{0.1, TrialEnd::fails, 0.11, 0.1}, {1, TrialEnd::fails, 0.12, 0.1}};
-  EXPECT_TRUE(says(doubts_of(all, problem::Method::fem), "fails even with 10 times its strength"));
-  EXPECT_FALSE(says(doubts_of(all, problem::Method::fem), "moves by the same"));
+  EXPECT_TRUE(says(doubts_of(all, settings::Method::fem), "fails even with 10 times its strength"));
+  EXPECT_FALSE(says(doubts_of(all, settings::Method::fem), "moves by the same"));
   const std::vector<Trial> alike = {{0.5, TrialEnd::fails, 0.0045, 0.1}, {1, TrialEnd::undecided, 0.0045, 0.1}};
-  EXPECT_TRUE(says(doubts_of(alike, problem::Method::fem), "moves by the same"));
+  EXPECT_TRUE(says(doubts_of(alike, settings::Method::fem), "moves by the same"));
   std::vector<Trial> wet = plain;
   wet[1].time_factor = 0.2;
-  EXPECT_TRUE(says(doubts_of(wet, problem::Method::fem), "c_v T / H2 is 0.2"));
+  EXPECT_TRUE(says(doubts_of(wet, settings::Method::fem), "c_v T / H2 is 0.2"));
   wet[1].time_factor = 1;
-  EXPECT_TRUE(doubts_of(wet, problem::Method::fem).empty());
+  EXPECT_TRUE(doubts_of(wet, settings::Method::fem).empty());
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include "sample_run.hpp"
 #include "samples/temporary_folder.hpp"
 
-#include "checkpoint/checkpoint_file.hpp"
 #include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
+#include "run_folder/checkpoint_file.hpp"
 
 #include <cstring>
 #include <gtest/gtest.h>
@@ -25,12 +25,12 @@ test::ArchiveInMemory all_of(test::SampleRun<dim>& run)
 template <int dim>
 void write(const std::filesystem::path& file, test::SampleRun<dim>& run)
 {
-  checkpoint::write_checkpoint(file, [&](Archive& k) { archive(k, run.problem.model, run.problem.state); });
+  run_folder::write_checkpoint(file, [&](Archive& k) { archive(k, run.problem.model, run.problem.state); });
 }
 template <int dim>
 void read(const std::filesystem::path& file, test::SampleRun<dim>& run)
 {
-  checkpoint::read_checkpoint(file, [&](Archive& k) { archive(k, run.problem.model, run.problem.state); });
+  run_folder::read_checkpoint(file, [&](Archive& k) { archive(k, run.problem.model, run.problem.state); });
 }
 
 /// Whether all blocks, cell by cell, are the same to the last bit, lanes without a particle included.
@@ -85,7 +85,7 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
 TYPED_TEST(StateCheckpoint, keeps_what_an_interface_remembers)
 {
   constexpr int dim = TypeParam::value;
-  problem::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
+  settings::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
   contact::ContactSettings& skin = c.contact[0].second;
   skin.tension = 2e3;
   skin.adhesion = 500;
@@ -127,7 +127,7 @@ bool same(const Numbers& a, const Numbers& b)
 TYPED_TEST(StateCheckpoint, leaves_no_number_out)
 {
   constexpr int dim = TypeParam::value;
-  problem::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
+  settings::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
   c.output.support_reactions = true;
   test::SampleRun<dim> first(c), second(c);
   problem::State<dim>&state = first.problem.state, &found = second.problem.state;
@@ -202,7 +202,7 @@ TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
 TYPED_TEST(StateCheckpoint, holds_tractions_and_where_their_points_are)
 {
   constexpr int dim = TypeParam::value;
-  problem::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
+  settings::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
   c.body.resize(1);
   c.body[0].second.block.reset();
   c.body[0].second.regions = {"box"};

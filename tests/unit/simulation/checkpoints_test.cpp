@@ -14,16 +14,16 @@ TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
   const TemporaryFolder folder;
   const auto history = folder.write("history.csv", "time_s,stage\n0,rest\n");
   const auto refusal_of = [&](BigIndex bytes, BigIndex crc) {
-    checkpoint::write_checkpoint(folder / "file.h5", [&](Archive& k) { k("bytes", bytes), k("crc", crc); });
+    run_folder::write_checkpoint(folder / "file.h5", [&](Archive& k) { k("bytes", bytes), k("crc", crc); });
     BigIndex found = 0;
     try {
-      checkpoint::read_checkpoint(folder / "file.h5", [&](Archive& k) { archive_history(k, history, found); });
+      run_folder::read_checkpoint(folder / "file.h5", [&](Archive& k) { archive_history(k, history, found); });
     } catch (const RunError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
-  const BigIndex whole = 20, crc_of_whole = *checkpoint::crc_of(history, whole);
+  const BigIndex whole = 20, crc_of_whole = *run_folder::crc_of(history, whole);
   EXPECT_EQ(refusal_of(whole, crc_of_whole), "");
   EXPECT_EQ(refusal_of(0, 0), "");
   constexpr BigIndex max = std::numeric_limits<BigIndex>::max();

@@ -6,6 +6,7 @@
 #include "mpm/step.hpp"
 #include "os/error.hpp"
 #include "run_folder/frame_maker.hpp"
+#include "settings/interface.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -16,9 +17,9 @@ namespace berm::simulation::this_file {
 namespace {
 
 /// A bed that fills the lower half of a box of 2 n x n squares, of 9 particles a cell in regions or of a block.
-problem::Case bed(Real n, bool as_block)
+settings::Case bed(Real n, bool as_block)
 {
-  problem::Case c;
+  settings::Case c;
   mesh::BoxMesh mesh;
   mesh.size = {2, 1};
   mesh.cells = {2 * n, n};
@@ -41,7 +42,7 @@ problem::Case bed(Real n, bool as_block)
     body.regions = {"box"};
   }
   c.body = {{"sand", body}};
-  problem::StageSettings stage;
+  settings::StageSettings stage;
   stage.until.time = 1;
   c.stage = {stage};
   return c;
@@ -52,7 +53,7 @@ TEST(Memory, is_estimated_as_it_is_taken)
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer keeps what is freed";
 #endif
-  const problem::Case c = bed(150, false);
+  const settings::Case c = bed(150, false);
   const Real before = memory_of_data();
   problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
   mpm::Workspace<2> workspace(problem.model, problem.state);
@@ -65,7 +66,7 @@ TEST(Memory, is_estimated_as_it_is_taken)
 TEST(Memory, is_at_least_what_the_case_alone_tells)
 {
   for (const bool as_block : {false, true}) {
-    const problem::Case c = bed(40, as_block);
+    const settings::Case c = bed(40, as_block);
     const problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
     const Real exact = memory_of<2>(size_of(problem));
     for (const RunSize& min : {min_size<2>(c), min_size(c, problem.model.mesh)}) {
@@ -105,7 +106,7 @@ TEST(Memory, that_is_in_use_counts_with_what_is_needed)
 
 TEST(Memory, of_gmsh_is_estimated_for_a_bed)
 {
-  problem::Case c;
+  settings::Case c;
   mesh::SeabedMesh bed;
   bed.length = 0.65;
   bed.depth = 0.14;

@@ -11,10 +11,10 @@ namespace berm::test {
 /// A block of sand and one of elastic soil side by side in a box of 1 m, and a disk (a sphere) that is pushed into the sand while the boxes' walls
 /// hold both. One particle a cell, so that the contact lists many cells.
 template <int dim>
-problem::Case two_bodies(contact::Scheme scheme)
+settings::Case two_bodies(contact::Scheme scheme)
 {
-  problem::Case c;
-  c.geometry = dim == 2 ? problem::Geometry::plane_strain : problem::Geometry::space;
+  settings::Case c;
+  c.geometry = dim == 2 ? settings::Geometry::plane_strain : settings::Geometry::space;
   c.gravity.assign(dim, 0);
   c.gravity[1] = -10;
   c.surface = 0.5;
@@ -69,9 +69,9 @@ problem::Case two_bodies(contact::Scheme scheme)
   c.contact = {{"skin", skin}, {"between", between}};
   c.support = {{"bottom", {"bottom", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
   if (dim == 3) c.support.insert(c.support.end(), {{"front", {"front", {"z"}}}, {"back", {"back", {"z"}}}});
-  problem::StageSettings push;
+  settings::StageSettings push;
   push.name = "push";
-  push.kind = problem::StageKind::push;
+  push.kind = settings::StageKind::push;
   push.velocity = 0.25;
   push.until.time = 1;
   c.stage = {push};
@@ -85,7 +85,7 @@ struct SampleRun {
   std::optional<mpm::Workspace<dim>> workspace;
 
   explicit SampleRun(contact::Scheme scheme = contact::ContactSettings{}.scheme) : SampleRun(two_bodies<dim>(scheme)) {}
-  explicit SampleRun(const problem::Case& c) : problem(build<dim>(c, ".", ".")) {}
+  explicit SampleRun(const settings::Case& c) : problem(build<dim>(c, ".", ".")) {}
 
   void steps(int count)
   {

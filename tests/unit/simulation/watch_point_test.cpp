@@ -26,12 +26,12 @@ struct Box {
   Box(const std::vector<int>& cells, const Vec<dim>& watched, mesh::Metric metric = mesh::Metric::cartesian)
       : point(watched.data(), watched.data() + dim)
   {
-    problem::Case c;
+    settings::Case c;
     mesh::BoxMesh box;
     for (const int count : cells) box.size.push_back(0.5 * count), box.cells.push_back(count);
     c.mesh = box;
-    if (metric == mesh::Metric::axisymmetric) c.geometry = problem::Geometry::axisymmetric;
-    if (dim == 3) c.geometry = problem::Geometry::space;
+    if (metric == mesh::Metric::axisymmetric) c.geometry = settings::Geometry::axisymmetric;
+    if (dim == 3) c.geometry = settings::Geometry::space;
     material::LinearElastic law;
     law.density = 1000;
     law.young_modulus = 1e6;
@@ -42,7 +42,7 @@ struct Box {
     c.body = {{"bed", body}};
     c.gravity = std::vector<Real>(dim, 0.);
     c.watch = {{"tip", {"bed", point}}};
-    problem::StageSettings rest;
+    settings::StageSettings rest;
     rest.name = "rest";
     rest.until.time = 1;
     c.stage = {rest};

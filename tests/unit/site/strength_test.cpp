@@ -3,6 +3,7 @@
 #include "site/strength.hpp"
 
 #include "os/error.hpp"
+#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>

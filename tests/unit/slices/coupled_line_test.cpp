@@ -14,9 +14,9 @@ using test::built_slice;
 
 /// A line on its slices, stepped without files.
 struct LineRun {
-  explicit LineRun(const problem::Case& c) : problem(built_slice(c)), workspace(problem.model, problem.state), line(c, problem.model)
+  explicit LineRun(const settings::Case& c) : problem(built_slice(c)), workspace(problem.model, problem.state), line(c, problem.model)
   {
-    while (problem.model.stages[problem.state.stage.index].kind != problem::StageKind::pipeline) {
+    while (problem.model.stages[problem.state.stage.index].kind != settings::StageKind::pipeline) {
       mpm::step(problem.model, problem.state, workspace);
       if (stage_ended(problem.model, problem.state)) next_stage();
     }
@@ -45,11 +45,11 @@ TEST(CoupledLine, that_hardly_bends_moves_as_one_pipe_of_its_mass_under_the_same
   const Vec<2> laid = run.pipe(0);
   while (!stage_ended(run.problem.model, run.problem.state)) run.step();
 
-  problem::Case c = test::line_case();
+  settings::Case c = test::line_case();
   c.pipeline.reset();
   c.mpm.courant = 0.5;  // as a line has it
-  problem::StageSettings& alone = c.stage.back();
-  alone.kind = problem::StageKind::drive;
+  settings::StageSettings& alone = c.stage.back();
+  alone.kind = settings::StageKind::drive;
   alone.drive.x.force = *alone.pipeline.lateral;
   alone.drive.y.force = -1500;
   problem::Problem<2> problem = built_slice(c);
@@ -100,9 +100,9 @@ TEST(CoupledLine, moves_each_pipe_as_the_line_goes)
 }
 
 /// A line that bends within its slices, bent by 0.1 m at rest and pressed along.
-problem::Case soft_line()
+settings::Case soft_line()
 {
-  problem::Case c = test::line_case();
+  settings::Case c = test::line_case();
   c.pipeline->bending_stiffness = 1e4;
   c.pipeline->axial_stiffness = 1e6;
   c.pipeline->expansion = 1e-4;
@@ -144,9 +144,9 @@ TEST(CoupledLine, replays_each_slice_in_a_single_problem_to_the_bit)
 }
 
 /// Pushed sideways by 300 N/m, on springs that resist to 600.
-problem::Case line_on_springs(problem::SliceAsSpring as_spring)
+settings::Case line_on_springs(settings::SliceAsSpring as_spring)
 {
-  problem::Case c = test::line_case();
+  settings::Case c = test::line_case();
   c.pipeline->slices.as_spring = as_spring;
   c.pipeline->far_soil.friction = 0.4;
   c.pipeline->far_soil.mobilisation = 5e-3;
@@ -155,7 +155,7 @@ problem::Case line_on_springs(problem::SliceAsSpring as_spring)
 
 TEST(CoupledLine, resolves_slices_before_their_springs_slide)
 {
-  LineRun run(line_on_springs(problem::SliceAsSpring::until_sliding));
+  LineRun run(line_on_springs(settings::SliceAsSpring::until_sliding));
   EXPECT_FALSE(run.line.is_spring(0)) << "the first is where the crown is";
   for (std::size_t k = 1; k < run.line.count(); ++k) EXPECT_TRUE(run.line.is_spring(k));
   const BigIndex laid = run.line.slice(1).step;
@@ -172,7 +172,7 @@ TEST(CoupledLine, resolves_slices_before_their_springs_slide)
   EXPECT_GT(run.line.slice(1).step, laid);
   while (!stage_ended(run.problem.model, run.problem.state)) run.step();
   // The springs have lost it less than they may move, and what they carried when they gave way.
-  LineRun awake(line_on_springs(problem::SliceAsSpring::never));
+  LineRun awake(line_on_springs(settings::SliceAsSpring::never));
   while (!stage_ended(awake.problem.model, awake.problem.state)) awake.step();
   EXPECT_GT(awake.pipe(1)[0], 0.1) << "it has broken out";
   EXPECT_NEAR(run.pipe(1)[0], awake.pipe(1)[0], 0.02 * awake.pipe(1)[0] + 5e-3);
@@ -180,7 +180,7 @@ TEST(CoupledLine, resolves_slices_before_their_springs_slide)
 
 TEST(CoupledLine, lies_on_springs_alone_where_no_slice_wakes)
 {
-  problem::Case c = line_on_springs(problem::SliceAsSpring::always);
+  settings::Case c = line_on_springs(settings::SliceAsSpring::always);
   c.stage.back().pipeline.lateral = 300;
   LineRun run(c);
   const Real internal = run.problem.state.ledger.totals.internal, x = run.pipe(0)[0];
@@ -193,10 +193,10 @@ TEST(CoupledLine, lies_on_springs_alone_where_no_slice_wakes)
 // Hot at one end and cold at the other, between a free end and one on a spring: it gets longer by P0 of the middle, less what the spring holds back.
 TEST(CoupledLine, pushes_the_spring_at_its_end_as_it_gets_warm)
 {
-  problem::Case c = line_on_springs(problem::SliceAsSpring::always);
-  problem::PipelineSettings& p = *c.pipeline;
-  p.half = problem::LineHalf::symmetric;
-  p.end = problem::LineEnd::spring;
+  settings::Case c = line_on_springs(settings::SliceAsSpring::always);
+  settings::PipelineSettings& p = *c.pipeline;
+  p.half = settings::LineHalf::symmetric;
+  p.end = settings::LineEnd::spring;
   p.end_stiffness = 1e8;
   p.expansion = 1e-5;
   c.stage.back().pipeline = {};
@@ -212,7 +212,7 @@ TEST(CoupledLine, pushes_the_spring_at_its_end_as_it_gets_warm)
 
 TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
 {
-  problem::Case stiff = test::line_case({"material.clay.cohesion=\"4 kPa\""});
+  settings::Case stiff = test::line_case({"material.clay.cohesion=\"4 kPa\""});
   LineRun other(stiff);
   const Real deep = LineRun(test::line_case()).pipe(0)[1], shallow = other.pipe(0)[1];
   ASSERT_GT(shallow, 0.7 * deep) << "half as deep";
@@ -220,7 +220,7 @@ TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
   mpm::Workspace<2> workspace(problem.model, problem.state);
   CoupledLine line(test::line_case(), problem.model);
   for (std::size_t k = 2; k < line.count(); ++k) line.give_soil(k, other.problem.model, other.problem.state);
-  while (problem.model.stages[problem.state.stage.index].kind != problem::StageKind::pipeline) {
+  while (problem.model.stages[problem.state.stage.index].kind != settings::StageKind::pipeline) {
     mpm::step(problem.model, problem.state, workspace);
     if (!stage_ended(problem.model, problem.state)) continue;
     ++problem.state.stage.index;
@@ -239,7 +239,7 @@ TEST(CoupledLine, lays_the_pipe_by_itself_where_the_soil_is_another)
 
 TEST(CoupledLine, lighter_than_the_soil_that_it_moves_does_not_shake)
 {
-  problem::Case c = test::line_case();
+  settings::Case c = test::line_case();
   c.pipeline->mass = 4;
   LineRun run(c);
   Real fastest = 0, heaviest = 0;

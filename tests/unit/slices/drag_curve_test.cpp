@@ -37,20 +37,20 @@ TEST(DragCurve, begins_with_its_steepest_line_and_is_no_steeper_later)
 
 TEST(DragCurve, of_a_laid_slice_is_that_of_a_stage_that_drags)
 {
-  const problem::SpringsBeside drag{0.3, 0.2};
+  const settings::SpringsBeside drag{0.3, 0.2};
   const test::LaidSlice slice(test::line_case());
   const std::optional<DragCurve> curve = drag_sideways(slice.problem.model, slice.problem.state, 1500, drag, [] { return false; });
   ASSERT_TRUE(curve);
   EXPECT_NO_THROW(beam::check(beam::PlasticSpring{curve->backbone}));
 
-  problem::Case c = test::line_case();
+  settings::Case c = test::line_case();
   c.pipeline.reset();
-  problem::StageSettings& stage = c.stage.back();
+  settings::StageSettings& stage = c.stage.back();
   stage = {};
   stage.name = "drag";
-  stage.kind = problem::StageKind::drag;
+  stage.kind = settings::StageKind::drag;
   stage.velocity = drag.velocity;
-  stage.vertical = problem::Vertical::hold;
+  stage.vertical = settings::Vertical::hold;
   stage.ramp = 0.1;
   stage.until.displacement = drag.travel;
   test::LaidSlice dragged(c);

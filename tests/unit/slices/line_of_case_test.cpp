@@ -19,10 +19,10 @@ namespace berm::slices::this_file {
 namespace {
 
 /// The line of a pipe of steel, 0.4 m x 15 mm, in its last stage at 30 K and 10 MPa.
-problem::Case heated()
+settings::Case heated()
 {
-  problem::Case c = test::line_case();
-  problem::PipelineSettings& p = *c.pipeline;
+  settings::Case c = test::line_case();
+  settings::PipelineSettings& p = *c.pipeline;
   p.bending_stiffness.reset(), p.axial_stiffness.reset();
   p.wall = 0.015;
   p.young_modulus = 206e9;
@@ -65,8 +65,8 @@ TEST(LineOfCase, has_a_node_at_each_slice_and_elements_that_resolve_the_buckle)
 
 TEST(LineOfCase, has_its_imperfection_with_its_amplitude_and_its_slope)
 {
-  for (const problem::LineHalf half : {problem::LineHalf::symmetric, problem::LineHalf::antisymmetric}) {
-    problem::Case c = heated();
+  for (const settings::LineHalf half : {settings::LineHalf::symmetric, settings::LineHalf::antisymmetric}) {
+    settings::Case c = heated();
     c.pipeline->half = half;
     const LineOfCase of(c);
     Real largest = 0;
@@ -93,7 +93,7 @@ TEST(LineOfCase, carries_its_weight_on_slices_and_springs)
 
 TEST(LineOfCase, goes_from_load_to_load_and_keeps_what_a_stage_does_not_name)
 {
-  problem::PipelineLoads heat, flow, unload;
+  settings::PipelineLoads heat, flow, unload;
   heat.temperature = 30, flow.far_temperature = 10, unload.weight = 900;
   LineLoads laid;
   laid.weight = 1500;
@@ -102,8 +102,8 @@ TEST(LineOfCase, goes_from_load_to_load_and_keeps_what_a_stage_does_not_name)
   EXPECT_EQ(hot.weight, 1500);
   EXPECT_EQ(empty.temperature, 30);
   EXPECT_EQ(empty.weight, 900);
-  problem::StageSettings stage;
-  stage.kind = problem::StageKind::pipeline;
+  settings::StageSettings stage;
+  stage.kind = settings::StageKind::pipeline;
   stage.pipeline = unload;
   stage.ramp = 8, stage.until.time = 10;
   EXPECT_EQ(loads_in(stage, hot, 2).weight, 1350);
@@ -116,10 +116,10 @@ TEST(LineOfCase, goes_from_load_to_load_and_keeps_what_a_stage_does_not_name)
 }
 
 /// Heated to 30 K and cooled to 10 K again under 10 MPa, by a load history in double the time of its record.
-problem::StageSettings loaded_by_history()
+settings::StageSettings loaded_by_history()
 {
-  problem::StageSettings stage;
-  stage.kind = problem::StageKind::pipeline;
+  settings::StageSettings stage;
+  stage.kind = settings::StageKind::pipeline;
   stage.load_times = {0, 4, 8};
   stage.loads.of("temperature") = {0, 30, 10};
   stage.loads.of("pressure") = {0, 10e6, 10e6};
@@ -132,7 +132,7 @@ TEST(LineOfCase, is_loaded_as_a_load_history_has_it_and_keeps_what_it_does_not_n
 {
   LineLoads laid;
   laid.weight = 1500;
-  const problem::StageSettings stage = loaded_by_history();
+  const settings::StageSettings stage = loaded_by_history();
   const LineLoads hotter = loads_in(stage, laid, 2), cooler = loads_in(stage, laid, 12), end = end_of(stage, laid);
   EXPECT_EQ(hotter.temperature, 7.5);
   EXPECT_EQ(hotter.far_temperature, 7.5) << "as hot as at x = 0";
@@ -144,7 +144,7 @@ TEST(LineOfCase, is_loaded_as_a_load_history_has_it_and_keeps_what_it_does_not_n
 
 TEST(LineOfCase, has_elements_for_the_largest_compression_of_a_load_history_wherever_in_it_that_is)
 {
-  problem::Case by_ramp = heated(), by_history = heated();
+  settings::Case by_ramp = heated(), by_history = heated();
   const std::string name = by_history.stage.back().name;
   by_history.stage.back() = loaded_by_history();
   by_history.stage.back().name = name;
@@ -154,7 +154,7 @@ TEST(LineOfCase, has_elements_for_the_largest_compression_of_a_load_history_wher
 
 TEST(LineOfCase, has_slices_at_places_of_their_own_a_node_at_each_and_all_of_the_line_between_them)
 {
-  problem::Case c = heated();
+  settings::Case c = heated();
   c.pipeline->slices = {};
   c.pipeline->slices.at = {0, 3, 10, 14, 15, 40};
   const LineOfCase of(c);
@@ -179,7 +179,7 @@ TEST(LineOfCase, is_compressed_by_the_temperature_of_each_place)
 // A parabola is its own spline of chords but for the first and the last piece.
 TEST(LineOfCase, lies_on_its_route)
 {
-  problem::Case c = heated();
+  settings::Case c = heated();
   c.pipeline->imperfection = {};
   for (int k = 0; k <= 20; ++k) {
     c.pipeline->route.x.push_back(50 * k);
@@ -197,7 +197,7 @@ TEST(LineOfCase, lies_on_its_route)
 
 TEST(LineOfCase, refuses_a_route_and_a_curve_that_it_cannot_have_with_their_keys)
 {
-  problem::Case c = heated();
+  settings::Case c = heated();
   c.pipeline->imperfection = {};
   c.pipeline->route.x = {0, 100, 200};
   c.pipeline->route.y = {0, 1, 30};
@@ -214,7 +214,7 @@ TEST(LineOfCase, refuses_a_route_and_a_curve_that_it_cannot_have_with_their_keys
 
 TEST(LineOfCase, has_the_resistance_along_it_of_its_interface)
 {
-  problem::Case c = heated();
+  settings::Case c = heated();
   c.pipeline->far_soil.axial_angle = 0.4;
   EXPECT_NEAR(LineOfCase(c).axial_resistance(0.2, 1000), 4 / pi * std::tan(0.4) * 1000, 1e-9) << "wedged, buried to half";
   EXPECT_EQ(LineOfCase(c).axial_resistance(0.2, -1000), 0) << "lifted";
@@ -228,7 +228,7 @@ TEST(LineOfCase, stands_on_macro_elements_beyond_its_slices)
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "macro_element.json").string();
   std::ofstream(file) << macro_element::json_of(macro_element::sample_parameters());
-  problem::Case c = heated();
+  settings::Case c = heated();
   c.pipeline->far_soil.macro_element = file;
   const LineOfCase of(c);
   Real length = 0;
@@ -245,10 +245,10 @@ TEST(LineOfCase, stands_on_macro_elements_beyond_its_slices)
 
 TEST(LineOfCase, may_begin_and_end_free_or_on_a_spring)
 {
-  problem::Case c = heated();
-  c.pipeline->half = problem::LineHalf::none;
+  settings::Case c = heated();
+  c.pipeline->half = settings::LineHalf::none;
   c.pipeline->imperfection = {};
-  c.pipeline->end = problem::LineEnd::spring;
+  c.pipeline->end = settings::LineEnd::spring;
   c.pipeline->end_stiffness = 1e6;
   const LineOfCase of(c);
   EXPECT_EQ(std::count(of.line.held.begin(), of.line.held.end(), 1), 0);

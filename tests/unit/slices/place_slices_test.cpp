@@ -12,26 +12,26 @@ namespace berm::slices::this_file {
 namespace {
 
 /// A pipe of steel, 0.4 m x 15 mm, that buckles under 32 K in 10 s, on 17 slices to 72 m.
-problem::Case buckling()
+settings::Case buckling()
 {
-  problem::Case c = test::line_case();
-  problem::PipelineSettings& p = *c.pipeline;
+  settings::Case c = test::line_case();
+  settings::PipelineSettings& p = *c.pipeline;
   p.bending_stiffness.reset(), p.axial_stiffness.reset();
   p.wall = 0.015, p.young_modulus = 206e9, p.expansion = 1.17e-5;
   p.length = 1500;
-  p.end = problem::LineEnd::anchored;
+  p.end = settings::LineEnd::anchored;
   p.imperfection = {0.4, 60};
   p.far_soil = {};
   p.slices = {};
   p.slices.count = 17, p.slices.to = 72;
-  problem::StageSettings& heat = c.stage.back();
+  settings::StageSettings& heat = c.stage.back();
   heat.pipeline = {};
   heat.pipeline.temperature = 32;
   heat.ramp = 10, heat.until.time = 11;
   return c;
 }
 
-std::vector<Real> placed(problem::Case c)
+std::vector<Real> placed(settings::Case c)
 {
   place_slices(c);
   EXPECT_EQ(c.pipeline->slices.count, 0);
@@ -70,7 +70,7 @@ TEST(PlaceSlices, puts_them_nearer_where_the_line_turns)
 
 TEST(PlaceSlices, finds_how_far_the_line_slides_sideways_where_the_case_does_not_say)
 {
-  problem::Case c = buckling();
+  settings::Case c = buckling();
   c.pipeline->slices.to.reset();
   const std::vector<Real> places = placed(c);
   EXPECT_GT(places.back(), 60) << "the lobe beside that of the crown";
@@ -79,7 +79,7 @@ TEST(PlaceSlices, finds_how_far_the_line_slides_sideways_where_the_case_does_not
 
 TEST(PlaceSlices, leaves_places_that_a_case_has)
 {
-  problem::Case c = buckling();
+  settings::Case c = buckling();
   c.pipeline->slices = {};
   c.pipeline->slices.at = {0, 1, 5, 9};
   place_slices(c);
@@ -88,11 +88,11 @@ TEST(PlaceSlices, leaves_places_that_a_case_has)
 
 TEST(PlaceSlices, is_refused_where_springs_cannot_tell)
 {
-  const auto error_of = [](const problem::Case& c) {
-    problem::Case tried = c;
+  const auto error_of = [](const settings::Case& c) {
+    settings::Case tried = c;
     return test::error_of<KeyError>([&] { place_slices(tried); });
   };
-  problem::Case smooth = buckling(), cold = buckling();
+  settings::Case smooth = buckling(), cold = buckling();
   smooth.pipeline->far_soil.friction = 0;
   EXPECT_TRUE(error_of(smooth).starts_with("pipeline.slices.count: the springs of pipeline.far_soil")) << error_of(smooth);
   cold.stage.back().pipeline.temperature = 0.01;

@@ -9,10 +9,10 @@ namespace berm::slices::this_file {
 namespace {
 
 /// A line that bends between its slices, on springs with a curve.
-problem::Case soft_case()
+settings::Case soft_case()
 {
-  problem::Case c = test::line_case({"pipeline.length=\"30 m\"", "pipeline.bending_stiffness=\"1e5 N m^2\""});
-  problem::FarSoil& soil = c.pipeline->far_soil;
+  settings::Case c = test::line_case({"pipeline.length=\"30 m\"", "pipeline.bending_stiffness=\"1e5 N m^2\""});
+  settings::FarSoil& soil = c.pipeline->far_soil;
   soil.lateral.x = {0.01, 0.05};
   soil.lateral.y = {600, 900};
   soil.axial_friction = 0.5;
@@ -21,7 +21,7 @@ problem::Case soft_case()
 
 TEST(LineOnSprings, moves_as_a_beam_on_these_springs)
 {
-  const problem::Case c = soft_case();
+  const settings::Case c = soft_case();
   LineOnSprings line(c, 0);
   const LineOfCase& of = line.of_case();
   beam::Line alone = beam::straight_line(of.line.x, of.line.section.front(), {beam::Plane::lateral, beam::Plane::vertical});
@@ -56,9 +56,9 @@ TEST(LineOnSprings, moves_as_a_beam_on_these_springs)
 
 TEST(LineOnSprings, goes_as_far_by_a_load_history_as_by_two_ramps_to_the_bit)
 {
-  const problem::Case c = soft_case();
-  problem::StageSettings to, fro, both;
-  for (problem::StageSettings* stage : {&to, &fro, &both}) stage->kind = problem::StageKind::pipeline;
+  const settings::Case c = soft_case();
+  settings::StageSettings to, fro, both;
+  for (settings::StageSettings* stage : {&to, &fro, &both}) stage->kind = settings::StageKind::pipeline;
   to.ramp = fro.ramp = 1, to.until.time = fro.until.time = 1.5, both.until.time = 3;
   to.pipeline.lateral = 1000, fro.pipeline.lateral = -250;
   both.load_times = {0, 1, 1.5, 2.5, 3};
@@ -76,7 +76,7 @@ TEST(LineOnSprings, goes_as_far_by_a_load_history_as_by_two_ramps_to_the_bit)
 
 TEST(LineOnSprings, has_the_resistance_along_it_of_its_interface_as_it_was_laid)
 {
-  problem::Case c = soft_case();
+  settings::Case c = soft_case();
   c.pipeline->far_soil.axial_angle = 0.4;
   const LineOnSprings line(c, 0.2);
   const LineOfCase& of = line.of_case();
@@ -92,8 +92,8 @@ TEST(LineOnSprings, has_the_resistance_along_it_of_its_interface_as_it_was_laid)
 
 TEST(SpringsBeside, have_the_resistance_of_a_drag_in_the_laid_slice_also_where_it_was_given_up_once)
 {
-  problem::Case c = test::line_case();
-  c.pipeline->springs = problem::SpringsBeside{0.1, 0.2};
+  settings::Case c = test::line_case();
+  c.pipeline->springs = settings::SpringsBeside{0.1, 0.2};
   const test::LaidSlice slice(c);
   SpringsBeside springs(c), stopped(c);
   const problem::Model<2>& model = slice.problem.model;
@@ -113,8 +113,8 @@ TEST(SpringsBeside, have_the_resistance_of_a_drag_in_the_laid_slice_also_where_i
 
 TEST(SpringsBeside, of_a_pipe_without_a_mass_are_refused)
 {
-  problem::Case c = test::line_case();
-  c.pipeline->springs = problem::SpringsBeside{0.1, 0.2};
+  settings::Case c = test::line_case();
+  c.pipeline->springs = settings::SpringsBeside{0.1, 0.2};
   c.pipeline->mass = 330;
   c.rigid.front().second.mass = 0;
   EXPECT_THROW(SpringsBeside{c}, KeyError);

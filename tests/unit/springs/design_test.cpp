@@ -16,7 +16,7 @@ namespace {
 Springs with_peak(Real peak)
 {
   MadeRun run;
-  run.method = problem::Method::fem;
+  run.method = settings::Method::fem;
   run.gravity_level = 1;
   run.H = [peak](Real u) { return peak * (u < 0.001 ? u / 0.001 : u < 0.003 ? 1 - (u - 0.001) / 0.006 : 2. / 3); };
   return springs_of(run.record());

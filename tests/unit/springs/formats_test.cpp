@@ -24,7 +24,7 @@ using Lines = std::vector<std::string>;
 Design sample_design(int drags = 1)
 {
   MadeRun run;
-  run.method = problem::Method::fem;
+  run.method = settings::Method::fem;
   run.gravity_level = 1;
   run.held_V = 80;
   std::vector<Springs> draws;

@@ -5,6 +5,7 @@
 #include "os/error.hpp"
 #include "samples/lived_pipe.hpp"
 #include "samples/made_run_in_water.hpp"
+#include "settings/interface.hpp"
 #include "springs/design.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 MadeRun run_with_peak()
 {
   MadeRun run;
-  run.method = problem::Method::fem;
+  run.method = settings::Method::fem;
   run.gravity_level = 1;
   run.held_V = 80;
   run.H = [](Real u) { return u < 0.001 ? 6e4 * u : u < 0.003 ? 60 - 1e4 * (u - 0.001) : 40; };
@@ -195,9 +196,9 @@ TEST(Springs, along_the_axis_are_none_of_a_pipe_that_is_lifted)
   lifted.first_w = 0.008;
   lifted.pushed_to = 0.01;
   record::RunRecord run = lifted.record();
-  run.settings.stage.push_back(MadeRun::stage_of("uplift", problem::StageKind::push));
+  run.settings.stage.push_back(MadeRun::stage_of("uplift", settings::StageKind::push));
   run.settings.stage.back().velocity = -0.1;
-  run.settings.stage.back().role = problem::StageRole::operation;  // without a role it would be no operation
+  run.settings.stage.back().role = settings::StageRole::operation;  // without a role it would be no operation
   for (int k = 1; k <= 50; ++k) {
     const Real row[] = {static_cast<Real>(run.history.rows()), 0, 0.01 - k * 1e-5, 0, -100. + k};
     for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);

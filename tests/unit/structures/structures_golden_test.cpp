@@ -59,7 +59,7 @@ TEST(GoldenPages, of_bodies_that_are_pushed_down)
   footing.pushed_to = 0.1, footing.q = [](Real z) { return 5e3 * z + 6.048 * 10e3; };
   skirt.contact.adhesion = 4e3, skirt.shaft = [](Real z) { return 4e3 * pi * 0.38 * z; };
   for (const MadePush& made : {cone, ball, footing, skirt}) expect_golden(made.record());
-  bar.geometry = problem::Geometry::plane_strain, bar.first_w = 0.5;
+  bar.geometry = settings::Geometry::plane_strain, bar.first_w = 0.5;
   expect_golden(bar.record());
 }
 
@@ -72,7 +72,7 @@ TEST(GoldenPages, of_bodies_that_are_dragged)
 {
   expect_golden(MadeRun{}.record());
   MadeRun towed;
-  towed.method = problem::Method::fem, towed.dragged = 0.2;
+  towed.method = settings::Method::fem, towed.dragged = 0.2;
   towed.sunk = [](Real u) { return std::min(u, 0.1) / 2; }, towed.H = [](Real u) { return 3e4 * std::min(u, 0.1); };
   record::RunRecord run = towed.record();
   run.settings.rigid[0].second.structure = "anchor";
@@ -86,7 +86,7 @@ TEST(GoldenPages, of_a_line_and_of_any_other_case)
   line.springs = true;
   expect_golden(line.record(folder));
   record::RunRecord other = MadeRun{}.record();
-  other.settings.stage = {MadeRun::stage_of("fall", problem::StageKind::free)};
+  other.settings.stage = {MadeRun::stage_of("fall", settings::StageKind::free)};
   expect_golden(other);
 }
 

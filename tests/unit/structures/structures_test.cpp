@@ -17,18 +17,18 @@ namespace berm::structures::this_file {
 namespace {
 
 /// Cases of a pipe, of a footing, and of one whose bodies nothing drives.
-problem::Case footing()
+settings::Case footing()
 {
-  problem::Case c = MadeRun{}.settings();
+  settings::Case c = MadeRun{}.settings();
   c.rigid[0].first = c.contact[0].second.rigid = "strip_footing";
   c.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.04, 0.02}, 0};
-  for (problem::StageSettings& stage : c.stage) stage.rigid = "strip_footing";
+  for (settings::StageSettings& stage : c.stage) stage.rigid = "strip_footing";
   return c;
 }
-problem::Case free_bodies()
+settings::Case free_bodies()
 {
-  problem::Case c = MadeRun{}.settings();
-  c.stage = {MadeRun::stage_of("fall", problem::StageKind::free)};
+  settings::Case c = MadeRun{}.settings();
+  c.stage = {MadeRun::stage_of("fall", settings::StageKind::free)};
   return c;
 }
 
@@ -38,7 +38,7 @@ TEST(Structures, one_applies_to_each_case_and_the_last_to_every_case)
   EXPECT_EQ(&structure_of(MadeRun{}.settings()), &all[all.size() - 2]);
   EXPECT_NE(&structure_of(footing()), &structure_of(MadeRun{}.settings()));
   EXPECT_EQ(&structure_of(free_bodies()), &all.back());
-  for (const problem::Case& c : {MadeRun{}.settings(), footing(), free_bodies(), problem::Case{}}) EXPECT_TRUE(all.back().applies_to(c));
+  for (const settings::Case& c : {MadeRun{}.settings(), footing(), free_bodies(), settings::Case{}}) EXPECT_TRUE(all.back().applies_to(c));
 }
 
 /// The message that refuses a case of a pipe in plane strain, or of a ball around an axis, whose body is called this; "" where it is taken.
@@ -93,7 +93,7 @@ TEST(Structures, have_words_among_which_are_those_that_berm_finds_itself_and_whi
   const input::Listed listed = of(of(all, "rigid"), "structure");
   EXPECT_EQ(listed.words.size(), all_structures().size() + 1);
   EXPECT_EQ(listed.default_text, "automatic");
-  for (const problem::Case& c : {MadeRun{}.settings(), footing(), free_bodies()})
+  for (const settings::Case& c : {MadeRun{}.settings(), footing(), free_bodies()})
     EXPECT_NE(std::ranges::find(listed.words, base::kind_of(c)), listed.words.end());
 }
 
@@ -132,7 +132,7 @@ TEST(Structures, measure_forces_by_the_region_below_the_body)
 
 TEST(Structures, measure_a_driven_body_by_its_own_name)
 {
-  const problem::Case c = footing();
+  const settings::Case c = footing();
   bool named = false;
   for (const base::TrustMeasure& measure : structure_of(c).measures(c)) {
     named = named || measure.what == "cells at the strip footing";
@@ -144,7 +144,7 @@ TEST(Structures, measure_a_driven_body_by_its_own_name)
 
 TEST(Structures, without_a_driven_body_have_the_measures_of_any_run)
 {
-  const problem::Case c = free_bodies();
+  const settings::Case c = free_bodies();
   std::vector<std::string> what;
   for (const base::TrustMeasure& measure : structure_of(c).measures(c)) what.push_back(measure.what);
   EXPECT_EQ(what.size(), 16u);

@@ -131,7 +131,7 @@ TEST(Noise, of_rows_that_waver_is_seen)
   const Real noise = noise_in(record, "V_at_w_0.1D");
   EXPECT_GT(noise, 1);
   EXPECT_LT(noise, 0.1 * 800);
-  run.method = problem::Method::fem;
+  run.method = settings::Method::fem;
   for (const Real each : noise_of(run.record())) EXPECT_EQ(each, 0);
 }
 

@@ -11,7 +11,7 @@
 namespace berm::uncertainty::this_file {
 namespace {
 
-std::string refusal_of(const problem::Case& c)
+std::string refusal_of(const settings::Case& c)
 {
   try {
     choose_variants(c);
@@ -21,15 +21,15 @@ std::string refusal_of(const problem::Case& c)
   return "";
 }
 
-mesh::SeabedMesh& bed_of(problem::Case& c)
+mesh::SeabedMesh& bed_of(settings::Case& c)
 {
   return std::get<mesh::SeabedMesh>(c.mesh);
 }
 
 /// The clay's pipe of 1 m on cells of D/20.
-problem::Case fine()
+settings::Case fine()
 {
-  problem::Case c = clay();
+  settings::Case c = clay();
   bed_of(c).near_size = 0.05;
   c.fem.contact_size = 0.05;
   return c;
@@ -41,7 +41,7 @@ TEST(Variants, have_cells_of_five_sizes_and_the_coarsest_once_more_at_twice_the_
   ASSERT_EQ(plan.variants.size(), 6u);
   const std::vector<Real> sizes = {1.4, 1.6, 1.8, 2, 2.2, 2.2};
   for (std::size_t k = 0; k < sizes.size(); ++k) {
-    problem::Case c = plan.variants[k].settings;
+    settings::Case c = plan.variants[k].settings;
     EXPECT_NEAR(plan.variants[k].size, sizes[k], 1e-12);
     EXPECT_EQ(plan.variants[k].speed, k == 5 ? 2 : 1);
     EXPECT_NEAR(bed_of(c).near_size, 0.05 * sizes[k], 1e-12);
@@ -57,7 +57,7 @@ TEST(Variants, have_cells_of_five_sizes_and_the_coarsest_once_more_at_twice_the_
 
 TEST(Variants, have_five_cells_across_the_body_at_least)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   bed_of(c).near_size = *c.fem.contact_size = 0.1;  // D/10: twice as large is the end
   EXPECT_NEAR(choose_variants(c).variants[4].size, 2, 1e-12);
   EXPECT_NEAR(choose_variants(c).variants[0].size, 1 + 0.4 / 1.2, 1e-12);
@@ -66,15 +66,15 @@ TEST(Variants, have_five_cells_across_the_body_at_least)
   EXPECT_NE(refusal_of(c).find("make them 0.125 m or smaller"), std::string::npos) << refusal_of(c);
   bed_of(c).near_size = *c.fem.contact_size = 0.125;  // these are 0.125 m, whatever 1 m / (5 x 1.6) is rounded to
   EXPECT_EQ(refusal_of(c), "");
-  c.method = problem::Method::mpm;
+  c.method = settings::Method::mpm;
   bed_of(c).near_size = 0.15;
   EXPECT_EQ(refusal_of(c).find("mesh.near_size: "), 0u) << refusal_of(c);
 }
 
 /// The clay's pipe in sand.
-problem::Case in_sand(Real dilation_angle, std::optional<Real> d50)
+settings::Case in_sand(Real dilation_angle, std::optional<Real> d50)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   material::Material& soil = c.material.at(0).second;
   material::MohrCoulomb sand = soil.get<material::MohrCoulomb>();
   sand.friction_angle = 35 * pi / 180;
@@ -110,38 +110,38 @@ TEST(Variants, have_no_grains_where_they_would_do_nothing)
 // 0.36 + 0.24 + 0.17 + 0.13 + 0.09 and half of the last, as the sum of r^-3 is; without longer steps the sum of r^-2.
 TEST(Variants, take_about_as_long_as_the_run_and_of_finite_elements_more)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   EXPECT_NEAR(work_of(choose_variants(c), c), 0.51 + 0.39 + 0.31 + 0.25 + 0.207 + 0.103, 0.01);
-  c.method = problem::Method::mpm;
+  c.method = settings::Method::mpm;
   EXPECT_NEAR(work_of(choose_variants(c), c), 0.36 + 0.24 + 0.17 + 0.13 + 0.09 + 0.05, 0.01);
 }
 
 TEST(Variants, of_a_mesh_from_a_file_are_refused)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   c.mesh = mesh::GmshFile{"my.msh"};
   EXPECT_EQ(refusal_of(c).find("mesh.file: "), 0u) << refusal_of(c);
 }
 
 TEST(Variants, of_a_case_without_a_push_or_a_drag_are_refused)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   c.stage.resize(1);
   EXPECT_EQ(refusal_of(c).find("stage: "), 0u) << refusal_of(c);
 }
 
 TEST(Variants, keep_the_fine_zone_clear_of_the_walls)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   bed_of(c).left = 0.76;
   bed_of(c).near_left = -0.7;  // 0.06 m from the wall: less than a coarse cell
-  problem::Case coarse = with_coarser_cells(c, 2).first;
+  settings::Case coarse = with_coarser_cells(c, 2).first;
   EXPECT_NEAR(bed_of(coarse).near_left, -0.66, 1e-12);
   EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
 }
 
 /// The lower end of the fine zone, above the base; the bed is one that a mesh can be made of.
-Real clear_of_the_base(problem::Case c)
+Real clear_of_the_base(settings::Case c)
 {
   EXPECT_NO_THROW(mesh::check(bed_of(c)));
   return mesh::fine_zone_of(bed_of(c)).lower + bed_of(c).depth;
@@ -149,19 +149,19 @@ Real clear_of_the_base(problem::Case c)
 
 TEST(Variants, keep_the_fine_zone_clear_of_the_base_below_a_trench)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   bed_of(c).trench = mesh::Trench{0.3, 1, 1, 0};
   bed_of(c).near_depth = 1.2;  // 0.1 m from the base: less than a coarse cell
   EXPECT_NEAR(clear_of_the_base(c), 0.1, 1e-12);
   EXPECT_NEAR(clear_of_the_base(with_coarser_cells(c, 2.2).first), 0.11, 1e-12);
   bed_of(c).near_depth = 0.6;
-  problem::Case coarse = with_coarser_cells(c, 2.2).first;
+  settings::Case coarse = with_coarser_cells(c, 2.2).first;
   EXPECT_EQ(bed_of(coarse).near_depth, 0.6) << "where there is room it stays";
 }
 
 TEST(Variants, keep_the_fine_zone_clear_of_the_base_below_a_step_and_the_top_above_it)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   bed_of(c).step = mesh::Step{-0.3, 0, 1};
   bed_of(c).near_depth = 1.2;
   EXPECT_NEAR(clear_of_the_base(with_coarser_cells(c, 2.2).first), 0.11, 1e-12);
@@ -169,16 +169,16 @@ TEST(Variants, keep_the_fine_zone_clear_of_the_base_below_a_step_and_the_top_abo
   bed_of(c).step = mesh::Step{0.25, 1, 1};  // beyond the fine zone, whose upper end is 0.2 m high: the bed is the highest
   bed_of(c).headroom = 0.31;
   EXPECT_NO_THROW(mesh::check(bed_of(c)));
-  problem::Case coarse = with_coarser_cells(c, 2.2).first;
+  settings::Case coarse = with_coarser_cells(c, 2.2).first;
   EXPECT_NEAR(bed_of(coarse).headroom, 0.36, 1e-12);
   EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
 }
 
 TEST(Variants, of_a_slope_have_the_depths_of_a_level_bed)
 {
-  problem::Case level = fine();
+  settings::Case level = fine();
   bed_of(level).near_depth = 1.54;
-  problem::Case slope = level;
+  settings::Case slope = level;
   bed_of(slope).slope = 0.2;
   EXPECT_NEAR(clear_of_the_base(with_coarser_cells(level, 2.2).first), 0.11, 1e-12);
   EXPECT_NEAR(clear_of_the_base(with_coarser_cells(slope, 2.2).first), 0.11, 1e-12);
@@ -186,12 +186,12 @@ TEST(Variants, of_a_slope_have_the_depths_of_a_level_bed)
 
 TEST(Variants, have_no_cells_larger_than_a_layer)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   bed_of(c).layer = 0.1;
   const VariantPlan plan = choose_variants(c);
   EXPECT_NEAR(plan.variants.back().size, 2, 1e-12);
   for (const Variant& variant : plan.variants) {
-    problem::Case coarse = variant.settings;
+    settings::Case coarse = variant.settings;
     EXPECT_EQ(bed_of(coarse).layer, 0.1);
     EXPECT_NO_THROW(mesh::check(bed_of(coarse))) << variant.name;
   }
@@ -202,7 +202,7 @@ TEST(Variants, have_no_cells_larger_than_a_layer)
 
 TEST(Variants, of_a_box_have_whole_cells_and_the_size_that_these_have)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   mesh::BoxMesh box;
   box.size = {2, 1};
   box.cells = {41, 20};
@@ -219,17 +219,17 @@ TEST(Variants, of_a_box_have_whole_cells_and_the_size_that_these_have)
 
 TEST(Variants, write_no_frames_on_the_way)
 {
-  problem::Case c = fine();
+  settings::Case c = fine();
   c.output.frame_time = c.output.frame_travel = 0.1;
-  const problem::Case coarse = with_coarser_cells(c, 2).first;
+  const settings::Case coarse = with_coarser_cells(c, 2).first;
   EXPECT_FALSE(coarse.output.frame_time || coarse.output.frame_travel);
 }
 
 TEST(TwiceTheSpeed, goes_the_same_way_in_half_the_time)
 {
-  problem::Case c = fine();
-  problem::StageSettings drag;
-  drag.kind = problem::StageKind::drag;
+  settings::Case c = fine();
+  settings::StageSettings drag;
+  drag.kind = settings::StageKind::drag;
   drag.velocity = -0.2;
   drag.vertical_velocity = 0.1;
   drag.ramp = 1;
@@ -240,8 +240,8 @@ TEST(TwiceTheSpeed, goes_the_same_way_in_half_the_time)
   drag.loads.of("w_displacement") = {0, 0.2};
   c.stage.push_back(drag);
   c.output.history_time = 0.1;
-  const problem::Case fast = at_twice_the_speed(c);
-  const problem::StageSettings& s = fast.stage.back();
+  const settings::Case fast = at_twice_the_speed(c);
+  const settings::StageSettings& s = fast.stage.back();
   EXPECT_EQ(*s.velocity, -0.4);
   EXPECT_EQ(*s.vertical_velocity, 0.2);
   EXPECT_EQ(s.ramp, 0.5);
@@ -256,8 +256,8 @@ TEST(TwiceTheSpeed, goes_the_same_way_in_half_the_time)
 
 TEST(Variants, of_soil_that_knows_speed_leave_it_out_and_say_so)
 {
-  problem::Case c = fine();
-  c.method = problem::Method::mpm;
+  settings::Case c = fine();
+  c.method = settings::Method::mpm;
   material::Clay clay;
   clay.rate_parameter = 0.1;
   c.material[0].second = clay;

@@ -12,7 +12,7 @@ namespace {
 
 using OwnLaw = material::UserLaw<material::Interface::own>;
 
-problem::Case case_with(const std::string& symbol)
+settings::Case case_with(const std::string& symbol)
 {
   OwnLaw law;
   law.density = 2000;
@@ -22,17 +22,17 @@ problem::Case case_with(const std::string& symbol)
   law.symbol = symbol;
   law.properties = {1e7, 0.25};
   law.state_variables = 1;
-  problem::Case c;
+  settings::Case c;
   c.material = {{"clay", law}};
   return c;
 }
 
-OwnLaw& law_of(problem::Case& c)
+OwnLaw& law_of(settings::Case& c)
 {
   return c.material[0].second.get<OwnLaw>();
 }
 
-std::string refusal_of(problem::Case c)
+std::string refusal_of(settings::Case c)
 {
   try {
     load(c);
@@ -44,7 +44,7 @@ std::string refusal_of(problem::Case c)
 
 TEST(Load, makes_a_law_that_can_be_called_and_notes_its_library)
 {
-  problem::Case c = case_with("");
+  settings::Case c = case_with("");
   EXPECT_THROW(prepare(law_of(c)), std::logic_error);
   load(c);
   EXPECT_EQ(law_of(c).library_sha256, io::sha256_of_file(BERM_TRIAL_LAWS));
@@ -60,7 +60,7 @@ TEST(Load, makes_a_law_that_can_be_called_and_notes_its_library)
 
 TEST(Load, refuses_another_library_than_the_run_began_with)
 {
-  problem::Case c = case_with("");
+  settings::Case c = case_with("");
   law_of(c).library_sha256 = std::string(64, '0');
   EXPECT_EQ(refusal_of(c).find("material.clay.library: "), 0u);
   EXPECT_NE(refusal_of(c).find("is another file than the one with the SHA-256 0000"), std::string::npos);
@@ -71,14 +71,14 @@ TEST(Load, names_the_key_of_what_it_refuses)
   EXPECT_EQ(refusal_of(case_with("no_such")).find("material.clay.symbol: "), 0u);
   EXPECT_EQ(refusal_of(case_with("fails")).find("material.clay.library: a trial without strain fails: the law \"user\" of [material.clay]"),
             0u);
-  problem::Case c = case_with("");
+  settings::Case c = case_with("");
   law_of(c).library = "/no/such/law.so";
   EXPECT_EQ(refusal_of(c), "material.clay.library: there is no /no/such/law.so; build it first");
 }
 
 TEST(Load, tells_of_a_law_that_fails_later_until_that_is_forgotten)
 {
-  problem::Case c = case_with("not_a_number");
+  settings::Case c = case_with("not_a_number");
   load(c);
   SymTensor<2> stress;
   Real calls = 0;

@@ -20,7 +20,7 @@
 namespace berm::after_run {
 namespace {
 
-void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folder, const simulation::LastState<2>& at_end)
+void draw_soil(const settings::Case& settings, const run_folder::RunFolder& folder, const simulation::LastState<2>& at_end)
 {
   const auto& [model, rigid_bodies, last] = at_end;
   soil_plot::SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
@@ -39,7 +39,7 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
   draw_one("soil_increment", "incremental_deviatoric_strain");
   for (const std::string& field : own_fields(last)) draw_one("soil_" + field, field);
 }
-void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folder, const simulation::LastState<3>& at_end)
+void draw_soil(const settings::Case& settings, const run_folder::RunFolder& folder, const simulation::LastState<3>& at_end)
 {
   const auto& [model, rigid_bodies, last] = at_end;
   const bool mirrored = std::find(settings.symmetry.begin(), settings.symmetry.end(), "z") != settings.symmetry.end();
@@ -73,7 +73,7 @@ std::string key_results(const std::string& table, const std::vector<std::string>
 
 /// Forces are measured by the soil below the body, as in the report, which reads the region in the summary.
 template <int dim>
-std::string region_below_body(const problem::Case& c, const simulation::LastState<dim>& last)
+std::string region_below_body(const settings::Case& c, const simulation::LastState<dim>& last)
 {
   const Index main = last.model.main_rigid;
   return main == none ? ""

@@ -72,7 +72,7 @@ base::Structure anchor()
                   return list.list();
                 },
             .names =
-                [](const problem::Case&) {
+                [](const settings::Case&) {
                   base::AnswerList list(3);
                   list.add_names(tow_answers);
                   return list.names();

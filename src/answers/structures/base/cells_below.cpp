@@ -4,7 +4,7 @@
 
 #include "mesh/seabed.hpp"
 #include "problem/cells_at_body.hpp"
-#include "problem/drainage.hpp"
+#include "settings/drainage.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/kind.hpp"
 #include "text/quantity_words.hpp"
@@ -21,15 +21,15 @@ inline constexpr Limit limit = too_large({50, 10, Effect::cells,
                                           true});
 
 /// Of undisturbed soil below the body, Pa; 0 where none is known.
-Real strength_at(const problem::BodySoil& soil, Real depth)
+Real strength_at(const settings::BodySoil& soil, Real depth)
 {
-  return problem::strength_under(soil.at("", depth), 0, soil.vertical_stress("", depth)).value_or(0);
+  return settings::strength_under(soil.at("", depth), 0, soil.vertical_stress("", depth)).value_or(0);
 }
 
-bool strengthens_below(const problem::Case& c)
+bool strengthens_below(const settings::Case& c)
 {
   constexpr Real a_quarter = 0.25;
-  const std::optional<problem::BodySoil> soil = touched_soil(c);
+  const std::optional<settings::BodySoil> soil = touched_soil(c);
   if (!soil) return false;
   const Real depth = std::max(Real(0), soil_depth(c, problem::ground_of(c), reference_depth(c)));
   const Real below = strength_at(*soil, depth + a_quarter * body_scale(c).width);
@@ -38,14 +38,14 @@ bool strengthens_below(const problem::Case& c)
 
 }  // namespace
 
-Real largest_cell_below(const problem::Case& c)
+Real largest_cell_below(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (rigid == none || bed == nullptr || bed->in_space()) return nan;
   const std::optional<BodyProfile> body = body_profile(c.rigid[rigid].second.shape);
   if (!body || body->disk || body->shoulder > 0) return nan;
-  const Real from = c.geometry == problem::Geometry::axisymmetric ? body->bore : body->left;
+  const Real from = c.geometry == settings::Geometry::axisymmetric ? body->bore : body->left;
   const Real away = std::max({Real(0), bed->near_left - from, body->right - bed->near_right});
   return std::min(layout_of(*bed).far_size, bed->near_size + bed->growth * away);
 }

@@ -2,8 +2,8 @@
 #include "structures/base/driven_body.hpp"
 #include "bodies/fill.hpp"
 
+#include "core/axes.hpp"
 #include "mesh/seabed.hpp"
-#include "problem/axes.hpp"
 #include "problem/ground.hpp"
 #include "structures/base/kind.hpp"
 
@@ -12,7 +12,7 @@
 
 namespace berm::base {
 
-const contact::ContactSettings* contact_of_body(const problem::Case& c)
+const contact::ContactSettings* contact_of_body(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
   const contact::ContactSettings* found = nullptr;
@@ -28,77 +28,77 @@ Real interface_ratio(const contact::ContactSettings& contact, Real strength)
   return std::min(Real(1), contact.adhesion_factor > 0 ? contact.adhesion_factor : contact.adhesion / strength);
 }
 
-std::optional<problem::BodySoil> touched_soil(const problem::Case& c)
+std::optional<settings::BodySoil> touched_soil(const settings::Case& c)
 {
   const contact::ContactSettings* contact = contact_of_body(c);
-  const Index body = contact == nullptr ? none : problem::index_of(c.body, contact->body);
-  if (body == none || problem::index_of(c.material, c.body[body].second.material) == none) return {};
+  const Index body = contact == nullptr ? none : index_of(c.body, contact->body);
+  if (body == none || index_of(c.material, c.body[body].second.material) == none) return {};
   return soil_of(c, c.body[body].second);
 }
 
-std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run)
+std::optional<settings::BodySoil> touched_soil(const record::RunRecord& run)
 {
-  std::optional<problem::BodySoil> soil = touched_soil(run.settings);
+  std::optional<settings::BodySoil> soil = touched_soil(run.settings);
   if (!soil || !run.summary) return soil;
   const auto noted = run.summary->text.find(region_entry);
   if (noted == run.summary->text.end()) return soil;
   const auto found = soil->of_region.find(noted->second);
   if (found == soil->of_region.end()) return soil;
-  problem::BodySoil one = problem::soil_of_one(soil->materials[found->second], soil->names[found->second]);
+  settings::BodySoil one = settings::soil_of_one(soil->materials[found->second], soil->names[found->second]);
   one.gravity = soil->gravity, one.vertical_stress_at_start = soil->vertical_stress_at_start;
   return one;
 }
 
-Real soil_depth(const problem::Case& c, const problem::Ground& ground, Real w)
+Real soil_depth(const settings::Case& c, const problem::Ground& ground, Real w)
 {
   const Index rigid = main_rigid(c);
   if (rigid == none || c.dimension() != 2) return w;
-  const problem::Axes<2> axes = problem::axes_of<2>(bodies::to_vec<2>(c.gravity));
+  const Axes<2> axes = axes_of<2>(bodies::to_vec<2>(c.gravity));
   return ground.soil_depth_at(center_of<2>(make_shape<2>(c.rigid[rigid].second.shape))[axes.along], w, c.surface);
 }
 
-Real reference_depth(const problem::Case& c)
+Real reference_depth(const settings::Case& c)
 {
   return reference_depth(c, problem::ground_of(c));
 }
 
-Real reference_depth(const problem::Case& c, const problem::Ground& ground)
+Real reference_depth(const settings::Case& c, const problem::Ground& ground)
 {
   const Index rigid = main_rigid(c);
   if (rigid == none) return 0;
   const auto lowest = [&](auto gravity) {
     constexpr int dim = decltype(gravity)::RowsAtCompileTime;
-    const problem::Axes<dim> axes = problem::axes_of<dim>(gravity);
+    const Axes<dim> axes = axes_of<dim>(gravity);
     const bodies::RigidShape<dim> shape = make_shape<dim>(c.rigid[rigid].second.shape);
     const Real surface = ground.level_at(center_of<dim>(shape)[axes.along], c.surface);
     return axes.sign * surface - bodies::lowest_level<dim>(shape, axes.up_vector());
   };
   Real depth = c.dimension() == 2 ? lowest(bodies::to_vec<2>(c.gravity)) : lowest(bodies::to_vec<3>(c.gravity));
   if (!std::isfinite(depth)) depth = 0;
-  if (c.method == problem::Method::mpm)
-    for (const problem::StageSettings& stage : c.stage)
-      if (stage.kind == problem::StageKind::push) depth = std::max(depth, stage.until.embedment.value_or(0));
+  if (c.method == settings::Method::mpm)
+    for (const settings::StageSettings& stage : c.stage)
+      if (stage.kind == settings::StageKind::push) depth = std::max(depth, stage.until.embedment.value_or(0));
   return std::max(Real(0), depth);
 }
 
-std::optional<material::Material> touched_material(const problem::Case& c)
+std::optional<material::Material> touched_material(const settings::Case& c)
 {
-  const std::optional<problem::BodySoil> soil = touched_soil(c);
+  const std::optional<settings::BodySoil> soil = touched_soil(c);
   return soil ? std::optional(soil->at("", soil_depth(c, problem::ground_of(c), reference_depth(c)))) : std::nullopt;
 }
 
 namespace {
 
 /// The scale of a case on this ground whose main rigid body touches this soil.
-BodyScale scale_in(const problem::Case& c, const problem::Ground& ground, const std::optional<problem::BodySoil>& touched)
+BodyScale scale_in(const settings::Case& c, const problem::Ground& ground, const std::optional<settings::BodySoil>& touched)
 {
   const Real gravity = Eigen::Map<const Eigen::VectorXd>(c.gravity.data(), static_cast<Eigen::Index>(c.gravity.size())).norm();
-  BodyScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm, c.force_dimension()};
+  BodyScale scale{0, 0, gravity / standard_gravity, c.method == settings::Method::mpm, c.force_dimension()};
   const Index rigid = main_rigid(c);
   if (rigid == none) return scale;
   const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
-  const bool driven = std::any_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
-    return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
+  const bool driven = std::any_of(c.stage.begin(), c.stage.end(), [](const settings::StageSettings& stage) {
+    return stage.kind == settings::StageKind::push || stage.kind == settings::StageKind::drag;
   });
   if (driven || is_loaded_sideways(c))
     scale.width = c.dimension() == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
@@ -116,14 +116,14 @@ BodyScale scale_in(const problem::Case& c, const problem::Ground& ground, const 
 
 }  // namespace
 
-BodyScale body_scale(const problem::Case& c)
+BodyScale body_scale(const settings::Case& c)
 {
   return scale_in(c, problem::ground_of(c), touched_soil(c));
 }
 
 BodyScale body_scale(const record::RunRecord& run)
 {
-  const std::optional<problem::BodySoil> soil = touched_soil(run);
+  const std::optional<settings::BodySoil> soil = touched_soil(run);
   BodyScale scale = scale_in(run.settings, run.ground, soil);
   const run_folder::Quantity* reached = run.quantity("w_end_of_push");
   if (!(scale.strength_depth > 0) || reached == nullptr || !(reached->value > 0)) return scale;
@@ -132,12 +132,12 @@ BodyScale body_scale(const record::RunRecord& run)
   return scale;
 }
 
-bool drives_a_body(const problem::Case& c)
+bool drives_a_body(const settings::Case& c)
 {
   return body_scale(c).width > 0;
 }
 
-std::string body_word(const problem::Case& c)
+std::string body_word(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
   std::string word = rigid == none ? "body" : c.rigid[rigid].first;
@@ -145,13 +145,13 @@ std::string body_word(const problem::Case& c)
   return word;
 }
 
-std::optional<bodies::DiskOutline> circle_of(const problem::Case& c)
+std::optional<bodies::DiskOutline> circle_of(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
   return rigid == none ? std::nullopt : bodies::pipe_section(c.rigid[rigid].second.shape);
 }
 
-Real modelled_part(const problem::Case& c)
+Real modelled_part(const settings::Case& c)
 {
   const std::optional<bodies::DiskOutline> circle = circle_of(c);
   if (!circle) return nan;
@@ -173,9 +173,9 @@ Real averaging_half(const BodyScale& scale)
   return scale.noisy ? averaging_half_width * scale.width : 0;
 }
 
-Real near_cell_size(const problem::Case& c)
+Real near_cell_size(const settings::Case& c)
 {
-  if (c.method == problem::Method::fem && c.fem.contact_size) return *c.fem.contact_size;
+  if (c.method == settings::Method::fem && c.fem.contact_size) return *c.fem.contact_size;
   if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) return bed->near_size;
   const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
   if (box == nullptr) return nan;
@@ -192,11 +192,11 @@ NearCells near_cells(const record::RunRecord& run)
   return {first, first * largest / found};
 }
 
-Real near_particles(const problem::Case& c)
+Real near_particles(const settings::Case& c)
 {
-  if (c.method == problem::Method::fem || c.body.empty()) return nan;
+  if (c.method == settings::Method::fem || c.body.empty()) return nan;
   const contact::ContactSettings* contact = contact_of_body(c);
-  const Index body = contact == nullptr ? 0 : problem::index_of(c.body, contact->body);
+  const Index body = contact == nullptr ? 0 : index_of(c.body, contact->body);
   const bodies::BodySettings& settings = c.body[body].second;
   const Real spacing = settings.block ? settings.block->spacing : settings.disk ? settings.disk->spacing : 0;
   if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension());
@@ -205,13 +205,13 @@ Real near_particles(const problem::Case& c)
   return filled_particles(settings, c.dimension());
 }
 
-bool covers_the_mesh(const problem::Case& c)
+bool covers_the_mesh(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
   const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
   if (rigid == none || box == nullptr || c.dimension() != 2) return false;
   const bodies::RigidShape<2> shape = bodies::make_shape<2>(c.rigid[rigid].second.shape);
-  const int along = problem::axes_of<2>(bodies::to_vec<2>(c.gravity)).along;
+  const int along = axes_of<2>(bodies::to_vec<2>(c.gravity)).along;
   Vec<2> right = Vec<2>::Zero();
   right[along] = 1;
   const Real lower = box->lower.empty() ? 0 : box->lower[along];

@@ -61,9 +61,9 @@ inline constexpr Limit overstress{
 
 bool settles(Run run)
 {
-  const std::vector<problem::StageSettings>& stages = run.settings.stage;
+  const std::vector<settings::StageSettings>& stages = run.settings.stage;
   return std::any_of(stages.begin(), stages.end(),
-                     [](const problem::StageSettings& stage) { return stage.kind == problem::StageKind::geostatic; });
+                     [](const settings::StageSettings& stage) { return stage.kind == settings::StageKind::geostatic; });
 }
 
 std::string energy_words(Run run, Real value)
@@ -91,8 +91,8 @@ Real damping_over_work(Run run)
   const std::vector<Real>& damping = h.by_label("damping");
   Real taken = 0;
   for (Index k = 1; k < h.rows(); ++k) {
-    const bool driven = std::any_of(run.settings.stage.begin(), run.settings.stage.end(), [&](const problem::StageSettings& stage) {
-      return stage.name == h.stage[k] && (stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag);
+    const bool driven = std::any_of(run.settings.stage.begin(), run.settings.stage.end(), [&](const settings::StageSettings& stage) {
+      return stage.name == h.stage[k] && (stage.kind == settings::StageKind::push || stage.kind == settings::StageKind::drag);
     });
     if (driven) taken += damping[k] - damping[k - 1];
   }
@@ -110,12 +110,12 @@ std::optional<material::Strength> weakest_in_shear_bands(Run run)
 }
 
 /// Whether soil of a case can shear in bands: not where all slices of a pipeline are springs, nor around a cavity about the axis, whose wall alone moves along the radius.
-bool can_form_bands(const problem::Case& c)
+bool can_form_bands(const settings::Case& c)
 {
-  if (c.pipeline && c.pipeline->slices.as_spring == problem::SliceAsSpring::always) return false;
-  return c.geometry != problem::Geometry::axisymmetric ||
-         std::none_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
-           return stage.kind == problem::StageKind::drive && (stage.drive.x.velocity || stage.drive.x.force);
+  if (c.pipeline && c.pipeline->slices.as_spring == settings::SliceAsSpring::always) return false;
+  return c.geometry != settings::Geometry::axisymmetric ||
+         std::none_of(c.stage.begin(), c.stage.end(), [](const settings::StageSettings& stage) {
+           return stage.kind == settings::StageKind::drive && (stage.drive.x.velocity || stage.drive.x.force);
          });
 }
 
@@ -152,9 +152,9 @@ EnergyError energy_error(const record::RunRecord& run)
   }
   if (std::isnan(found.over_work) && work > 0) found.over_work = largest / work;
   if (row == none) return found;
-  const std::vector<problem::StageSettings>& stages = run.settings.stage;
-  const bool drag = std::any_of(stages.begin(), stages.end(), [&](const problem::StageSettings& stage) {
-    return stage.kind == problem::StageKind::drag && stage.name == h.stage[row];
+  const std::vector<settings::StageSettings>& stages = run.settings.stage;
+  const bool drag = std::any_of(stages.begin(), stages.end(), [&](const settings::StageSettings& stage) {
+    return stage.kind == settings::StageKind::drag && stage.name == h.stage[row];
   });
   const std::string at = drives_a_body(run.settings)
                              ? fmt::format("{} = {}", drag ? "u" : "w", text::length_words(h[drag ? "u_m" : "w_m"][row]))
@@ -182,17 +182,17 @@ bool has_soil(Run run)
   return std::any_of(run.settings.material.begin(), run.settings.material.end(), [](const auto& entry) { return yields(entry.second); });
 }
 
-TrustMeasure energy_balance(problem::Method method)
+TrustMeasure energy_balance(settings::Method method)
 {
   return {"energy that does not balance, over the work",
-          method == problem::Method::mpm ? &limits::energy : &limits::energy_of_fem,
+          method == settings::Method::mpm ? &limits::energy : &limits::energy_of_fem,
           always,
           [](Run run) { return energy_error(run).over_work; },
           energy_words,
           [](Run run, Real value) {
-            const char* smaller = run.settings.method != problem::Method::mpm ? "halve fem.largest_step"
-                                  : run.settings.mpm.courant                  ? "halve mpm.courant"
-                                                                              : "set mpm.courant to 0.5 or less";
+            const char* smaller = run.settings.method != settings::Method::mpm ? "halve fem.largest_step"
+                                  : run.settings.mpm.courant                   ? "halve mpm.courant"
+                                                                               : "set mpm.courant to 0.5 or less";
             return fmt::format("{} of the work is not balanced by energy ({}): {}", text::percent_words(value), energy_error(run).where,
                                smaller);
           },

@@ -22,7 +22,7 @@ Real quantity_value(const record::RunRecord& run, const std::string& name);
 bool has_soil(const record::RunRecord& run);
 
 /// Energy that does not balance.
-TrustMeasure energy_balance(problem::Method method);
+TrustMeasure energy_balance(settings::Method method);
 
 /// What keeps soil still takes: the velocity filter, the bulk viscosity, and local damping while a body is driven.
 TrustMeasures energy_that_the_method_takes();

@@ -37,10 +37,10 @@ void add_no_numbers(Run run, std::vector<std::string>& found)
   }
 }
 
-bool goes_through_soil(const problem::StageSettings& stage)
+bool goes_through_soil(const settings::StageSettings& stage)
 {
-  return stage.kind == problem::StageKind::drag ||
-         (stage.kind == problem::StageKind::push && !(stage.velocity && *stage.velocity < 0) && !(stage.force && *stage.force < 0));
+  return stage.kind == settings::StageKind::drag ||
+         (stage.kind == settings::StageKind::push && !(stage.velocity && *stage.velocity < 0) && !(stage.force && *stage.force < 0));
 }
 
 /// Whether soil resisted the drag in one of these rows: it does not resist a gate that is drawn away from it.
@@ -63,7 +63,7 @@ void add_lost_soil(Run run, std::vector<std::string>& found)
     const auto stage =
         std::find_if(run.settings.stage.begin(), run.settings.stage.end(), [&](const auto& s) { return s.name == h.stage[begin]; });
     if (stage == run.settings.stage.end() || !goes_through_soil(*stage) || !touched || end - begin < least_rows) continue;
-    if (stage->kind == problem::StageKind::drag && h.has_label("u") && !is_resisted(h, begin, end)) continue;
+    if (stage->kind == settings::StageKind::drag && h.has_label("u") && !is_resisted(h, begin, end)) continue;
     bool at_end = false;
     for (Index row = end - (end - begin) / least_rows; row < end; ++row) at_end = at_end || touches(row);
     if (!at_end) found.push_back(fmt::format("at the end of stage \"{}\" the body no longer touches soil", stage->name));
@@ -77,7 +77,7 @@ std::vector<std::string> invalid_because(Run run)
   std::vector<std::string> found;
   add_no_numbers(run, found);
   add_bad(energy_balance(run.settings.method), run, found);
-  if (run.settings.method == problem::Method::mpm) {
+  if (run.settings.method == settings::Method::mpm) {
     add_bad(momentum_balance(), run, found);
     add_bad(soil_at_largest_volume(), run, found);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/kind.hpp"
 
-#include "problem/axes.hpp"
+#include "core/axes.hpp"
 #include "problem/ground.hpp"
 #include "structures/base/driven_body.hpp"
 
@@ -95,10 +95,10 @@ BodyProfile profile_of(const bodies::ProfileSettings& profile, const std::vector
   return p;
 }
 
-std::string of_disk(const problem::Case& c, const BodyProfile& disk)
+std::string of_disk(const settings::Case& c, const BodyProfile& disk)
 {
-  if (c.geometry == problem::Geometry::axisymmetric) return std::abs(disk.left + disk.right) <= round_off * disk.width ? "ball" : "pipe";
-  if (c.geometry == problem::Geometry::space) return bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape) ? "ball" : "pipe";
+  if (c.geometry == settings::Geometry::axisymmetric) return std::abs(disk.left + disk.right) <= round_off * disk.width ? "ball" : "pipe";
+  if (c.geometry == settings::Geometry::space) return bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape) ? "ball" : "pipe";
   const Real top = center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[1] + disk.width / 2;
   const bool deep = problem::ground_of(c).line.level() && top < c.surface - buried * disk.width;
   return deep ? "t_bar" : "pipe";
@@ -128,45 +128,45 @@ std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape)
   return profile_of(corners->corners);
 }
 
-bool is_pushed_down(const problem::Case& c)
+bool is_pushed_down(const settings::Case& c)
 {
   const auto has_positive = [](const std::vector<Real>& column) {
     return std::any_of(column.begin(), column.end(), [](Real v) { return v > 0; });
   };
-  return std::any_of(c.stage.begin(), c.stage.end(), [&](const problem::StageSettings& s) {
-    return s.kind == problem::StageKind::push && (s.velocity.value_or(0) > 0 || s.force.value_or(0) > 0 || has_positive(s.loads.of("V")) ||
-                                                  has_positive(s.loads.of("w")) || has_positive(s.loads.of("w_displacement")));
+  return std::any_of(c.stage.begin(), c.stage.end(), [&](const settings::StageSettings& s) {
+    return s.kind == settings::StageKind::push && (s.velocity.value_or(0) > 0 || s.force.value_or(0) > 0 || has_positive(s.loads.of("V")) ||
+                                                   has_positive(s.loads.of("w")) || has_positive(s.loads.of("w_displacement")));
   });
 }
 
-bool goes_sideways(const problem::Case& c, const problem::StageSettings& stage)
+bool goes_sideways(const settings::Case& c, const settings::StageSettings& stage)
 {
-  if (c.geometry != problem::Geometry::space) return false;
-  if (stage.kind == problem::StageKind::drag) return true;
-  if (stage.kind != problem::StageKind::drive) return false;
-  const int up = problem::axes_of<3>(bodies::to_vec<3>(c.gravity)).up;
-  const problem::FreedomSettings* freedoms[3] = {&stage.drive.x, &stage.drive.y, &stage.drive.z};
+  if (c.geometry != settings::Geometry::space) return false;
+  if (stage.kind == settings::StageKind::drag) return true;
+  if (stage.kind != settings::StageKind::drive) return false;
+  const int up = axes_of<3>(bodies::to_vec<3>(c.gravity)).up;
+  const settings::FreedomSettings* freedoms[3] = {&stage.drive.x, &stage.drive.y, &stage.drive.z};
   for (int d = 0; d < 3; ++d) {
-    constexpr problem::LoadAlong axes[3] = {problem::LoadAlong::x, problem::LoadAlong::y, problem::LoadAlong::z};
+    constexpr settings::LoadAlong axes[3] = {settings::LoadAlong::x, settings::LoadAlong::y, settings::LoadAlong::z};
     const bool by_column = stage.loads.drives(axes[d]);
     if (d != up && (by_column || freedoms[d]->velocity.value_or(0) != 0 || freedoms[d]->force.value_or(0) != 0)) return true;
   }
   return false;
 }
 
-bool is_loaded_sideways(const problem::Case& c)
+bool is_loaded_sideways(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
-  if (rigid == none || c.geometry != problem::Geometry::space) return false;
+  if (rigid == none || c.geometry != settings::Geometry::space) return false;
   const bodies::RigidSettings& settings = c.rigid[rigid].second;
   const std::string& word = settings.structure;
   if (word != "automatic" && word != "pile" && word != "skirt") return false;
   const std::optional<BodyProfile> body = body_profile(settings.shape);
   if (!body || body->disk || !bodies::is_round_from_above(settings.shape) || !(reference_depth(c) > standing * body->width)) return false;
-  return std::any_of(c.stage.begin(), c.stage.end(), [&](const problem::StageSettings& stage) { return goes_sideways(c, stage); });
+  return std::any_of(c.stage.begin(), c.stage.end(), [&](const settings::StageSettings& stage) { return goes_sideways(c, stage); });
 }
 
-std::string kind_of(const problem::Case& c)
+std::string kind_of(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
   if (rigid == none || !drives_a_body(c)) return "other";
@@ -177,8 +177,8 @@ std::string kind_of(const problem::Case& c)
   if (!is_pushed_down(c)) return !is_loaded_sideways(c) ? "pipe" : is_skirt(*body) ? "skirt" : "pile";
   if (body->disk) return of_disk(c, *body);
   if (const auto* cylinder = std::get_if<bodies::CylinderSettings>(&settings.shape)) return of_cylinder(*cylinder);
-  const bool revolved = c.geometry == problem::Geometry::axisymmetric ||
-                        (c.geometry == problem::Geometry::space && bodies::is_round_from_above(settings.shape));
+  const bool revolved = c.geometry == settings::Geometry::axisymmetric ||
+                        (c.geometry == settings::Geometry::space && bodies::is_round_from_above(settings.shape));
   if (!revolved) return "footing";
   if (is_skirt(*body)) return "skirt";
   if (body->conical) return "cone";

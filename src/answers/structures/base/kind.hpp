@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 
 namespace berm::base {
 
@@ -26,14 +26,14 @@ struct BodyProfile {
 std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape);
 
 /// Whether a stage pushes the main rigid body of a case down.
-bool is_pushed_down(const problem::Case& c);
+bool is_pushed_down(const settings::Case& c);
 
 /// Whether a stage moves a body along the bed: a drag, or a drive along an axis that is not up. Of cases in space.
-bool goes_sideways(const problem::Case& c, const problem::StageSettings& stage);
+bool goes_sideways(const settings::Case& c, const settings::StageSettings& stage);
 
 /// Whether the main rigid body of a case in space, a pile, a skirt or one that the input does not name, is round from above, stands deeper than D/2 in the bed,
 /// and a stage moves it along the bed.
-bool is_loaded_sideways(const problem::Case& c);
+bool is_loaded_sideways(const settings::Case& c);
 
 /// The word of the structure that the main rigid body of a case is: what the input names, else
 ///   other     no push or drag moves it, and it is not loaded sideways (is_loaded_sideways), or it has no width;
@@ -45,6 +45,6 @@ bool is_loaded_sideways(const problem::Case& c);
 ///   t_bar     a circle in plane strain that a push drives down and whose top is deeper than D below the surface at the start;
 ///   pipe      all others.
 /// Never automatic. An anchor and a T-bar that begins at the surface look like other bodies: they are named.
-std::string kind_of(const problem::Case& c);
+std::string kind_of(const settings::Case& c);
 
 }  // namespace berm::base

@@ -54,11 +54,11 @@ std::vector<std::size_t> counted_points(const run_folder::SavedSoil& soil, const
 }
 
 /// Points that a cell of each body had at the start: NaN of bodies without a strength and of those on a lattice of their own.
-std::vector<Real> points_of_cell(const problem::Case& c)
+std::vector<Real> points_of_cell(const settings::Case& c)
 {
   std::vector<Real> points;
   for (const auto& [name, body] : c.body) {
-    const Index material = problem::index_of(c.material, body.material);
+    const Index material = index_of(c.material, body.material);
     const bool counts = !body.block && !body.disk && material != none && yields(c.material[material].second);
     points.push_back(counts ? filled_particles(body, c.dimension()) : nan);
   }
@@ -66,13 +66,13 @@ std::vector<Real> points_of_cell(const problem::Case& c)
 }
 
 /// The same of bodies whose shear bands have a width; NaN also where regions have numbers of their own.
-std::vector<Real> points_of_banded_cell(const problem::Case& c)
+std::vector<Real> points_of_banded_cell(const settings::Case& c)
 {
   std::vector<Real> points = points_of_cell(c);
   for (std::size_t b = 0; b < points.size(); ++b) {
     const bodies::BodySettings& body = c.body[b].second;
     if (std::isnan(points[b]) || !body.region_particles_per_cell.empty() ||
-        !band_width(c.material[problem::index_of(c.material, body.material)].second))
+        !band_width(c.material[index_of(c.material, body.material)].second))
       points[b] = nan;
   }
   return points;
@@ -153,7 +153,7 @@ std::optional<CellSizes> sheared_cell_sizes(const record::RunRecord& run)
 bool has_mechanism_cells(const record::RunRecord& run)
 {
   const std::vector<Real> points = points_of_cell(run.settings);
-  return run.settings.method == problem::Method::mpm && std::any_of(points.begin(), points.end(), [](Real p) { return !std::isnan(p); });
+  return run.settings.method == settings::Method::mpm && std::any_of(points.begin(), points.end(), [](Real p) { return !std::isnan(p); });
 }
 
 }  // namespace berm::base

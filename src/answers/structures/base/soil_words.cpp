@@ -22,16 +22,16 @@ std::string values_in_words(const material::Material& material)
 
 }  // namespace
 
-std::string layers_in_words(const problem::BodySoil& soil)
+std::string layers_in_words(const settings::BodySoil& soil)
 {
   std::string words = fmt::format("\"{}\"", soil.names.front());
-  for (const problem::SoilLayer& layer : soil.layers)
+  for (const settings::SoilLayer& layer : soil.layers)
     words += fmt::format(", from {} down \"{}\"", text::length_words(layer.top), soil.names[layer.material]);
   for (const auto& [region, number] : soil.of_region) words += fmt::format(", in region \"{}\" \"{}\"", region, soil.names[number]);
   return words;
 }
 
-std::vector<EarthworkWords> earthworks_in_words(const problem::Case& c)
+std::vector<EarthworkWords> earthworks_in_words(const settings::Case& c)
 {
   std::vector<EarthworkWords> all;
   const auto add = [&](const std::string& body, const bodies::EarthworkSettings& work, const std::string& material) {
@@ -61,7 +61,7 @@ std::string k0_in_words(const bodies::K0Settings& at_rest, Real sin_friction)
 namespace {
 
 /// Depth of the mesh below the surface of a level bed, m; of a mesh from a file it is not known.
-Real depth_of_mesh(const problem::Case& c)
+Real depth_of_mesh(const settings::Case& c)
 {
   constexpr Real deep = 1e4;
   if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) return bed->depth;
@@ -70,7 +70,7 @@ Real depth_of_mesh(const problem::Case& c)
 }
 
 /// The depth at which the vertical stress at the start is this, Pa; 0 where it is not there down to the deepest, m.
-Real depth_under(const problem::BodySoil& soil, Real vertical_stress, Real deepest)
+Real depth_under(const settings::BodySoil& soil, Real vertical_stress, Real deepest)
 {
   Real low = 0, high = deepest;
   if (!(soil.vertical_stress("", high) > vertical_stress) || !(vertical_stress > 0)) return 0;
@@ -83,7 +83,7 @@ Real depth_under(const problem::BodySoil& soil, Real vertical_stress, Real deepe
 
 }  // namespace
 
-std::vector<std::string> k0_words(const problem::Case& c)
+std::vector<std::string> k0_words(const settings::Case& c)
 {
   std::vector<std::string> lines;
   for (const auto& [name, body] : c.body) {
@@ -94,7 +94,7 @@ std::vector<std::string> k0_words(const problem::Case& c)
                                   top > 0 ? ", from " + text::length_words(top) + " down" : "", material, k0_in_words(own, sine),
                                   text::number_words(1 - sine), text::number_words(passive)));
       if (!own.pop) return;
-      const problem::BodySoil soil = soil_of(c, body);
+      const settings::BodySoil soil = soil_of(c, body);
       std::string at_depths;
       for (const Real ratio : {9., 3., 1.5, 1.1})
         if (const Real depth = depth_under(soil, *own.pop / (ratio - 1), depth_of_mesh(c)); depth > top)
@@ -109,11 +109,11 @@ std::vector<std::string> k0_words(const problem::Case& c)
   return lines;
 }
 
-std::vector<std::string> soil_words(const problem::Case& c)
+std::vector<std::string> soil_words(const settings::Case& c)
 {
   std::vector<std::string> lines;
   for (const auto& [name, settings] : c.body) {
-    const problem::BodySoil soil = soil_of(c, settings);
+    const settings::BodySoil soil = soil_of(c, settings);
     if (!varies(soil)) continue;
     lines.push_back(fmt::format("soil         body \"{}\": {}", name, layers_in_words(soil)));
     lines.push_back(fmt::format("             at the surface: {}", values_in_words(soil.at("", 0))));
@@ -128,7 +128,7 @@ std::vector<std::string> soil_words(const problem::Case& c)
 
 namespace {
 
-std::string stage_words(const problem::Case& c, const problem::StageDrainage& stage)
+std::string stage_words(const settings::Case& c, const settings::StageDrainage& stage)
 {
   const std::string& name = c.stage[stage.stage].name;
   if (stage.moves) {
@@ -142,16 +142,16 @@ std::string stage_words(const problem::Case& c, const problem::StageDrainage& st
                           : "");
 }
 
-std::string stage_line(const problem::Case& c, const problem::StageDrainage& stage, const problem::Consolidation& soil, Real width)
+std::string stage_line(const settings::Case& c, const settings::StageDrainage& stage, const settings::Consolidation& soil, Real width)
 {
-  const std::optional<problem::StageInertia> inertia = inertia_in(c, stage, soil, width);
+  const std::optional<settings::StageInertia> inertia = inertia_in(c, stage, soil, width);
   return "             " + stage_words(c, stage) + (inertia ? "; " + inertia_words(*inertia) : "");
 }
 
 /// c_v, m2/s, of the soil that touches the main rigid body, or of the first whose water flows.
-Real c_v_of(const problem::Case& c, Real width)
+Real c_v_of(const settings::Case& c, Real width)
 {
-  const std::vector<problem::Consolidation> found = consolidation_of(c, width);
+  const std::vector<settings::Consolidation> found = consolidation_of(c, width);
   return found.empty() ? nan : found.front().c_v;
 }
 
@@ -159,12 +159,12 @@ Real c_v_of(const problem::Case& c, Real width)
 
 const char* drainage_word(Real number)
 {
-  return number <= problem::drained_up_to ? "drained" : number >= problem::undrained_from ? "undrained" : "partially drained";
+  return number <= settings::drained_up_to ? "drained" : number >= settings::undrained_from ? "undrained" : "partially drained";
 }
 
-std::string inertia_words(const problem::StageInertia& inertia)
+std::string inertia_words(const settings::StageInertia& inertia)
 {
-  using Measure = problem::StageInertia::Measure;
+  using Measure = settings::StageInertia::Measure;
   const std::string part = fmt::format("{:.2g}", inertia.part);
   const std::string measure = inertia.measure == Measure::strength ? "density v2 is " + part + " of the strength"
                               : inertia.measure == Measure::wave
@@ -173,20 +173,20 @@ std::string inertia_words(const problem::StageInertia& inertia)
   return measure + (inertia.is_small() ? ": inertia is small" : inertia.is_large() ? ": inertia matters" : ": inertia may matter");
 }
 
-std::vector<std::string> drainage_words(const problem::Case& c)
+std::vector<std::string> drainage_words(const settings::Case& c)
 {
   std::vector<std::string> lines;
   const Real width = body_scale(c).width;
-  for (const problem::Consolidation& soil : consolidation_of(c, width)) {
+  for (const settings::Consolidation& soil : consolidation_of(c, width)) {
     lines.push_back(fmt::format("water        \"{}\"{}: c_v = {:.3g} m2/s with M = {} of one-dimensional compression", soil.material,
                                 soil.depth > 0 ? fmt::format(", {} below the surface", text::length_words(soil.depth)) : "", soil.c_v,
                                 text::stress_words(soil.modulus)));
     if (width == 0) continue;
-    for (const problem::StageDrainage& stage : drainage_of_stages(c, width, soil.c_v)) lines.push_back(stage_line(c, stage, soil, width));
+    for (const settings::StageDrainage& stage : drainage_of_stages(c, width, soil.c_v)) lines.push_back(stage_line(c, stage, soil, width));
   }
   if (!lines.empty() && width > 0)
     lines.push_back(fmt::format("             (D = {}; drained up to v D/c_v = {:g}, undrained from {:g})", text::length_words(width),
-                                problem::drained_up_to, problem::undrained_from));
+                                settings::drained_up_to, settings::undrained_from));
   return lines;
 }
 
@@ -198,8 +198,8 @@ std::vector<Dissipation> dissipation_of(const record::RunRecord& run)
   const Real width = body_scale(run).width, c_v = c_v_of(run.settings, width);
   const Real scale = width > 0 ? c_v / (width * width) : nan;
   const std::vector<Real>&time = h["time_s"], &U = h.by_label("U"), &pressure = h.by_label("p max");
-  for (const problem::StageSettings& stage : run.settings.stage) {
-    if (stage.kind == problem::StageKind::geostatic || speed_of(stage) > 0) continue;
+  for (const settings::StageSettings& stage : run.settings.stage) {
+    if (stage.kind == settings::StageKind::geostatic || speed_of(stage) > 0) continue;
     const auto first = std::find(h.stage.begin(), h.stage.end(), stage.name);
     if (first == h.stage.end()) continue;
     const Index begin = static_cast<Index>(first - h.stage.begin());
@@ -221,8 +221,8 @@ std::vector<SurfaceForce> surface_forces_of(const record::RunRecord& run)
   std::vector<SurfaceForce> found;
   if (h.rows() == 0 || !h.has_label("N eff") || !h.has_label("V") || !h.has("w_m")) return found;
   const std::vector<Real>&time = h["time_s"], &w = h["w_m"], &N = h.by_label("N eff"), &V = h.by_label("V");
-  for (const problem::StageSettings& stage : run.settings.stage) {
-    if (stage.kind == problem::StageKind::geostatic) continue;
+  for (const settings::StageSettings& stage : run.settings.stage) {
+    if (stage.kind == settings::StageKind::geostatic) continue;
     const auto first = std::find(h.stage.begin(), h.stage.end(), stage.name);
     if (first == h.stage.end()) continue;
     const Index begin = static_cast<Index>(first - h.stage.begin());

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/body_soil.hpp"
-#include "problem/case.hpp"
-#include "problem/drainage.hpp"
+#include "settings/body_soil.hpp"
+#include "settings/case.hpp"
+#include "settings/drainage.hpp"
 #include "structures/base/driven_body.hpp"
 
 namespace berm::base {
 
 /// The layers of a soil downwards, or its regions: "\"sand\", from 5 mm down \"clay\"".
-std::string layers_in_words(const problem::BodySoil& soil);
+std::string layers_in_words(const settings::BodySoil& soil);
 
 /// A fill or an excavation in words: "fill backfill of sand, in stage \"backfill\", 3 lifts in 2 s".
 struct EarthworkWords {
@@ -17,27 +17,27 @@ struct EarthworkWords {
   std::string body, material;  ///< material "": it takes soil out
   std::string words;
 };
-std::vector<EarthworkWords> earthworks_in_words(const problem::Case& c);
+std::vector<EarthworkWords> earthworks_in_words(const settings::Case& c);
 
 /// K0 in words: "0.5", or "0.62 by OCR = 2" of one; where it varies with depth what it follows from: "by POP = 30 kPa".
 std::string k0_in_words(const bodies::K0Settings& at_rest, Real sin_friction);
 
 /// What `berm check` says of K0 that follows from the stress history, line by line.
-std::vector<std::string> k0_words(const problem::Case& c);
+std::vector<std::string> k0_words(const settings::Case& c);
 
 /// What `berm check` says of bodies whose soil varies, line by line: their layers or regions, and strength and stiffness at the surface and at the lowest
 /// point that the main rigid body reaches in a push.
-std::vector<std::string> soil_words(const problem::Case& c);
+std::vector<std::string> soil_words(const settings::Case& c);
 
 /// What `berm check` says of a case whose water flows, line by line: c_v, and v D / c_v or T = c_v t / D^2 of each stage, and whether inertia is
 /// small in it.
-std::vector<std::string> drainage_words(const problem::Case& c);
+std::vector<std::string> drainage_words(const settings::Case& c);
 
 /// "drained", "partially drained" or "undrained" at v D / c_v.
 const char* drainage_word(Real number);
 
 /// What the inertia of the soil is measured by, and whether it is small: "density v2 is 0.0035 of the strength: inertia is small".
-std::string inertia_words(const problem::StageInertia& inertia);
+std::string inertia_words(const settings::StageInertia& inertia);
 
 /// How a stage at rest consolidated, as the history tells.
 struct Dissipation {

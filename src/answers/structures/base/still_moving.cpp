@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/still_moving.hpp"
 
-#include "problem/stages.hpp"
+#include "settings/stage.hpp"
 #include "structures/base/driven_body.hpp"
 #include "text/quantity_words.hpp"
 
@@ -16,17 +16,17 @@ constexpr Real counts = 0.02;       // of the travel in the stage
 constexpr Real ended = 0.99;        // of its time
 constexpr Real least_width = 1e-3;  // of the width of the body: less is rest
 
-using problem::StageKind;
+using settings::StageKind;
 
 /// Whether only forces move the body or the line in a stage, and only time ends it.
-bool goes_on_for_its_time(const problem::StageSettings& s)
+bool goes_on_for_its_time(const settings::StageSettings& s)
 {
   if (s.kind == StageKind::geostatic || s.velocity || s.vertical_velocity) return false;
-  for (const problem::FreedomSettings* freedom : {&s.drive.x, &s.drive.y, &s.drive.z})
+  for (const settings::FreedomSettings* freedom : {&s.drive.x, &s.drive.y, &s.drive.z})
     if (freedom->velocity) return false;
-  for (std::size_t k = 0; k < problem::load_columns.size(); ++k)
-    if (const problem::LoadQuantity quantity = problem::load_columns[k].quantity;
-        !s.loads.columns[k].empty() && (quantity == problem::LoadQuantity::velocity || quantity == problem::LoadQuantity::displacement))
+  for (std::size_t k = 0; k < settings::load_columns.size(); ++k)
+    if (const settings::LoadQuantity quantity = settings::load_columns[k].quantity;
+        !s.loads.columns[k].empty() && (quantity == settings::LoadQuantity::velocity || quantity == settings::LoadQuantity::displacement))
       return false;
   return !s.until.displacement && !s.until.embedment && !s.until.force && !s.until.consolidation;
 }
@@ -54,7 +54,7 @@ std::vector<StillMoving> still_moving(const record::RunRecord& run)
   if (h.rows() == 0) return all;
   const std::vector<Real>& time = h["time_s"];
   const Real width = body_scale(run).width;
-  for (const problem::StageSettings& stage : run.settings.stage) {
+  for (const settings::StageSettings& stage : run.settings.stage) {
     if (!goes_on_for_its_time(stage)) continue;
     const auto begin = std::ranges::find(h.stage, stage.name);
     const auto end = std::find(h.stage.rbegin(), h.stage.rend(), stage.name);
@@ -63,7 +63,7 @@ std::vector<StillMoving> still_moving(const record::RunRecord& run)
                 last = static_cast<Index>(h.stage.rend() - end) - 1;
     const Real lasted = time[last] - time[first], since_ramp = lasted - stage.ramp;
     const Real last_part = since_ramp > 0 ? std::min(part * lasted, since_ramp) : part * lasted;
-    if (!(last_part > 0) || lasted < ended * problem::expected_time(stage)) continue;  // a run that was stopped in it
+    if (!(last_part > 0) || lasted < ended * settings::expected_time(stage)) continue;  // a run that was stopped in it
     std::optional<StillMoving> fastest;
     const bool line = stage.kind == StageKind::pipeline;
     for (const auto& [symbol, name] : {std::pair{"y", "line_y_m"}, {"u", "u_m"}, {"w", "w_m"}}) {

@@ -11,7 +11,7 @@ namespace berm::base {
 namespace {
 
 /// Those that apply to a case.
-std::vector<const Reading*> of_case(const Structure& structure, const problem::Case& c)
+std::vector<const Reading*> of_case(const Structure& structure, const settings::Case& c)
 {
   std::vector<const Reading*> readings;
   for (const Reading& reading : structure.readings)
@@ -21,7 +21,7 @@ std::vector<const Reading*> of_case(const Structure& structure, const problem::C
 
 /// What all readings of a case say in this member, one after the other.
 template <class List, class Says, class... Of>
-List joined_of(const Structure& structure, const problem::Case& c, Says Reading::*member, const Of&... of)
+List joined_of(const Structure& structure, const settings::Case& c, Says Reading::*member, const Of&... of)
 {
   List all;
   for (const Reading* reading : of_case(structure, c))
@@ -49,7 +49,7 @@ List joined_of(const Structure& structure, const Runs& runs, Says Reading::*memb
 
 /// The first reading of a case that has this member; null where none has.
 template <class Says>
-const Says* first_of(const Structure& structure, const problem::Case& c, Says Reading::*member)
+const Says* first_of(const Structure& structure, const settings::Case& c, Says Reading::*member)
 {
   for (const Reading* reading : of_case(structure, c))
     if (reading->*member) return &(reading->*member);
@@ -63,7 +63,7 @@ std::vector<run_folder::Quantity> Structure::quantities(const record::RunRecord&
   return joined_of<Reading::Quantities>(*this, run.settings, &Reading::answers, run, held_forces);
 }
 
-std::vector<std::string> Structure::quantity_names(const problem::Case& c) const
+std::vector<std::string> Structure::quantity_names(const settings::Case& c) const
 {
   std::vector<std::string> all;
   for (const Reading* reading : of_case(*this, c)) {
@@ -126,7 +126,7 @@ std::string Structure::other_results(const record::RunRecord& run, const std::st
   return joined_of<std::string>(*this, run.settings, &Reading::other_results, run, id);
 }
 
-TrustMeasures Structure::measures(const problem::Case& c) const
+TrustMeasures Structure::measures(const settings::Case& c) const
 {
   return joined_of<TrustMeasures>(*this, c, &Reading::measures, c);
 }
@@ -159,14 +159,14 @@ RunDetails Structure::details(const record::RunRecord& run) const
   return details == nullptr ? RunDetails{} : (*details)(run);
 }
 
-EmbeddedBody Structure::embedded(const problem::Case& c) const
+EmbeddedBody Structure::embedded(const settings::Case& c) const
 {
   const auto* embedded = first_of(*this, c, &Reading::embedded);
   if (embedded == nullptr) throw KeyError("stage: an envelope needs a push or a drag by velocity, of a rigid body whose envelope is known");
   return (*embedded)(c);
 }
 
-PublishedEnvelope Structure::published_envelope(const problem::Case& c, const EnvelopeEnds& ends) const
+PublishedEnvelope Structure::published_envelope(const settings::Case& c, const EnvelopeEnds& ends) const
 {
   const auto* published = first_of(*this, c, &Reading::published_envelope);
   return published == nullptr ? PublishedEnvelope{} : (*published)(c, ends);

@@ -38,13 +38,13 @@ struct Reading {
   template <class Answer, class... Of>
   using Says = std::function<Answer(Of...)>;
 
-  Says<bool, const problem::Case&> applies{};  ///< to a case of its structure; empty: to each
+  Says<bool, const settings::Case&> applies{};  ///< to a case of its structure; empty: to each
 
   /// The answers of a run (its folder with the frames, case and history, which may be without rows), for summary.json and the log. The second: V that each stage of the
   /// case was to hold, N/m, NaN where none; empty where they are not known.
   Says<Quantities, Run, const std::vector<Real>&> answers{};
   /// The names of all that a run of a case may have of these, with # for the number in V_at_w_0.1D; none where they are not known beforehand.
-  Says<Names, const problem::Case&> names{};
+  Says<Names, const settings::Case&> names{};
   Says<std::string, Run> notes{};  ///< lines below the answers in the log
   Says<std::string, Run> table{};  ///< a table of the log, instead of the one in which the answers of all readings stand
 
@@ -63,7 +63,7 @@ struct Reading {
   Says<std::string, Run, const std::string&> other_results{};
 
   /// What is looked at in a run of a case to know whether it can be trusted, in the order of the page.
-  Says<TrustMeasures, const problem::Case&> measures{};
+  Says<TrustMeasures, const settings::Case&> measures{};
   /// What a reader must know of the quality of these runs beyond their measures, as HTML.
   Says<std::string, const Runs&> quality_note{};
 
@@ -72,9 +72,9 @@ struct Reading {
   Says<Names, const Runs&, const std::filesystem::path&> draw_report_soil{};
   Says<std::optional<PointTravel>, Run> point_travel{};  ///< what u is of on the page where that is not the centre of the body
   Says<RunDetails, Run> details{};                       ///< further numbers of a run, which must outlive them
-  Says<EmbeddedBody, const problem::Case&>
+  Says<EmbeddedBody, const settings::Case&>
       embedded{};  ///< how the body lies before the first stage, for its envelope; throws InputError where a case has none
-  Says<PublishedEnvelope, const problem::Case&, const EnvelopeEnds&> published_envelope{};  ///< beside an envelope that was found
+  Says<PublishedEnvelope, const settings::Case&, const EnvelopeEnds&> published_envelope{};  ///< beside an envelope that was found
 };
 
 /// What berm knows of a structure, beyond its being a rigid body: how a run of it is read. Its results are those of its readings that apply, in their order.
@@ -82,13 +82,13 @@ struct Reading {
 struct Structure {
   const char* word;  ///< rigid.NAME.structure, a row of input/structure_words.cpp
   std::vector<Reading> readings;
-  bool (*applies)(const problem::Case&) = nullptr;  ///< to a case; null: where kind_of gives its word
+  bool (*applies)(const settings::Case&) = nullptr;  ///< to a case; null: where kind_of gives its word
 
-  bool applies_to(const problem::Case& c) const { return applies != nullptr ? applies(c) : kind_of(c) == word; }
+  bool applies_to(const settings::Case& c) const { return applies != nullptr ? applies(c) : kind_of(c) == word; }
 
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const;
   /// Empty where a reading that has answers does not know them beforehand.
-  std::vector<std::string> quantity_names(const problem::Case& c) const;
+  std::vector<std::string> quantity_names(const settings::Case& c) const;
   /// The quantities of a run for the log; "" where there is none.
   std::string table_of(const record::RunRecord& run) const;
   void write_files(const run_folder::RunFolder& folder, const record::RunRecord& run) const;
@@ -99,7 +99,7 @@ struct Structure {
   std::string key_results(const Runs& runs, const DisplayUnits& shown) const;
   std::string published_values(const Runs& runs, const DisplayUnits& shown) const;
   std::string other_results(const record::RunRecord& run, const std::string& id) const;
-  TrustMeasures measures(const problem::Case& c) const;
+  TrustMeasures measures(const settings::Case& c) const;
   std::string quality_note(const Runs& runs) const;
   std::vector<std::string> draw_report_curves(const Runs& runs, const PublishedPoints& published,
                                               const std::filesystem::path& folder) const;
@@ -107,8 +107,8 @@ struct Structure {
   std::optional<PointTravel> point_travel(const record::RunRecord& run) const;
   RunDetails details(const record::RunRecord& run) const;
   /// Throws InputError where no reading has one.
-  EmbeddedBody embedded(const problem::Case& c) const;
-  PublishedEnvelope published_envelope(const problem::Case& c, const EnvelopeEnds& ends) const;
+  EmbeddedBody embedded(const settings::Case& c) const;
+  PublishedEnvelope published_envelope(const settings::Case& c, const EnvelopeEnds& ends) const;
 };
 
 }  // namespace berm::base

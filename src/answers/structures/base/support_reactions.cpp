@@ -39,10 +39,10 @@ std::string quantity_name(const std::string& support, int direction, const std::
 std::vector<SupportReaction> support_reactions_of(const record::RunRecord& run)
 {
   std::vector<SupportReaction> found;
-  const problem::Case& c = run.settings;
+  const settings::Case& c = run.settings;
   const run_folder::History& h = run.history;
   if (!c.output.support_reactions || h.rows() == 0) return found;
-  for (const problem::StageSettings& stage : c.stage) {
+  for (const settings::StageSettings& stage : c.stage) {
     const Rows rows = last_rows(h, stage.name);
     if (rows.begin == rows.end) continue;
     for (const auto& entry : c.support) {
@@ -72,11 +72,11 @@ std::vector<run_folder::Quantity> support_quantities(const record::RunRecord& ru
   return quantities;
 }
 
-std::vector<std::string> support_quantity_names(const problem::Case& c)
+std::vector<std::string> support_quantity_names(const settings::Case& c)
 {
   std::vector<std::string> names;
   if (!c.output.support_reactions) return names;
-  for (const problem::StageSettings& stage : c.stage)
+  for (const settings::StageSettings& stage : c.stage)
     for (const auto& entry : c.support)
       for (int d = 0; d < c.dimension(); ++d) names.push_back(quantity_name(entry.first, d, stage.name));
   return names;

@@ -16,6 +16,6 @@ std::vector<SupportReaction> support_reactions_of(const record::RunRecord& run);
 /// The same for the summary: SUPPORT_Fx_of_STAGE and so on.
 std::vector<run_folder::Quantity> support_quantities(const record::RunRecord& run);
 /// Their names, of a run of this case that goes through all stages.
-std::vector<std::string> support_quantity_names(const problem::Case& c);
+std::vector<std::string> support_quantity_names(const settings::Case& c);
 
 }  // namespace berm::base

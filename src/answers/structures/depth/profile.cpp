@@ -105,7 +105,7 @@ std::vector<Profile> profiles(const record::RunRecord& run)
 {
   std::vector<Profile> all;
   for_sliced_bodies(run, [&](const std::string& name, int slices, const Columns& columns, Real thickness) {
-    for (const problem::StageSettings& stage : run.settings.stage) {
+    for (const settings::StageSettings& stage : run.settings.stage) {
       const std::vector<std::size_t> rows = rows_of(run.history, stage.name);
       if (rows.empty()) continue;
       const std::vector<std::size_t> last = last_of(run.history, rows);
@@ -128,7 +128,7 @@ std::vector<TzCurve> tz_curves(const record::RunRecord& run)
   std::vector<TzCurve> all;
   for_sliced_bodies(run, [&](const std::string& name, int slices, const Columns& columns, Real thickness) {
     const std::vector<Real>& w = *columns.named("w_m");
-    for (const problem::StageSettings& stage : run.settings.stage) {
+    for (const settings::StageSettings& stage : run.settings.stage) {
       const std::vector<std::size_t> rows = rows_of(run.history, stage.name);
       if (rows.empty()) continue;
       // The row before the stage is that of its beginning.

@@ -15,8 +15,8 @@
 namespace berm::driven {
 namespace {
 
-using problem::StageKind;
 using record::TravelCurve;
+using settings::StageKind;
 using Frame = std::optional<std::size_t>;
 
 /// A run with its curves, those of its first drag, and its frames.

@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/driven/displacements_test.cpp
 #include "structures/driven/displacements.hpp"
 
-#include "problem/time_scale.hpp"
+#include "settings/time_scale.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>
@@ -82,7 +82,7 @@ std::vector<std::string> time_scale_lines(const record::RunRecord& run)
 {
   std::vector<std::string> lines;
   for (const Stage& stage : stages_of(run.settings))
-    if (stage.varies) lines.push_back(fmt::format("\"{}\" is {}", stage.name, problem::time_scale_words(stage.asked)));
+    if (stage.varies) lines.push_back(fmt::format("\"{}\" is {}", stage.name, settings::time_scale_words(stage.asked)));
   return lines;
 }
 
@@ -98,7 +98,7 @@ std::vector<std::string> lower_estimates(const record::RunRecord& run)
         fmt::format("the displacement in \"{}\" is a lower estimate: its record ran with time_scale = {:.3g}, and the {} moved by {:.2g} D "
                     "in a half cycle; {}. Run with time_scale = 1",
                     drag.stage.name, drag.stage.asked.time_scale, base::body_word(run.settings), moved.largest_half_cycle / D,
-                    problem::breakout_takes_time));
+                    settings::breakout_takes_time));
   }
   return lines;
 }

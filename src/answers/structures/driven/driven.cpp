@@ -80,8 +80,8 @@ bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& r
 std::string quality_note(const base::Runs& runs)
 {
   const auto may_localise = [](const base::PageRun& run) {
-    const problem::Case& c = run.record->settings;
-    return c.method == problem::Method::mpm &&
+    const settings::Case& c = run.record->settings;
+    return c.method == settings::Method::mpm &&
            std::any_of(c.material.begin(), c.material.end(), [](const auto& soil) { return non_associated(soil.second); });
   };
   if (std::none_of(runs.begin(), runs.end(), may_localise)) return "";
@@ -106,7 +106,7 @@ base::Reading reading()
       .charts = charts_of,
       .words = [](Run run, const base::DisplayUnits& shown) { return results_in_words(DrivenRun(run), shown); },
       .key_results = [](const base::Runs& runs, const base::DisplayUnits& shown) { return key_results(driven_runs(runs), shown); },
-      .measures = [](const problem::Case& c) { return driven_measures(c); },
+      .measures = [](const settings::Case& c) { return driven_measures(c); },
       .quality_note = quality_note,
       .draw_report_curves = [](const base::Runs& runs, const base::PublishedPoints& published,
                                const std::filesystem::path& folder) { return draw_travel_figures(driven_runs(runs), published, folder); },
@@ -124,7 +124,7 @@ base::Reading reading_without_push()
     std::erase_if(list, [&](const run_folder::Quantity& q) { return is_of_push(q.name); });
     return list;
   };
-  rest.names = [=](const problem::Case& c) {
+  rest.names = [=](const settings::Case& c) {
     std::vector<std::string> names = known_names(c);
     std::erase_if(names, is_of_push);
     return names;

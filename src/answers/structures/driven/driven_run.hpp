@@ -13,7 +13,7 @@ struct DrivenRun {
 
   const record::RunRecord& record;
   const std::string& name = record.name;
-  const problem::Case& settings = record.settings;
+  const settings::Case& settings = record.settings;
   const run_folder::History& history = record.history;
   const std::vector<run_folder::Quantity>& quantities = record.quantities;
   record::RunEnd end = record.end;

@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/driven/in_words_test.cpp, tests/unit/report/results/results_section_test.cpp
 #include "structures/driven/report.hpp"
 
-#include "problem/time_scale.hpp"
+#include "settings/time_scale.hpp"
 #include "structures/base/soil_words.hpp"
 #include "structures/driven/displacements.hpp"
 #include "structures/driven/resistance.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr Real same_depth = 0.005;  // of D
 
-std::string subject_of(const problem::Case& c)
+std::string subject_of(const settings::Case& c)
 {
   return fmt::format("{}{}", base::modelled_part(c) < 1 ? "the half that is modelled of the " : "the ",
                      text::html_text(base::body_word(c)));
@@ -30,11 +30,11 @@ std::string subject_of(const problem::Case& c)
 std::string vertical_words(const DrivenRun& run, const DragResults& drag, const base::DisplayUnits& shown)
 {
   const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
-                                  [&](const problem::StageSettings& s) { return s.name == drag.stage; });
+                                  [&](const settings::StageSettings& s) { return s.name == drag.stage; });
   if (stage == run.settings.stage.end()) return "";
   const std::string V = drag.V ? shown.force_text(run.scale, *drag.V) : "";
   if (stage->vertical_velocity) return " while it is driven vertically, too";
-  if (stage->vertical == problem::Vertical::fixed)
+  if (stage->vertical == settings::Vertical::fixed)
     return V.empty() ? " with w fixed" : fmt::format(" with w fixed, under V = {} on average", V);
   return V.empty() ? " with V held" : fmt::format(" with V held, {} on average", V);
 }
@@ -92,7 +92,7 @@ std::string inertia_words(const DrivenRun& run, const DragResults& drag)
   if (stage == run.stages.end() || !stage->varies || rigid == none) return "";
   return fmt::format("That is for its mass of {} {} and for {}: a force beyond the resistance accelerates it. ",
                      text::short_number(run.settings.rigid[rigid].second.mass), run.scale.dimension == 2 ? "kg/m" : "kg",
-                     problem::time_scale_words(stage->asked));
+                     settings::time_scale_words(stage->asked));
 }
 
 /// How far a force moves it: what is asked of a pipe on the bed in a storm.
@@ -119,7 +119,7 @@ std::string drained_words(const DrivenRun& run, const UpliftResults& uplift)
 {
   std::string words;
   const std::vector<base::Dissipation> rests = base::dissipation_of(run.record);
-  for (const problem::StageSettings& stage : run.settings.stage) {
+  for (const settings::StageSettings& stage : run.settings.stage) {
     if (stage.name == uplift.stage) return words;
     const auto rest = std::ranges::find(rests, stage.name, &base::Dissipation::stage);
     if (rest != rests.end())

@@ -16,13 +16,13 @@
 namespace berm::driven {
 namespace {
 
-using problem::StageRole;
+using settings::StageRole;
 
 /// Whether a run of these stages may come to a state.
-bool may_come_to(const std::string& state, const problem::Case& c, const Stages& stages)
+bool may_come_to(const std::string& state, const settings::Case& c, const Stages& stages)
 {
   const auto said = [&](StageRole role) {
-    return std::any_of(c.stage.begin(), c.stage.end(), [&](const problem::StageSettings& stage) { return stage.role == role; });
+    return std::any_of(c.stage.begin(), c.stage.end(), [&](const settings::StageSettings& stage) { return stage.role == role; });
   };
   if (state == "flooded") return said(StageRole::flooded);
   if (state == "emptied") return said(StageRole::emptied);
@@ -54,7 +54,7 @@ std::string without_number(const std::string& name)
   return is_taken ? "V_at_w_#D" + parts.str(2) : name;
 }
 
-std::vector<std::string> known_names(const problem::Case& c)
+std::vector<std::string> known_names(const settings::Case& c)
 {
   const base::BodyScale scale = base::body_scale(c);
   if (!(scale.width > 0)) return {};
@@ -64,7 +64,7 @@ std::vector<std::string> known_names(const problem::Case& c)
   bool dragged = false, went_down = false;
   for (const Stage& stage : stages) {
     const std::string prefix = stage.name + ".";
-    if (stage.kind == problem::StageKind::drag) {
+    if (stage.kind == settings::StageKind::drag) {
       list.of(stage.name, dragged ? prefix : "");
       if (resists(stage)) add_names_at(list, point_answers, drag_points);
       list.add_names(drag_answers, stage);
@@ -89,10 +89,10 @@ std::vector<std::string> known_names(const problem::Case& c)
     if (went_down || std::string_view(row.name) != "second_impulse_over_V") list.add(row.name, row.unit, nan, row.meaning);
   std::vector<std::string> names = list.names();
   for (std::string& name : names) name = without_number(name);
-  if (c.geometry == problem::Geometry::space)
+  if (c.geometry == settings::Geometry::space)
     for (const char* axis : {"Mx", "My", "Mz"})
       for (const char* end : {"_end_of_push", "_end_of_drag"}) names.push_back(std::string(axis) + end);
-  for (const problem::StageSettings& stage : c.stage)
+  for (const settings::StageSettings& stage : c.stage)
     for (const char* begin : {"U_of_", "t50_of_", "T50_of_"}) names.push_back(begin + stage.name);
   for (const std::string& name : base::support_quantity_names(c)) names.push_back(name);
   for (const std::string& detail : detail_names()) names.push_back(detail);

@@ -55,24 +55,24 @@ inline constexpr Limit elements =
 
 }  // namespace limits
 
-bool has_stage(Run run, problem::StageKind kind)
+bool has_stage(Run run, settings::StageKind kind)
 {
   return std::any_of(run.settings.stage.begin(), run.settings.stage.end(),
-                     [&](const problem::StageSettings& stage) { return stage.kind == kind; });
+                     [&](const settings::StageSettings& stage) { return stage.kind == kind; });
 }
 bool pushes(Run run)
 {
-  return has_stage(run, problem::StageKind::push);
+  return has_stage(run, settings::StageKind::push);
 }
 bool drags(Run run)
 {
-  return has_stage(run, problem::StageKind::drag);
+  return has_stage(run, settings::StageKind::drag);
 }
 /// Whether a drag of the run holds a vertical force.
 bool holds(Run run)
 {
-  return std::any_of(run.settings.stage.begin(), run.settings.stage.end(), [](const problem::StageSettings& stage) {
-    return stage.kind == problem::StageKind::drag && stage.vertical == problem::Vertical::hold && !stage.vertical_velocity;
+  return std::any_of(run.settings.stage.begin(), run.settings.stage.end(), [](const settings::StageSettings& stage) {
+    return stage.kind == settings::StageKind::drag && stage.vertical == settings::Vertical::hold && !stage.vertical_velocity;
   });
 }
 
@@ -91,7 +91,7 @@ std::string diameter_limit(Real value)
 
 /// The largest kinetic energy over the largest work until then, in the part of each push or drag that gives the answer: beyond its first third. NaN where there are
 /// no such rows. Work is what went into the soil or into it from outside: internal energy begins at nothing, and a body that moves away takes it out.
-Real kinetic_over_work(const record::RunRecord& run, problem::StageKind kind)
+Real kinetic_over_work(const record::RunRecord& run, settings::StageKind kind)
 {
   const run_folder::History& h = run.history;
   if (h.rows() == 0 || !h.has_label("kinetic") || !h.has_label("internal")) return nan;
@@ -129,7 +129,7 @@ Real acts_larger(Run run)
   return 2 * quantity_value(run, "gap_mean_over_D");
 }
 
-TrustMeasure kinetic(const char* stage, bool (*applies)(Run), problem::StageKind kind)
+TrustMeasure kinetic(const char* stage, bool (*applies)(Run), settings::StageKind kind)
 {
   return {fmt::format("kinetic energy over the work, {}", stage),
           &limits::kinetic,
@@ -313,9 +313,9 @@ TrustMeasure particles_of_cells(const std::string& body)
 TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
 {
   return joined(
-      {{energy_balance(problem::Method::mpm)},
+      {{energy_balance(settings::Method::mpm)},
        energy_that_the_method_takes(),
-       {kinetic("push", pushes, problem::StageKind::push), kinetic("drag", drags, problem::StageKind::drag),
+       {kinetic("push", pushes, settings::StageKind::push), kinetic("drag", drags, settings::StageKind::drag),
         balance_after_geostatic("when the push began"), held(body),
         noise("V", "push", limits::noise_of_V, pushes, [](Run run) { return quantity_value(run, "V_noise"); }),
         noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
@@ -329,15 +329,15 @@ TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
 TrustMeasures fem_measures(const std::string& body)
 {
   return joined({convergence(),
-                 {energy_balance(problem::Method::fem), held(body), overlap(body), size_of("elements at the " + body, limits::elements),
+                 {energy_balance(settings::Method::fem), held(body), overlap(body), size_of("elements at the " + body, limits::elements),
                   shear_bands(), friction_of_cells(), counted("nodes", "nodes"), counted("elements", "cells")}});
 }
 
 }  // namespace
 
-base::TrustMeasures driven_measures(const problem::Case& c, const base::Limit* of_cells)
+base::TrustMeasures driven_measures(const settings::Case& c, const base::Limit* of_cells)
 {
-  return c.method == problem::Method::mpm ? mpm_measures(body_word(c), of_cells) : fem_measures(body_word(c));
+  return c.method == settings::Method::mpm ? mpm_measures(body_word(c), of_cells) : fem_measures(body_word(c));
 }
 
 }  // namespace berm::driven

@@ -42,13 +42,13 @@ std::map<Index, Real> rises(const run_folder::SavedSoil& start, const run_folder
 /// The plastic shear strain at which clay has lost half of what remoulding takes; 0 where the soil does not soften, or has several materials.
 Real half_remoulded(const DrivenRun& run)
 {
-  const std::optional<problem::BodySoil> soil = base::touched_soil(run.record);
+  const std::optional<settings::BodySoil> soil = base::touched_soil(run.record);
   if (!soil || soil->materials.size() > 1) return 0;
   const auto* clay = soil->materials.front().get_if<material::Clay>();
   return clay != nullptr && clay->sensitivity > 1 ? clay->ductility * std::log(2.) / 3 : 0;
 }
 
-Real start_of_pipe(const problem::Case& c)
+Real start_of_pipe(const settings::Case& c)
 {
   return center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[0];
 }
@@ -138,7 +138,7 @@ Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::Sa
 
 BodyFrames::BodyFrames(const DrivenRun& run)
 {
-  if (run.history.rows() == 0 || run.settings.geometry != problem::Geometry::plane_strain) return;
+  if (run.history.rows() == 0 || run.settings.geometry != settings::Geometry::plane_strain) return;
   try {
     files_ = run_folder::frame_files(run.record.folder / "frames");
   } catch (const RunError&) {
@@ -152,13 +152,13 @@ BodyFrames::BodyFrames(const DrivenRun& run)
                                               static_cast<std::ptrdiff_t>(time.size()) - 1);
     places_.push_back({start + u[row], u[row], w[row]});
     const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
-                                    [&](const problem::StageSettings& s) { return s.name == run.history.stage[row]; });
-    kinds_.push_back(stage == run.settings.stage.end() ? problem::StageKind::free : stage->kind);
+                                    [&](const settings::StageSettings& s) { return s.name == run.history.stage[row]; });
+    kinds_.push_back(stage == run.settings.stage.end() ? settings::StageKind::free : stage->kind);
     stages_.push_back(run.history.stage[row]);
   }
 }
 
-std::optional<std::size_t> BodyFrames::nearest(problem::StageKind kind, Real BodyPlace::*quantity, Real value) const
+std::optional<std::size_t> BodyFrames::nearest(settings::StageKind kind, Real BodyPlace::*quantity, Real value) const
 {
   std::optional<std::size_t> found;
   for (std::size_t k = 0; k < count(); ++k)
@@ -166,7 +166,7 @@ std::optional<std::size_t> BodyFrames::nearest(problem::StageKind kind, Real Bod
   return found;
 }
 
-std::optional<std::size_t> BodyFrames::last(problem::StageKind kind) const
+std::optional<std::size_t> BodyFrames::last(settings::StageKind kind) const
 {
   for (std::size_t k = count(); k-- > 0;)
     if (kinds_[k] == kind) return k;
@@ -184,7 +184,7 @@ void take_berms(Results& results, const DrivenRun& run)
 {
   if (results.drags.empty()) return;
   const BodyFrames frames(run);
-  if (frames.count() == 0 || run.settings.method != problem::Method::mpm) return;
+  if (frames.count() == 0 || run.settings.method != settings::Method::mpm) return;
   try {
     const run_folder::SavedSoil start = frames.soil(0);
     const Real limit = half_remoulded(run);

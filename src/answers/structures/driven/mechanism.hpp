@@ -62,9 +62,9 @@ public:
   std::size_t count() const { return files_.size(); }
   const BodyPlace& place(std::size_t frame) const { return places_[frame]; }
   /// The frame of the pushes or drags of this kind in which the quantity is nearest to `value`; empty where there is none.
-  std::optional<std::size_t> nearest(problem::StageKind kind, Real BodyPlace::*quantity, Real value) const;
+  std::optional<std::size_t> nearest(settings::StageKind kind, Real BodyPlace::*quantity, Real value) const;
   /// The last frame of the stages of this kind, and of the stage of this name.
-  std::optional<std::size_t> last(problem::StageKind kind) const;
+  std::optional<std::size_t> last(settings::StageKind kind) const;
   std::optional<std::size_t> last(const std::string& stage) const;
   /// Throw RunError where the frame's file is missing or damaged.
   run_folder::SavedSoil soil(std::size_t frame) const { return run_folder::read_soil(files_[frame].soil); }
@@ -73,7 +73,7 @@ public:
 private:
   std::vector<run_folder::FrameFiles> files_;
   std::vector<BodyPlace> places_;
-  std::vector<problem::StageKind> kinds_;
+  std::vector<settings::StageKind> kinds_;
   std::vector<std::string> stages_;
 };
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/driven/path_test.cpp
 #include "structures/driven/path.hpp"
 
+#include "settings/symmetry.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>
@@ -11,25 +12,25 @@
 namespace berm::driven {
 namespace {
 
-using problem::StageKind;
-using problem::StageRole;
-using problem::StageSettings;
+using settings::StageKind;
+using settings::StageRole;
+using settings::StageSettings;
 
 /// A stage of kind drive as the push or drag that it is; empty where it drives neither x nor y.
 std::optional<StageSettings> as_push_or_drag(StageSettings s)
 {
   if (s.kind == StageKind::push || s.kind == StageKind::drag) return s;
   if (s.kind != StageKind::drive) return {};
-  const problem::FreedomSettings &x = s.drive.x, &y = s.drive.y;
+  const settings::FreedomSettings &x = s.drive.x, &y = s.drive.y;
   for (const auto& [down, up] : {std::pair{"V", "y_force"}, {"w", "y_velocity"}, {"w_displacement", "y_displacement"}})
     for (const Real value : s.loads.of(up)) s.loads.of(down).push_back(-value);
-  const auto moves = [&](const problem::FreedomSettings& f, problem::LoadAlong along) {
+  const auto moves = [&](const settings::FreedomSettings& f, settings::LoadAlong along) {
     return f.velocity.value_or(0) != 0 || f.force || s.loads.drives(along);
   };
-  if (moves(x, problem::LoadAlong::x)) {
+  if (moves(x, settings::LoadAlong::x)) {
     s.kind = StageKind::drag;
     s.velocity = x.velocity, s.force = x.force;
-    s.vertical = y.hold || y.force || y.free || !s.loads.of("V").empty() ? problem::Vertical::hold : problem::Vertical::fixed;
+    s.vertical = y.hold || y.force || y.free || !s.loads.of("V").empty() ? settings::Vertical::hold : settings::Vertical::fixed;
     if (y.force) s.vertical_force = -*y.force;
     if (y.velocity) s.vertical_velocity = -*y.velocity;
     s.loads.of("H") = s.loads.of("x_force");
@@ -37,7 +38,7 @@ std::optional<StageSettings> as_push_or_drag(StageSettings s)
     s.loads.of("u_displacement") = s.loads.of("x_displacement");
     return s;
   }
-  if (!moves(y, problem::LoadAlong::y)) return {};
+  if (!moves(y, settings::LoadAlong::y)) return {};
   s.kind = StageKind::push;
   if (y.velocity) s.velocity = -*y.velocity;
   if (y.force) s.force = -*y.force;
@@ -86,7 +87,7 @@ Stage stage_of(const StageSettings& s, Real held_force)
   stage.direction = s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0 ? -1 : 1;
   stage.by_force = s.force || !s.loads.of("H").empty();
   stage.varies = stage.by_force && !s.load_times.empty();
-  stage.holds_V = s.vertical == problem::Vertical::hold && !s.vertical_velocity && !s.loads.drives(problem::LoadAlong::downwards);
+  stage.holds_V = s.vertical == settings::Vertical::hold && !s.vertical_velocity && !s.loads.drives(settings::LoadAlong::downwards);
   if (s.vertical_force) stage.V_ramp = s.ramp;
   if (stage.holds_V && !std::isnan(held_force)) stage.held_force = held_force;
   return stage;
@@ -198,7 +199,7 @@ const DragPath& drag_or_none(const List& drags, std::size_t number)
 
 }  // namespace
 
-Stages stages_of(const problem::Case& c, const std::vector<Real>& held_forces)
+Stages stages_of(const settings::Case& c, const std::vector<Real>& held_forces)
 {
   Stages stages;
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
@@ -250,7 +251,7 @@ Real force_that_ended(const PushPath& push, const run_folder::History& history, 
   if (push.rows.empty()) return nan;
   const auto stage = std::ranges::find(stages, history.stage[push.rows.back()], &Stage::name);
   if (stage == stages.end() || !stage->asked.until.force) return nan;
-  const problem::Until& until = stage->asked.until;
+  const settings::Until& until = stage->asked.until;
   const bool deep = until.embedment && push.w.back() >= (1 - same_depth) * *until.embedment;
   const Real least = until.time || until.displacement ? 1 : 1 - noise;
   return !deep && push.V.back() >= least * *until.force ? *until.force : nan;

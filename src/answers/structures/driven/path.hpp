@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
 #include "run_folder/history.hpp"
+#include "settings/case.hpp"
 
 namespace berm::driven {
 
@@ -10,7 +10,7 @@ namespace berm::driven {
 /// driven is a drag, one that drives y alone a push.
 struct Stage {
   std::string name;  ///< of the stage; STAGE_1, STAGE_2, ... where its velocity turns round
-  problem::StageKind kind = problem::StageKind::push;
+  settings::StageKind kind = settings::StageKind::push;
   bool upwards = false;              ///< a push by a velocity upwards
   std::optional<Real> force{};       ///< N/m, downwards, of a push by force: the last of its load history
   Real direction = 1;                ///< of a drag: +1 along x, -1 against it
@@ -20,7 +20,7 @@ struct Stage {
   Real V_ramp = 0;                   ///< s, time that the drag takes to come to that force
   std::optional<Real> held_force{};  ///< N/m, that force; empty where it is not known
   bool lays = false;                 ///< a drag that lays the pipe: what it meets is no answer
-  problem::StageSettings asked{};    ///< the stage of the case
+  settings::StageSettings asked{};   ///< the stage of the case
   Real from = 0, to = infinity;      ///< s since that began: the part of it
 };
 
@@ -31,7 +31,7 @@ using Stages = std::vector<Stage>;
 constexpr Real longest_lay = 0.25;
 
 /// The pushes and the drags of a case. `held_forces`: N/m by stage of the case, NaN where none is held; empty where they are not known.
-Stages stages_of(const problem::Case& c, const std::vector<Real>& held_forces = {});
+Stages stages_of(const settings::Case& c, const std::vector<Real>& held_forces = {});
 
 /// The drag whose resistance is the answer: the first of role breakout, else the first that does not lay the pipe; the last where all do. Its number among the drags of
 /// stages, or none.

@@ -59,7 +59,7 @@ bool meets(Real value, const std::optional<Real>& limit)
 }
 
 /// What these pushes give of an end at w.
-Prescribed given_by_push(const problem::StageSettings& s, Real w)
+Prescribed given_by_push(const settings::StageSettings& s, Real w)
 {
   Prescribed given;
   given.w = meets(w, s.until.embedment);
@@ -69,12 +69,12 @@ Prescribed given_by_push(const problem::StageSettings& s, Real w)
 
 Prescribed given_by_drag(const Stage& stage, Real u)
 {
-  const problem::StageSettings& s = stage.asked;
+  const settings::StageSettings& s = stage.asked;
   Prescribed given;
   given.u = meets(u, s.until.displacement);
   given.H = stage.by_force;
   given.V_always = s.vertical_force || !s.loads.of("V").empty();
-  given.w_always = s.vertical == problem::Vertical::fixed && !s.vertical_velocity;
+  given.w_always = s.vertical == settings::Vertical::fixed && !s.vertical_velocity;
   return given;
 }
 
@@ -193,7 +193,7 @@ void take_drags(Results& results, const Path& path, const run_folder::History& h
   for (std::size_t k = 0; k < path.drags.size(); ++k) results.drags.push_back(drag_results(path, k, history, V_max, scale));
 }
 
-const problem::StageSettings& asked_of(const Stages& stages, const std::string& name)
+const settings::StageSettings& asked_of(const Stages& stages, const std::string& name)
 {
   return std::find_if(stages.begin(), stages.end(), [&](const Stage& stage) { return stage.name == name; })->asked;
 }
@@ -215,7 +215,7 @@ void take_what_the_push_is_given(Results& results, const Stages& stages)
 {
   if (!results.push_end) return;
   for (const Stage& stage : stages) {
-    if (stage.kind == problem::StageKind::drag) return;
+    if (stage.kind == settings::StageKind::drag) return;
     const Prescribed given = given_by_push(stage.asked, results.push_end->w);
     results.push_given.w = results.push_given.w || given.w;
     results.push_given.V = results.push_given.V || given.V;
@@ -313,7 +313,7 @@ void add_end(std::vector<run_folder::Quantity>& list, const record::RunRecord& r
 std::vector<run_folder::Quantity> moments_in_space(const record::RunRecord& run)
 {
   std::vector<run_folder::Quantity> list;
-  if (run.settings.geometry != problem::Geometry::space || !run.history.has("Mx_Nm") || !run.history.has("w_m")) return list;
+  if (run.settings.geometry != settings::Geometry::space || !run.history.has("Mx_Nm") || !run.history.has("w_m")) return list;
   const Path path = path_of(run.history, stages_of(run.settings));
   add_end(list, run, path.push.rows, path.push.w, path.push.V, "push");
   add_end(list, run, path.drag().rows, path.drag().travel, path.drag().H, "drag");

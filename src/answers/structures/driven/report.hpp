@@ -24,7 +24,7 @@ std::string key_results(const DrivenRuns& runs, const base::DisplayUnits& shown,
 std::vector<std::string> draw_soil_figures(const DrivenRuns& runs, const std::filesystem::path& folder);
 
 /// What is looked at in a run of a case, in the order of the page.
-base::TrustMeasures driven_measures(const problem::Case& c, const base::Limit* of_cells = nullptr);
+base::TrustMeasures driven_measures(const settings::Case& c, const base::Limit* of_cells = nullptr);
 
 /// How sure a force of a run is, HTML. A run that was not asked, or a quantity that has no band, gives "" and an empty cell.
 

@@ -100,12 +100,12 @@ Results results_of(const std::vector<Quantity>& quantities, const BodyScale& sca
   take_points(results.push, &PushPoint::w, depth_answers, depths_to(results.push_end ? results.push_end->w / D : 0), values, "", D);
   take_points(results.travel, &TravelPoint::travel, travel_answers, travel_points, values, "", D);
   for (const Stage& stage : stages) {
-    if (stage.kind == problem::StageKind::drag) {
+    if (stage.kind == settings::StageKind::drag) {
       DragResults& drag = results.drags.emplace_back(DragResults{.stage = stage.name});
       take_points(drag.points, &DragPoint::u, point_answers, drag_points, values, results.prefix_of(drag), D);
       base::take_answers(drag_answers, values, results.prefix_of(drag), drag);
     }
-    if (stage.kind == problem::StageKind::push)
+    if (stage.kind == settings::StageKind::push)
       base::take_answers(other_push_answers, values, begin_of(stage.name),
                          results.other_pushes.emplace_back(OtherPushResults{stage.name, nan, nan}));
     if (stage.upwards)

@@ -13,7 +13,7 @@ constexpr Real embedded_beyond = 0.01;  // of D
 /// The embedment of the main rigid body as the case places it, m; NaN where there is none.
 Real placed_w(const record::RunRecord& run)
 {
-  const problem::Case& c = run.settings;
+  const settings::Case& c = run.settings;
   const Index rigid = main_rigid(c);
   if (rigid == none) return nan;
   const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
@@ -72,7 +72,7 @@ StageEnd end_of_push(const DrivenRun& run)
 {
   std::vector<std::string> pushes;
   for (const Stage& stage : run.stages) {
-    if (stage.kind == problem::StageKind::drag) break;
+    if (stage.kind == settings::StageKind::drag) break;
     pushes.push_back(stage.asked.name);
   }
   const bool last = run.history.rows() > 0 ? ends_in(run, pushes) : run.results().drags.empty();
@@ -85,7 +85,7 @@ StageEnd end_of_drag(const DrivenRun& run)
   std::size_t number = 0;
   bool last = run.history.rows() == 0;
   for (const Stage& stage : run.stages)
-    if (stage.kind == problem::StageKind::drag && number++ == main) last = last || ends_in(run, {stage.asked.name});
+    if (stage.kind == settings::StageKind::drag && number++ == main) last = last || ends_in(run, {stage.asked.name});
   return end_of(run, "drag", run.end == record::RunEnd::finished || !last);
 }
 

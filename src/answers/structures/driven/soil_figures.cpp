@@ -44,7 +44,7 @@ std::vector<std::string> draw_frame(const DrivenRun& run, const BodyFrames& fram
   const Real D = run.scale.width, surface = run.record.surface_at(pipe.x);
   const run_folder::Frame<2> frame = frame_of(frames.soil(number), frames.rigid_bodies(number));
   soil_plot::SoilView view = soil_plot::view_around(pipe.x, surface - pipe.w, D, surface, frame.points);
-  if (run.settings.geometry == problem::Geometry::axisymmetric) view.mirror();
+  if (run.settings.geometry == settings::Geometry::axisymmetric) view.mirror();
   view.show(run.record.ground.line);
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;
@@ -66,7 +66,7 @@ std::optional<Real> max_fem_embedment(const DrivenRuns& runs)
 {
   std::optional<Real> deepest;
   for (const DrivenRun& run : runs)
-    if (run.settings.method == problem::Method::fem && run.history.rows() > 0)
+    if (run.settings.method == settings::Method::fem && run.history.rows() > 0)
       deepest = std::max(deepest.value_or(0), run.history["w_m"].back());
   return deepest;
 }
@@ -86,8 +86,8 @@ std::vector<std::string> draw_soil_figures(const DrivenRuns& runs, const fs::pat
       };
       add(frames.count() - 1, "");
       // The mechanism at the embedment of the finite elements, to be held beside theirs.
-      if (const auto same = frames.nearest(problem::StageKind::drag, &BodyPlace::w, fem_embedment.value_or(0));
-          fem_embedment && same && run.settings.method == problem::Method::mpm)
+      if (const auto same = frames.nearest(settings::StageKind::drag, &BodyPlace::w, fem_embedment.value_or(0));
+          fem_embedment && same && run.settings.method == settings::Method::mpm)
         add(*same, "_at_w_of_fem");
     } catch (const RunError& error) {
       io::warn("the soil of {} is not drawn: {}", run.name, error.what());

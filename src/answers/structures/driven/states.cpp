@@ -13,7 +13,7 @@
 namespace berm::driven {
 namespace {
 
-using problem::StageRole;
+using settings::StageRole;
 
 constexpr Real last_part = 0.05;           // of the time of a stage
 constexpr Real tolerance_of_force = 0.15;  // of a force that is given: how far the soil's may be from it
@@ -48,7 +48,7 @@ Index end_of_stage(const run_folder::History& h, const std::string& stage)
 Index end_of_role(const record::RunRecord& run, StageRole role)
 {
   Index row = none;
-  for (const problem::StageSettings& stage : run.settings.stage)
+  for (const settings::StageSettings& stage : run.settings.stage)
     if (stage.role == role)
       if (const Index end = end_of_stage(run.history, stage.name); end != none) row = end;
   return row;
@@ -59,7 +59,7 @@ std::optional<Real> given_V(const Stages& stages, const std::string& name)
 {
   const auto found = std::find_if(stages.begin(), stages.end(), [&](const Stage& stage) { return stage.asked.name == name; });
   if (found == stages.end()) return {};
-  if (found->kind == problem::StageKind::push) return found->force;
+  if (found->kind == settings::StageKind::push) return found->force;
   return found->asked.vertical_force;
 }
 

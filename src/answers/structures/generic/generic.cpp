@@ -26,7 +26,7 @@ std::string quantities_table(const record::RunRecord& run, const std::string& id
   return table.empty() ? "" : table.html();
 }
 
-bool is_watched(const problem::Case& c, const run_folder::Column& column)
+bool is_watched(const settings::Case& c, const run_folder::Column& column)
 {
   return std::any_of(c.watch.begin(), c.watch.end(), [&](const auto& watch) { return column.of == watch.first; });
 }
@@ -57,7 +57,7 @@ std::string checks_table(const record::RunRecord& run, const std::string& id)
 }
 
 /// Columns that are worth a curve: of watched particles, else of the bodies.
-std::vector<std::string> curve_columns(const problem::Case& c, const run_folder::History& history)
+std::vector<std::string> curve_columns(const settings::Case& c, const run_folder::History& history)
 {
   std::vector<std::string> chosen;
   for (const run_folder::Column& column : history.columns)
@@ -103,7 +103,7 @@ base::TrustMeasure cells_of_mechanism()
 }
 
 /// Cells over the radius of the smallest disk of material; NaN where there is none or its cells are not known.
-Real cells_over_radius(const problem::Case& c)
+Real cells_over_radius(const settings::Case& c)
 {
   Real radius = nan;
   for (const auto& [name, body] : c.body)
@@ -124,29 +124,30 @@ base::TrustMeasure cells_of_disk()
 }
 
 /// The width of a main rigid body that a stage of kind drive moves, m; 0 where there is none, or it reaches from wall to wall.
-Real moved_width(const problem::Case& c)
+Real moved_width(const settings::Case& c)
 {
   const Index rigid = main_rigid(c);
   const bool driven = std::any_of(c.stage.begin(), c.stage.end(),
-                                  [](const problem::StageSettings& stage) { return stage.kind == problem::StageKind::drive; });
+                                  [](const settings::StageSettings& stage) { return stage.kind == settings::StageKind::drive; });
   if (rigid == none || !driven || base::covers_the_mesh(c)) return 0;
   const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
   const Real width = c.dimension() == 2 ? width_of<2>(bodies::make_shape<2>(shape)) : width_of<3>(bodies::make_shape<3>(shape));
   return std::isfinite(width) ? width : 0;
 }
 
-bool turns(const problem::Case& c)
+bool turns(const settings::Case& c)
 {
-  return std::any_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
-    const problem::TurnSettings* all[] = {&stage.drive.rotation, &stage.drive.rotation_x, &stage.drive.rotation_y, &stage.drive.rotation_z};
-    return std::any_of(std::begin(all), std::end(all), [](const problem::TurnSettings* turn) { return turn->velocity || turn->moment; });
+  return std::any_of(c.stage.begin(), c.stage.end(), [](const settings::StageSettings& stage) {
+    const settings::TurnSettings* all[] = {&stage.drive.rotation, &stage.drive.rotation_x, &stage.drive.rotation_y,
+                                           &stage.drive.rotation_z};
+    return std::any_of(std::begin(all), std::end(all), [](const settings::TurnSettings* turn) { return turn->velocity || turn->moment; });
   });
 }
 
 /// Of a body that a drive moves or turns.
-base::TrustMeasure cells_at_moved_body(const problem::Case& c)
+base::TrustMeasure cells_at_moved_body(const settings::Case& c)
 {
-  const std::string what = fmt::format("{} at the {}", c.method == problem::Method::fem ? "elements" : "cells", base::body_word(c));
+  const std::string what = fmt::format("{} at the {}", c.method == settings::Method::fem ? "elements" : "cells", base::body_word(c));
   return {what,
           turns(c) ? &limits::turned : &limits::moved,
           [](const record::RunRecord& run) { return moved_width(run.settings) > 0; },
@@ -170,10 +171,10 @@ std::string results_of(const record::RunRecord& run, const std::string& id)
 
 }  // namespace
 
-base::TrustMeasures measures_of_any_run(const problem::Case& c)
+base::TrustMeasures measures_of_any_run(const settings::Case& c)
 {
   using namespace base;
-  if (c.method == problem::Method::fem)
+  if (c.method == settings::Method::fem)
     return joined({convergence(),
                    {energy_balance(c.method), cells_at_moved_body(c), shear_bands(), friction_of_cells(), counted("nodes", "nodes"),
                     counted("elements", "cells")}});
@@ -197,7 +198,7 @@ base::Structure other()
         .words = [](Run, const base::DisplayUnits&) { return "This run has no key results: no push or drag drives a body with a width."; },
         .other_results = results_of,
         .measures = measures_of_any_run}},
-      [](const problem::Case&) { return true; }};
+      [](const settings::Case&) { return true; }};
 }
 
 }  // namespace berm::generic

@@ -9,6 +9,6 @@ namespace berm::generic {
 base::Structure other();
 
 /// What is looked at in any run, whatever it is of.
-base::TrustMeasures measures_of_any_run(const problem::Case& c);
+base::TrustMeasures measures_of_any_run(const settings::Case& c);
 
 }  // namespace berm::generic

@@ -2,7 +2,7 @@
 #include "structures/lateral/lateral_run.hpp"
 
 #include "bodies/rigid/rotation.hpp"
-#include "problem/axes.hpp"
+#include "core/axes.hpp"
 #include "structures/penetration/soil_profile.hpp"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ constexpr Real upright = 1e-9;          // rad
 /// The rows of the stages that load the body sideways, from the first such stage to the last, and the row before them.
 std::vector<Index> loaded_rows(const record::RunRecord& run)
 {
-  const problem::Case& c = run.settings;
+  const settings::Case& c = run.settings;
   const auto loads = [&](const std::string& name) {
     return std::any_of(c.stage.begin(), c.stage.end(),
-                       [&](const problem::StageSettings& stage) { return stage.name == name && base::goes_sideways(c, stage); });
+                       [&](const settings::StageSettings& stage) { return stage.name == name && base::goes_sideways(c, stage); });
   };
   std::vector<Index> rows;
   for (Index k = 0; k < run.history.rows(); ++k) {
@@ -46,11 +46,11 @@ private:
 };
 
 /// The height of the point on which the first load acts, m, of a body that it may turn; NaN where the case names none.
-Real point_height_of(const problem::Case& c, const problem::Axes<3>& axes)
+Real point_height_of(const settings::Case& c, const Axes<3>& axes)
 {
-  for (const problem::StageSettings& stage : c.stage) {
+  for (const settings::StageSettings& stage : c.stage) {
     if (!base::goes_sideways(c, stage)) continue;
-    const problem::DriveSettings& drive = stage.drive;
+    const settings::DriveSettings& drive = stage.drive;
     const bool turns = drive.rotation_x.free || drive.rotation_y.free || drive.rotation_z.free;
     return turns && !drive.point.empty() ? axes.height(bodies::to_vec<3>(drive.point)) : nan;
   }
@@ -86,7 +86,7 @@ LateralPath lateral_path(const record::RunRecord& run)
   const std::vector<Index> rows = loaded_rows(run);
   if (rows.size() < 3) return path;
   const Vectors d(history, "d", "m"), F(history, "F", "N"), M(history, "M", "Nm"), angle(history, "angle", "rad");
-  const problem::Axes<3> axes = problem::axes_of<3>(bodies::to_vec<3>(run.settings.gravity));
+  const Axes<3> axes = axes_of<3>(bodies::to_vec<3>(run.settings.gravity));
   const Vec<3> center = center_of<3>(bodies::make_shape<3>(run.settings.rigid[main_rigid(run.settings)].second.shape));
   const Real bed = axes.sign * run.surface_at(center[axes.along]);
   const Vec<3> up = axes.up_vector(), along = direction_of(d, rows, axes.up), about = bodies::cross(up, along);

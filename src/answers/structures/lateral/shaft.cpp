@@ -55,7 +55,7 @@ base::Reading load_of(const penetration::Penetrometer& how)
 {
   return {.applies = base::is_loaded_sideways,
           .answers = [](Run run, const std::vector<Real>&) { return lateral_quantities(LateralRun(run)); },
-          .names = [](const problem::Case&) { return lateral_names(); },
+          .names = [](const settings::Case&) { return lateral_names(); },
           .notes = [](Run run) -> std::string {
             return run.quantity("lateral_H_end_over_DLsu") == nullptr ? ""
                                                                       : "lateral_H_end: over D, the length in the bed and the mean s_u\n";
@@ -86,11 +86,11 @@ base::Reading load_of(const penetration::Penetrometer& how)
 /// Of one that nothing pushes down.
 base::Reading at_rest(const penetration::Penetrometer& how)
 {
-  return {.applies = [](const problem::Case& c) { return !base::is_pushed_down(c); },
+  return {.applies = [](const settings::Case& c) { return !base::is_pushed_down(c); },
           .words = [](Run run, const base::DisplayUnits&) -> std::string {
             return LateralRun(run).H_curve().empty() ? "It was not loaded far enough for a result." : "";
           },
-          .measures = [&how](const problem::Case& c) { return driven::driven_measures(c, how.cells); }};
+          .measures = [&how](const settings::Case& c) { return driven::driven_measures(c, how.cells); }};
 }
 
 }  // namespace

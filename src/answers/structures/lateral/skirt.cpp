@@ -67,7 +67,7 @@ std::string share_words(const record::RunRecord& run, const base::DisplayUnits&)
                      std::isinf(pushed.body.lid) ? "" : fmt::format("; the lid is {} above the tip", text::length_words(pushed.body.lid)));
 }
 
-base::TrustMeasures wall_measures(const problem::Case&)
+base::TrustMeasures wall_measures(const settings::Case&)
 {
   using Run = const record::RunRecord&;
   const auto across_wall = [](Run run) {

@@ -157,9 +157,9 @@ std::vector<StageEnd> stage_ends(const record::RunRecord& run)
   const std::vector<Real>& P0 = run.history["line_P0_N"];
   const auto force = [&](const StageEnd& end) { return P0[static_cast<std::size_t>(end.row)]; };
   Real largest = 0, before = 0;
-  for (const problem::StageSettings& stage : run.settings.stage) {
+  for (const settings::StageSettings& stage : run.settings.stage) {
     const Index row = last_row_of(run.history, stage.name);
-    if (stage.kind != problem::StageKind::pipeline || row == none) continue;
+    if (stage.kind != settings::StageKind::pipeline || row == none) continue;
     StageEnd end{stage.name, row, false};
     largest = std::max(largest, std::abs(force(end)));
     constexpr Real same = 0.01;  // of the largest constrained force
@@ -199,11 +199,11 @@ std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run)
   return list.list();
 }
 
-std::vector<std::string> line_names(const problem::Case& c)
+std::vector<std::string> line_names(const settings::Case& c)
 {
   base::AnswerList list(3);
-  for (const problem::StageSettings& stage : c.stage) {
-    if (stage.kind != problem::StageKind::pipeline) continue;
+  for (const settings::StageSettings& stage : c.stage) {
+    if (stage.kind != settings::StageKind::pipeline) continue;
     list.of(stage.name, stage.name + ".");
     list.add_names(load_answers), list.add_names(shape_answers), list.add_names(cycle_answers);
   }
@@ -220,7 +220,7 @@ std::array<base::AnswerTable, 2> answer_tables(const record::RunRecord& run, con
   return tables;
 }
 
-formulas::Formula strain_limit(const problem::Case& c)
+formulas::Formula strain_limit(const settings::Case& c)
 {
   formulas::Formula strain =
       formulas::f101_compressive_strain(slices::LineOfCase(c).diameter, c.pipeline->wall.value_or(nan), formulas::f101_yield_over_tensile);
@@ -228,10 +228,10 @@ formulas::Formula strain_limit(const problem::Case& c)
   return strain;
 }
 
-HobbsLine::HobbsLine(const problem::Case& c, Real friction)
-    : mode(c.pipeline->half == problem::LineHalf::symmetric ? formulas::HobbsMode::three : formulas::HobbsMode::four)
+HobbsLine::HobbsLine(const settings::Case& c, Real friction)
+    : mode(c.pipeline->half == settings::LineHalf::symmetric ? formulas::HobbsMode::three : formulas::HobbsMode::four)
 {
-  const problem::PipelineSettings& p = *c.pipeline;
+  const settings::PipelineSettings& p = *c.pipeline;
   const beam::Section section = slices::LineOfCase(c).line.section.front();
   line = {section.bending_stiffness, section.axial_stiffness, friction * p.submerged_weight,
           p.far_soil.axial_friction * p.submerged_weight};

@@ -24,18 +24,18 @@ std::vector<StageEnd> stage_ends(const record::RunRecord& run);
 std::vector<run_folder::Quantity> line_quantities(const record::RunRecord& run);
 
 /// The names of all that a run of a case may have of these.
-std::vector<std::string> line_names(const problem::Case& c);
+std::vector<std::string> line_names(const settings::Case& c);
 
 /// The same as tables of the log and of the page, whose names begin with `id`: of loads, and of shapes, strains and cycles.
 std::array<base::AnswerTable, 2> answer_tables(const record::RunRecord& run, const std::string& id);
 
 /// The strain in compression that utilisation is of: f101_compressive_strain of the wall over its factors; NaN of a line without a wall.
-formulas::Formula strain_limit(const problem::Case& c);
+formulas::Formula strain_limit(const settings::Case& c);
 
 /// The line of a case on a plane with a lateral friction (over its weight), as Hobbs has it: with three lobes, and four of a line whose halves are images by half a turn. Along the line it has that
 /// of its far soil.
 struct HobbsLine {
-  HobbsLine(const problem::Case& c, Real friction);
+  HobbsLine(const settings::Case& c, Real friction);
 
   formulas::HotLine line;
   formulas::HobbsMode mode;

@@ -39,12 +39,12 @@ Real last_beyond(const std::vector<Real>& x, const std::vector<Real>& values, Re
 
 }  // namespace
 
-Buckle buckle_of(const Shape& shape, const problem::PipelineSettings& line)
+Buckle buckle_of(const Shape& shape, const settings::PipelineSettings& line)
 {
   constexpr Real counts = 0.01;  // of the largest lobe
   const std::vector<Lobe> lobes = lobes_of(shape);
   const Lobe& largest = *std::max_element(lobes.begin(), lobes.end(), [](const Lobe& a, const Lobe& b) { return a.peak < b.peak; });
-  const bool mirrored = line.half == problem::LineHalf::symmetric;
+  const bool mirrored = line.half == settings::LineHalf::symmetric;
   Buckle buckle;
   if (!(largest.peak > 0)) return buckle;
   for (const Lobe& lobe : lobes)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/pipeline_settings.hpp"
+#include "settings/pipeline_settings.hpp"
 #include "structures/line/shapes.hpp"
 
 namespace berm::line {
@@ -15,7 +15,7 @@ struct Buckle {
   Real slip_length = nan;  ///< m, from x = 0 to the last place that has slipped along the line
   Real bending = 0;        ///< the largest strain by bending, in both planes together
 };
-Buckle buckle_of(const Shape& shape, const problem::PipelineSettings& line);
+Buckle buckle_of(const Shape& shape, const settings::PipelineSettings& line);
 
 /// The mean over the line of u, m.
 Real mean_axial(const Shape& shape);

@@ -71,7 +71,7 @@ base::Structure pipeline()
         .measures = generic::measures_of_any_run,
         .draw_report_curves = [](const base::Runs& runs, const base::PublishedPoints&,
                                  const std::filesystem::path& folder) { return draw_load_figures(runs, folder); }}},
-      [](const problem::Case& c) { return c.pipeline.has_value(); }};
+      [](const settings::Case& c) { return c.pipeline.has_value(); }};
 }
 
 }  // namespace berm::line

@@ -77,7 +77,7 @@ const PanelOf panels_of_line[] = {{"P",
                                    {{By::line, "line_M_Nm"}, {By::springs, "springs_M_Nm"}},
                                    &formulas::HobbsBuckle::moment}};
 
-std::string name_by(By by, const problem::Case& c)
+std::string name_by(By by, const settings::Case& c)
 {
   switch (by) {
   case By::line:
@@ -106,7 +106,7 @@ std::vector<Index> first_rise(const std::vector<Real>& P0, const std::vector<Ind
   return some;
 }
 
-std::string style_of(const std::string& name, const problem::Case& c, std::size_t color)
+std::string style_of(const std::string& name, const settings::Case& c, std::size_t color)
 {
   if (name == name_by(By::line, c)) return plot::curve_style(color, 0);
   if (name == name_by(By::springs, c)) return plot::curve_style(color + 2, 1);

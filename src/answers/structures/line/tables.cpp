@@ -16,7 +16,7 @@ namespace {
 using text::HtmlCell, text::table_number;
 
 /// What the utilisation stands on, HTML; "" where there is none.
-std::string strain_words(const problem::Case& c)
+std::string strain_words(const settings::Case& c)
 {
   const formulas::Formula limit = strain_limit(c);
   if (!limit.valid)

@@ -62,7 +62,7 @@ std::vector<Comparison> on_clay(const PenetrationRun& run, bool round)
 
 std::vector<Comparison> on_sand(const PenetrationRun& run, bool round)
 {
-  const problem::Case& c = run.record.settings;
+  const settings::Case& c = run.record.settings;
   const std::optional<material::Material> material = base::touched_material(c);
   const std::optional<material::Strength> law = material ? strength_at_rest(*material) : std::nullopt;
   if (!law || !base::has_little_cohesion(law->cohesion, law->friction_angle, run.soil.at(0).unit_weight, run.whole_width())) return {};
@@ -79,10 +79,10 @@ std::vector<Comparison> on_sand(const PenetrationRun& run, bool round)
 
 std::vector<Comparison> published_of_footing(const PenetrationRun& run)
 {
-  const problem::Case& c = run.record.settings;
-  const bool in_space = c.geometry == problem::Geometry::space;
+  const settings::Case& c = run.record.settings;
+  const bool in_space = c.geometry == settings::Geometry::space;
   const bool round =
-      c.geometry == problem::Geometry::axisymmetric || (in_space && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape));
+      c.geometry == settings::Geometry::axisymmetric || (in_space && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape));
   if (run.body.shoulder > 0 || (in_space && !round)) return {};
   return run.measure() == Measure::strength      ? on_clay(run, round)
          : run.measure() == Measure::half_weight ? on_sand(run, round)
@@ -109,7 +109,7 @@ const Penetrometer& footing()
       .published = published_of_footing,
       .remark = "",
       .also = {.embedded = embedded_footing,
-               .published_envelope = [](const problem::Case& c, const base::EnvelopeEnds&) { return footing_envelope(c); }}};
+               .published_envelope = [](const settings::Case& c, const base::EnvelopeEnds&) { return footing_envelope(c); }}};
   return footing;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 #include "structures/base/published_envelope.hpp"
 
 namespace berm::penetration {
@@ -11,9 +11,9 @@ inline constexpr Real associated = 1e-3;
 
 /// The footing that the case drives. Throws InputError around an axis, where a plane of symmetry forbids to drag and turn it, where its base is not flat, or lies above the bed
 /// or beyond the walls.
-base::EmbeddedBody embedded_footing(const problem::Case& c);
+base::EmbeddedBody embedded_footing(const settings::Case& c);
 
 /// For a footing on uniform clay: of a strip Green's V and H, and the moments on its effective width; of a round one its V; the H at which any slides. For associated sand V alone.
-base::PublishedEnvelope footing_envelope(const problem::Case& c);
+base::PublishedEnvelope footing_envelope(const settings::Case& c);
 
 }  // namespace berm::penetration

@@ -2,10 +2,10 @@
 // Tests: tests/unit/envelope/envelope_footing_test.cpp
 #include "structures/penetration/footing.hpp"
 
+#include "core/axes.hpp"
 #include "formulas/footing.hpp"
 #include "mesh/seabed.hpp"
 #include "os/error.hpp"
-#include "problem/axes.hpp"
 #include "problem/ground.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/kind.hpp"
@@ -28,9 +28,9 @@ template <int dim>
 struct Lying {
   Vec<dim> center;
   Real lowest;
-  problem::Axes<dim> axes;
+  Axes<dim> axes;
 
-  explicit Lying(const problem::Case& c) : center(), lowest(0), axes(problem::axes_of<dim>(bodies::to_vec<dim>(c.gravity)))
+  explicit Lying(const settings::Case& c) : center(), lowest(0), axes(axes_of<dim>(bodies::to_vec<dim>(c.gravity)))
   {
     const bodies::RigidShape<dim> shape = make_shape<dim>(c.rigid[main_rigid(c)].second.shape);
     center = center_of<dim>(shape);
@@ -38,9 +38,9 @@ struct Lying {
   }
 };
 
-void refuse_geometry(const problem::Case& c)
+void refuse_geometry(const settings::Case& c)
 {
-  if (c.geometry == problem::Geometry::axisymmetric)
+  if (c.geometry == settings::Geometry::axisymmetric)
     throw KeyError(
         "geometry: around an axis a footing goes straight down only, as berm run does; an envelope needs geometry = \"space\" with "
         "symmetry = [\"z\"], or \"plane_strain\"");
@@ -51,7 +51,7 @@ void refuse_geometry(const problem::Case& c)
 }
 
 template <int dim>
-base::EmbeddedBody embedded_in(const problem::Case& c)
+base::EmbeddedBody embedded_in(const settings::Case& c)
 {
   const auto& [name, rigid] = c.rigid[main_rigid(c)];
   const std::optional<base::BodyProfile> body = base::body_profile(rigid.shape);
@@ -81,7 +81,7 @@ struct OnSoil {
   base::EmbeddedBody footing;
   Real area = 0;  ///< m2 (of a strip m2 per metre run); NaN where it is not known
   bool strip = false, round = false, at_surface = false;
-  problem::BodySoil soil;
+  settings::BodySoil soil;
   material::Strength strength;
   const contact::ContactSettings* contact = nullptr;
 
@@ -93,10 +93,10 @@ struct OnSoil {
   }
 };
 
-Real area_of(const problem::Case& c, Real width)
+Real area_of(const settings::Case& c, Real width)
 {
   const bodies::RigidShapeSettings& shape = c.rigid[main_rigid(c)].second.shape;
-  if (c.geometry != problem::Geometry::space) return width;
+  if (c.geometry != settings::Geometry::space) return width;
   if (bodies::is_round_from_above(shape)) return pi * width * width / 4;
   const auto* box = std::get_if<bodies::BoxSettings>(&shape);
   return box == nullptr ? nan : width * box->size[2];
@@ -208,21 +208,21 @@ PublishedEnvelope for_sand(const OnSoil& on, Real unit_weight)
 
 }  // namespace
 
-base::EmbeddedBody embedded_footing(const problem::Case& c)
+base::EmbeddedBody embedded_footing(const settings::Case& c)
 {
   refuse_geometry(c);
   return c.dimension() == 2 ? embedded_in<2>(c) : embedded_in<3>(c);
 }
 
-PublishedEnvelope footing_envelope(const problem::Case& c)
+PublishedEnvelope footing_envelope(const settings::Case& c)
 {
   PublishedEnvelope unknown;
   unknown.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c cot phi up to 5 % of gamma' D)";
-  const std::optional<problem::BodySoil> soil = base::touched_soil(c);
+  const std::optional<settings::BodySoil> soil = base::touched_soil(c);
   const std::optional<material::Material> material = base::touched_material(c);
   const std::optional<material::Strength> strength = material ? strength_at_rest(*material) : std::nullopt;
   if (!soil || !strength) return unknown;
-  OnSoil on{embedded_footing(c),     0, c.geometry == problem::Geometry::plane_strain, false, false, *soil, *strength,
+  OnSoil on{embedded_footing(c),     0, c.geometry == settings::Geometry::plane_strain, false, false, *soil, *strength,
             base::contact_of_body(c)};
   on.area = area_of(c, on.footing.width);
   on.round = !on.strip && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape);

@@ -62,7 +62,7 @@ base::Reading reading(const Penetrometer& how)
           [&how](Run run, const std::vector<Real>&) {
             return run.history.rows() == 0 ? base::Reading::Quantities{} : penetration_quantities(PenetrationRun(run, how));
           },
-      .names = [&how](const problem::Case&) { return penetration_names(how); },
+      .names = [&how](const settings::Case&) { return penetration_names(how); },
       .notes = [&how](Run run) { return run.quantity("z_end") == nullptr ? "" : fmt::format("z: depth of the {}\n", how.level); },
       .write_files =
           [&how](const run_folder::RunFolder& folder, Run run) {
@@ -81,7 +81,7 @@ base::Reading reading(const Penetrometer& how)
           },
       .published = [&how](const base::Runs& runs,
                           const base::DisplayUnits&) { return penetration_published(penetration_runs(runs, how), how.word); },
-      .measures = [&how](const problem::Case& c) { return penetration_measures(c, how); },
+      .measures = [&how](const settings::Case& c) { return penetration_measures(c, how); },
       .draw_report_curves = [&how](const base::Runs& runs, const base::PublishedPoints&,
                                    const std::filesystem::path& folder) { return draw_report_log(runs, how, folder); }};
   if (how.keeps_push) {

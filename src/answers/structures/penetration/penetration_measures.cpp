@@ -79,7 +79,7 @@ std::string plain_limit(Real value)
 
 }  // namespace
 
-base::TrustMeasures penetration_measures(const problem::Case& c, const Penetrometer& how)
+base::TrustMeasures penetration_measures(const settings::Case& c, const Penetrometer& how)
 {
   const std::string body = base::body_word(c);
   base::TrustMeasures own = {

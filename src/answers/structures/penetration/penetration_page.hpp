@@ -17,6 +17,6 @@ std::string penetration_key_results(const PenetrationRuns& runs, const base::Dis
 std::string penetration_published(const PenetrationRuns& runs, const std::string& id);
 
 /// What is looked at in a run of a body that is pushed down: what any driven body has, whether the resistance is steady, and how far walls and base are.
-base::TrustMeasures penetration_measures(const problem::Case& c, const Penetrometer& how);
+base::TrustMeasures penetration_measures(const settings::Case& c, const Penetrometer& how);
 
 }  // namespace berm::penetration

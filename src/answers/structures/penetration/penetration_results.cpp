@@ -105,7 +105,7 @@ Real backflow_of(const PenetrationRun& run)
 std::optional<AtFailure> failure_of(const PenetrationRun& run)
 {
   const run_folder::History& history = run.record.history;
-  if (!run.how.keeps_push || !history.has_label("M") || run.record.settings.geometry == problem::Geometry::space) return {};
+  if (!run.how.keeps_push || !history.has_label("M") || run.record.settings.geometry == settings::Geometry::space) return {};
   const driven::Path path = driven::path_of(history, driven::stages_of(run.record.settings));
   const driven::DragPath& drag = path.drag();
   if (drag.travel.size() < 3) return {};

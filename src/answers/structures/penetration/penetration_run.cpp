@@ -40,15 +40,15 @@ PenetrationRun::PenetrationRun(const record::RunRecord& run, const Penetrometer&
 
 void PenetrationRun::take_geometry()
 {
-  const problem::Case& c = record.settings;
+  const settings::Case& c = record.settings;
   whole_width_ = body.width;
-  if (c.geometry == problem::Geometry::axisymmetric) {
+  if (c.geometry == settings::Geometry::axisymmetric) {
     whole_width_ = 2 * body.right;
     area_ = pi * (body.right * body.right - body.bore * body.bore);
     return;
   }
   const bodies::RigidShapeSettings& shape = c.rigid[main_rigid(c)].second.shape;
-  if (c.geometry == problem::Geometry::space) {
+  if (c.geometry == settings::Geometry::space) {
     const auto* box = std::get_if<bodies::BoxSettings>(&shape);
     part_ = part_in_space(record, body, bodies::center_of<3>(bodies::make_shape<3>(shape))[2]);
     if (box != nullptr) area_ = part_ * box->size[0] * box->size[2];

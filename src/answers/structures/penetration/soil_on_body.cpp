@@ -14,7 +14,7 @@ namespace {
 std::optional<run_folder::SavedSoil> soil_at_end(const PenetrationRun& run)
 {
   const record::RunRecord& record = run.record;
-  if (record.folder.empty() || run.z().empty() || !(run.z_end() > 0) || record.settings.geometry == problem::Geometry::space) return {};
+  if (record.folder.empty() || run.z().empty() || !(run.z_end() > 0) || record.settings.geometry == settings::Geometry::space) return {};
   const std::vector<Index> rows = driven::path_of(record.history, driven::stages_of(record.settings)).push.rows;
   const Real time = record.history["time_s"][rows.back()];
   try {
@@ -33,7 +33,7 @@ Real backflow_pressure(const PenetrationRun& run)
   const std::optional<run_folder::SavedSoil> soil = soil_at_end(run);
   if (!soil) return nan;
   const Real level = run.record.settings.surface - run.z_end();
-  const bool round = run.record.settings.geometry == problem::Geometry::axisymmetric;  // a frame then has areas of the section
+  const bool round = run.record.settings.geometry == settings::Geometry::axisymmetric;  // a frame then has areas of the section
   Real volume = 0;
   for (std::size_t k = 0; k < soil->x.size(); ++k)
     if (soil->x[k] > run.body.left && soil->x[k] < run.body.right && soil->y[k] > level)
@@ -55,7 +55,7 @@ Real soil_above(const run_folder::SavedSoil& soil, Real x, Real top, Real width)
 
 Real soil_above_at_end(const PenetrationRun& run)
 {
-  if (run.record.settings.method != problem::Method::mpm) return nan;
+  if (run.record.settings.method != settings::Method::mpm) return nan;
   const std::optional<run_folder::SavedSoil> soil = soil_at_end(run);
   if (!soil) return nan;
   const Real top = run.record.settings.surface - run.w_end() + run.body.height;

@@ -17,7 +17,7 @@ SoilProfile::SoilProfile(const record::RunRecord& run)
       gravity_(
           Eigen::Map<const Eigen::VectorXd>(run.settings.gravity.data(), static_cast<Eigen::Index>(run.settings.gravity.size())).norm())
 {
-  if (soil_) body_ = run.settings.body[problem::index_of(run.settings.body, base::contact_of_body(run.settings)->body)].second;
+  if (soil_) body_ = run.settings.body[index_of(run.settings.body, base::contact_of_body(run.settings)->body)].second;
 }
 
 SoilAt SoilProfile::at(Real depth) const
@@ -46,7 +46,7 @@ SoilAt SoilProfile::at(Real depth) const
 
 bool SoilProfile::varies() const
 {
-  return soil_ && problem::varies(*soil_);
+  return soil_ && settings::varies(*soil_);
 }
 
 namespace {
@@ -56,7 +56,7 @@ constexpr Real near_middle = 0.1;  // of D
 /// A wall through the middle of the body along one coordinate of the first frame.
 Walls in_first_frame(const record::RunRecord& run, Real middle, Real width, std::vector<Real> run_folder::SavedSoil::*coordinate)
 {
-  if (run.folder.empty() || run.settings.geometry == problem::Geometry::axisymmetric) return {};
+  if (run.folder.empty() || run.settings.geometry == settings::Geometry::axisymmetric) return {};
   try {
     const std::vector<run_folder::FrameFiles> frames = run_folder::frame_files(run.folder / "frames");
     if (frames.empty()) return {};

@@ -32,7 +32,7 @@ public:
 
 private:
   const record::RunRecord& run_;
-  std::optional<problem::BodySoil> soil_;
+  std::optional<settings::BodySoil> soil_;
   bodies::BodySettings body_{};
   Real gravity_ = 0;
 };

@@ -13,7 +13,7 @@ std::vector<AxialState> axial_states(const record::RunRecord& run)
   std::vector<AxialState> states;
   const Index rigid = main_rigid(run.settings);
   const contact::ContactSettings* contact = base::contact_of_body(run.settings);
-  if (rigid == none || contact == nullptr || run.settings.geometry != problem::Geometry::plane_strain) return states;
+  if (rigid == none || contact == nullptr || run.settings.geometry != settings::Geometry::plane_strain) return states;
   if (!bodies::pipe_section(run.settings.rigid[rigid].second.shape)) return states;
   for (const base::SurfaceForce& force : base::surface_forces_of(run))
     if (force.V > 0) states.push_back({force.stage, force.w, force.N_eff, force.V, std::tan(contact->friction_angle)});
@@ -66,10 +66,10 @@ std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run)
   return list.list();
 }
 
-std::vector<std::string> axial_names(const problem::Case& c)
+std::vector<std::string> axial_names(const settings::Case& c)
 {
   base::AnswerList list(2);
-  for (const problem::StageSettings& stage : c.stage) {
+  for (const settings::StageSettings& stage : c.stage) {
     list.fill({{"stage", stage.name}});
     list.add_names(state_answers);
     list.add_names(gain_answers);

@@ -35,6 +35,6 @@ std::vector<AxialGain> axial_gains(const record::RunRecord& run);
 std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run);
 
 /// The names of all that a run of a case may have of these.
-std::vector<std::string> axial_names(const problem::Case& c);
+std::vector<std::string> axial_names(const settings::Case& c);
 
 }  // namespace berm::pipe

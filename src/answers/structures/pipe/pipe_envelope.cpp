@@ -28,7 +28,7 @@ struct PipeInSoil {
   std::optional<material::Strength> strength;  ///< empty: none of cohesion and friction
   const contact::ContactSettings* contact = nullptr;
   Real unit_weight = 0;  ///< N/m3
-  std::optional<problem::BodySoil> soil;
+  std::optional<settings::BodySoil> soil;
   Real above = 0;     ///< m, depth in the soil from which embedment counts
   bool level = true;  ///< the ground
 
@@ -42,7 +42,7 @@ struct PipeInSoil {
   }
 };
 
-PipeInSoil pipe_in_soil(const problem::Case& c)
+PipeInSoil pipe_in_soil(const settings::Case& c)
 {
   const std::optional<material::Material> material = base::touched_material(c);
   const problem::Ground ground = problem::ground_of(c);
@@ -135,16 +135,14 @@ PublishedEnvelope with_ground(const PipeInSoil& soil, PublishedEnvelope publishe
 
 }  // namespace
 
-base::EmbeddedBody embedded_pipe(const problem::Case& c)
+base::EmbeddedBody embedded_pipe(const settings::Case& c)
 {
-  if (c.geometry != problem::Geometry::plane_strain)
+  if (c.geometry != settings::Geometry::plane_strain)
     throw KeyError("geometry: the envelope of a pipe is that in plane strain; it needs geometry = \"plane_strain\"");
-  const auto drive = std::find_if(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
-    return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
+  const auto drive = std::find_if(c.stage.begin(), c.stage.end(), [](const settings::StageSettings& stage) {
+    return stage.kind == settings::StageKind::push || stage.kind == settings::StageKind::drag;
   });
-  const Index main = drive != c.stage.end() && !drive->rigid.empty() ? problem::index_of(c.rigid, drive->rigid)
-                     : c.rigid.empty()                               ? none
-                                                                     : 0;
+  const Index main = drive != c.stage.end() && !drive->rigid.empty() ? index_of(c.rigid, drive->rigid) : c.rigid.empty() ? none : 0;
   if (main == none) throw KeyError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
   const auto& [name, rigid] = c.rigid[main];
   const std::optional<bodies::DiskOutline> circle = bodies::pipe_section(rigid.shape);
@@ -165,7 +163,7 @@ base::EmbeddedBody embedded_pipe(const problem::Case& c)
   return pipe;
 }
 
-PublishedEnvelope pipe_envelope(const problem::Case& c, const base::EnvelopeEnds& ends)
+PublishedEnvelope pipe_envelope(const settings::Case& c, const base::EnvelopeEnds& ends)
 {
   const PipeInSoil soil = pipe_in_soil(c);
   if (soil.strength && soil.strength->friction_angle == 0 && soil.strength->cohesion > 0) return with_ground(soil, for_clay(soil));

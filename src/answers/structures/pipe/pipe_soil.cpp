@@ -22,22 +22,22 @@ formulas::PipeInClay ClayAround::at(Real embedment) const
 
 PipeSoil pipe_soil(const record::RunRecord& run)
 {
-  const problem::Case& c = run.settings;
+  const settings::Case& c = run.settings;
   const std::optional<bodies::DiskOutline> circle = base::circle_of(c);
   if (!circle) return NoFormula{"The published formulas are for pipes; the rigid body of this run is not a circle."};
-  if (c.geometry != problem::Geometry::plane_strain)
+  if (c.geometry != settings::Geometry::plane_strain)
     return NoFormula{fmt::format("The published formulas are per metre of pipe in plane strain; this run is {}.",
-                                 c.geometry == problem::Geometry::space ? "three-dimensional" : "axisymmetric")};
+                                 c.geometry == settings::Geometry::space ? "three-dimensional" : "axisymmetric")};
   if (std::isnan(base::modelled_part(c)))
     return NoFormula{"The published formulas are for a whole pipe; a wall of the mesh cuts the pipe of this run."};
-  const std::optional<problem::BodySoil> touched = base::touched_soil(run);
+  const std::optional<settings::BodySoil> touched = base::touched_soil(run);
   const Real depth = base::soil_depth(c, run.ground, base::reference_depth(c, run.ground));
   const std::optional<material::Strength> law = touched ? strength_at_rest(touched->at("", depth)) : std::nullopt;
   if (!law) return NoFormula{"No formula is known for this soil: its strength is not given by cohesion and friction."};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
   const bool sticks = rules_of(contact.scheme).tied;
   const Real unit_weight = base::body_scale(run).unit_weight;
-  const problem::BodySoil& soil = *touched;
+  const settings::BodySoil& soil = *touched;
   const bool cohesive = law->cohesion > 0 || std::any_of(soil.materials.begin(), soil.materials.end(), [](const material::Material& one) {
                           const std::optional<material::Strength> strength = strength_at_rest(one);
                           return strength && (strength->cohesion > 0 || strength->cohesion_gradient > 0);

@@ -3,9 +3,9 @@
 
 #include "formulas/pipe_in_clay.hpp"
 #include "formulas/pipe_in_sand.hpp"
-#include "problem/body_soil.hpp"
-#include "problem/case.hpp"
 #include "record/run_record.hpp"
+#include "settings/body_soil.hpp"
+#include "settings/case.hpp"
 #include "structures/base/little_cohesion.hpp"
 
 #include <variant>
@@ -29,7 +29,7 @@ struct SandAround {
 /// Clay without friction around a pipe.
 struct ClayAround {
   Real diameter, unit_weight;  ///< m, N/m3, 0 = weightless
-  problem::BodySoil soil;
+  settings::BodySoil soil;
   Real adhesion;             ///< Pa, infinite where the pipe sticks, NaN where the interface has friction
   Real above = 0;            ///< m, depth in the soil from which embedment counts: in a trench that of the trench
   Real adhesion_factor = 0;  ///< adhesion over s_u wherever the pipe is, instead of `adhesion`

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "formulas/formula.hpp"
-#include "problem/case.hpp"
+#include "settings/case.hpp"
 #include "structures/base/published_envelope.hpp"
 #include "structures/driven/driven_run.hpp"
 
@@ -59,11 +59,11 @@ struct PublishedValues {
 PublishedValues published_beside(const driven::DrivenRun& run);
 
 /// The pipe that the case drives. Throws InputError where the case is not plane, drives no circle, or the pipe lies above the bed or beyond the walls.
-base::EmbeddedBody embedded_pipe(const problem::Case& c);
+base::EmbeddedBody embedded_pipe(const settings::Case& c);
 
 /// For clay (Mohr-Coulomb without friction) the fits for a pipe wished in place, the buoyancy gamma' A of the clay that it takes the place of added
 /// to V. For sand (without cohesion) the tabulated V_max, and a parabola (YieldSurface) fitted to the probes' ends with their own V_max. Formulas
 /// that are only recalled are not among them.
-base::PublishedEnvelope pipe_envelope(const problem::Case& c, const base::EnvelopeEnds& ends);
+base::PublishedEnvelope pipe_envelope(const settings::Case& c, const base::EnvelopeEnds& ends);
 
 }  // namespace berm::pipe

@@ -118,7 +118,7 @@ Real take_in_z(FilmGrid& grid, const std::vector<const FilmFrame*>& frames)
   return lower;
 }
 
-std::string name_of(std::int32_t rigid, const problem::Case& settings)
+std::string name_of(std::int32_t rigid, const settings::Case& settings)
 {
   const bool known = rigid >= 0 && rigid < static_cast<std::int32_t>(settings.rigid.size());
   return known ? settings.rigid[rigid].first : "rigid body";
@@ -147,7 +147,7 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
                {"view", {{"lower", pair_of(view.lower)}, {"upper", pair_of(view.upper)}}},
                {"surface", surface ? Json(*surface) : Json()},
                {"note", nullptr},
-               {"around_axis", run.settings.geometry == problem::Geometry::axisymmetric},
+               {"around_axis", run.settings.geometry == settings::Geometry::axisymmetric},
                {"forces", run.settings.force_dimension() == 2 ? "N/m" : "N"}};
   if (whole) film["lower_z"] = lower_z, film["one_of"] = footage.one_of;
   for (const Vec<2>& corner : run.ground.line.corners) film["ground"].push_back(pair_of(corner));

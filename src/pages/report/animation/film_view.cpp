@@ -63,7 +63,7 @@ FilmBox film_view(const record::RunRecord& run, const FilmBox& soil)
 
 std::optional<Real> film_surface(const record::RunRecord& run)
 {
-  const problem::Case& settings = run.settings;
+  const settings::Case& settings = run.settings;
   if (!run.ground.line.level()) return {};
   const bool flat = std::any_of(settings.body.begin(), settings.body.end(), [](const auto& body) { return body.second.has_k0(); });
   if (flat || std::holds_alternative<mesh::SeabedMesh>(settings.mesh)) return settings.surface;

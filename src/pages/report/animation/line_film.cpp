@@ -28,7 +28,7 @@ constexpr std::pair<const char*, std::vector<Real> Shape::*> quantities_of_line[
 /// x of the slices that the history tells of.
 std::vector<Real> places_of_slices(const record::RunRecord& run)
 {
-  std::vector<Real> places = problem::places_of(run.settings.pipeline->slices);
+  std::vector<Real> places = settings::places_of(run.settings.pipeline->slices);
   std::size_t count = 1;
   while (count < places.size() && run.history.has(fmt::format("slice_{}_u_m", count))) ++count;
   places.resize(count);
@@ -93,17 +93,17 @@ Json bed_of(Film& film, const line::Beds& beds, const std::vector<Index>& frames
 Json ends_of_stages(const record::RunRecord& run, const std::vector<std::string>& stages)
 {
   Json ends = Json::array();
-  for (const problem::StageSettings& stage : run.settings.stage) {
+  for (const settings::StageSettings& stage : run.settings.stage) {
     const auto last = std::find(stages.rbegin(), stages.rend(), stage.name);
-    if (stage.kind != problem::StageKind::pipeline || last == stages.rend()) continue;
+    if (stage.kind != settings::StageKind::pipeline || last == stages.rend()) continue;
     ends.push_back({{"name", stage.name}, {"frame", std::distance(last, stages.rend()) - 1}});
   }
   return ends;
 }
 
-const char* word_of(problem::LineHalf half)
+const char* word_of(settings::LineHalf half)
 {
-  return half == problem::LineHalf::symmetric ? "symmetric" : half == problem::LineHalf::antisymmetric ? "antisymmetric" : "none";
+  return half == settings::LineHalf::symmetric ? "symmetric" : half == settings::LineHalf::antisymmetric ? "antisymmetric" : "none";
 }
 
 Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const line::Beds& beds, const std::string& prefix)
@@ -115,7 +115,7 @@ Film film_of_shapes(const record::RunRecord& run, const Shapes& shapes, const li
   const std::vector<Real> places = beds.x.empty() ? places_of_slices(run) : beds.x;
   const Real region = moved_region(shapes, places.back());
   const std::vector<std::size_t> nodes = kept_nodes(shapes.front().x, region);
-  const problem::PipelineSettings& line = *run.settings.pipeline;
+  const settings::PipelineSettings& line = *run.settings.pipeline;
 
   std::vector<std::string> left_out;
   if (step > 1) left_out.push_back(kept_words(step));

@@ -27,7 +27,7 @@ struct Evidence {
 /// The settings that tests often leave open, and what the mesh is.
 std::string setting_of(const record::RunRecord& run)
 {
-  const problem::Case& c = run.settings;
+  const settings::Case& c = run.settings;
   const base::BodyScale scale = base::body_scale(c);
   std::string words = fmt::format("γ′ = {:.3g} kN/m³", scale.unit_weight / 1000);
   if (const auto soil = base::touched_material(c))
@@ -35,10 +35,10 @@ std::string setting_of(const record::RunRecord& run)
   for (const auto& [name, body] : c.body)
     if (body.has_k0()) words += ", K0 = " + base::k0_in_words(body.at_rest(), body.sin_friction);
   if (const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
-    const Real size = c.method == problem::Method::fem && c.fem.contact_size ? *c.fem.contact_size : seabed->near_size;
-    words += fmt::format(", {} of D/{:.3g}", c.method == problem::Method::fem ? "elements" : "cells", scale.width / size);
+    const Real size = c.method == settings::Method::fem && c.fem.contact_size ? *c.fem.contact_size : seabed->near_size;
+    words += fmt::format(", {} of D/{:.3g}", c.method == settings::Method::fem ? "elements" : "cells", scale.width / size);
   }
-  if (c.method == problem::Method::mpm) words += c.mpm.volumetric_projection ? ", no locking" : ", plain triangles, which lock";
+  if (c.method == settings::Method::mpm) words += c.mpm.volumetric_projection ? ", no locking" : ", plain triangles, which lock";
   return words;
 }
 

@@ -15,7 +15,7 @@ namespace {
 using Runs = std::vector<record::RunRecord>;
 
 /// The entries of [report] that are given, by their names on the page.
-std::vector<std::pair<std::string, std::string>> document_of(const problem::ReportSettings& report)
+std::vector<std::pair<std::string, std::string>> document_of(const settings::ReportSettings& report)
 {
   std::vector<std::pair<std::string, std::string>> entries = {
       {"Project", report.project}, {"Client", report.client}, {"Document", report.document},  {"Revision", report.revision},
@@ -92,7 +92,7 @@ std::vector<text::RunEntry> entries_of(const record::RunRecord& run)
 
 std::string units_words(const Runs& runs)
 {
-  const auto some = [&](problem::Geometry geometry) {
+  const auto some = [&](settings::Geometry geometry) {
     return std::any_of(runs.begin(), runs.end(), [&](const record::RunRecord& run) { return run.settings.geometry == geometry; });
   };
   const bool models =
@@ -103,9 +103,9 @@ std::string units_words(const Runs& runs)
   return fmt::format(
       "SI units. {}{}{}u is along x, w the depth of the lowest point below the surface at the start{}, H the force of the body on the soil "
       "along x, V the upward reaction of the soil. {}",
-      some(problem::Geometry::plane_strain) ? "Plane strain: forces are per metre run of the pipe or body. " : "",
-      some(problem::Geometry::space) ? "In space forces are those of the whole body. " : "",
-      some(problem::Geometry::axisymmetric) ? "Axisymmetric: x is the radius, and forces are those of the whole body, all around. " : "",
+      some(settings::Geometry::plane_strain) ? "Plane strain: forces are per metre run of the pipe or body. " : "",
+      some(settings::Geometry::space) ? "In space forces are those of the whole body. " : "",
+      some(settings::Geometry::axisymmetric) ? "Axisymmetric: x is the radius, and forces are those of the whole body, all around. " : "",
       uneven ? " (on ground that is not level: the surface under the axis)" : "",
       models ? "Values \"in the prototype\" are lengths and forces per metre times the gravity level; all others are of the model. " : "");
 }
@@ -122,7 +122,7 @@ std::string document_lines(const record::RunRecord& run)
 
 std::string document_foot(const record::RunRecord& run)
 {
-  const problem::ReportSettings& report = run.settings.report;
+  const settings::ReportSettings& report = run.settings.report;
   std::vector<std::string> parts;
   for (const std::string& part : {report.project, report.document, report.revision.empty() ? "" : "revision " + report.revision})
     if (!part.empty()) parts.push_back(part);

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t max_stages = 5;  // in a line
 
-std::string stages_in_a_line(const problem::Case& c)
+std::string stages_in_a_line(const settings::Case& c)
 {
   std::vector<std::string> stages;
-  for (const problem::StageSettings& stage : c.stage) {
+  for (const settings::StageSettings& stage : c.stage) {
     if (stages.size() == max_stages) break;
     stages.push_back(text::html_text(picture::stage_words(stage, c.force_dimension())));
   }

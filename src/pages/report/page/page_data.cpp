@@ -80,7 +80,7 @@ Json run_data(const record::RunRecord& run)
   Json data;
   data["name"] = run.name;
   data["title"] = run.settings.title;
-  data["method"] = run.settings.method == problem::Method::mpm ? "mpm" : "fem";
+  data["method"] = run.settings.method == settings::Method::mpm ? "mpm" : "fem";
   data["diameter"] = scale.width > 0 ? Json(scale.width) : Json(nullptr);
   data["measure"] = measure_of(scale);
   data["prototype"] = has_prototype(scale) ? Json(scale.gravity_level) : Json(nullptr);

@@ -35,20 +35,20 @@ std::string short_length(Real metres)
 /// "clay with s_u = 5 kPa", of a strength that varies "clay with s_u = 5 kPa at 0.2 m", that depth; "sand over clay".
 std::string soil_of(const record::RunRecord& run)
 {
-  const problem::Case& c = run.settings;
-  const std::optional<problem::BodySoil> soil = base::touched_soil(c);
+  const settings::Case& c = run.settings;
+  const std::optional<settings::BodySoil> soil = base::touched_soil(c);
   if (!soil) return "";
   std::string words = with_spaces(soil->names.front());
-  for (const problem::SoilLayer& layer : soil->layers) words += " over " + with_spaces(soil->names[layer.material]);
+  for (const settings::SoilLayer& layer : soil->layers) words += " over " + with_spaces(soil->names[layer.material]);
   const base::BodyScale scale = base::body_scale(run);
   if (!soil->layers.empty() || !(scale.strength > 0)) return words;
   words += fmt::format(" with s_u = {} kPa", text::short_number(scale.strength / 1e3));
   return scale.strength_depth > 0 ? words + fmt::format(" at {}", short_length(scale.strength_depth)) : words;
 }
 
-std::string verb_of(const problem::StageSettings& stage)
+std::string verb_of(const settings::StageSettings& stage)
 {
-  using enum problem::StageKind;
+  using enum settings::StageKind;
   if (stage.kind == push) return stage.velocity && *stage.velocity < 0 ? "lift" : "push";
   if (!stage.loads.empty() || !stage.load_times.empty()) return "load history";
   if (stage.kind == drag || stage.kind == sweep) return "drag";
@@ -77,21 +77,21 @@ Index last_row(const run_folder::History& h, const std::string& stage)
 }
 
 /// Whether the last row of a stage has a value that is within a tenth of a limit of force.
-bool came_to_force(const record::RunRecord& run, const problem::StageSettings& stage, Index row)
+bool came_to_force(const record::RunRecord& run, const settings::StageSettings& stage, Index row)
 {
   constexpr Real noise = 0.1;
-  const char* label = stage.kind == problem::StageKind::drag ? "H" : "V";
+  const char* label = stage.kind == settings::StageKind::drag ? "H" : "V";
   return run.history.has_label(label) && std::abs(std::abs(run.history.by_label(label)[row] / *stage.until.force) - 1) < noise;
 }
 
 /// " to w = 0.2 m", " 1.5 m": until when it lasted, where that is not a time: of limits the one that the run came to, and where it ended before how far it came.
-std::string limit_of(const record::RunRecord& run, const problem::StageSettings& stage)
+std::string limit_of(const record::RunRecord& run, const settings::StageSettings& stage)
 {
-  const problem::Until& until = stage.until;
+  const settings::Until& until = stage.until;
   const run_folder::History& h = run.history;
   const Index row = last_row(h, stage.name);
   const bool knows = row != none && h.has("w_m") && h.has("u_m");
-  const std::string force = until.force ? fmt::format(" to {} = {}", stage.kind == problem::StageKind::drag ? "H" : "V",
+  const std::string force = until.force ? fmt::format(" to {} = {}", stage.kind == settings::StageKind::drag ? "H" : "V",
                                                       text::force_words(*until.force, run.settings.force_dimension()))
                                         : "";
   const bool by_force = until.force && knows && came_to_force(run, stage, row);
@@ -100,7 +100,7 @@ std::string limit_of(const record::RunRecord& run, const problem::StageSettings&
     return by_force && w != *until.embedment ? force : fmt::format(" to w = {}", short_length(w));
   }
   if (until.displacement) {
-    const bool along_x = knows && stage.kind == problem::StageKind::drag;
+    const bool along_x = knows && stage.kind == settings::StageKind::drag;
     const Real u =
         along_x ? reached_of(std::abs(h["u_m"][row] - h["u_m"][first_row(h, stage.name)]), *until.displacement) : *until.displacement;
     return by_force && (!along_x || u != *until.displacement) ? force : " " + short_length(u);
@@ -123,14 +123,14 @@ std::string counted(int count, std::string verb)
 /// "push to w = 0.2 m, 5 drags": stages of one kind behind one another count together.
 std::string stages_of(const record::RunRecord& run)
 {
-  const problem::Case& c = run.settings;
+  const settings::Case& c = run.settings;
   struct Group {
     std::string verb, limit;
     int count;
   };
   std::vector<Group> groups;
-  for (const problem::StageSettings& stage : c.stage) {
-    if (stage.kind == problem::StageKind::geostatic || (c.pipeline && stage.kind != problem::StageKind::pipeline)) continue;
+  for (const settings::StageSettings& stage : c.stage) {
+    if (stage.kind == settings::StageKind::geostatic || (c.pipeline && stage.kind != settings::StageKind::pipeline)) continue;
     const std::string verb = verb_of(stage);
     if (!groups.empty() && groups.back().verb == verb)
       ++groups.back().count;
@@ -145,7 +145,7 @@ std::string stages_of(const record::RunRecord& run)
 
 Question question_of_run(const record::RunRecord& run)
 {
-  const problem::Case& c = run.settings;
+  const settings::Case& c = run.settings;
   const Real width = base::body_scale(c).width;
   if (!(width > 0)) return {};
   return {c.pipeline ? "pipeline" : base::body_word(c), short_length(width), soil_of(run), stages_of(run)};

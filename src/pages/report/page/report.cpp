@@ -85,7 +85,7 @@ Real particles_of(const record::RunRecord& run)
 /// The order of the page: the material point method first, then by number of particles.
 bool finer(const record::RunRecord& a, const record::RunRecord& b)
 {
-  if (a.settings.method != b.settings.method) return a.settings.method == problem::Method::mpm;
+  if (a.settings.method != b.settings.method) return a.settings.method == settings::Method::mpm;
   return particles_of(a) > particles_of(b);
 }
 

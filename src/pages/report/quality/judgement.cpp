@@ -65,7 +65,7 @@ void add_measures(Judgement& all, const record::RunRecord& run, const Words& inv
     if (!holds(invalid, warning)) all.warnings.push_back(warning + ".");
   }
   if (const std::string opposite = opposite_words(all.measures); !opposite.empty()) all.warnings.push_back(opposite);
-  if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
+  if (run.settings.method == settings::Method::mpm && !run.settings.mpm.volumetric_projection)
     all.warnings.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
   if (const Real given = base::work_of_contact(run); given > max_work_of_contact)
     all.warnings.push_back(fmt::format("contact added energy, {:.2g} % of the work, instead of dissipating it.", 100 * given));

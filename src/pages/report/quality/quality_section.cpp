@@ -35,7 +35,7 @@ std::string content_of(const JudgedMeasure& judged, const record::RunRecord& run
   return fmt::format("{} {}", text, html_badge(judged.standing, words[static_cast<std::size_t>(judged.standing)]));
 }
 
-std::string table_of(const Runs& runs, const Judgements& judgements, problem::Method method, const std::string& id,
+std::string table_of(const Runs& runs, const Judgements& judgements, settings::Method method, const std::string& id,
                      const std::string& caption)
 {
   text::RunColumns columns("", "", "judged by");
@@ -90,8 +90,8 @@ std::string warning_list(const Runs& runs, const Judgements& judgements)
 std::string quality_section(const Runs& runs, const Judgements& judgements)
 {
   std::string content = warning_list(runs, judgements);
-  content += table_of(runs, judgements, problem::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
-  content += table_of(runs, judgements, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
+  content += table_of(runs, judgements, settings::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
+  content += table_of(runs, judgements, settings::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
   content += "<p class=\"quiet\">See: sections of <cite>Common pitfalls</cite> in the documentation of berm "
              "(docs/how_to/what_will_catch_you.md), which say how large each effect is and what to do.</p>\n";
   for (const base::Structure& structure : structures::all_structures())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
 
-#include "problem/drainage.hpp"
+#include "settings/drainage.hpp"
 #include "structures/base/soil_words.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
@@ -17,7 +17,7 @@ std::string known(Real value, const std::string& words)
   return std::isnan(value) ? "–" : words;
 }
 
-std::string sentence_of(const record::RunRecord& run, const problem::Consolidation& soil)
+std::string sentence_of(const record::RunRecord& run, const settings::Consolidation& soil)
 {
   return text::html_text(fmt::format("{}: \"{}\"{} has c_v = {:.3g} m2/s, with the modulus of one-dimensional compression M = {}.",
                                      run.name, soil.material,
@@ -35,18 +35,18 @@ std::string times(Real in_run, const std::optional<Real>& part)
                      text::time_words(in_run));
 }
 
-std::string inertia_cell(const problem::Case& c, const problem::StageDrainage& stage, const problem::Consolidation& soil, Real width)
+std::string inertia_cell(const settings::Case& c, const settings::StageDrainage& stage, const settings::Consolidation& soil, Real width)
 {
   if (!(width > 0)) return "–";
-  const std::optional<problem::StageInertia> inertia = inertia_in(c, stage, soil, width);
+  const std::optional<settings::StageInertia> inertia = inertia_in(c, stage, soil, width);
   return inertia ? text::html_text(base::inertia_words(*inertia)) : "none";
 }
 
-void add_rows(const record::RunRecord& run, Real width, const problem::Consolidation& soil, text::HtmlTable& table)
+void add_rows(const record::RunRecord& run, Real width, const settings::Consolidation& soil, text::HtmlTable& table)
 {
   const std::vector<base::Dissipation> rests = base::dissipation_of(run);
-  const std::optional<Real> part = problem::part_of_real_time(run.settings);
-  for (const problem::StageDrainage& stage : drainage_of_stages(run.settings, width, soil.c_v)) {
+  const std::optional<Real> part = settings::part_of_real_time(run.settings);
+  for (const settings::StageDrainage& stage : drainage_of_stages(run.settings, width, soil.c_v)) {
     const std::string& name = run.settings.stage[stage.stage].name;
     const auto rest = std::find_if(rests.begin(), rests.end(), [&](const base::Dissipation& d) { return d.stage == name; });
     const base::Dissipation d = rest != rests.end() ? *rest : base::Dissipation{name, nan, nan, nan, nan, nan};
@@ -80,16 +80,16 @@ std::string consolidation_table(const std::vector<record::RunRecord>& runs)
   std::string soils;
   for (const record::RunRecord& run : runs) {
     const Real width = base::body_scale(run).width;
-    const std::vector<problem::Consolidation> found = consolidation_of(run.settings, width);
+    const std::vector<settings::Consolidation> found = consolidation_of(run.settings, width);
     if (found.empty()) continue;
-    for (const problem::Consolidation& soil : found) soils += sentence_of(run, soil) + "<br>\n";
+    for (const settings::Consolidation& soil : found) soils += sentence_of(run, soil) + "<br>\n";
     add_rows(run, width, found.front(), table);
   }
   if (soils.empty()) return "";
   const std::string how = fmt::format("Soil is drained up to v D/c_v = {:g} and undrained from {:g} on, within 5 %, and partially drained "
                                       "between. U is 1 minus the largest excess pore pressure in the soil over the largest in the stage; "
                                       "t50 is the time until U = 50 %; in brackets its time in the run, where that differs.",
-                                      problem::drained_up_to, problem::undrained_from);
+                                      settings::drained_up_to, settings::undrained_from);
   return "<h3>Consolidation</h3>\n<p>" + soils + "</p>\n" + text::html_paragraph(how, "quiet") + (table.empty() ? "" : table.html());
 }
 

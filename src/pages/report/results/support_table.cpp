@@ -13,9 +13,9 @@ namespace {
 
 constexpr Real round_off = 1e-9;  // of the largest force of the run
 
-bool acts(const problem::Case& c, const base::SupportReaction& reaction)
+bool acts(const settings::Case& c, const base::SupportReaction& reaction)
 {
-  const Index support = problem::index_of(c.support, reaction.support);
+  const Index support = index_of(c.support, reaction.support);
   const std::vector<std::string>& stages = c.support[static_cast<std::size_t>(support)].second.stages;
   return stages.empty() || std::find(stages.begin(), stages.end(), reaction.stage) != stages.end();
 }
@@ -54,7 +54,7 @@ std::string support_table(const std::vector<record::RunRecord>& runs)
       cells.push_back({unit.name});
       table.row(cells);
     }
-    around_axis = around_axis || (!reactions.empty() && run.settings.geometry == problem::Geometry::axisymmetric);
+    around_axis = around_axis || (!reactions.empty() && run.settings.geometry == settings::Geometry::axisymmetric);
     mirrored = mirrored || (!reactions.empty() && !run.settings.symmetry.empty());
   }
   if (table.empty()) return "";

@@ -59,7 +59,7 @@ void collect(const input::SettingTable& table, const std::string& path, std::vec
 
 }  // namespace
 
-std::vector<ParameterEntry> parameters_of(const problem::Case& settings)
+std::vector<ParameterEntry> parameters_of(const settings::Case& settings)
 {
   std::vector<ParameterEntry> entries;
   collect(input::all_settings(settings), "", entries);

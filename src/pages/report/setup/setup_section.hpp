@@ -26,7 +26,7 @@ struct ParameterEntry {
 };
 
 /// Every parameter of a case, table by table.
-std::vector<ParameterEntry> parameters_of(const problem::Case& settings);
+std::vector<ParameterEntry> parameters_of(const settings::Case& settings);
 
 /// Every parameter of all runs: its path, a column with its value for each run, unit and meaning. Rows in which runs differ have the class "differs".
 text::HtmlTable parameter_columns(const std::vector<record::RunRecord>& runs);

@@ -4,8 +4,9 @@
 
 #include "material/laws.hpp"
 #include "picture/stage_words.hpp"
-#include "problem/drainage.hpp"
-#include "problem/time_scale.hpp"
+#include "settings/drainage.hpp"
+#include "settings/interface.hpp"
+#include "settings/time_scale.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/soil_words.hpp"
 #include "text/html.hpp"
@@ -37,13 +38,13 @@ public:
   }
   Real level() const { return scale_.gravity_level; }
   const base::BodyScale& scale() const { return scale_; }
-  const problem::Case& settings() const { return case_; }
+  const settings::Case& settings() const { return case_; }
   Real surface_at(Real x) const { return run_.surface_at(x); }
   std::vector<text::RunEntry> list() && { return std::move(entries_); }
 
 private:
   const record::RunRecord& run_;
-  const problem::Case& case_;
+  const settings::Case& case_;
   base::BodyScale scale_;
   std::vector<text::RunEntry> entries_;
 };
@@ -116,7 +117,7 @@ void add_water(Rows& rows, const std::string& prefix, const material::Material& 
 
 void add_material(Rows& rows, const std::string& prefix, const material::Material& material)
 {
-  const problem::Case& c = rows.settings();
+  const settings::Case& c = rows.settings();
   const Real gravity = rows.level() * standard_gravity;
   rows.add(prefix + "law", law_name(material));
   rows.add(prefix + "density", fmt::format("{:.4g} kg/m³", density(material)));
@@ -134,7 +135,7 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
       material);
   rows.add(prefix + (by_pressure ? "Young's modulus at the maximum pressure" : "Young's modulus"), text::stress_words(E));
   rows.add(prefix + "Poisson's ratio", text::number_words(nu));
-  const auto is_own = [&](const std::string& name) { return &c.material[problem::index_of(c.material, name)].second == &material; };
+  const auto is_own = [&](const std::string& name) { return &c.material[index_of(c.material, name)].second == &material; };
   for (const auto& [name, body] : c.body) {
     if (body.has_k0() && is_own(body.material)) rows.add(prefix + "K0", base::k0_in_words(body.at_rest(), body.sin_friction));
     for (const bodies::SoilLayerSettings& layer : body.soil_layer)
@@ -162,7 +163,7 @@ void add_supports(Rows& rows)
 void add_soils(Rows& rows)
 {
   for (const auto& [name, body] : rows.settings().body)
-    if (const problem::BodySoil soil = soil_of(rows.settings(), body); soil.materials.size() > 1)
+    if (const settings::BodySoil soil = soil_of(rows.settings(), body); soil.materials.size() > 1)
       rows.add(fmt::format("body {}: materials", name), base::layers_in_words(soil));
   for (const base::EarthworkWords& work : base::earthworks_in_words(rows.settings()))
     rows.add(fmt::format("body {}: {}", work.body, work.settings.name), work.words);
@@ -185,7 +186,7 @@ void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSetting
 }
 
 /// The word that the case file has for a parameter.
-std::string word_of(const problem::Case& c, const std::string& path)
+std::string word_of(const settings::Case& c, const std::string& path)
 {
   const std::vector<ParameterEntry> all = parameters_of(c);
   const auto found = std::find_if(all.begin(), all.end(), [&](const ParameterEntry& entry) { return entry.path == path; });
@@ -206,9 +207,9 @@ void add_contact(Rows& rows, const std::string& prefix, const std::string& name,
     rows.add(prefix + "sensitivity of the adhesion",
              fmt::format("{:.3g}, 95 % lost after {}", contact.adhesion_sensitivity, text::length_words(contact.adhesion_ductility)));
   if (contact.tension > 0) rows.add(prefix + "tension", contact.tension < infinity ? text::stress_words(contact.tension) : "unlimited");
-  if (problem::has_flowing_water(rows.settings(), contact.body) && !contact.rigid.empty())
+  if (settings::has_flowing_water(rows.settings(), contact.body) && !contact.rigid.empty())
     rows.add(prefix + "water", contact.drained ? "crosses it (drained)" : "does not cross it");
-  if (rows.settings().method == problem::Method::mpm)
+  if (rows.settings().method == settings::Method::mpm)
     for (const char* key : {"scheme", "detection"})
       rows.add(prefix + key, word_of(rows.settings(), fmt::format("contact.{}.{}", name, key)));
 }
@@ -221,7 +222,7 @@ void add_rigid_contact(Rows& rows, const std::string& prefix, const contact::Rig
 
 void add_mesh(Rows& rows)
 {
-  const problem::Case& c = rows.settings();
+  const settings::Case& c = rows.settings();
   if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     rows.length("bed: length", bed->length);
     rows.length("bed: depth", bed->depth);
@@ -248,14 +249,14 @@ void add_mesh(Rows& rows)
 void add_stages(Rows& rows)
 {
   int number = 0;
-  for (const problem::StageSettings& stage : rows.settings().stage) {
+  for (const settings::StageSettings& stage : rows.settings().stage) {
     const int dimension = rows.settings().force_dimension();
     const std::string until =
         rows.with_prototype(picture::until_words(stage, dimension), picture::until_words(stage, dimension, rows.level()));
-    const bool driven = problem::drives(stage.kind);
+    const bool driven = settings::drives(stage.kind);
     rows.add(fmt::format("stage {}", ++number),
              fmt::format("{}: {}{}", stage.name, driven ? picture::drive_words(stage, dimension) + ", until " : "", until));
-    if (!stage.load_times.empty()) rows.add(fmt::format("stage {}: load history", number), problem::time_scale_words(stage));
+    if (!stage.load_times.empty()) rows.add(fmt::format("stage {}: load history", number), settings::time_scale_words(stage));
   }
 }
 
@@ -280,10 +281,10 @@ text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
   text::RunColumns columns("");
   bool models = false;
   for (const record::RunRecord& run : runs) {
-    const problem::Case& c = run.settings;
+    const settings::Case& c = run.settings;
     Rows rows(run);
     models = models || has_prototype(rows.scale());
-    rows.add("method", c.method == problem::Method::mpm ? "material point method" : "finite elements, wished in place");
+    rows.add("method", c.method == settings::Method::mpm ? "material point method" : "finite elements, wished in place");
     rows.add("gravity", rows.level() > 0 ? fmt::format("{:.4g} g", rows.level()) : "none");
     for (const auto& [name, rigid] : c.rigid)
       add_rigid(rows, c.rigid.size() > 1 ? prefix_of("rigid body", name, c.rigid.size()) : base::body_word(c) + ": ", rigid);
@@ -315,7 +316,7 @@ text::HtmlTable computation_table(const std::vector<record::RunRecord>& runs)
       const auto found = run.summary->text.find(name);
       return found == run.summary->text.end() || found->second.empty() ? std::string("not recorded") : found->second;
     };
-    const bool mpm = run.settings.method == problem::Method::mpm;
+    const bool mpm = run.settings.method == settings::Method::mpm;
     rows.add("machine", text("machine"));
     const std::string ranks = run.timing("ranks") > 1 ? fmt::format(" on each of {} ranks", run.timing("ranks")) : "";
     rows.add("threads", text::count_words(run.timing("threads")) + ranks);

@@ -3,7 +3,8 @@
 #include "report/setup/setup_section.hpp"
 
 #include "material/laws.hpp"
-#include "problem/body_soil.hpp"
+#include "settings/body_soil.hpp"
+#include "settings/symmetry.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -25,18 +26,18 @@ std::vector<Real> profile_depths(const material::Material& material)
 }
 
 /// The depth of the bed; NaN where the mesh does not tell it.
-Real bed_depth(const problem::Case& c)
+Real bed_depth(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   return bed == nullptr ? nan : bed->depth;
 }
 
 /// The depths between which the soil of a region is linear, from 0; the last is that of the bed, or NaN.
-std::vector<Real> parts_of(const problem::BodySoil& soil, const std::string& region, Real bed)
+std::vector<Real> parts_of(const settings::BodySoil& soil, const std::string& region, Real bed)
 {
   std::vector<Real> depths = {0};
   const bool has_layers = soil.of_region.find(region) == soil.of_region.end();
-  for (const problem::SoilLayer& layer : soil.layers)
+  for (const settings::SoilLayer& layer : soil.layers)
     if (has_layers) depths.push_back(layer.top);
   for (const material::Material& material : soil.materials)
     for (const Real depth : profile_depths(material)) depths.push_back(depth);
@@ -53,7 +54,7 @@ std::string from_to(const std::string& top, const std::string& bottom)
   return top == bottom ? top : top + " to " + bottom;
 }
 
-std::vector<text::HtmlCell> row_of(const problem::BodySoil& soil, const std::string& region, Real top, Real bottom)
+std::vector<text::HtmlCell> row_of(const settings::BodySoil& soil, const std::string& region, Real top, Real bottom)
 {
   const bool ends = std::isfinite(bottom);
   // A layer's own values at its bottom are those just above it.
@@ -74,7 +75,7 @@ std::vector<text::HtmlCell> row_of(const problem::BodySoil& soil, const std::str
           {fmt::format("{:.4g} kg/m³", density(upper))}};
 }
 
-std::vector<std::vector<text::HtmlCell>> rows_of(const problem::BodySoil& soil, const std::string& region, Real bed)
+std::vector<std::vector<text::HtmlCell>> rows_of(const settings::BodySoil& soil, const std::string& region, Real bed)
 {
   const std::vector<Real> depths = parts_of(soil, region, bed);
   std::vector<std::vector<text::HtmlCell>> rows;
@@ -85,12 +86,12 @@ std::vector<std::vector<text::HtmlCell>> rows_of(const problem::BodySoil& soil, 
 /// The rows of a case with their groups, as HTML cells.
 using Groups = std::vector<std::pair<std::string, std::vector<std::vector<text::HtmlCell>>>>;
 
-Groups groups_of(const problem::Case& c)
+Groups groups_of(const settings::Case& c)
 {
   Groups groups;
   const Real bed = bed_depth(c);
   for (const auto& [name, settings] : c.body) {
-    const problem::BodySoil soil = soil_of(c, settings);
+    const settings::BodySoil soil = soil_of(c, settings);
     if (!varies(soil)) continue;
     groups.emplace_back(fmt::format("body {}", name), rows_of(soil, "", bed));
     for (const auto& [region, number] : soil.of_region)

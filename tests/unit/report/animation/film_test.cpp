@@ -348,7 +348,7 @@ TEST(film, lists_every_field_that_the_frames_hold_with_its_label_and_unit)
 TEST(film, of_finite_elements_is_of_triangles_without_speed)
 {
   SampleFilmRun<2> sample(1, false);
-  sample.run.settings.method = problem::Method::fem;
+  sample.run.settings.method = settings::Method::fem;
   std::vector<run_folder::FrameParticle<2>> nodes;
   for (int k = 0; k < 9; ++k) {
     run_folder::FrameParticle<2> p{{}, 0, Vec<2>::Zero(), {}, 0};

@@ -65,7 +65,7 @@ TEST(film_view, without_a_pipe_is_the_soil)
 TEST(film_view, surface_is_known_of_a_flat_bed)
 {
   record::RunRecord run;
-  problem::Case& c = run.settings;
+  settings::Case& c = run.settings;
   c.mesh = mesh::BoxMesh{};
   c.surface = 0.5;
   c.body = {{"sand", bodies::BodySettings{}}};

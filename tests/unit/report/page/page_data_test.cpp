@@ -47,7 +47,7 @@ TEST(PageData, short_history_has_all_its_rows)
 TEST(PageData, a_lift_begins_with_the_row_before_it)
 {
   record::RunRecord run = long_run(10, 20);
-  run.settings.stage.push_back(MadeRun::stage_of("lift", problem::StageKind::push));
+  run.settings.stage.push_back(MadeRun::stage_of("lift", settings::StageKind::push));
   run.settings.stage.back().velocity = -0.1;
   for (Index k = 1; k <= 5; ++k) {
     const Real row[] = {100. + k, 0.01, 0.002 - 1e-4 * k, 0, -50. * k};

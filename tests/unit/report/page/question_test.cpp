@@ -32,7 +32,7 @@ TEST(question, of_several_runs_is_what_they_have_in_common)
   record::RunRecord cable = asked({});
   cable.settings.rigid.front().first = "power_cable";
   for (auto& contact : cable.settings.contact) contact.second.rigid = "power_cable";
-  for (problem::StageSettings& stage : cable.settings.stage) stage.rigid.clear();
+  for (settings::StageSettings& stage : cable.settings.stage) stage.rigid.clear();
   EXPECT_EQ(question_of({cable}), "Power cable of 20 mm in sand: push to w = 2 mm, drag 20 mm");
   EXPECT_EQ(question_of({asked({}), cable}), "") << "no common body: the page is named by titles";
 }
@@ -57,9 +57,9 @@ TEST(question, names_the_limits_that_a_run_came_to)
 {
   const auto words = [](Real pushed_to, Real dragged, std::optional<Real> force) {
     record::RunRecord run = MadeRun{.pushed_to = pushed_to, .dragged = dragged}.record();
-    for (problem::StageSettings& stage : run.settings.stage) {
-      if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.002, stage.until.force = force;
-      if (stage.kind == problem::StageKind::drag) stage.until.displacement = 0.01;
+    for (settings::StageSettings& stage : run.settings.stage) {
+      if (stage.kind == settings::StageKind::push) stage.until.embedment = 0.002, stage.until.force = force;
+      if (stage.kind == settings::StageKind::drag) stage.until.displacement = 0.01;
     }
     return question_of({run});
   };

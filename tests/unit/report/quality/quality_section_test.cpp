@@ -79,7 +79,7 @@ TEST(trust, cells_in_dilating_soil_are_judged_by_the_depth_of_a_wall_that_is_onl
   wall.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0}, {10, 0.02}, 0};
   wall.history = {columns_named({"time_s", "w_m"}), {{0, 1}, {0.012, 0.012}}, {"drag", "drag"}};
   EXPECT_FALSE(contains(trust_of({wall}), "of its depth in the soil")) << "it is pushed, too";
-  std::erase_if(wall.settings.stage, [](const auto& stage) { return stage.kind == problem::StageKind::push; });
+  std::erase_if(wall.settings.stage, [](const auto& stage) { return stage.kind == settings::StageKind::push; });
   EXPECT_TRUE(contains(trust_of({wall}), "of its depth in the soil at the"));
   wall.history.values = {{}, {}}, wall.history.stage = {};
   EXPECT_FALSE(contains(trust_of({wall}), "of its depth in the soil")) << "it has not begun";
@@ -99,7 +99,7 @@ TEST(trust, cells_are_not_called_fine_where_nothing_judges_them)
 {
   record::RunRecord run = sample_record(sample_case());
   ASSERT_FALSE(contains(trust_of({run}), "Cells are not judged"));
-  for (problem::StageSettings& stage : run.settings.stage) stage.kind = problem::StageKind::free;
+  for (settings::StageSettings& stage : run.settings.stage) stage.kind = settings::StageKind::free;
   run.quantities.clear();
   const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "Cells are not judged: <strong>" + run.name)) << html;
@@ -109,8 +109,8 @@ TEST(trust, cells_are_not_called_fine_where_nothing_judges_them)
 TEST(trust, elements_at_a_body_that_is_turned_are_judged)
 {
   record::RunRecord run = sample_record(sample_case());
-  run.settings.method = problem::Method::fem;
-  for (problem::StageSettings& stage : run.settings.stage) stage.kind = problem::StageKind::drive, stage.drive.rotation.velocity = 0.01;
+  run.settings.method = settings::Method::fem;
+  for (settings::StageSettings& stage : run.settings.stage) stage.kind = settings::StageKind::drive, stage.drive.rotation.velocity = 0.01;
   const Real width = width_of<2>(bodies::make_shape<2>(run.settings.rigid[0].second.shape));
   for (const auto& [elements, words] : {std::pair(150, "badge good"), std::pair(67, "badge fair"), std::pair(20, "badge bad")}) {
     run.settings.fem.contact_size = width / elements;
@@ -126,11 +126,11 @@ TEST(trust, shear_bands_are_not_warned_of_around_a_cavity_or_below_slices_that_a
   record::RunRecord run = sample_record(sample_case({"material.sand.dilation_angle=0"}));
   EXPECT_TRUE(contains(trust_of({run}), words));
   record::RunRecord slices = run;
-  slices.settings.pipeline.emplace().slices.as_spring = problem::SliceAsSpring::always;
+  slices.settings.pipeline.emplace().slices.as_spring = settings::SliceAsSpring::always;
   EXPECT_FALSE(contains(trust_of({slices}), words));
-  run.settings.geometry = problem::Geometry::axisymmetric;
+  run.settings.geometry = settings::Geometry::axisymmetric;
   EXPECT_TRUE(contains(trust_of({run}), words));
-  for (problem::StageSettings& stage : run.settings.stage) stage.kind = problem::StageKind::drive, stage.drive.x.velocity = 0.25;
+  for (settings::StageSettings& stage : run.settings.stage) stage.kind = settings::StageKind::drive, stage.drive.x.velocity = 0.25;
   EXPECT_FALSE(contains(trust_of({run}), words));
 }
 
@@ -293,7 +293,7 @@ TEST(trust, run_without_a_summary_says_what_is_not_known)
 TEST(trust, finite_elements_have_rows_of_their_own_only)
 {
   record::RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
-  run.settings.method = problem::Method::fem;
+  run.settings.method = settings::Method::fem;
   const std::string html = trust_of({run});
   EXPECT_TRUE(contains(html, "fraction of the stress beyond the strength"));
   EXPECT_TRUE(contains(row_of(html, "strength that lags behind the pressure"), "badge good"));

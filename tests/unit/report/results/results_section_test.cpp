@@ -24,7 +24,7 @@ TEST(answer, says_which_drag_came_before)
 {
   record::RunRecord run = lived_pipe();
   EXPECT_TRUE(holds(answer_of({run}), "Dragged in \"sweep_1\" 2 D with V held")) << answer_of({run});
-  run.settings.stage[5].role = problem::StageRole::breakout;
+  run.settings.stage[5].role = settings::StageRole::breakout;
   EXPECT_TRUE(holds(answer_of({run}), "Dragged in \"sweep_2\" after \"sweep_1\", from w = 0.29 D (5.8 mm), 2 D with V held"))
       << answer_of({run});
 }
@@ -44,7 +44,7 @@ TEST(answer, begins_its_tables_with_the_operating_state_and_the_drag_in_it)
   EXPECT_LT(html.find("id=\"key-states\""), html.find("id=\"key-resistance\""));
   EXPECT_LT(html.find("id=\"key-resistance\""), html.find("id=\"key-push\""));
   EXPECT_LT(row_of(html, "key-stages", "sweep_1"), row_of(html, "key-stages", "lay_1")) << html;
-  run.settings.stage[5].role = problem::StageRole::breakout;
+  run.settings.stage[5].role = settings::StageRole::breakout;
   html = answer_of({run});
   EXPECT_LT(row_of(html, "key-stages", "sweep_2"), row_of(html, "key-stages", "sweep_1")) << html;
 }
@@ -70,7 +70,7 @@ record::RunRecord with_a_second_drag(Real V)
   MadeRun made;
   made.dragged = 0.02;
   record::RunRecord run = made.record();
-  run.settings.stage.push_back(MadeRun::stage_of("second", problem::StageKind::drag));
+  run.settings.stage.push_back(MadeRun::stage_of("second", settings::StageKind::drag));
   for (int k = 1; k <= 500; ++k) {
     const Real row[] = {static_cast<Real>(run.history.rows()), 0.02 + k * 4e-5, 0.012, 300, V};
     for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);
@@ -219,7 +219,7 @@ TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
 
 TEST(answer, a_push_has_no_point_where_it_begins_but_one_where_it_ends)
 {
-  for (const problem::Method method : {problem::Method::mpm, problem::Method::fem}) {
+  for (const settings::Method method : {settings::Method::mpm, settings::Method::fem}) {
     MadeRun made;
     made.method = method;
     made.first_w = 0.004;
@@ -297,7 +297,7 @@ TEST(answer, no_H_is_larger_than_the_largest)
 TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
 {
   MadeRun made;
-  made.method = problem::Method::fem;
+  made.method = settings::Method::fem;
   made.first_w = made.pushed_to = 0.006;
   made.dragged = 0.0016;
   made.H = [](Real u) { return u < 0.0008 ? 1e6 * u : 800 - 1e5 * (u - 0.0008); };
@@ -329,7 +329,7 @@ TEST(answer, a_body_has_the_name_that_the_case_gives_it)
   record::RunRecord run = made.record();
   const auto call = [&](const char* name) {
     run.settings.rigid[0].first = run.settings.contact[0].second.rigid = name;
-    for (problem::StageSettings& stage : run.settings.stage) stage.rigid = name;
+    for (settings::StageSettings& stage : run.settings.stage) stage.rigid = name;
   };
   call("footing");
   run.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};

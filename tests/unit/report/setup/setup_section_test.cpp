@@ -27,7 +27,7 @@ TEST(model_table, water_that_flows_is_told_with_its_permeability_and_where_it_is
 
 TEST(model_table, supports_that_move_and_water_outside_are_told)
 {
-  problem::Case c = sample_case_in_water();
+  settings::Case c = sample_case_in_water();
   boundary::SupportSettings& base = c.support.front().second;
   base.motion.emplace();
   base.motion->stages = {c.stage.back().name};
@@ -41,7 +41,7 @@ TEST(model_table, supports_that_move_and_water_outside_are_told)
 
 TEST(parameters, every_key_of_the_resolved_case_is_there_once)
 {
-  const problem::Case c = sample_case();
+  const settings::Case c = sample_case();
   std::vector<std::string> paths;
   for (const ParameterEntry& entry : parameters_of(c)) paths.push_back(entry.path);
   std::vector<std::string> sorted = paths;

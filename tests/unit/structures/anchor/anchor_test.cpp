@@ -15,7 +15,7 @@ namespace {
 record::RunRecord dragged()
 {
   MadeRun made;
-  made.method = problem::Method::fem;
+  made.method = settings::Method::fem;
   made.dragged = 0.2;
   made.sunk = [](Real u) { return std::min(u, 0.1) / 2; };
   made.H = [](Real u) { return 3e4 * std::min(u, 0.1); };

@@ -15,7 +15,7 @@ record::RunRecord on_edge_of_fine_cells(Real gradient)
   made.law = MadeRun::clay_law();
   made.law.cohesion_gradient = gradient;
   record::RunRecord run = made.record();
-  run.settings.geometry = problem::Geometry::axisymmetric;
+  run.settings.geometry = settings::Geometry::axisymmetric;
   auto& bed = std::get<mesh::SeabedMesh>(run.settings.mesh);
   bed.left = 0;
   bed.length = 2.5;

@@ -22,7 +22,7 @@ TEST(DrivenBody, is_measured_by_its_width_its_soil_and_gravity)
 
 TEST(DrivenBody, is_none_where_no_push_or_drag_moves_it)
 {
-  problem::Case c = MadeRun{}.settings();
+  settings::Case c = MadeRun{}.settings();
   EXPECT_TRUE(drives_a_body(c));
   c.stage.clear();
   EXPECT_FALSE(drives_a_body(c));
@@ -35,7 +35,7 @@ TEST(DrivenBody, is_none_where_no_push_or_drag_moves_it)
 
 TEST(DrivenBody, covers_the_mesh_where_it_reaches_from_side_to_side)
 {
-  problem::Case c = MadeRun{}.settings();
+  settings::Case c = MadeRun{}.settings();
   EXPECT_FALSE(covers_the_mesh(c)) << "a pipe on a seabed";
   mesh::BoxMesh box;
   box.lower = {-0.005, 0};
@@ -51,10 +51,10 @@ TEST(DrivenBody, has_the_strength_of_its_lowest_point_at_the_end_of_the_push)
 {
   MadeRun run;
   run.law = MadeRun::clay_law();
-  problem::Case c = run.settings();
+  settings::Case c = run.settings();
   c.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = 5e4;
-  for (problem::StageSettings& stage : c.stage)
-    if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;
+  for (settings::StageSettings& stage : c.stage)
+    if (stage.kind == settings::StageKind::push) stage.until.embedment = 0.01;
   EXPECT_DOUBLE_EQ(reference_depth(c), 0.01);
   EXPECT_DOUBLE_EQ(body_scale(c).strength, 1500);
   EXPECT_DOUBLE_EQ(body_scale(c).strength_depth, 0.01);
@@ -67,8 +67,8 @@ TEST(DrivenBody, in_a_trench_has_the_strength_of_the_soil_as_it_was_laid_down)
   made.law = MadeRun::clay_law();
   record::RunRecord run = made.record();
   run.settings.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = 5e4;
-  for (problem::StageSettings& stage : run.settings.stage)
-    if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;
+  for (settings::StageSettings& stage : run.settings.stage)
+    if (stage.kind == settings::StageKind::push) stage.until.embedment = 0.01;
   run.ground.line.corners = {{-1, 0}, {-0.05, 0}, {-0.05, -0.04}, {0.05, -0.04}, {0.05, 0}, {1, 0}};
   EXPECT_DOUBLE_EQ(soil_depth(run.settings, run.ground, 0.01), 0.05);
   EXPECT_DOUBLE_EQ(soil_depth(run.settings, {}, 0.01), 0.01);

@@ -8,7 +8,7 @@
 namespace berm::base::this_file {
 namespace {
 
-std::string kind_with(const bodies::RigidShapeSettings& shape, problem::Geometry geometry = problem::Geometry::axisymmetric)
+std::string kind_with(const bodies::RigidShapeSettings& shape, settings::Geometry geometry = settings::Geometry::axisymmetric)
 {
   MadePush made;
   made.shape = shape;
@@ -35,28 +35,28 @@ TEST(Kind, of_a_body_around_an_axis_follows_from_its_profile)
 
 TEST(Kind, of_a_circle_in_plane_strain_is_a_pipe_unless_it_begins_deep)
 {
-  EXPECT_EQ(kind_with(bodies::CircleSettings{{0, 0.1}, 0.2}, problem::Geometry::plane_strain), "pipe");
-  EXPECT_EQ(kind_with(bodies::CircleSettings{{0, -0.25}, 0.2}, problem::Geometry::plane_strain), "pipe");
-  EXPECT_EQ(kind_with(bodies::CircleSettings{{0, -0.35}, 0.2}, problem::Geometry::plane_strain), "t_bar");
-  EXPECT_EQ(kind_with(bodies::BoxSettings{{0, 0.05}, {0.2, 0.1}, 0}, problem::Geometry::plane_strain), "footing");
+  EXPECT_EQ(kind_with(bodies::CircleSettings{{0, 0.1}, 0.2}, settings::Geometry::plane_strain), "pipe");
+  EXPECT_EQ(kind_with(bodies::CircleSettings{{0, -0.25}, 0.2}, settings::Geometry::plane_strain), "pipe");
+  EXPECT_EQ(kind_with(bodies::CircleSettings{{0, -0.35}, 0.2}, settings::Geometry::plane_strain), "t_bar");
+  EXPECT_EQ(kind_with(bodies::BoxSettings{{0, 0.05}, {0.2, 0.1}, 0}, settings::Geometry::plane_strain), "footing");
 }
 
 TEST(Kind, is_that_which_the_input_names)
 {
-  problem::Case c = MadePush{}.settings();
+  settings::Case c = MadePush{}.settings();
   c.rigid[0].second.structure = "pile";
   EXPECT_EQ(kind_of(c), "pile");
-  c.stage[0].kind = problem::StageKind::free;
+  c.stage[0].kind = settings::StageKind::free;
   EXPECT_EQ(kind_of(c), "other");
 }
 
 TEST(Kind, of_what_is_dragged_or_lifted_alone_is_a_pipe)
 {
-  problem::Case c = MadePush{}.settings();
+  settings::Case c = MadePush{}.settings();
   c.stage[0].velocity = -0.1;
   EXPECT_EQ(kind_of(c), "pipe");
   c.stage[0].velocity = 0.1;
-  c.stage[0].kind = problem::StageKind::drag;
+  c.stage[0].kind = settings::StageKind::drag;
   EXPECT_EQ(kind_of(c), "pipe");
 }
 
@@ -68,7 +68,7 @@ TEST(Kind, of_a_body_that_is_open_below_is_a_skirt_where_its_wall_is_slender)
   EXPECT_EQ(kind_with(profile({1, 2, 2, 1}, {0, 0, 0.5, 0.5})), "footing");                // a flat ring
   EXPECT_EQ(kind_with(profile({0, 1, 1, 2, 2, 0}, {0.2, 0.2, 0, 0, 4, 4})), "footing");    // a recess
   EXPECT_EQ(kind_with(profile({0, 1, 2, 2, 0}, {0.2, 0.2, 0, 9, 9})), "pile");             // a hollow base
-  EXPECT_EQ(kind_with(profile({1.9, 2, 2, 1.9}, {0, 0, 4, 4}), problem::Geometry::space), "skirt");
+  EXPECT_EQ(kind_with(profile({1.9, 2, 2, 1.9}, {0, 0, 4, 4}), settings::Geometry::space), "skirt");
 }
 
 TEST(Kind, of_a_body_that_stands_in_the_bed_and_is_loaded_sideways_is_a_pile_or_a_skirt)
@@ -76,28 +76,28 @@ TEST(Kind, of_a_body_that_stands_in_the_bed_and_is_loaded_sideways_is_a_pile_or_
   const auto kind_sideways = [](const bodies::RigidShapeSettings& shape, const auto& change) {
     MadePush made;
     made.shape = shape;
-    made.geometry = problem::Geometry::space;
-    problem::Case c = made.settings();
+    made.geometry = settings::Geometry::space;
+    settings::Case c = made.settings();
     c.gravity = {0, -standard_gravity, 0};
-    c.stage[0].kind = problem::StageKind::drive;
+    c.stage[0].kind = settings::StageKind::drive;
     c.stage[0].velocity.reset();
     c.stage[0].drive.x.velocity = 0.1;
     change(c);
     return kind_of(c);
   };
-  const auto as_it_is = [](problem::Case&) {};
+  const auto as_it_is = [](settings::Case&) {};
   const bodies::CylinderSettings pile{{0, -2, 0}, {0, 1, 0}, 2, 12};
   EXPECT_EQ(kind_sideways(pile, as_it_is), "pile");
   EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, -1, 0}, {0, 1, 0}, 2, 2.5}, as_it_is), "pile");  // a caisson
   EXPECT_EQ(kind_sideways(profile({1.9, 2, 2, 1.9}, {-4, -4, 0, 0}), as_it_is), "skirt");
-  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.stage[0].drive = {}, c.stage[0].drive.z.force = 5; }), "pile");
-  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.stage[0].kind = problem::StageKind::drag, c.stage[0].velocity = -1; }), "pile");
-  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.stage[0].drive = {}, c.stage[0].drive.y.force = 5; }), "other");  // pulled up
-  EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, 5.2, 0}, {0, 1, 0}, 2, 12}, as_it_is), "other");                    // 0.4 D deep
-  EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, -2, 0}, {1, 0, 0}, 2, 12}, as_it_is), "other");                     // it lies
+  EXPECT_EQ(kind_sideways(pile, [](settings::Case& c) { c.stage[0].drive = {}, c.stage[0].drive.z.force = 5; }), "pile");
+  EXPECT_EQ(kind_sideways(pile, [](settings::Case& c) { c.stage[0].kind = settings::StageKind::drag, c.stage[0].velocity = -1; }), "pile");
+  EXPECT_EQ(kind_sideways(pile, [](settings::Case& c) { c.stage[0].drive = {}, c.stage[0].drive.y.force = 5; }), "other");  // pulled up
+  EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, 5.2, 0}, {0, 1, 0}, 2, 12}, as_it_is), "other");                     // 0.4 D deep
+  EXPECT_EQ(kind_sideways(bodies::CylinderSettings{{0, -2, 0}, {1, 0, 0}, 2, 12}, as_it_is), "other");                      // it lies
   EXPECT_EQ(kind_sideways(bodies::SphereSettings{{0, -2, 0}, 2}, as_it_is), "other");
-  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.rigid[0].second.structure = "anchor"; }), "other");
-  EXPECT_EQ(kind_sideways(pile, [](problem::Case& c) { c.rigid[0].second.structure = "skirt"; }), "skirt");
+  EXPECT_EQ(kind_sideways(pile, [](settings::Case& c) { c.rigid[0].second.structure = "anchor"; }), "other");
+  EXPECT_EQ(kind_sideways(pile, [](settings::Case& c) { c.rigid[0].second.structure = "skirt"; }), "skirt");
 }
 
 TEST(Kind, a_ring_has_its_outer_width_and_its_bore)

@@ -12,7 +12,7 @@ TEST(SoilWords, say_layers_and_the_strength_at_the_surface_and_where_the_push_en
 {
   MadeRun run;
   run.law = MadeRun::clay_law();  // 1 kPa
-  problem::Case c = run.settings();
+  settings::Case c = run.settings();
   EXPECT_TRUE(soil_words(c).empty());
   auto stiff = c.material[0];
   stiff.first = "stiff";
@@ -20,8 +20,8 @@ TEST(SoilWords, say_layers_and_the_strength_at_the_surface_and_where_the_push_en
   c.material.push_back(stiff);
   c.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = 5e4;
   c.body[0].second.soil_layer = {{0.05, "stiff"}};
-  for (problem::StageSettings& stage : c.stage)
-    if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;
+  for (settings::StageSettings& stage : c.stage)
+    if (stage.kind == settings::StageKind::push) stage.until.embedment = 0.01;
   const std::vector<std::string> words = soil_words(c);
   ASSERT_EQ(words.size(), 3u);
   EXPECT_NE(words[0].find("from 50 mm down \"stiff\""), std::string::npos) << words[0];

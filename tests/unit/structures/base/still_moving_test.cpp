@@ -16,7 +16,7 @@ record::RunRecord sinking(Real power)
   MadeRun made;
   made.dragged = 0;
   record::RunRecord run = made.record();
-  problem::StageSettings hold = MadeRun::stage_of("hold", problem::StageKind::push);
+  settings::StageSettings hold = MadeRun::stage_of("hold", settings::StageKind::push);
   hold.velocity.reset(), hold.force = 2000, hold.until = {}, hold.until.time = 10;
   run.settings.stage.push_back(hold);
   run_folder::History& h = run.history;

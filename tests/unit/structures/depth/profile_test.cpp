@@ -17,12 +17,12 @@ constexpr Real height = 8, drag = -3e3, carried = 5e3;  // m; N/m of depth, abov
 record::RunRecord dragged_pile()
 {
   MadePush made;
-  made.geometry = problem::Geometry::axisymmetric;
+  made.geometry = settings::Geometry::axisymmetric;
   record::RunRecord run;
   run.name = "made";
   run.settings = made.settings();
   run.settings.rigid[0].second.depth_slices = slices;
-  problem::StageSettings settle;
+  settings::StageSettings settle;
   settle.name = "settle";
   run.settings.stage = {settle};
   std::vector<std::string> names{"time_s", "w_m", "V_N"};
@@ -83,8 +83,8 @@ TEST(DepthProfile, stands_in_files_and_on_the_page)
 TEST(DepthProfile, of_a_body_that_is_loaded_along_the_bed_has_no_neutral_plane)
 {
   record::RunRecord run = dragged_pile();
-  run.settings.geometry = problem::Geometry::space;
-  run.settings.stage[0].kind = problem::StageKind::drag;
+  run.settings.geometry = settings::Geometry::space;
+  run.settings.stage[0].kind = settings::StageKind::drag;
   const std::string html = profile_section(run, "results-0");
   EXPECT_EQ(html.find("neutral plane"), std::string::npos) << html;
   EXPECT_NE(html.find("shaft friction 8 kN, base resistance 7 kN"), std::string::npos) << html;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 using PipeCurves = DrawnRun;
 
 const base::BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
-const Stages stages{Stage{.name = "push", .kind = problem::StageKind::push}, Stage{.name = "drag", .kind = problem::StageKind::drag}};
+const Stages stages{Stage{.name = "push", .kind = settings::StageKind::push}, Stage{.name = "drag", .kind = settings::StageKind::drag}};
 
 TEST_F(PipeCurves, the_curves_of_a_pipe_are_drawn_with_and_without_a_drag)
 {

@@ -19,8 +19,8 @@ record::RunRecord moved()
   MadeRun made;
   made.dragged = 0;
   record::RunRecord run = made.record();
-  run.settings.stage.push_back(MadeRun::stage_of("storm", problem::StageKind::drag));
-  problem::StageSettings& storm = run.settings.stage.back();
+  run.settings.stage.push_back(MadeRun::stage_of("storm", settings::StageKind::drag));
+  settings::StageSettings& storm = run.settings.stage.back();
   storm.velocity.reset();
   storm.force = 300;
   storm.load_times = {0, 80, 140, 160};
@@ -79,7 +79,7 @@ std::string words_of(const record::RunRecord& run)
 record::RunRecord moved_at(Real time_scale)
 {
   record::RunRecord run = moved();
-  problem::StageSettings& storm = run.settings.stage.back();
+  settings::StageSettings& storm = run.settings.stage.back();
   storm.time_scale = time_scale;
   for (Real& time : storm.load_times) time /= time_scale;
   run.quantities = structures::structure_of(run.settings).quantities(run, {});

@@ -21,7 +21,7 @@ TEST(QualityNote, warns_of_sand_that_localises_and_of_no_other_soil)
   made.law.dilation_angle = 0;
   EXPECT_NE(note_of(made).find("sand with psi below phi localises in bands as wide as the cells"), std::string::npos);
   EXPECT_EQ(note_of(MadeRun{}), "") << "psi = phi";
-  made.method = problem::Method::fem;
+  made.method = settings::Method::fem;
   EXPECT_EQ(note_of(made), "") << "small strains and no particles";
   MadeRun clay;
   clay.law = MadeRun::clay_law();

@@ -44,7 +44,7 @@ TEST(InWords, a_lift_out_of_the_soil_says_how_far_it_has_consolidated_and_what_i
 {
   record::RunRecord run = MadeRunInWater{}.record();
   const Real D = 0.02;
-  run.settings.stage.push_back(MadeRun::stage_of("lift", problem::StageKind::push));
+  run.settings.stage.push_back(MadeRun::stage_of("lift", settings::StageKind::push));
   run.settings.stage.back().velocity = -0.1;
   run_folder::History& h = run.history;
   for (Real& w : h.values[2]) w += 2.4 * D;

@@ -9,7 +9,7 @@
 namespace berm::driven::this_file {
 namespace {
 
-using problem::StageKind;
+using settings::StageKind;
 
 /// A history of rows as they come.
 class Rows {
@@ -175,14 +175,14 @@ TEST(Results, have_no_error_of_V_that_is_not_held_nor_of_its_ramp)
 TEST(Stages, follow_the_case)
 {
   MadeRun made;
-  problem::Case c = made.settings();
+  settings::Case c = made.settings();
   c.stage[1].velocity = -0.1;
   c.stage[1].vertical_force = 500;
   c.stage[1].ramp = 0.25;
   c.stage.push_back(MadeRun::stage_of("pause", StageKind::drag));
   c.stage.back().velocity = 0;
   c.stage.push_back(MadeRun::stage_of("slide", StageKind::drag));
-  c.stage.back().vertical = problem::Vertical::fixed;
+  c.stage.back().vertical = settings::Vertical::fixed;
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   const Stages stages = stages_of(c, {nan, 800, nan, nan});
   ASSERT_EQ(stages.size(), 3u) << "a drag that stands still is none";
@@ -195,7 +195,7 @@ TEST(Stages, follow_the_case)
 
 TEST(Stages, of_a_velocity_that_turns_round_are_several)
 {
-  problem::Case c = MadeRun{}.settings();
+  settings::Case c = MadeRun{}.settings();
   c.stage[1].load_times = {0, 1, 3, 4};
   c.stage[1].load_factors = {0, 1, -1, 0};
   const Stages stages = stages_of(c);
@@ -217,7 +217,7 @@ TEST(Stages, of_a_velocity_that_turns_round_are_several)
 
 TEST(Stages, of_a_displacement_that_turns_round_are_several)
 {
-  problem::Case c = MadeRun{}.settings();
+  settings::Case c = MadeRun{}.settings();
   c.stage[1].velocity.reset();
   c.stage[1].time_scale = 0.5;
   c.stage[1].load_times = {0, 1, 2, 3, 5, 6};
@@ -236,8 +236,8 @@ TEST(Stages, of_a_displacement_that_turns_round_are_several)
 
 TEST(Stages, of_kind_drive_are_pushes_and_drags_too)
 {
-  problem::Case c = MadeRun{}.settings();
-  problem::StageSettings drive = MadeRun::stage_of("drive", problem::StageKind::drive);
+  settings::Case c = MadeRun{}.settings();
+  settings::StageSettings drive = MadeRun::stage_of("drive", settings::StageKind::drive);
   drive.velocity.reset();
   drive.drive.y.hold = true;
   c.stage.push_back(drive);
@@ -251,7 +251,7 @@ TEST(Stages, of_kind_drive_are_pushes_and_drags_too)
   c.stage.back().loads.of("y_force") = {-300, -200};
   EXPECT_FALSE(stages_of(c)[2].holds_V);
   EXPECT_EQ(stages_of(c)[2].asked.loads.of("V"), (std::vector<Real>{300, 200})) << "downwards";
-  EXPECT_EQ(stages_of(c)[2].asked.vertical, problem::Vertical::hold) << "w is not fixed";
+  EXPECT_EQ(stages_of(c)[2].asked.vertical, settings::Vertical::hold) << "w is not fixed";
   c.stage.back().drive.x.velocity.reset();
   c.stage.back().loads = {};
   c.stage.back().loads.of("x_displacement") = {0, -0.2};

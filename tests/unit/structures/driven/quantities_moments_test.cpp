@@ -9,12 +9,12 @@ namespace berm::driven::this_file {
 namespace {
 
 /// A box in space that is pushed, with moments that grow with its way.
-record::RunRecord pushed_box(problem::Geometry geometry)
+record::RunRecord pushed_box(settings::Geometry geometry)
 {
   MadePush made;
   made.geometry = geometry;
-  made.shape = geometry == problem::Geometry::space ? bodies::BoxSettings{{0, 0.05, 0}, {0.2, 0.1, 0.2}}
-                                                    : bodies::BoxSettings{{0, 0.05}, {0.2, 0.1}};
+  made.shape = geometry == settings::Geometry::space ? bodies::BoxSettings{{0, 0.05, 0}, {0.2, 0.1, 0.2}}
+                                                     : bodies::BoxSettings{{0, 0.05}, {0.2, 0.1}};
   record::RunRecord run = made.record();
   std::vector<std::string> names = {"time_s", "u_m", "w_m", "H_N", "V_N", "Mx_Nm", "My_Nm", "Mz_Nm"};
   run.history.columns = columns_named(names);
@@ -28,7 +28,7 @@ record::RunRecord pushed_box(problem::Geometry geometry)
 
 TEST(MomentsInSpace, are_those_at_the_end_of_the_push_without_what_is_noise)
 {
-  const std::vector<run_folder::Quantity> moments = moments_in_space(pushed_box(problem::Geometry::space));
+  const std::vector<run_folder::Quantity> moments = moments_in_space(pushed_box(settings::Geometry::space));
   ASSERT_EQ(moments.size(), 2u);
   EXPECT_EQ(moments[0].name, "Mx_end_of_push");
   EXPECT_EQ(moments[0].unit, "N m");
@@ -39,7 +39,7 @@ TEST(MomentsInSpace, are_those_at_the_end_of_the_push_without_what_is_noise)
 
 TEST(MomentsInSpace, are_of_space_only)
 {
-  EXPECT_TRUE(moments_in_space(pushed_box(problem::Geometry::axisymmetric)).empty());
+  EXPECT_TRUE(moments_in_space(pushed_box(settings::Geometry::axisymmetric)).empty());
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace berm::driven::this_file {
 namespace {
 
-using problem::StageKind;
-using problem::StageSettings;
+using settings::StageKind;
+using settings::StageSettings;
 
 /// A run that pushes to 2 mm, where V = 800 N/m, and drags by 10 mm, as these settings of its stages have it.
 record::RunRecord run_with(const std::function<void(StageSettings& push, StageSettings& drag)>& settings)
@@ -84,7 +84,7 @@ TEST(Prescribed, is_the_travel_of_a_drag_and_its_level_where_it_is_fixed)
 {
   const record::RunRecord run = run_with([](auto&, auto& drag) {
     drag.until.displacement = 0.01;
-    drag.vertical = problem::Vertical::fixed;
+    drag.vertical = settings::Vertical::fixed;
   });
   for (const char* name : {"w_end_of_drag", "w_at_u_0.1D", "u_end_of_drag"}) EXPECT_TRUE(prescribes(run, name)) << name;
   for (const char* name : {"H_end_of_drag", "H_at_u_0.1D", "H_max"}) EXPECT_FALSE(prescribes(run, name)) << name;

@@ -13,7 +13,7 @@ namespace berm::driven::this_file {
 namespace {
 
 const BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
-const Stages stages{Stage{.name = "push", .kind = problem::StageKind::push}, Stage{.name = "drag", .kind = problem::StageKind::drag}};
+const Stages stages{Stage{.name = "push", .kind = settings::StageKind::push}, Stage{.name = "drag", .kind = settings::StageKind::drag}};
 
 std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const BodyScale& of, const Stages& by)
 {
@@ -106,9 +106,9 @@ TEST(Results, come_back_from_their_quantities)
   EXPECT_EQ(value(quantities, "back.H_max"), 250);
   EXPECT_EQ(value(quantities, "unload.V_end"), 200);
   Stages three = stages;
-  three.push_back({.name = "unload", .kind = problem::StageKind::push});
-  three.push_back({.name = "back", .kind = problem::StageKind::drag});
-  three.push_back({.name = "never", .kind = problem::StageKind::drag});
+  three.push_back({.name = "unload", .kind = settings::StageKind::push});
+  three.push_back({.name = "back", .kind = settings::StageKind::drag});
+  three.push_back({.name = "never", .kind = settings::StageKind::drag});
   const Results read = results_of(quantities, by, three);
   ASSERT_EQ(read.push.size(), 2u);
   EXPECT_DOUBLE_EQ(read.push[1].w, 0.004);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Real D = 0.02;
 
-Resistance of(const std::function<Real(Real u_over_D)>& H, Real dragged = D, problem::Method method = problem::Method::mpm)
+Resistance of(const std::function<Real(Real u_over_D)>& H, Real dragged = D, settings::Method method = settings::Method::mpm)
 {
   MadeRun made;
   made.dragged = dragged;
@@ -79,7 +79,7 @@ TEST(resistance, waves_of_a_dynamic_method_are_no_breakout)
   // Waves of 0.06 D that fall by 8 %, on H that grows.
   const auto waves = [](Real x) { return 100 + 600 * x + 30 * std::sin(2 * pi * x / 0.06); };
   EXPECT_FALSE(of(waves).breakout);
-  EXPECT_FALSE(of(waves, D, problem::Method::fem).breakout);
+  EXPECT_FALSE(of(waves, D, settings::Method::fem).breakout);
 }
 
 // H that is level but for wiggles of 0.25 D, longer than what a peak has to stay: each falls by 10 %, and so it is no peak.
@@ -116,11 +116,11 @@ TEST(resistance, of_finite_elements_an_increment_that_relaxes_is_no_breakout)
 {
   const auto H = [](Real x) { return 300 * std::min(1., x / 0.05); };
   const auto relaxed = [&](Real x) { return H(x) * (x > 0.099 && x < 0.111 ? 0.93 : 1) - 0.1 * x; };
-  EXPECT_FALSE(of(relaxed, 0.5 * D, problem::Method::fem).breakout);
+  EXPECT_FALSE(of(relaxed, 0.5 * D, settings::Method::fem).breakout);
   // The same fall that stays is one; also in a drag that is shorter than 0.3 D.
   const auto fallen = [&](Real x) { return H(x) * (x > 0.099 ? 0.93 : 1) - 0.1 * x; };
   for (const Real travel : {0.5 * D, 0.2 * D}) {
-    const Resistance found = of(fallen, travel, problem::Method::fem);
+    const Resistance found = of(fallen, travel, settings::Method::fem);
     ASSERT_TRUE(found.breakout) << travel / D;
     EXPECT_NEAR(found.breakout->H, 300, 0.01 * 300);
   }
@@ -182,7 +182,7 @@ record::RunRecord swept(const std::function<Real(Real u_over_D)>& third, Real th
   Real u = 0;
   for (int sweep = 0; sweep < 4; ++sweep) {
     const Real direction = sweep % 2 == 0 ? 1 : -1, travel = sweep == 2 ? third_travel : 1.5, step = 0.002;
-    run.settings.stage.push_back(MadeRun::stage_of("sweep_" + std::to_string(sweep + 1), problem::StageKind::drag));
+    run.settings.stage.push_back(MadeRun::stage_of("sweep_" + std::to_string(sweep + 1), settings::StageKind::drag));
     run.settings.stage.back().velocity = 0.1 * direction;
     for (int k = 1; k * step <= travel + step / 2; ++k) {
       const Real x = k * step, H = sweep == 2 ? third(x) : std::min(100., 500 * x);
@@ -247,7 +247,7 @@ TEST(resistance, of_a_drag_that_goes_on_with_an_earlier_one_meets_no_berm_of_it)
   record::RunRecord run = swept([](Real x) { return std::min(100., 500 * x); });
   for (std::string& stage : run.history.stage)
     if (stage == "sweep_1" && run.history["u_m"][&stage - run.history.stage.data()] > 0.75 * D) stage = "on";
-  problem::StageSettings on = MadeRun::stage_of("on", problem::StageKind::drag);
+  settings::StageSettings on = MadeRun::stage_of("on", settings::StageKind::drag);
   run.settings.stage.insert(run.settings.stage.begin() + 2, on);
   run.quantities = structures::structure_of(run.settings).quantities(run, {});
   EXPECT_EQ(run.quantity("on.H_berm"), nullptr);

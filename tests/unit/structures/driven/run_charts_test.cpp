@@ -73,7 +73,7 @@ TEST(RunCharts, of_a_drag_back_have_H_along_x_over_u_from_the_first_drag)
 {
   MadeRun made;
   record::RunRecord run = made.record();
-  run.settings.stage.push_back(MadeRun::stage_of("back", problem::StageKind::drag));
+  run.settings.stage.push_back(MadeRun::stage_of("back", settings::StageKind::drag));
   run.settings.stage.back().velocity = -0.1;
   for (int k = 1; k <= 100; ++k) {
     const Real row[] = {static_cast<Real>(run.history.rows()), made.dragged - 4e-5 * k, 0.007, -200, 800};

@@ -63,13 +63,13 @@ TEST(States, of_a_push_and_a_drag_tell_no_more_than_these)
 TEST(States, are_those_whose_roles_are_said)
 {
   record::RunRecord run = lived_pipe();
-  run.settings.stage[3].role = problem::StageRole::flooded;
+  run.settings.stage[3].role = settings::StageRole::flooded;
   const States states = states_of(run);
   ASSERT_NE(find_state(states, "flooded"), nullptr);
   EXPECT_EQ(find_state(states, "flooded")->stage, "unload");
   EXPECT_EQ(find_state(states, "laid"), nullptr) << "where a role is said none is guessed";
-  run.settings.stage[3].role = problem::StageRole::automatic;
-  run.settings.stage[5].role = problem::StageRole::breakout;
+  run.settings.stage[3].role = settings::StageRole::automatic;
+  run.settings.stage[5].role = settings::StageRole::breakout;
   EXPECT_EQ(find_state(states_of(run), "operation")->origin, "end of stage sweep_1, before sweep_2");
 }
 
@@ -92,7 +92,7 @@ record::RunRecord lifted(Real V_at_the_end = -60)
   made.dragged = 0;
   made.pushed_to = 0.2 * D;
   record::RunRecord run = made.record();
-  const auto add = [&](const char* name, problem::StageKind kind, Real w, Real V) {
+  const auto add = [&](const char* name, settings::StageKind kind, Real w, Real V) {
     if (run.settings.stage.back().name != name) {
       run.settings.stage.push_back(MadeRun::stage_of(name, kind));
       run.settings.stage.back().velocity.reset();
@@ -101,10 +101,10 @@ record::RunRecord lifted(Real V_at_the_end = -60)
     for (int k = 0; k < 5; ++k) run.history.values[k].push_back(row[k]);
     run.history.stage.emplace_back(name);
   };
-  for (int k = 0; k < 50; ++k) add("unload", problem::StageKind::push, 0.2 * D, 40);
+  for (int k = 0; k < 50; ++k) add("unload", settings::StageKind::push, 0.2 * D, 40);
   run.settings.stage.back().force = 40;
-  for (int k = 0; k < 50; ++k) add("rest", problem::StageKind::free, 0.2 * D, 40);
-  for (int k = 1; k <= 50; ++k) add("lift", problem::StageKind::push, (0.2 - 0.002 * k) * D, std::lerp(40, V_at_the_end, k / 50.));
+  for (int k = 0; k < 50; ++k) add("rest", settings::StageKind::free, 0.2 * D, 40);
+  for (int k = 1; k <= 50; ++k) add("lift", settings::StageKind::push, (0.2 - 0.002 * k) * D, std::lerp(40, V_at_the_end, k / 50.));
   run.settings.stage.back().velocity = -0.1;
   run.quantities = structures::structure_of(run.settings).quantities(run, {});
   return run;
@@ -128,7 +128,7 @@ TEST(States, of_operation_may_be_after_an_unloading_by_velocity)
 TEST(States, of_operation_is_where_a_pipe_that_was_lifted_is_laid_again)
 {
   record::RunRecord run = lifted();
-  run.settings.stage.push_back(MadeRun::stage_of("again", problem::StageKind::push));
+  run.settings.stage.push_back(MadeRun::stage_of("again", settings::StageKind::push));
   run.settings.stage.back().velocity.reset();
   run.settings.stage.back().force = 30;
   for (int k = 1; k <= 50; ++k) {

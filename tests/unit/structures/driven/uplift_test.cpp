@@ -17,7 +17,7 @@ record::RunRecord lifted(const std::function<Real(Real over_D)>& V)
   made.first_w = made.pushed_to = 2.5 * D;
   made.dragged = 0;
   record::RunRecord run = made.record();
-  run.settings.stage.push_back(MadeRun::stage_of("uplift", problem::StageKind::push));
+  run.settings.stage.push_back(MadeRun::stage_of("uplift", settings::StageKind::push));
   run.settings.stage.back().velocity = -0.1;
   for (int k = 1; k <= 250; ++k) {
     const Real row[] = {static_cast<Real>(run.history.rows()), 0, (2.5 - 0.002 * k) * D, 0, V(0.002 * k)};

@@ -15,15 +15,15 @@ constexpr Real pivot = 5, depth = 8, k = 2e6;  // m, m, N/m2
 record::RunRecord pile(Real sign = 1)
 {
   MadePush made;
-  made.geometry = problem::Geometry::space;
+  made.geometry = settings::Geometry::space;
   made.shape = bodies::CylinderSettings{{0, -2, 0}, {0, 1, 0}, 2, 12};
   record::RunRecord run;
   run.name = "made";
   run.settings = made.settings();
   run.settings.gravity = {0, -standard_gravity, 0};
   run.settings.rigid[0].second.depth_slices = slices;
-  problem::StageSettings push_over;
-  push_over.name = "push_over", push_over.kind = problem::StageKind::drive, push_over.rigid = "probe";
+  settings::StageSettings push_over;
+  push_over.name = "push_over", push_over.kind = settings::StageKind::drive, push_over.rigid = "probe";
   push_over.drive.x.velocity = sign * 0.2;
   push_over.drive.rotation_z.free = true;
   run.settings.stage = {push_over};

@@ -73,7 +73,7 @@ TEST(Skirt, with_a_lid_says_where_it_is)
 TEST(Skirt, measures_how_many_cells_its_wall_is_thick)
 {
   record::RunRecord run = pushed_skirt().record();
-  run.settings.method = problem::Method::mpm;
+  run.settings.method = settings::Method::mpm;
   std::get<mesh::SeabedMesh>(run.settings.mesh).near_size = 5e-3;
   const base::TrustMeasures measures = structures::structure_of(run.settings).measures(run.settings);
   const auto wall = std::ranges::find(measures, std::string("cells in the thickness of the wall"), &base::TrustMeasure::what);

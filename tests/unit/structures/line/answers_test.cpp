@@ -160,7 +160,7 @@ TEST_F(LineAnswers, say_that_the_line_still_moves_when_its_stage_ends)
     const std::vector<run_folder::Quantity> list = line_quantities(run);
     return std::ranges::find(list, "heat.y", &run_folder::Quantity::name)->meaning;
   };
-  problem::StageSettings& heat = run.settings.stage[run.settings.stage.size() - 3];
+  settings::StageSettings& heat = run.settings.stage[run.settings.stage.size() - 3];
   heat.until = {}, heat.until.time = 0.9, heat.ramp = 0;
   EXPECT_NE(meaning().find("still moving at the end: y at 1.5 m/s"), std::string::npos) << meaning();
   auto y = std::ranges::find(run.history.columns, "line_y_m", &run_folder::Column::name);

@@ -7,9 +7,9 @@
 namespace berm::line::this_file {
 namespace {
 
-problem::PipelineSettings half_of(problem::LineHalf half)
+settings::PipelineSettings half_of(settings::LineHalf half)
 {
-  problem::PipelineSettings p;
+  settings::PipelineSettings p;
   p.half = half;
   p.far_soil.axial_friction = 0.5;
   p.far_soil.axial_mobilisation = 2e-3;
@@ -44,7 +44,7 @@ Real three_lobes(Real x)
 
 TEST(Buckle, that_is_its_mirror_image_has_a_lobe_of_twice_the_way_to_its_crossing)
 {
-  const Buckle buckle = buckle_of(shape_of(three_lobes, at_rest), half_of(problem::LineHalf::symmetric));
+  const Buckle buckle = buckle_of(shape_of(three_lobes, at_rest), half_of(settings::LineHalf::symmetric));
   EXPECT_NEAR(buckle.lobe_length, 40, 0.05);
   EXPECT_EQ(buckle.lobes, 3) << "the crown once, its neighbours on both sides";
   EXPECT_NEAR(buckle.bending, 1.5e-3, 1e-12);
@@ -53,7 +53,7 @@ TEST(Buckle, that_is_its_mirror_image_has_a_lobe_of_twice_the_way_to_its_crossin
 TEST(Buckle, that_is_turned_has_lobes_on_both_sides)
 {
   const auto two = [](Real x) { return x < 30 ? std::sin(pi * x / 30) : x < 50 ? -0.2 * std::sin(pi * (x - 30) / 20) : 0; };
-  const Buckle buckle = buckle_of(shape_of(two, at_rest), half_of(problem::LineHalf::antisymmetric));
+  const Buckle buckle = buckle_of(shape_of(two, at_rest), half_of(settings::LineHalf::antisymmetric));
   EXPECT_NEAR(buckle.lobe_length, 30, 0.05);
   EXPECT_EQ(buckle.lobes, 4);
 }
@@ -62,11 +62,11 @@ TEST(Buckle, slips_as_far_as_its_friction_is_mobilised)
 {
   const auto fed = [](Real x) { return x < 80 ? -0.1 * (1 - x / 80) : 0; };
   const Shape shape = shape_of(three_lobes, fed);
-  EXPECT_NEAR(buckle_of(shape, half_of(problem::LineHalf::symmetric)).slip_length, 80 * (1 - 2e-3 / 0.1), 1e-9);
-  EXPECT_EQ(buckle_of(shape_of(three_lobes, at_rest), half_of(problem::LineHalf::symmetric)).slip_length, 0);
-  EXPECT_EQ(buckle_of(shape_of(three_lobes, [](Real) { return 0.01; }), half_of(problem::LineHalf::symmetric)).slip_length, 100)
+  EXPECT_NEAR(buckle_of(shape, half_of(settings::LineHalf::symmetric)).slip_length, 80 * (1 - 2e-3 / 0.1), 1e-9);
+  EXPECT_EQ(buckle_of(shape_of(three_lobes, at_rest), half_of(settings::LineHalf::symmetric)).slip_length, 0);
+  EXPECT_EQ(buckle_of(shape_of(three_lobes, [](Real) { return 0.01; }), half_of(settings::LineHalf::symmetric)).slip_length, 100)
       << "all of it";
-  problem::PipelineSettings smooth = half_of(problem::LineHalf::symmetric);
+  settings::PipelineSettings smooth = half_of(settings::LineHalf::symmetric);
   smooth.far_soil.axial_friction = 0;
   EXPECT_TRUE(std::isnan(buckle_of(shape, smooth).slip_length));
   EXPECT_NEAR(mean_axial(shape), -0.1 * 40 / 100, 1e-9);
@@ -74,7 +74,7 @@ TEST(Buckle, slips_as_far_as_its_friction_is_mobilised)
 
 TEST(Buckle, of_a_straight_line_has_no_lobe)
 {
-  const Buckle none_of_it = buckle_of(shape_of(at_rest, at_rest), half_of(problem::LineHalf::symmetric));
+  const Buckle none_of_it = buckle_of(shape_of(at_rest, at_rest), half_of(settings::LineHalf::symmetric));
   EXPECT_EQ(none_of_it.lobes, 0);
   EXPECT_TRUE(std::isnan(none_of_it.lobe_length));
 }

@@ -16,7 +16,7 @@ class DepthLogPicture : public DrawnRun {};
 record::RunRecord noisy(Real gradient)
 {
   MadePush made;
-  made.method = problem::Method::mpm;
+  made.method = settings::Method::mpm;
   made.law.cohesion_gradient = gradient;
   return made.record();
 }

@@ -81,7 +81,7 @@ TEST(PenetrationRun, of_a_ball_takes_the_weight_of_the_displaced_soil_off)
 TEST(PenetrationRun, of_half_a_bar_beside_a_wall_divides_by_the_half_that_is_modelled)
 {
   MadePush made;
-  made.geometry = problem::Geometry::plane_strain;
+  made.geometry = settings::Geometry::plane_strain;
   made.shape = bodies::CircleSettings{{0, -0.4}, 0.2};
   made.first_w = 0.5;
   made.q = [](Real) { return 50e3; };
@@ -97,7 +97,7 @@ TEST(PenetrationRun, of_a_quarter_of_a_ball_in_space_divides_by_its_quarter)
 {
   MadePush made;
   made.shape = bodies::SphereSettings{{0, 0.1, 0}, 0.2};
-  made.geometry = problem::Geometry::space;
+  made.geometry = settings::Geometry::space;
   record::RunRecord record = made.record();
   record.settings.gravity = {0, -standard_gravity, 0};
   mesh::BoxMesh box;
@@ -115,7 +115,7 @@ TEST(PenetrationRun, of_a_quarter_of_a_ball_in_space_divides_by_its_quarter)
 TEST(PenetrationRun, of_a_part_between_planes_of_symmetry_has_the_force_of_the_whole_and_its_area)
 {
   MadePush made;
-  made.geometry = problem::Geometry::space;
+  made.geometry = settings::Geometry::space;
   const auto area_of = [&](const bodies::RigidShapeSettings& shape, const Penetrometer& how) {
     made.shape = shape;
     record::RunRecord record = made.record();

@@ -204,7 +204,7 @@ TEST(Penetration, of_a_footing_is_compared_with_one_on_the_surface_while_it_is_t
 TEST(Penetration, of_a_round_footing_in_space_has_the_factors_of_a_circle)
 {
   MadePush made = footing();
-  made.geometry = problem::Geometry::space;
+  made.geometry = settings::Geometry::space;
   made.shape = bodies::CylinderSettings{{0, 0.05, 0}, {0, 1, 0}, 0.2, 0.1};
   made.contact.adhesion = 10e3;
   const record::RunRecord run = made.record();
@@ -217,11 +217,11 @@ TEST(Penetration, of_a_round_footing_in_space_has_the_factors_of_a_circle)
 TEST(Penetration, of_a_footing_that_is_dragged_tells_V_H_and_M_of_its_failure)
 {
   MadePush made = footing();
-  made.geometry = problem::Geometry::plane_strain;
+  made.geometry = settings::Geometry::plane_strain;
   record::RunRecord run = made.record();
-  problem::StageSettings drag = run.settings.stage.front();
+  settings::StageSettings drag = run.settings.stage.front();
   drag.name = "drag";
-  drag.kind = problem::StageKind::drag;
+  drag.kind = settings::StageKind::drag;
   run.settings.stage.push_back(drag);
   run.history.columns = columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m", "M_Nm_m"});
   run.history.values.emplace_back(run.history.stage.size(), 0);
@@ -255,7 +255,7 @@ TEST(Penetration, of_a_footing_on_sand_has_N_gamma_of_associated_soil)
 record::RunRecord pushed_t_bar()
 {
   MadePush made;
-  made.geometry = problem::Geometry::plane_strain;
+  made.geometry = settings::Geometry::plane_strain;
   made.shape = bodies::CircleSettings{{0, -0.4}, 0.2};
   made.first_w = 0.5;
   made.law.density = 1;

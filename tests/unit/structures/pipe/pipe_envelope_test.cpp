@@ -61,7 +61,7 @@ TEST(PipeEnvelope, has_no_curve_for_friction_on_clay)
 
 TEST(PipeEnvelope, is_a_parabola_through_the_probes_in_sand)
 {
-  const problem::Case sand = clay({"gravity=[0, -10]", "material.clay.cohesion=0", "material.clay.friction_angle=\"30 deg\""});
+  const settings::Case sand = clay({"gravity=[0, -10]", "material.clay.cohesion=0", "material.clay.friction_angle=\"30 deg\""});
   const formulas::YieldSurface surface{0.4, 0.2};
   base::EnvelopeEnds ends{{1e3}, {0}, 1e3};
   for (const Real V : {200., 400., 700.}) {

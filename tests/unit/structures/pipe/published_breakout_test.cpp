@@ -68,7 +68,7 @@ TEST(published_breakout, a_drag_too_short_for_any_other_comparison_may_have_a_br
   MadeRun made = long_drag_in_clay();
   made.dragged = 0.0018;  // 0.09 D
   made.H = [](Real u) { return u < 4e-4 ? 1e5 * u : std::max(30., 40 - 25e3 * (u - 4e-4)); };
-  made.method = problem::Method::fem;  // without noise, which would take 0.1 D to be told from a peak
+  made.method = settings::Method::fem;  // without noise, which would take 0.1 D to be told from a peak
   made.first_w = 0.002;
   const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const ComparedState* peak = state_of(values, Kind::peak);
@@ -118,8 +118,8 @@ TEST(published_breakout, the_end_of_a_long_drag_stands_beside_the_residual_and_t
 TEST(published_breakout, a_force_that_the_case_prescribes_is_compared_with_no_resistance)
 {
   record::RunRecord run = long_drag_in_clay().record();
-  for (problem::StageSettings& stage : run.settings.stage)
-    if (stage.kind == problem::StageKind::drag) stage.velocity.reset(), stage.force = 20;
+  for (settings::StageSettings& stage : run.settings.stage)
+    if (stage.kind == settings::StageKind::drag) stage.velocity.reset(), stage.force = 20;
   run.quantities = structures::structure_of(run.settings).quantities(run, {});
   const PublishedValues values = published_beside(driven::DrivenRun(run));
   for (const Kind kind : {Kind::peak, Kind::breakout, Kind::end_of_drag}) EXPECT_EQ(state_of(values, kind), nullptr);

@@ -19,7 +19,7 @@ record::RunRecord swept_twice(Real dragged = 0.024)
   made.dragged = dragged;
   made.sunk = [](Real u) { return u / 20; };
   record::RunRecord run = made.record();
-  problem::StageSettings back = MadeRun::stage_of("back", problem::StageKind::drag);
+  settings::StageSettings back = MadeRun::stage_of("back", settings::StageKind::drag);
   back.velocity = -0.1;
   run.settings.stage.push_back(back);
   const Real step = 0.002 * made.D, deepest = made.pushed_to + dragged / 20;

@@ -261,7 +261,7 @@ TEST(published, clay_with_friction_at_the_pipe_has_no_formula_for_H)
 TEST(published, a_run_wished_in_place_takes_the_w_that_it_began_with)
 {
   MadeRun made;
-  made.method = problem::Method::fem;
+  made.method = settings::Method::fem;
   made.first_w = made.pushed_to = 0.002;
   const PublishedValues values = published_beside(driven::DrivenRun(made.record()));
   const ComparedState* drag = state_at(values, Kind::peak, 0.01);
@@ -275,7 +275,7 @@ TEST(published, a_run_wished_in_place_takes_the_w_that_it_began_with)
 TEST(published, a_push_of_the_finite_element_method_is_compared_at_its_end_and_first_w)
 {
   MadeRun made;
-  made.method = problem::Method::fem;
+  made.method = settings::Method::fem;
   made.first_w = 0.002;
   made.pushed_to = 0.0056;
   const PublishedValues values = published_beside(driven::DrivenRun(made.record()));

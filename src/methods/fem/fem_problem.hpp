@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/archive.hpp"
+#include "fem/contact_points.hpp"
+#include "fem/direct_solver.hpp"
+#include "fem/element.hpp"
+#include "fem/flow.hpp"
+#include "fem/quadratic_mesh.hpp"
+#include "fem/side_loads.hpp"
+#include "problem/model.hpp"
+
+namespace berm::fem {
+
+/// A point of the soil whose motion and stress are written to the history: its element, and the part that each node of it has in the displacement and
+/// each integration point in the stress, which is linear in an element.
+struct FemWatch {
+  std::string name;
+  Index cell = none;
+  AtSixNodes<Real> of_nodes = {};
+  std::array<Real, triangle_points> of_points = {};
+};
+
+/// What cannot change during a finite element run: the same model as for the material point method, and the elements.
+struct FemModel {
+  problem::Model<2> model;  ///< its mesh is that of the corners
+  QuadraticMesh mesh;
+  CellField<std::array<ShapeAtPoint, triangle_points>> shape;
+  CellField<Real> cell_size;                             ///< m, root of the element's area
+  CellField<std::array<Real, triangle_points>> density;  ///< kg/m3, at the integration points, that gives the weight
+  CellField<std::array<Real, triangle_points>> depth;    ///< m, of the integration points below the bed's surface at the start
+  Index rigid = none;                                    ///< the rigid body in contact with the soil
+  std::vector<FemContactPoint> contact;
+  FemInterface interface;  ///< but for its friction and adhesion, which are those of the point
+  problem::AdhesionLaw adhesion_law;
+  Real width = 1;                             ///< m, of the rigid body, unit of the increments of travel; 1 where there is none
+  Real weight = 0;                            ///< N/m, of all soil
+  std::vector<std::vector<NodalLoad>> loads;  ///< by traction
+  settings::FemSettings settings;
+  bool non_associated = false;  ///< the flow of some soil is non-associated
+  Real patience = 1;            ///< relaxation times that a stage without motion lasts, over the usual number
+  std::vector<FemWatch> watches;
+  FlowModel flow;
+
+  // Unknowns: 2 i and 2 i + 1 are the displacements (x, y) of node i; then those of the rigid body, where there is one: three (x, y, angle); then the
+  // excess pore pressures, where water flows.
+  SparsePattern pattern;                          ///< of the soil alone
+  CellField<std::array<Index, 78>> cell_entries;  ///< in the pattern, of the lower triangle of each element's 12 x 12 entries, row by row
+  /// The material at an integration point of a cell, with its strength and stiffness there and the friction of such cells.
+  material::Material soil_at(Index cell, int q) const
+  {
+    return regularised_for(soil_of(cell).at(region_of(cell), depth[cell][q]), model.mesh.size(cell));
+  }
+  const settings::BodySoil& soil_of(Index cell) const { return model.bodies[mesh.body[cell]].soil; }
+  const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }
+
+  Index unknowns() const { return pressure_unknown() + flow.count; }
+  Index rigid_unknown() const { return 2 * mesh.position.size(); }
+  Index pressure_unknown() const { return rigid_unknown() + (rigid == none ? 0 : 3); }
+};
+
+/// State of the soil at an integration point.
+struct SoilPoint {
+  SymTensor<2> stress;                                ///< Pa, tension positive
+  std::array<Real, material::max_state> law_state{};  ///< state variables of the law: material::state_fields
+  Real deviatoric_strain = 0;                         ///< accumulated
+  Real overstress = 0;                                ///< Pa, distance of the stress from the yield surface, in the norm of a tensor
+};
+
+/// Everything that changes during a finite element run.
+struct FemState {
+  problem::State<2> state;         ///< time, stage, rigid bodies, totals; no particles
+  std::vector<Real> displacement;  ///< by unknown: m, rad for the angle, and Pa for excess pore pressures
+  CellField<std::array<SoilPoint, triangle_points>> points;
+  std::vector<FemContactState> contact;
+  std::vector<Vec<2>> support_forces;  ///< N/m, on the soil, by support that is reported
+  Vec<2> gravity = Vec<2>::Zero();     ///< m/s2, acting
+  std::vector<Real> tractions;         ///< load factor of each
+  Real initial_imbalance_factor = 0;   ///< fraction of the initial unbalanced forces that fictitious forces still balance
+  Real unbalanced = 0;                 ///< N/m, sum of the unbalanced nodal forces
+  Real overstress = 0;                 ///< overstress over stress: integrals of both over the soil at yield
+};
+
+/// The interface at a contact point in an increment that begins with this state.
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin);
+
+struct FemProblem {
+  FemModel model;
+  FemState state;
+};
+
+/// Builds mesh, elements and initial state. Throws InputError where the case does not fit the method.
+FemProblem build_fem(const settings::Case& c, const std::string& case_folder, const std::string& work_folder);
+
+/// The point in the elements of a body that is nearest to this one: itself where it lies in the body.
+FemWatch make_watch(const QuadraticMesh& mesh, const std::string& name, const Vec<2>& point, Index body);
+
+/// Gives the corners of elements whose water flows their unknowns, and finds where it leaves the soil: at sides of the boundary that are
+/// neither at a rigid body that is not drained, nor on the axis, nor held across by a support that is not drained, and beside drained soil.
+void make_flow(FemModel& model);
+
+/// Initial stress by gravity loading (InitialState::gravity_loading) on 6-node triangles: the integration points get the
+/// stress in equilibrium with gravity and the supports of the first stage for the elasticity GroundElasticity. Holes are
+/// empty, the strength is ignored. Throws InputError where the supports do not hold the soil.
+void load_by_gravity(const settings::Case& c, const FemModel& model, FemState& state);
+
+/// The whole state, bit for bit. Reading puts it into one that was built for the same case. Throws RunError where elements, contact points or unknowns are
+/// not as many, or where what is read cannot be a state of this model.
+void archive(Archive& k, const FemModel& model, FemState& state);
+
+}  // namespace berm::fem

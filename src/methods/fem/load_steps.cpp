@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/load_steps.hpp"
+
+#include "os/error.hpp"
+#include "problem/stages.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::fem {
+namespace {
+
+constexpr Real release_viscosity = 0.1;
+constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
+constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
+constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
+constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
+constexpr Real max_lag = 0.01;          // of what plastic flow dissipates: strength that is less behind its pressure follows no further
+constexpr int max_passes = 4;           // in which the equilibrium of an increment is found, each with the strength of the one before
+constexpr Real strength_part = 0.7;  // of the way to the strength just found, at least: all of it swings from side to side in a steady drag
+constexpr Real max_lag_left = 0.8;   // a pass that leaves more of the lag is the last
+constexpr Real max_pressure_error = 5e-5;  // of an increment, over the largest pressures of the stage, root mean squares of both
+constexpr Real min_first_dt = 1e-3;  // of an increment where no water flows; none where the body moves, whose travel limits the increments
+constexpr Real max_overstress = 0.05;                          // of the stress of soil at yield
+constexpr int few_iterations = 8, few_enough_iterations = 12;  // iterations
+
+/// Throws RunError where water cavitates: the pressure of finite elements has no such limit.
+void refuse_cavitation(const FemModel& model, const FemState& state)
+{
+  for (Index cell = 0; cell < model.flow.water.size(); ++cell) {
+    if (!model.flow.in(cell)) continue;
+    const int place = pore_pressure_index(model.soil_of(cell).materials.front());
+    for (int q = 0; q < triangle_points; ++q)
+      if (const Real p = state.points[cell][q].law_state[place], least = model.flow.water[cell][q].min_pressure; p < least)
+        throw RunError(
+            fmt::format("the water of {} cavitates at t = {:.6g} s: an excess pore pressure of {:.4g} kPa where {:.4g} kPa is the minimum; "
+                        "finite elements cannot continue from there: take method = \"mpm\", or a larger water_depth",
+                        model.model.bodies[model.mesh.body[cell]].name, state.state.time, p / 1e3, least / 1e3));
+  }
+}
+
+/// The largest vertical stress of the soil by size, Pa.
+Real largest_stress(const FemState& state)
+{
+  Real largest = 0;
+  for (const auto& of_cell : state.points)
+    for (const SoilPoint& point : of_cell) largest = std::max(largest, std::abs(point.stress[1]));
+  return largest;
+}
+
+/// The largest magnitude of the excess pore pressure, Pa.
+Real largest_pressure(const FemModel& model, const std::vector<Real>& unknowns)
+{
+  Real largest = 0;
+  for (Index k = model.pressure_unknown(); k < model.unknowns(); ++k) largest = std::max(largest, std::abs(unknowns[k]));
+  return largest;
+}
+
+}  // namespace
+
+LoadSteps::LoadSteps(const FemModel& model, FemState& state)
+    : model_(model),
+      state_(state),
+      newton_(model),
+      min_relaxation_((model.non_associated ? 0.5 : 1e-4) * model.settings.relaxation),
+      relaxation_(model.non_associated ? model.settings.relaxation : min_relaxation_)
+{
+  begin();
+}
+
+void LoadSteps::find_first_equilibrium()
+{
+  max_overlap_ = 0;
+  const FemLoads loads = dead_loads(0);
+  FemLoads drained = loads;
+  drained.drained = true;
+  for (Real& factor : drained.tractions) factor = 0;
+  if ((model_.flow.count > 0 && !release_imbalance(drained)) || !release_imbalance(loads))
+    throw NoEquilibrium("the soil is not in equilibrium at the start: it cannot carry its weight with these stresses (k0, strength)");
+}
+
+/// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found.
+bool LoadSteps::release_imbalance(FemLoads loads)
+{
+  newton_.assembly().store_initial_imbalance(state_, loads);
+  state_.gravity = loads.gravity;
+  state_.tractions = loads.tractions;
+  state_.initial_imbalance_factor = 1;
+  Real part = 1;
+  while (state_.initial_imbalance_factor > 0) {
+    loads.initial_imbalance_factor = std::max(Real(0), state_.initial_imbalance_factor - part);
+    std::vector<Real> change(model_.unknowns(), 0.);
+    const IncrementEnd end = newton_.find_equilibrium(state_, loads, release_viscosity, change);
+    if (end.converged) {
+      accept_equilibrium(change, loads);
+      part *= 1.5;
+    } else if ((part /= 2) < 1e-4) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void LoadSteps::accept_equilibrium(const std::vector<Real>& change, const FemLoads& loads)
+{
+  newton_.assembly().accept(state_, change, loads);
+  for (const FemContactState& point : state_.contact) max_overlap_ = std::max(max_overlap_, -point.gap);
+}
+
+/// The prescribed speed of the driven body in this stage, m/s: of its centre, and of its sides where it turns.
+Real LoadSteps::speed_of_body() const
+{
+  if (driven() == none) return 0;
+  const auto prescribed = [&](int freedom) {
+    const bodies::Drive& drive = state_.state.stage.drive[freedom];
+    return drive.by_force ? 0 : drive.to;
+  };
+  return std::hypot(std::hypot(prescribed(0), prescribed(1)), prescribed(2) * model_.width / 2);
+}
+
+void LoadSteps::begin()
+{
+  const settings::StageSettings& now = stage();
+  const Real speed = speed_of_body();
+  const bool moves = speed > 0;
+  first_dt_ = moves ? first_travel * model_.width / speed + (now.ramp > 0 ? now.ramp / 100 : 0)
+                    : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / (50 * model_.patience);
+  shortest_dt_ = (moves || model_.flow.count == 0 ? 1 : min_first_dt) * first_dt_;
+  dt_ = model_.flow.count > 0 ? std::clamp(model_.flow.first_dt, shortest_dt_, first_dt_) : first_dt_;
+  last_dt_ = 0;
+  largest_pressure_ = 0;
+}
+
+Real LoadSteps::travel(int freedom, Real from, Real to) const
+{
+  const bodies::Drive& drive = state_.state.stage.drive[freedom];
+  const Real ramp = stage().ramp;
+  const auto until = [&](Real t) { return t < ramp ? drive.to * t * t / (2 * ramp) : drive.to * (t - ramp / 2); };
+  return drive.by_force ? 0 : until(to) - until(from);
+}
+
+Real LoadSteps::up_to_the_end(Real dt) const
+{
+  const problem::StageState<2>& now = state_.state.stage;
+  const settings::Until& until = stage().until;
+  const Real since = state_.state.time - now.begin_time;
+  if (until.time) dt = std::min(dt, *until.time - since);
+  if (driven() == none) return dt;
+  const auto cut = [&](const auto& gone_after, Real left) {
+    Real low = 0, high = dt;
+    if (gone_after(dt) <= left) return;
+    for (int k = 0; k < 60; ++k) {
+      const Real middle = (low + high) / 2;
+      (gone_after(middle) < left ? low : high) = middle;
+    }
+    dt = high;
+  };
+  const auto along = [&](int direction) { return [&, direction](Real step) { return std::abs(travel(direction, since, since + step)); }; };
+  const Vec<2> moved = state_.state.rigid_bodies[driven()].displacement - now.begin_displacement;
+  const auto distance = [&](Real step) {
+    return Vec<2>(moved[0] + travel(0, since, since + step), moved[1] + travel(1, since, since + step)).norm();
+  };
+  if (until.displacement && stage().kind == settings::StageKind::drive)
+    cut(distance, *until.displacement);
+  else if (until.displacement)
+    cut(along(0), *until.displacement - std::abs(moved[0]));
+  if (until.embedment && travel(1, since, since + dt) != 0) {
+    const Real left = *until.embedment - travel_of(model_.model, state_.state, driven()).w;
+    cut(along(1), lifts(model_.model, state_.state) ? -left : left);
+  }
+  return up_to_a_load(dt, since);
+}
+
+/// A load history is linear within an increment.
+Real LoadSteps::up_to_a_load(Real dt, Real since) const
+{
+  constexpr Real round_off = 1e-9;
+  for (const Real time : stage().load_times)
+    if (const Real left = time * stage().time_scale - since; left > round_off * dt) return std::min(dt, left);
+  return dt;
+}
+
+/// Gravity, tractions and heads at a time.
+FemLoads LoadSteps::dead_loads(Real time) const
+{
+  FemLoads loads;
+  loads.gravity = gravity_now(model_.model, time);
+  for (std::size_t t = 0; t < model_.loads.size(); ++t)
+    loads.tractions.push_back(acting_fraction(model_.model.tractions[t], state_.state.tractions[t], time));
+  boundary::for_each_of<boundary::Head<2>>(model_.model.conditions, [&](std::size_t h, const auto& row, const auto& head) {
+    loads.heads.push_back(acting_fraction(row, state_.state.heads[h], time) * head.pressure);
+  });
+  return loads;
+}
+
+FemLoads LoadSteps::loads_after(Real dt) const
+{
+  FemLoads loads = dead_loads(state_.state.time + dt);
+  loads.dt = dt;
+  if (driven() == none) return loads;
+  const problem::StageState<2>& now = state_.state.stage;
+  const Real since = state_.state.time - now.begin_time;
+  for (int f = 0; f < bodies::freedoms<2>; ++f) {
+    const bodies::Drive& drive = now.drive[f];
+    loads.rigid[f] = {drive.by_force,
+                      drive.by_force ? drive_now(model_.model, stage(), drive, f, since + dt) : travel(f, since, since + dt)};
+  }
+  return loads;
+}
+
+/// The part of the increment in hand after which the stage's limit of force is reached; 1 where it is not.
+Real LoadSteps::part_within_force(const IncrementEnd& end) const
+{
+  const std::optional<Real>& limit = stage().until.force;
+  if (!limit || driven() == none || !end.converged) return 1;
+  const Real before = resistance(model_.model, state_.state, state_.state.rigid_bodies[driven()].reaction),
+             after = resistance(model_.model, state_.state, newton_.assembly().reaction());
+  const Real direction = lifts(model_.model, state_.state) ? -1 : 1;
+  return direction * (after - *limit) > std::abs(*limit) * 1e-4 ? std::max(0.1, (*limit - before) / (after - before)) : 1;
+}
+
+/// The equilibrium at the end of an increment; again with the strength there, as long as it lags and another pass helps. A pass that finds none or lags
+/// more is taken back.
+IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change)
+{
+  const Real viscosity = relaxation_ / first_travel * (first_dt_ / dt);
+  Assembly& assembly = newton_.assembly();
+  IncrementEnd end = newton_.find_equilibrium(state_, loads, viscosity, change);
+  last_iterations_ = end.iterations;
+  if (!model_.non_associated) return end;
+  end.lag = assembly.strength_lag(state_, change);
+  Real part = strength_part;
+  for (int pass = 1; pass < max_passes && end.converged && std::abs(end.lag.part()) > max_lag; ++pass) {
+    const std::vector<Real> before = change;
+    assembly.update_strength(part);
+    IncrementEnd next = newton_.find_equilibrium(state_, loads, viscosity, change);
+    const int iterations = end.iterations + next.iterations;
+    next.lag = assembly.strength_lag(state_, change);
+    const Real ratio = next.lag.part() / end.lag.part(), left = std::abs(ratio);
+    part = std::clamp(part / (1 - ratio), strength_part, Real(1));  // where the lag would vanish, along its chord
+    if (!next.converged || left > 1) {
+      change = before;
+      assembly.undo_strength_update();
+      assembly.evaluate(state_, change, loads, viscosity);
+    } else {
+      last_iterations_ = next.iterations;
+      end = next;
+    }
+    end.iterations = iterations;
+    if (!next.converged || left > max_lag_left) break;
+  }
+  assembly.reset_strength();
+  return end;
+}
+
+IncrementEnd LoadSteps::advance()
+{
+  max_overlap_ = 0;
+  const Real largest_dt = shortest_dt_ < first_dt_ ? infinity : first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
+  Real shortest = 1;  // where a limit of force cuts the increment
+  for (;;) {
+    const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest);
+    const FemLoads loads = loads_after(dt);
+    std::vector<Real> change(model_.unknowns(), 0.);
+    if (last_dt_ > 0)
+      for (std::size_t k = 0; k < change.size(); ++k) change[k] = last_change_[k] * (dt / last_dt_);
+    const IncrementEnd end = find_equilibrium(loads, dt, change);
+    if (const Real part = part_within_force(end); part < 1 && shortest > 1e-6) {
+      shortest *= part;
+      continue;
+    }
+    const bool last_resort = !accepted_above_tolerance_ && dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
+    if (end.converged || last_resort) {
+      const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[driven()].reaction;
+      accept_equilibrium(change, loads);
+      const Real force = newton_.assembly().contact_force();
+      accept(change, dt, end, force > 0 ? (newton_.assembly().reaction() - before).norm() / force : 0);
+      refuse_cavitation(model_, state_);
+      if (state_.overstress > max_overstress && driven() != none) refuse_overstress();
+      return end;
+    }
+    dt_ = dt / 2;
+    relaxation_ = std::min(4 * relaxation_, model_.settings.relaxation);
+    if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
+    if (dt_ < 1e-4 * first_dt_)
+      throw NoEquilibrium(fmt::format(
+          "stage \"{}\": no equilibrium at t = {:.6g} s, even with an increment of {:.2g} s; the unbalanced forces stay at {:.2g} "
+          "of the contact forces. A larger fem.relaxation (now {}) or a finer mesh may help",
+          stage().name, state_.state.time, dt, end.unbalance, model_.settings.relaxation));
+  }
+}
+
+/// The increment to follow one of dt (s) as far as the water is concerned: backward Euler errs by half of how much the change of pressure differs from that of
+/// the increment before, scaled to the same duration, and the square of dt. To be called before the change replaces the last one.
+Real LoadSteps::next_dt_of_flow(const std::vector<Real>& change, Real dt)
+{
+  if (last_dt_ == 0) return dt;
+  Real pressure = 0, error = 0;
+  for (Index k = model_.pressure_unknown(); k < model_.unknowns(); ++k) {
+    pressure += state_.displacement[k] * state_.displacement[k];
+    const Real bend = (change[k] - last_change_[k] * (dt / last_dt_)) / 2;
+    error += bend * bend;
+  }
+  largest_pressure_ = std::max(largest_pressure_, pressure);
+  // Round-off of pressures that the soil does not feel has no length.
+  constexpr Real not_felt = 1e-10;
+  const Real felt = not_felt * largest_stress(state_);
+  if (error <= felt * felt * static_cast<Real>(model_.flow.count)) return infinity;
+  return error > 0 ? dt * std::sqrt(max_pressure_error * std::sqrt(largest_pressure_ / error)) : infinity;
+}
+
+void LoadSteps::accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change)
+{
+  const Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), shortest_dt_) : infinity;
+  state_.state.time += dt;
+  ++state_.state.step;
+  if (model_.flow.count > 0) {
+    state_.state.stage.excess_pressure = largest_pressure(model_, state_.displacement);
+    note_without_waves(state_.state.stage.pressure_means, state_.state.stage.excess_pressure);
+  }
+  last_change_ = change;
+  last_dt_ = dt;
+  if (last_iterations_ <= few_iterations) relaxation_ = std::max(relaxation_ / 4, min_relaxation_);
+  if (last_iterations_ <= few_enough_iterations) dt_ = std::max(dt_, dt * 1.5);
+  if (model_.non_associated) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * min_growth / first_travel));
+  dt_ = std::min(dt_, longest);
+  accepted_above_tolerance_ = !end.converged;
+  if (accepted_above_tolerance_) dt_ = first_dt_;
+}
+
+void LoadSteps::refuse_overstress() const
+{
+  throw NoEquilibrium(fmt::format(
+      "stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, in viscous flow only",
+      stage().name, state_.state.time, state_.overstress));
+}
+
+bool LoadSteps::next_stage()
+{
+  max_overlap_ = 0;
+  if (state_.state.stage.index + 1 == static_cast<Index>(model_.model.stages.size())) return false;
+  const Index held = model_.model.conditions.table_of_stage[state_.state.stage.index];
+  ++state_.state.stage.index;
+  if (model_.model.conditions.table_of_stage[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
+    throw NoEquilibrium(
+        fmt::format("stage \"{}\": the soil does not reach equilibrium without the supports that are released", stage().name));
+  begin_stage(model_.model, state_.state);
+  if (const Real share = stage().strength_recovery; share > 0)
+    for (Index cell = 0; cell < state_.points.size(); ++cell)
+      for (int q = 0; q < triangle_points; ++q) recover(model_.soil_at(cell, q), share, state_.points[cell][q].law_state.data());
+  begin();
+  return true;
+}
+
+void LoadSteps::archive(Archive& k)
+{
+  k("relaxation", relaxation_);
+  k("first_dt", first_dt_);
+  k("shortest_dt", shortest_dt_);
+  k("dt", dt_);
+  k("last_dt", last_dt_);
+  k("last_iterations", last_iterations_);
+  k("accepted_above_tolerance", accepted_above_tolerance_);
+  k("largest_pressure", largest_pressure_);
+  k("last_change", last_change_);
+  if (!(relaxation_ > 0 && first_dt_ > 0 && dt_ > 0 && last_dt_ >= 0)) k.refuse("its increments have no length");
+  if (last_dt_ > 0 && static_cast<Index>(last_change_.size()) != model_.unknowns()) k.refuse("its last increment is of another mesh");
+}
+
+}  // namespace berm::fem

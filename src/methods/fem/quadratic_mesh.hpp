@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/rigid/rigid_body.hpp"
+#include "fem/element.hpp"
+#include "settings/case.hpp"
+
+namespace berm::fem {
+
+/// A side of an element at the boundary of the mesh, with the soil on the left from its first to its last node.
+struct BoundarySide {
+  Index from, to, middle;
+};
+
+/// 6-node triangles that fill the bodies. Nodes are numbered by first use, cells as in the mesh they are made from.
+struct QuadraticMesh {
+  NodeField<Vec<2>> position;                            ///< m
+  CellField<AtSixNodes<Index>> nodes;                    ///< corners counter-clockwise, then the mid-side nodes of 01, 12 and 20
+  CellField<Index> body;                                 ///< of each cell, an index into Case::body
+  CellField<Index> region;                               ///< of each cell, an index into Mesh::region_names
+  std::vector<NodeField<std::uint8_t>> fixed;            ///< by set of supports, as boundary::NodeTable::held; bit d: fixed in direction d
+  std::vector<NodeField<std::uint8_t>> impermeable;      ///< likewise: held by a support that is not drained
+  std::vector<NodeField<boundary::Holders<2>>> holders;  ///< as boundary::NodeTable::reactions; empty where no reactions are reported
+  std::vector<BoundarySide> boundary_sides;
+  std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
+
+  std::vector<std::vector<Index>> head_nodes;  ///< by boundary::Head of the model: the corners at its boundary
+
+  Index node_count() const { return position.size(); }
+  Index cell_count() const { return nodes.size(); }
+  AtSixNodes<Vec<2>> positions_of(Index cell) const;
+};
+
+/// Makes 6-node triangles of the cells in the regions of the bodies; other cells are left out, with the nodes that only they
+/// have. Nodes are fixed as the supports say; a mid-side node where its side is at the boundary and both ends are nodes of
+/// the support's boundary. A mid-side node at the boundary whose ends lie on the surface of a shape is moved onto it: the
+/// sides along a circle are curved. Throws InputError where a body is a block or a disk, where a region or boundary is
+/// unknown, where two bodies fill one region, or where an element is folded because its side is too long for the circle it
+/// lies on.
+QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const settings::Case& c, const std::vector<bodies::RigidShape<2>>& shapes);
+
+/// The sides at the boundary of which all three nodes lie on the surface of a shape, to a millionth of the side.
+std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape);
+
+}  // namespace berm::fem

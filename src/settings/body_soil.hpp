@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/body_settings.hpp"
+#include "material/material.hpp"
+
+namespace berm::settings {
+
+struct Case;
+
+/// A layer of a body at the start, down to the next one.
+struct SoilLayer {
+  Real top;  ///< m below the bed's surface
+  Index material;
+};
+
+/// The materials of a body, which all have one law, and where each of them lies at the start.
+struct BodySoil {
+  std::vector<material::Material> materials;  ///< each once; the first is that of what no layer or region names
+  std::vector<std::string> names;             ///< of their tables
+  std::vector<SoilLayer> layers = {};         ///< downwards, below the first material
+  std::map<std::string, Index> of_region = {};
+  Real gravity = 0;                                   ///< m/s2, size
+  std::optional<Real> vertical_stress_at_start = {};  ///< Pa, compression positive, where it is the same everywhere
+  std::vector<Index> of_fill = {};                    ///< by place in BodySettings::fill
+
+  /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
+  Index material_index_at(const std::string& region, Real depth) const;
+  /// The material there, with its strength and stiffness.
+  material::Material at(const std::string& region, Real depth) const;
+  /// Of a fill so far below its top, m, under its own weight.
+  material::Material in_fill(Index material, Real depth) const;
+  /// Mass of the soil above a depth over area, kg/m2, that gives the weight: of the layers; in bodies without layers of the material there alone.
+  Real mass_above(const std::string& region, Real depth) const;
+  /// Vertical effective stress at the start there, Pa, compression positive, of the weight above or as the input gives it.
+  Real vertical_stress(const std::string& region, Real depth) const;
+};
+
+/// One material everywhere.
+BodySoil soil_of_one(const material::Material& material, const std::string& name = "");
+
+/// The soil that a case asks for in a body; equal materials become one. In the material point method a body has one density over inertia density, that of its first
+/// material: the inertia densities of the others follow, where water does not flow.
+BodySoil soil_of(const Case& c, const bodies::BodySettings& body);
+
+/// Whether the particles of a body differ in strength, stiffness or material: then each keeps its own.
+bool varies(const BodySoil& soil);
+
+/// What these particles keep, after the state variables of the law: strength, stiffness, and the material's number where there are several.
+std::vector<FieldInfo> local_fields(const BodySoil& soil);
+std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth);
+std::vector<Real> local_values(const BodySoil& soil, Index material, const material::Material& there);
+
+/// The material of a particle, from its extra numbers.
+const material::Material& material_of(const BodySoil& soil, const Real* extra);
+/// Where its number is among them; none where there is one material.
+int material_index_offset(const BodySoil& soil);
+
+/// All extra fields of a body's particles: those of its law, then what each keeps of its own.
+std::vector<FieldInfo> particle_extra(const BodySoil& soil);
+
+/// The names of the materials that a body, its layers, regions and fills have.
+std::vector<std::string> materials_of(const bodies::BodySettings& body);
+/// Whether a body names the material.
+bool is_used(const Case& c, const std::string& material);
+
+/// Refuses layers, regions and fills that do not fit together.
+void check_soil(Describe& d, const Case& c, const std::string& path, const bodies::BodySettings& body);
+
+/// Gives a body and its layers the friction angles from which their K0 follows, and refuses K0 by the stress history of soil that has none.
+void find_k0(Describe& d, const Case& c, const std::string& path, bodies::BodySettings& body);
+
+/// Throws InputError where strength or stiffness at a depth (m) that a body reaches are none.
+void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body);
+
+/// What a time step takes of the soils of a body together: speed of pressure waves (m/s), inertia density (kg/m3), and their product; the largest K and 2G over this
+/// density (m2/s2), K with the water that stays in the pores.
+struct SoilWaves {
+  Real fastest = 0, slowest = infinity;
+  Real mean_speed = 0, mean_density = 0, mean_impedance = 0, min_density = infinity;
+  Real bulk = 0, shear = 0;
+};
+SoilWaves waves_of(const material::Material& material);
+
+}  // namespace berm::settings
