@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/problem/axisymmetry_test.cpp
-#include "problem/supports.hpp"
 #include "settings/symmetry.hpp"
 
 #include <algorithm>

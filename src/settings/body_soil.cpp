@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/problem/body_soil_test.cpp
 #include "settings/body_soil.hpp"
 
 #include "os/error.hpp"

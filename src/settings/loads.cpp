@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/problem/loads_test.cpp
 #include "settings/loads.hpp"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/problem/time_scale_test.cpp
 #include "settings/time_scale.hpp"
 
 #include "bodies/rigid/shape.hpp"

@@ -9,7 +9,6 @@
 #include "material/laws.hpp"
 #include "mpm/divide.hpp"
 #include "mpm/step.hpp"
-#include "settings/interface.hpp"
 #include "simulation/memory.hpp"
 #include "user_law/loaded_law.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clay that shakes below its strength stays as it is, however long.
 #include "material/clay.hpp"
-#include "settings/interface.hpp"
 #include "simulate.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,6 @@
 #include "problem/cells_at_body.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/sanity.hpp"
-#include "settings/symmetry.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

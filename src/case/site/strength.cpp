@@ -2,7 +2,6 @@
 #include "site/strength.hpp"
 
 #include "os/error.hpp"
-#include "settings/interface.hpp"
 
 #include <algorithm>
 #include <cmath>

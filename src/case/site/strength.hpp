@@ -2,7 +2,6 @@
 // Tests: tests/unit/site/strength_test.cpp
 #pragma once
 
-#include "settings/interface.hpp"
 #include "site/sounding.hpp"
 
 namespace berm::site {

@@ -5,7 +5,6 @@
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
 #include "os/text_of_list.hpp"
-#include "settings/interface.hpp"
 #include "site/doubts.hpp"
 #include "start/soils.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/start/soils_test.cpp
-#include "settings/interface.hpp"
 #include "start/soils.hpp"
 
 namespace berm::start {

@@ -4,7 +4,6 @@
 #include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
 #include "material/mohr_coulomb.hpp"
-#include "settings/interface.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -6,7 +6,6 @@
 #include "material/increment.hpp"
 #include "material/law_queries.hpp"
 #include "material/mohr_coulomb_return.hpp"
-#include "settings/interface.hpp"
 
 namespace berm::material {
 

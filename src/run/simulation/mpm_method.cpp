@@ -16,7 +16,6 @@
 #include "problem/stages.hpp"
 #include "run_folder/checkpoint_file.hpp"
 #include "run_folder/frames.hpp"
-#include "settings/interface.hpp"
 #include "settings/safety.hpp"
 #include "settings/time_scale.hpp"
 #include "simulation/good_sense.hpp"

@@ -12,7 +12,6 @@
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "os/text_of_list.hpp"
-#include "settings/interface.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/run_of_ranks.hpp"

@@ -6,7 +6,6 @@
 #include "os/error.hpp"
 
 #include "samples/desk_client.hpp"
-#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include "material/clay.hpp"
 #include "material/modified_cam_clay.hpp"
 #include "sample_tests.hpp"
-#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 

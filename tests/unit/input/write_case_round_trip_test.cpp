@@ -5,7 +5,6 @@
 #include "os/error.hpp"
 #include "samples/small_cases.hpp"
 #include "samples/wrong_inputs.hpp"
-#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "material/clay.hpp"
-#include "settings/interface.hpp"
 
 namespace berm::material {
 

@@ -5,7 +5,6 @@
 #include "material/laws.hpp"
 #include "material/tangent.hpp"
 #include "mohr_coulomb_cases.hpp"
-#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 #include "material/depth_profile.hpp"
 
 #include "material/material.hpp"
-#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

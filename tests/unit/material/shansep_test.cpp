@@ -4,7 +4,6 @@
 #include "material/clay.hpp"
 #include "material/material.hpp"
 #include "material/mohr_coulomb.hpp"
-#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 

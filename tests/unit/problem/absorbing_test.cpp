@@ -3,7 +3,7 @@
 
 #include "mesh/box.hpp"
 #include "os/error.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K0 that follows from the stress history, at the particles: (1 - sin phi) OCR^(sin phi), at most Kp (Mayne and Kulhawy 1982).
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include "material/mohr_coulomb.hpp"
 

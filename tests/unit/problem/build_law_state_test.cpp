@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sample_case.hpp"
 #include "samples/critical_state_soils.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "mesh/seabed.hpp"
 #include "os/error.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

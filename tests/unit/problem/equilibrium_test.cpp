@@ -2,7 +2,7 @@
 #include "problem/equilibrium.hpp"
 
 #include "os/error.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>

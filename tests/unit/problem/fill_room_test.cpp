@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/fill_room.hpp"
 
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 

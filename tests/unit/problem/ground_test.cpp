@@ -5,7 +5,7 @@
 #include "mesh/mesh_settings.hpp"
 #include "problem/model.hpp"
 #include "problem/stages.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "mesh/box.hpp"
 #include "os/error.hpp"
 #include "problem/heads.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 

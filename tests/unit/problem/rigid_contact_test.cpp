@@ -2,7 +2,7 @@
 #include "problem/rigid_contact.hpp"
 
 #include "os/error.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 

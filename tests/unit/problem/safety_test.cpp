@@ -3,8 +3,7 @@
 
 #include "material/clay.hpp"
 #include "material/mohr_coulomb.hpp"
-#include "sample_case.hpp"
-#include "settings/interface.hpp"
+#include "samples/sample_case.hpp"
 #include "settings/safety.hpp"
 
 #include <gtest/gtest.h>

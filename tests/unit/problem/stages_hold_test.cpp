@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a stage holds of the force that the soil had on the body when it began.
-#include "sample_driver.hpp"
+#include "samples/sample_driver.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

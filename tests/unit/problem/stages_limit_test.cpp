@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Limits that know where the body goes, and how a drive comes to its force.
-#include "sample_driver.hpp"
+#include "samples/sample_driver.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What stands still from the begin of a stage on.
-#include "sample_driver.hpp"
+#include "samples/sample_driver.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sample_driver.hpp"
+#include "samples/sample_driver.hpp"
 
 #include <gtest/gtest.h>
 

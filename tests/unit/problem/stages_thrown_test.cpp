@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Free bodies that begin with a velocity.
-#include "sample_driver.hpp"
+#include "samples/sample_driver.hpp"
 
 #include <gtest/gtest.h>
 

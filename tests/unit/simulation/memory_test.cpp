@@ -6,7 +6,6 @@
 #include "mpm/step.hpp"
 #include "os/error.hpp"
 #include "run_folder/frame_maker.hpp"
-#include "settings/interface.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>

@@ -4,7 +4,6 @@
 
 #include "os/error.hpp"
 #include "samples/error_of.hpp"
-#include "settings/interface.hpp"
 
 #include <functional>
 #include <gtest/gtest.h>

@@ -3,7 +3,6 @@
 #include "site/strength.hpp"
 
 #include "os/error.hpp"
-#include "settings/interface.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>

@@ -5,7 +5,6 @@
 #include "os/error.hpp"
 #include "samples/lived_pipe.hpp"
 #include "samples/made_run_in_water.hpp"
-#include "settings/interface.hpp"
 #include "springs/design.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include "material/laws.hpp"
 #include "picture/stage_words.hpp"
 #include "settings/drainage.hpp"
-#include "settings/interface.hpp"
 #include "settings/time_scale.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/soil_words.hpp"

@@ -2,7 +2,7 @@
 #include "settings/time_scale.hpp"
 
 #include "material/mohr_coulomb.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 

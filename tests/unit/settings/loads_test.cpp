@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings/loads.hpp"
 
-#include "sample_driver.hpp"
+#include "samples/sample_driver.hpp"
 #include "settings/load_checks.hpp"
 #include "settings/symmetry.hpp"
 

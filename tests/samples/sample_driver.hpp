@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 namespace berm::problem {
 

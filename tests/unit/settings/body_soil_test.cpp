@@ -3,7 +3,7 @@
 
 #include "material/mohr_coulomb.hpp"
 #include "os/error.hpp"
-#include "sample_case.hpp"
+#include "samples/sample_case.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns of displacements, jumps, and records that are repeated.
-#include "sample_driver.hpp"
+#include "samples/sample_driver.hpp"
 #include "settings/load_checks.hpp"
 #include "settings/symmetry.hpp"
 
