@@ -86,7 +86,9 @@ test("charts_of_a_structure_have_a_trace_for_each_curve", () => {
   const run = run_to(0.022), axis = (meaning: string, symbol: string, unit: string) => ({ meaning, symbol, unit });
   const curve = (name: string, to: number, smoothed: (number | null)[]) => ({ name, rows: [0, 1], x: [0, to], y: [0, 3 * to], smoothed });
   run.charts = [{ chart: "p_y", title: "p-y", x: axis("displacement", "y", "m"), y: axis("resistance", "p", "N/m"), curves: [curve("1 m", 2, [0, 6]), curve("3 m", 1, [null, null])] }];
-  const [plan] = own_plans(page_of(run));
+  run.charts.push({ ...run.charts[0], chart: "deep", curves: [run.charts[0].curves[1]] });
+  const [plan, deep] = own_plans(page_of(run));
+  assert.deepEqual(deep.traces[0].style, plan.traces[1].style, "one name, one look");
   assert.deepEqual(plan.traces.map((trace) => [trace.label, trace.value, trace.mean]), [["1 m", [0, 6], [0, 6]], ["3 m", [0, 3], null]]);
   assert.equal(plan.value.kind, "force");
   assert.equal(plan.by_run, false);

@@ -95,14 +95,15 @@ export function drag_plans(data: PageData): Plan[] {
   ];
 }
 
-/** The charts that structures have by themselves, of each run its own. */
+/** The charts that structures have by themselves, of each run its own; curves of one name look the same in all of them. */
 export function own_plans(data: PageData): Plan[] {
+  const names = (run: RunData) => [...new Set((run.charts ?? []).flatMap((chart) => chart.curves.map((curve) => curve.name)))];
   return data.runs.flatMap((run, index) => (run.charts ?? []).map((chart) => plan({
     id: index === 0 ? chart.chart : `${chart.chart}_${index + 1}`, title: data.runs.length === 1 ? chart.title : `${run.name}: ${chart.title}`,
     argument: quantity_of_axis(chart.x), value: quantity_of_axis(chart.y), by_run: false, in_plane: true, zero: true,
-    traces: chart.curves.map(({ name, rows, x, y, smoothed = null }, k) => ({
+    traces: chart.curves.map(({ name, rows, x, y, smoothed = null }) => ({
       rows, argument: x, value: y, mean: is_known(smoothed) ? smoothed : null, argument_column: chart.x.symbol, value_column: chart.y.symbol,
-      label: name, style: run_style(k), run,
+      label: name, style: run_style(names(run).indexOf(name)), run,
     })),
   })));
 }
