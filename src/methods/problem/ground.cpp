@@ -9,7 +9,7 @@ namespace berm::problem {
 namespace {
 
 /// A side of the soil that looks upwards.
-struct Side {
+struct UpperSide {
   Vec<2> left, right;
 
   Real height(Real x) const { return left[1] + (x - left[0]) / (right[0] - left[0]) * (right[1] - left[1]); }
@@ -26,10 +26,10 @@ std::vector<char> filled_cells(const settings::Case& c, const mesh::Mesh<2>& mes
 }
 
 /// The sides of filled cells with nothing filled beyond them whose outward normal points upwards.
-std::vector<Side> upper_sides(const mesh::Mesh<2>& mesh, const std::vector<char>& filled)
+std::vector<UpperSide> upper_sides(const mesh::Mesh<2>& mesh, const std::vector<char>& filled)
 {
   const Real margin = 1e-9 * (mesh.upper[0] - mesh.lower[0]);
-  std::vector<Side> sides;
+  std::vector<UpperSide> sides;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (int corner = 0; filled[cell] && corner < 3; ++corner) {
       const Index beyond = mesh.neighbor(cell, corner);
@@ -38,26 +38,26 @@ std::vector<Side> upper_sides(const mesh::Mesh<2>& mesh, const std::vector<char>
       const Vec<2>&from = mesh.position[mesh.nodes[cell][(corner + 1) % 3]], &to = mesh.position[mesh.nodes[cell][(corner + 2) % 3]];
       if (to[0] < from[0] - margin) sides.push_back({to, from});
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.left[0] < b.left[0]; });
+  std::sort(sides.begin(), sides.end(), [](const UpperSide& a, const UpperSide& b) { return a.left[0] < b.left[0]; });
   return sides;
 }
 
 /// The highest sides from left to right.
-mesh::GroundLine envelope_of(const std::vector<Side>& sides)
+mesh::GroundLine envelope_of(const std::vector<UpperSide>& sides)
 {
   std::vector<Real> xs;
-  for (const Side& side : sides) xs.insert(xs.end(), {side.left[0], side.right[0]});
+  for (const UpperSide& side : sides) xs.insert(xs.end(), {side.left[0], side.right[0]});
   std::sort(xs.begin(), xs.end());
   xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
   mesh::GroundLine line;
-  std::vector<const Side*> here;
+  std::vector<const UpperSide*> here;
   std::size_t next = 0;
   for (std::size_t k = 0; k + 1 < xs.size(); ++k) {
-    std::erase_if(here, [&](const Side* side) { return side->right[0] <= xs[k]; });
+    std::erase_if(here, [&](const UpperSide* side) { return side->right[0] <= xs[k]; });
     for (; next < sides.size() && sides[next].left[0] <= xs[k]; ++next) here.push_back(&sides[next]);
     const Real middle = (xs[k] + xs[k + 1]) / 2;
-    const auto highest =
-        std::max_element(here.begin(), here.end(), [&](const Side* a, const Side* b) { return a->height(middle) < b->height(middle); });
+    const auto highest = std::max_element(here.begin(), here.end(),
+                                          [&](const UpperSide* a, const UpperSide* b) { return a->height(middle) < b->height(middle); });
     if (highest == here.end()) continue;
     for (const Real x : {xs[k], xs[k + 1]}) {
       const Vec<2> corner(x, (*highest)->height(x));

@@ -55,16 +55,6 @@ TEST(Anchor, knows_the_names_of_its_results_before_a_run)
   EXPECT_FALSE(knows(run.settings, "tow_force"));
 }
 
-TEST(Anchor, says_in_words_where_it_goes)
-{
-  const record::RunRecord run = dragged();
-  const std::string words = anchor().in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
-  EXPECT_NE(words.find("from a depth of 2 mm to 52 mm"), std::string::npos) << words;
-  EXPECT_NE(words.find("at a constant depth"), std::string::npos) << words;
-  EXPECT_NE(anchor().key_results({{&run, 0}}, base::DisplayUnits({{base::body_scale(run), &run.quantities}})).find("anchor-tow"),
-            std::string::npos);
-}
-
 TEST(Anchor, that_was_not_dragged_has_no_tow)
 {
   MadeRun made;

@@ -67,20 +67,10 @@ TEST(Lateral, load_acts_at_the_point_that_the_case_names)
   EXPECT_NE(html.find("72.40</td>"), std::string::npos) << html;  // at u = 0.02 D = 40 mm: (pivot + height) times a tilt of 8 mrad
 }
 
-TEST(Lateral, results_are_said_in_words_and_stand_in_tables)
+TEST(Lateral, load_is_an_answer_and_where_it_acts_is_prescribed)
 {
   const record::RunRecord run = pile();
-  const base::Structure& structure = structures::structure_of(run.settings);
-  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
-  const std::string words = structure.in_words(run, shown), table = structure.table_of(run);
-  EXPECT_NE(words.find("(D = 2 m, 8 m of it in the bed) carries H = 4000 kN at a displacement of 199.9 mm (0.1 D) at the bed"),
-            std::string::npos)
-      << words;
-  EXPECT_NE(words.find("The load acts 4 m above the bed"), std::string::npos) << words;
-  EXPECT_NE(words.find("about a point 5 m below the bed"), std::string::npos) << words;
-  EXPECT_NE(structure.key_results({{&run, 0}}, shown).find("pile-sideways-end"), std::string::npos);
-  EXPECT_NE(table.find("lateral_pivot_end"), std::string::npos) << table;
-  EXPECT_EQ(curves_in(structure.charts(run), "H_u").size(), 1u);
+  EXPECT_EQ(curves_in(structures::structure_of(run.settings).charts(run), "H_u").size(), 1u);
   EXPECT_EQ(run.quantity("lateral_H_end")->kind, run_folder::QuantityKind::answer);
   EXPECT_NE(run.quantity("lateral_height_end")->kind, run_folder::QuantityKind::answer);
 }
