@@ -36,7 +36,7 @@ class Maker {
 public:
   Maker(const mesh::Mesh<2>& mesh, const settings::Case& c)
       : mesh_(mesh),
-        body_of_(problem::bodies_of_regions(mesh, c)),
+        body_of_(bodies_of_regions(mesh, c)),
         node_number_(mesh.node_count(), none),
         cell_number_(mesh.cell_count(), none)
   {
