@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::minutes longest{10};
-constexpr std::uintmax_t most_bytes = 64 << 20;
+constexpr std::uintmax_t most_output_bytes = 64 << 20;
 
 }  // namespace
 
@@ -64,8 +64,8 @@ CommandOutput Questions::ask(const Question& question)
     }
     lock.unlock();
     const auto begin = std::chrono::steady_clock::now();
-    CommandOutput told{process->wait(longest), {}, io::read_text_file(messages, most_bytes)};
-    told.text = question.made.empty() ? told.messages : io::read_text_file(place / question.made, most_bytes);
+    CommandOutput told{process->wait(longest), {}, io::read_text_file(messages, most_output_bytes)};
+    told.text = question.made.empty() ? told.messages : io::read_text_file(place / question.made, most_output_bytes);
     lock.lock();
     const auto last = about_.find(question.about);
     const bool stands = last == about_.end() || last->second == process;

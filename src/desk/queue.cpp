@@ -19,7 +19,7 @@
 namespace berm::desk {
 namespace {
 
-constexpr std::size_t most_entries = 1000;
+constexpr std::size_t most_queue_entries = 1000;
 constexpr std::ptrdiff_t most_at_work = 300;  // each that waits has a file open
 
 bool at_work(const Queue::Entry& entry)
@@ -77,7 +77,7 @@ void Queue::add(Work work)
   messages_.erase(work.name);
   messages_.try_emplace(work.name, work);
   entries_.remove_if(same);
-  if (entries_.size() >= most_entries) {
+  if (entries_.size() >= most_queue_entries) {
     const auto oldest = std::find_if_not(entries_.begin(), entries_.end(), at_work);
     entries_.erase(oldest);
   }

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/anchor/anchor_test.cpp
 #include "structures/anchor/anchor.hpp"
 
+#include "record/travel_curve.hpp"
 #include "structures/driven/path.hpp"
 
 #include <algorithm>
