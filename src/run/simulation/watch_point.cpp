@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 namespace berm::simulation {
 namespace {
@@ -71,26 +71,6 @@ std::vector<Index> patches_around(const problem::Model<dim>& model, Index cell)
   return firsts;
 }
 
-/// A tensor of the plane with a third axis: solvers of Eigen are compiled for space alone.
-template <int dim>
-Matrix<3> in_space(const Matrix<dim>& tensor, Real third)
-{
-  Matrix<3> whole = Matrix<3>::Identity() * third;
-  whole.template topLeftCorner<dim, dim>() = tensor;
-  return whole;
-}
-
-/// Least squares along the axes along which places differ by more than this variance.
-Vec<3> slope_where_known(const Matrix<3>& spread, const Matrix<3>& squares, const Vec<3>& center, Real min_variance)
-{
-  const Eigen::SelfAdjointEigenSolver<Matrix<3>> axes(spread);
-  Matrix<3> along = axes.eigenvectors(), unknown = Matrix<3>::Zero();
-  for (int k = 0; k < 3; ++k)
-    if (!(axes.eigenvalues()[k] > min_variance)) along.col(k).setZero(), unknown(k, k) = 1;
-  const Matrix<3> matrix = along.transpose() * squares * along + unknown;
-  return along * (matrix.inverse() * (along.transpose() * -center));
-}
-
 /// Lengths to units in which the neighbours of a patch are about 2 away, whatever its shape: the inverse of the root of the second moment of its corners.
 template <int dim>
 Matrix<dim> units_of_patch(const problem::Model<dim>& model, Index cell)
@@ -107,8 +87,7 @@ Matrix<dim> units_of_patch(const problem::Model<dim>& model, Index cell)
     const Vec<dim> d = model.mesh.position[node] - model.mesh.position[nodes[0]] - center;
     squares += d * d.transpose() / static_cast<Real>(nodes.size());
   }
-  const Matrix<3> root = Eigen::SelfAdjointEigenSolver<Matrix<3>>(in_space<dim>(squares, 1)).operatorInverseSqrt();
-  return root.template topLeftCorner<dim, dim>();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, dim, dim>>(squares).operatorInverseSqrt();
 }
 
 }  // namespace
@@ -135,10 +114,13 @@ std::vector<Real> linear_fit_at_origin(const std::vector<Vec<dim>>& places, cons
     spread += sizes[k] / size * (places[k] - middle) * (places[k] - middle).transpose();
     squares += parts[k] / sum * (places[k] - center) * (places[k] - center).transpose();
   }
-  Vec<3> center_in_space = Vec<3>::Zero();
-  center_in_space.template head<dim>() = center;
-  const Vec<dim> slope =
-      slope_where_known(in_space<dim>(spread, 0), in_space<dim>(squares, 0), center_in_space, min_variance).template head<dim>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, dim, dim>> axes(spread);
+  const int known = static_cast<int>((axes.eigenvalues().array() > min_variance).count());  // the last ones: they ascend
+  Vec<dim> slope = Vec<dim>::Zero();
+  if (known > 0) {
+    const auto along = axes.eigenvectors().rightCols(known);
+    slope = along * (along.transpose() * squares * along).ldlt().solve(along.transpose() * -center);
+  }
   for (std::size_t k = 0; k < count; ++k) parts[k] *= (1 + slope.dot(places[k] - center)) / sum;
   return parts;
 }
