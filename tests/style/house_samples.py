@@ -43,7 +43,7 @@ SAMPLES = {
             {"CMakeLists.txt": "".join(f"berm_room(base/room_{k})\n" for k in range(67))},
             {"CMakeLists.txt": "".join(f"berm_room(base/room_{k})\n" for k in range(23)) + "berm_room(run/simulation USES " + " ".join(f"room_{k}" for k in range(23)) + ")\n"},
         ],
-        [{"CMakeLists.txt": "berm_room(base/os)\nberm_room(engine/core USES os)\nberm_room(fem USES core)\nberm_room(commands USES fem)\n"}],
+        [{"CMakeLists.txt": "berm_room(base/os)\nberm_room(engine/core USES os)\nberm_room(methods/fem USES core)\nberm_room(commands USES fem)\n"}],
     ),
     "namespaces": (
         [{"src/engine/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/pages/report/page/a.cpp": "namespace berm::page {\n}\n"}, {"tests/unit/mesh/a.cpp": "namespace berm::mesh {\n}\n"}],

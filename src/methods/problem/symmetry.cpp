@@ -2,8 +2,8 @@
 #include "problem/symmetry.hpp"
 
 #include "os/error.hpp"
-#include "settings/symmetry.hpp"
 #include "problem/supports.hpp"
+#include "settings/symmetry.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
