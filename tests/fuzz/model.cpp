@@ -48,7 +48,7 @@ bool is_small(const settings::Case& c)
 template <int dim>
 void make_steps(const settings::Case& c)
 {
-  problem::Problem<dim> problem = build<dim>(c, "", scratch);
+  problem::Problem<dim> problem = problem::build<dim>(c, "", scratch);
   mpm::Workspace<dim> workspace(problem.model, problem.state);
   stable_time_steps(problem.model, problem.state, workspace);
   for (int n = 0; n < 3; ++n) {

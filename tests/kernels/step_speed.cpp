@@ -410,7 +410,7 @@ nlohmann::ordered_json measure_speed(const char* name, const settings::Case& c, 
 {
   const io::ScratchFolder scratch;
   const Real memory_before = simulation::memory_of_data();
-  problem::Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
+  problem::Problem<dim> problem = problem::build<dim>(c, ".", scratch.path().string());
   const BigIndex particles = problem.state.particles[0].size();
   const Division<dim> division(problem);
   ::malloc_trim(0);  // as a run does

@@ -53,7 +53,7 @@ void expect_level_ground(Real k0)
 {
   SCOPED_TRACE(testing::Message() << dim << "D, k0 " << k0);
   const settings::Case c = bed<dim>(k0);
-  problem::Problem<dim> problem = build<dim>(c, mesh_of_bed<dim>(c, 0));
+  problem::Problem<dim> problem = problem::build<dim>(c, mesh_of_bed<dim>(c, 0));
   const bodies::Particles<dim>& particles = problem.state.particles[0];
   // Stress is one a cell, and the volumetric projection averages it over patches, of which some join two rows: the error is a part of what the stress changes
   // by from row to row, and falls with the size of the cells.
@@ -86,7 +86,7 @@ TEST(GravityLoading, is_the_k0_state_below_level_ground)
 TEST(GravityLoading, leaves_a_slope_in_balance)
 {
   settings::Case c = bed<2>(0.5);
-  problem::Problem<2> problem = build<2>(c, mesh_of_bed<2>(c, 0.2));
+  problem::Problem<2> problem = problem::build<2>(c, mesh_of_bed<2>(c, 0.2));
   EXPECT_LT(out_of_balance(problem), 1e-8);
   // Under the high side more soil presses on the base than under the low one, by the weight of the columns.
   Real high = 0, low = 0;
@@ -125,11 +125,11 @@ TEST(GravityLoading, carries_layers_that_a_contact_joins)
     });
     return sum / volume;
   };
-  EXPECT_NEAR(vertical_at_base(build<2>(c, mesh)), -gravity * (2500 * 0.5 + 1000 * 1.375), 1e-3);
+  EXPECT_NEAR(vertical_at_base(problem::build<2>(c, mesh)), -gravity * (2500 * 0.5 + 1000 * 1.375), 1e-3);
 
   const auto message_of = [&] {
     try {
-      build<2>(c, mesh);
+      problem::build<2>(c, mesh);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -147,16 +147,16 @@ TEST(LevelGround, is_asked_of_k0)
 {
   settings::Case c = bed<2>(0.5);
   c.initial_state = settings::InitialState::level_ground;
-  EXPECT_NO_THROW(build<2>(c, mesh_of_bed<2>(c, 0)));
-  EXPECT_THROW(build<2>(c, mesh_of_bed<2>(c, 0.1)), InputError);
+  EXPECT_NO_THROW(problem::build<2>(c, mesh_of_bed<2>(c, 0)));
+  EXPECT_THROW(problem::build<2>(c, mesh_of_bed<2>(c, 0.1)), InputError);
   c.surface = 2.5;
-  EXPECT_THROW(build<2>(c, mesh_of_bed<2>(c, 0)), InputError);
+  EXPECT_THROW(problem::build<2>(c, mesh_of_bed<2>(c, 0)), InputError);
   c.body[0].second.k0.reset();
-  EXPECT_NO_THROW(build<2>(c, mesh_of_bed<2>(c, 0.1)));
+  EXPECT_NO_THROW(problem::build<2>(c, mesh_of_bed<2>(c, 0.1)));
   settings::Case space = bed<3>(0.5);
   space.initial_state = settings::InitialState::level_ground;
-  EXPECT_NO_THROW(build<3>(space, mesh_of_bed<3>(space, 0)));
-  EXPECT_THROW(build<3>(space, mesh_of_bed<3>(space, 0.1)), InputError);
+  EXPECT_NO_THROW(problem::build<3>(space, mesh_of_bed<3>(space, 0)));
+  EXPECT_THROW(problem::build<3>(space, mesh_of_bed<3>(space, 0.1)), InputError);
 }
 
 }  // namespace

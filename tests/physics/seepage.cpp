@@ -158,6 +158,17 @@ TEST(SeepageWeight, of_the_soil_is_less_by_the_gradient)
   EXPECT_NEAR(reaction, exact, 0.005 * exact);
 }
 
+/// The excess pore pressure of the first head at the present time, Pa.
+Real pressure_of_head(const Simulation<2>& run)
+{
+  Real pressure = nan;
+  const problem::State<2>& state = run.problem.state;
+  boundary::for_each_of<boundary::Head<2>>(run.problem.model.conditions, [&](std::size_t number, const auto& row, const auto& head) {
+    if (number == 0) pressure = acting_fraction(row, state.heads[0], state.time) * head.pressure;
+  });
+  return pressure;
+}
+
 TEST(SeepageInStages, comes_and_goes_over_its_ramp_with_the_stages_of_its_support)
 {
   settings::Case c = column<2>();
@@ -170,20 +181,20 @@ TEST(SeepageInStages, comes_and_goes_over_its_ramp_with_the_stages_of_its_suppor
   Simulation<2> run(c);
   ASSERT_EQ(count_of<boundary::Head<2>>(run.model().conditions), 1u);
   run.run_until(0.01);
-  EXPECT_EQ(pressure_of_head(run.model(), run.state(), 0), 0);
+  EXPECT_EQ(pressure_of_head(run), 0);
   EXPECT_LT(pressure_error(run, [](Real) { return 0; }), 1e-9);
   run.state().stage.index = 1;
   begin_stage(run.model(), run.state());
   const Real begin = run.state().time;
   run.run_until(begin + 2.5e-3);
-  EXPECT_NEAR(pressure_of_head(run.model(), run.state(), 0), outside * (run.state().time - begin) / 5e-3, 1e-9 * outside);
+  EXPECT_NEAR(pressure_of_head(run), outside * (run.state().time - begin) / 5e-3, 1e-9 * outside);
   run.run_until(begin + 0.02);
-  EXPECT_EQ(pressure_of_head(run.model(), run.state(), 0), outside);
+  EXPECT_EQ(pressure_of_head(run), outside);
   EXPECT_GT(pressure_error(run, [](Real) { return 0; }), 0.5 * outside);
   run.state().stage.index = 0;
   begin_stage(run.model(), run.state());
   run.run_until(run.state().time + 6e-3);
-  EXPECT_EQ(pressure_of_head(run.model(), run.state(), 0), 0) << "gone with the stage";
+  EXPECT_EQ(pressure_of_head(run), 0) << "gone with the stage";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace berm {
 /// A case, built and stepped without files.
 template <int dim>
 struct Simulation {
-  explicit Simulation(const settings::Case& c) : problem(build<dim>(c, ".", ".")), workspace(problem.model, problem.state) {}
+  explicit Simulation(const settings::Case& c) : problem(problem::build<dim>(c, ".", ".")), workspace(problem.model, problem.state) {}
 
   problem::Model<dim>& model() { return problem.model; }
   problem::State<dim>& state() { return problem.state; }

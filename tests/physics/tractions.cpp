@@ -37,7 +37,9 @@ mesh::Mesh<2> mesh_of_quarter(const settings::Case& c)
 struct PulledSoil {
   problem::Problem<2> problem;
   mpm::Workspace<2> workspace;
-  explicit PulledSoil(const settings::Case& c) : problem(build<2>(c, mesh_of_quarter(c))), workspace(problem.model, problem.state) {}
+  explicit PulledSoil(const settings::Case& c) : problem(problem::build<2>(c, mesh_of_quarter(c))), workspace(problem.model, problem.state)
+  {
+  }
   void run_until(Real end)
   {
     while (problem.state.time < end) step(problem.model, problem.state, workspace);
@@ -93,7 +95,7 @@ TEST(Traction, goes_over_its_ramp_and_acts_in_its_stages_only)
   c.stage[0].name = "with";
   c.stage[1].name = "without";
   c.traction[0].second.stages = {"with"};
-  auto [model, state] = build<2>(c, mesh_of_quarter(c));
+  auto [model, state] = problem::build<2>(c, mesh_of_quarter(c));
   const auto part = [&](Real time) { return acting_fraction(model.tractions[0], state.tractions[0], time); };
   EXPECT_EQ(part(0), 0);
   EXPECT_NEAR(part(0.005), 0.25, 1e-15);

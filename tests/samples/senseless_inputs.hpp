@@ -493,7 +493,7 @@ inline const std::vector<SenselessInput>& senseless_inputs()
       {"geostatic_without_damping", "bed", warned, {"stage.geostatic.damping", "oscillates", "0.7"}, {"stage.geostatic.damping=0"}, "", ""},
       {"mass_of_nothing", "bed", refused, {"rigid.pipe.mass", "too small", "kg/m"}, {"rigid.pipe.mass=1e-9"}, "", ""},
       {"mass_too_small", "bed", warned, {"rigid.pipe.mass", "vibrates", "kg/m"}, {"rigid.pipe.mass=1 g/m"}, "", ""},
-      {"mass_too_large", "bed", warned, {"rigid.pipe.mass", "its own inertia"}, {"rigid.pipe.mass=1e6"}, "", ""},
+      {"mass_too_large", "bed", warned, {"rigid.pipe.mass", "keeps moving by its inertia"}, {"rigid.pipe.mass=1e6"}, "", ""},
       {"much_damping", "bed", warned, {"body.sand.damping", "0.02 to 0.05"}, {"body.sand.damping=0.9"}, "", ""},
       {"much_damping_in_a_stage", "bed", warned, {"stage.push.damping", "0.02 to 0.05"}, {"stage.push.damping=0.8"}, "", ""},
       {"held_force_upwards", "bed", warned, {"stage.drag.vertical_force", "lifts"}, {"stage.drag.vertical_force=-100"}, "", ""},

@@ -98,7 +98,7 @@ inline const std::vector<SenselessTemplate>& senseless_templates()
       {"lay_motions_of_a_hair", "flowline-in-sensitive-clay", "amplitude = \"40 mm\"", "amplitude = \"0.04 mm\"", "stage.lay.amplitude",
        "of the width of the body"},
       {"flowline_of_150_tonnes", "flowline-in-sensitive-clay", "mass = \"150 kg/m\"", "mass = \"150 t/m\"", "rigid.flowline.mass",
-       "its own inertia"},
+       "keeps moving by its inertia"},
       {"cable_lighter_than_its_weight", "storm-on-a-cable", "mass = \"60 kg/m\"", "mass = \"6 kg/m\"", "rigid.cable.mass",
        "less than its weight in water"},
       {"sand_of_50_kilopascal", "storm-on-a-cable", "cohesion = \"50 Pa\"", "cohesion = \"50 kPa\"", "material.sand.cohesion",

@@ -156,7 +156,7 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
   says("time_s,W_N_m", "did you mean \"w_m_s\"?");
   says("time_s,factor,H_N_m", "\"factor\" must be the only column after the time");
   says("time_s,H_N_m,factor", "\"factor\" must be the only column after the time");
-  says("time_s,x_N_m", "no column of the load history of this stage");
+  says("time_s,x_N_m", "not a column of the load history of this stage");
   says("t,H_N_m", "the first column is the time, \"time_s\"");
   says("time,H_N_m", "\"time\" has no unit");
   says("time_m,H_N_m", "\"time_m\" has no unit of a time");

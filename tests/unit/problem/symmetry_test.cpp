@@ -104,7 +104,7 @@ TEST(Symmetry, refuses_a_rigid_body_that_leans_and_takes_one_that_does_not)
   EXPECT_EQ(refusal(cone), "");
   for (const std::string& message :
        {refusal(cylinder({0, 0.01, 1})), refusal(cylinder({1, 0, 1})), refusal(box({0.01, 0, 0})), refusal(box({0, 0.3, 0}))})
-    EXPECT_NE(message.find("rigid.pipe: is not its own mirror image across the plane of symmetry z = 3 m: turn it"), std::string::npos)
+    EXPECT_NE(message.find("rigid.pipe: is not its own mirror image across the plane of symmetry z = 3 m: rotate it"), std::string::npos)
         << message;
 }
 

@@ -214,7 +214,7 @@ settings::Case bed_at_rest()
 TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
 {
   const settings::Case c = bed_at_rest();
-  problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+  problem::Problem<2> problem = problem::build(c, make_mesh<2>(c.mesh, ".", "."));
   FrameMaker<2> maker(problem.model, problem.state);
   mpm::Workspace<2> workspace(problem.model, problem.state);
   for (int frames = 0; frames < 4; ++frames) {

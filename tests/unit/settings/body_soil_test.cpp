@@ -33,7 +33,7 @@ settings::Case layered()
   return c;
 }
 
-TEST(settings::BodySoil, has_each_material_once_and_knows_it_by_depth)
+TEST(BodySoil, has_each_material_once_and_knows_it_by_depth)
 {
   const settings::BodySoil soil = soil_of(layered(), layered().body[0].second);
   ASSERT_EQ(soil.materials.size(), 2u);
@@ -43,7 +43,7 @@ TEST(settings::BodySoil, has_each_material_once_and_knows_it_by_depth)
   EXPECT_NEAR(soil.mass_above("box", 1.5), 0.5 * 1500 + 0.75 * 2000 + 0.25 * 1500, 1e-9);
 }
 
-TEST(settings::BodySoil, of_equal_layers_is_that_of_one_material)
+TEST(BodySoil, of_equal_layers_is_that_of_one_material)
 {
   settings::Case c = layered();
   c.material[1].second = clay_of(1e3);
@@ -53,7 +53,7 @@ TEST(settings::BodySoil, of_equal_layers_is_that_of_one_material)
   EXPECT_TRUE(local_fields(soil).empty());
 }
 
-TEST(settings::BodySoil, takes_materials_of_regions)
+TEST(BodySoil, takes_materials_of_regions)
 {
   settings::Case c = layered();
   bodies::BodySettings& body = c.body[0].second;
@@ -135,7 +135,7 @@ TEST(Build, gives_each_particle_the_strength_by_the_vertical_stress_that_the_soi
   EXPECT_GT(below, 50);
 }
 
-TEST(settings::BodySoil, of_a_stress_that_is_the_same_everywhere_has_the_strength_by_it)
+TEST(BodySoil, of_a_stress_that_is_the_same_everywhere_has_the_strength_by_it)
 {
   settings::Case c = by_stress();
   c.body[0].second.initial_stress = {-10e3, -20e3, -10e3};

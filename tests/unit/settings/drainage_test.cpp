@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::this_file {
+namespace berm::settings::this_file {
 namespace {
 
 material::PoreWater flowing()
@@ -116,4 +116,4 @@ TEST(Drainage, tells_how_much_inertia_counts_by_strength_waves_or_the_time_of_a_
 }
 
 }  // namespace
-}  // namespace berm::this_file
+}  // namespace berm::settings::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::this_file {
+namespace berm::settings::this_file {
 namespace {
 
 Case swept(int sweeps, Real pause)
@@ -126,4 +126,4 @@ TEST(sweeps, have_names_that_no_other_stage_has)
 }
 
 }  // namespace
-}  // namespace berm::this_file
+}  // namespace berm::settings::this_file

@@ -34,7 +34,7 @@ settings::Case pipe_in_waves(Real largest)
   return c;
 }
 
-TEST(settings::TimeScale, is_the_fastest_at_which_inertia_is_small)
+TEST(TimeScale, is_the_fastest_at_which_inertia_is_small)
 {
   const settings::Case c = pipe_in_waves(400);
   const std::optional<settings::TimeScale> found = time_scale_of(c, c.stage[0]);
@@ -48,7 +48,7 @@ TEST(settings::TimeScale, is_the_fastest_at_which_inertia_is_small)
   EXPECT_LT(found->scale, found->shortest / found->half_wave + 0.01);
 }
 
-TEST(settings::TimeScale, is_limited_by_the_soil_where_the_force_is_large)
+TEST(TimeScale, is_limited_by_the_soil_where_the_force_is_large)
 {
   const settings::Case c = pipe_in_waves(40000);
   const std::optional<settings::TimeScale> found = time_scale_of(c, c.stage[0]);
@@ -57,7 +57,7 @@ TEST(settings::TimeScale, is_limited_by_the_soil_where_the_force_is_large)
   EXPECT_EQ(found->reason, settings::TimeScale::Reason::soil);
 }
 
-TEST(settings::TimeScale, takes_a_jump_for_no_wave)
+TEST(TimeScale, takes_a_jump_for_no_wave)
 {
   settings::Case c = pipe_in_waves(400);
   settings::StageSettings& storm = c.stage[0];
@@ -69,7 +69,7 @@ TEST(settings::TimeScale, takes_a_jump_for_no_wave)
   EXPECT_EQ(found->half_wave, 5) << "from one jump to the next";
 }
 
-TEST(settings::TimeScale, is_none_of_velocities_nor_without_soil_or_history)
+TEST(TimeScale, is_none_of_velocities_nor_without_soil_or_history)
 {
   settings::Case c = pipe_in_waves(400);
   settings::StageSettings moved = c.stage[0];
@@ -80,7 +80,7 @@ TEST(settings::TimeScale, is_none_of_velocities_nor_without_soil_or_history)
   EXPECT_FALSE(time_scale_of(c, c.stage[0]));
 }
 
-TEST(settings::TimeScale, is_said_with_both_times)
+TEST(TimeScale, is_said_with_both_times)
 {
   settings::StageSettings storm = pipe_in_waves(400).stage[0];
   storm.time_scale = 0.3;

@@ -54,7 +54,7 @@ TEST(Memory, is_estimated_as_it_is_taken)
 #endif
   const settings::Case c = bed(150, false);
   const Real before = memory_of_data();
-  problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+  problem::Problem<2> problem = problem::build(c, make_mesh<2>(c.mesh, ".", "."));
   mpm::Workspace<2> workspace(problem.model, problem.state);
   step(problem.model, problem.state, workspace);
   run_folder::FrameMaker<2> maker(problem.model, problem.state);
@@ -66,7 +66,7 @@ TEST(Memory, is_at_least_what_the_case_alone_tells)
 {
   for (const bool as_block : {false, true}) {
     const settings::Case c = bed(40, as_block);
-    const problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+    const problem::Problem<2> problem = problem::build(c, make_mesh<2>(c.mesh, ".", "."));
     const Real exact = memory_of<2>(size_of(problem));
     for (const RunSize& min : {min_size<2>(c), min_size(c, problem.model.mesh)}) {
       EXPECT_EQ(min.cells, problem.model.mesh.cell_count());

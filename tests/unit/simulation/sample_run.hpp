@@ -85,7 +85,7 @@ struct SampleRun {
   std::optional<mpm::Workspace<dim>> workspace;
 
   explicit SampleRun(contact::Scheme scheme = contact::ContactSettings{}.scheme) : SampleRun(two_bodies<dim>(scheme)) {}
-  explicit SampleRun(const settings::Case& c) : problem(build<dim>(c, ".", ".")) {}
+  explicit SampleRun(const settings::Case& c) : problem(problem::build<dim>(c, ".", ".")) {}
 
   void steps(int count)
   {

@@ -79,8 +79,8 @@ TEST(DepthLog, as_svg_has_depth_downwards_and_axes_on_top)
 TEST(DepthLog, has_its_curves_over_depth_by_row_and_freed_from_noise)
 {
   const record::RunRecord record = noisy(1e3);
-  const base::Charts charts = Penetration(cone_reading()).charts(record);
-  const PenetrationRun run(record, cone_reading());
+  const base::Charts charts = pushed_down(cone()).charts(record);
+  const PenetrationRun run(record, cone());
   ASSERT_EQ(curves_in(charts, "q_z").size(), 1u);
   const base::Curve& q = curves_in(charts, "q_z").front();
   EXPECT_EQ(q.y, run.q_curve().value());
