@@ -25,7 +25,7 @@ OF_THE_LIBRARY = re.compile(
     r"std::|vector::|basic_string|map::at|bad_alloc|stoi|stod|terminate|what\(\)|[Aa]ssert|filesystem error|json\.exception|bad variant|bad optional"
 )
 RUN_FILES = ("summary.json", "origin.json", "history.csv", "history.schema.json", "resolved.toml", "run.log", "frames/frames.pvd", "case.toml")
-RUN_FILES += ("run_folder/case_file.txt",)
+RUN_FILES += ("checkpoint/case_file.txt",)
 
 
 class Way:

@@ -131,7 +131,7 @@ def check_order(calls):
                 there = (call for call, at in calls[number + 1 :] if (call == "fsync" and at == folder) or (call == "rename" and os.path.dirname(at) == folder))
                 expect(next(there, None) == "fsync", f"{path}: its name is not forced to the disk")
             if file == "resolved.toml" and path in given:  # from here on the run can be resumed
-                for other in ("case.toml", "origin.json", "run_folder/case_file.txt"):
+                for other in ("case.toml", "origin.json", "checkpoint/case_file.txt"):
                     expect(os.path.join(folder, other) in given, f"{path}: gets its name before {other}")
                 expect(not any("start.part" in names for names in new_names), f"{path}: gets its name before those of what the run is given are on the disk")
             new_names.add(folder)

@@ -61,7 +61,7 @@ void note_libraries(std::vector<std::pair<std::string, material::Material>>& mat
 bool is_under_way(const Job& job)
 {
   std::error_code error;
-  return fs::exists(job.folder / "run_folder/case_file.txt", error);
+  return fs::exists(job.folder / "checkpoint/case_file.txt", error);
 }
 
 /// Whether the run folder is of these settings, and of what is in the files that they name.

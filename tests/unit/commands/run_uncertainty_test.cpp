@@ -96,7 +96,7 @@ TEST(Uncertainty, goes_on_with_a_run_that_was_stopped_on_the_way)
   ASSERT_NE(at, std::string::npos) << summary;
   place.folder.write(variant + "summary.json", summary.replace(at, finished.size(), "\"finished\": false"));
   fs::create_directories(place.folder / (variant + "checkpoint"));
-  place.folder.write(variant + "run_folder/case_file.txt", (place.folder / "run/uncertainty/cells_2.toml").string());
+  place.folder.write(variant + "checkpoint/case_file.txt", (place.folder / "run/uncertainty/cells_2.toml").string());
   const std::string log = text_of_file(place.folder / (variant + "run.log"));
   const Ended again = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
   EXPECT_EQ(again.status, 0) << again.err;

@@ -74,7 +74,7 @@ TEST(RunFolder, of_a_run_that_was_killed_as_it_began_is_taken)
 }
 
 /// What a run is given.
-const std::vector<std::string> given = {"resolved.toml", "case.toml", "run_folder/case_file.txt"};
+const std::vector<std::string> given = {"resolved.toml", "case.toml", "checkpoint/case_file.txt"};
 
 void give(const fs::path& folder)
 {
@@ -93,7 +93,7 @@ TEST(RunFolder, holds_all_that_a_run_is_given_or_nothing)
                RunError);
   EXPECT_EQ(names_in(base.path()), std::vector<std::string>{"lock"});
   folder.begin(give);
-  EXPECT_EQ(names_in(base.path()), (std::vector<std::string>{"case.toml", "run_folder/", "lock", "resolved.toml"}));
+  EXPECT_EQ(names_in(base.path()), (std::vector<std::string>{"case.toml", "checkpoint/", "lock", "resolved.toml"}));
 }
 
 TEST(RunFolder, gets_the_rest_of_what_a_run_was_given_that_was_killed_once_it_had_begun)
