@@ -13,6 +13,7 @@
 #include "simulation/simulate.hpp"
 #include "verification/remaining.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 
@@ -75,14 +76,16 @@ public:
     if (const auto* local = std::get_if<jobs::LocalProcesses>(&runner.by)) remaining_.emplace(jobs, local->at_once);
     io::tell("{} problem{} to run{}\n", jobs.size(), jobs.size() == 1 ? "" : "s", words_of_time("; about {}"));
   }
-  void tell(std::size_t job, const jobs::JobEnd& end)
+  /// Of the job in this folder.
+  void tell(const fs::path& folder, const jobs::JobEnd& end)
   {
+    const auto job = static_cast<std::size_t>(std::ranges::find(jobs_, folder, &jobs::Job::folder) - jobs_.begin());
     if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     if (remaining_) remaining_->end(job, end.kind == Kind::finished, now());
     ++done_;
-    const std::string words = end.kind == Kind::failed ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(jobs_[job].folder));
-    io::tell("{:>{}}/{} {}: {}{}\n", done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(),
-             fs::relative(jobs_[job].folder, output_).string(), words, words_of_rest());
+    const std::string words = end.kind == Kind::failed ? "FAILED: " + end.reason : io::duration_text(jobs::wall_time_of(folder));
+    io::tell("{:>{}}/{} {}: {}{}\n", done_, fmt::formatted_size("{}", jobs_.size()), jobs_.size(), fs::relative(folder, output_).string(),
+             words, words_of_rest());
   }
 
 private:
@@ -154,7 +157,7 @@ std::vector<ProblemResult> run_problems(std::vector<jobs::Job> all, const fs::pa
     estimate_times(to_run);
     printer.emplace(to_run, runner, output);
   };
-  batch.ended = [&](std::size_t job, const jobs::JobEnd& end) { printer->tell(job, end); };
+  batch.ended = [&](std::size_t job, const jobs::JobEnd& end) { printer->tell(batch.jobs[job].folder, end); };
   run_batch(batch, runner, output / "queue");
   std::vector<ProblemResult> results;
   for (std::size_t k = 0; k < batch.jobs.size(); ++k) results.push_back({batch.jobs[k].folder, batch.ends[k]});

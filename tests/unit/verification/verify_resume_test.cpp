@@ -42,10 +42,16 @@ TEST_F(VerifyResume, judges_results_that_hold_by_what_is_expected_now)
 TEST_F(VerifyResume, runs_again_what_another_engine_computed_and_another_case)
 {
   ASSERT_EQ(verify({}).status, 0);
+  const auto runs_one = [&](const char* name) {
+    const Ended again = verify({});
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_TRUE(says(again, "1 of 2 problems have their result already")) << again.err;
+    EXPECT_TRUE(says(again, std::string("1/1 ") + name + ": ")) << again.err;
+  };
   change("out/verification/fall/earth/summary.json", "engine_build\": \"", "engine_build\": \"dead");
-  EXPECT_TRUE(says(verify({}), "1 of 2 problems have their result already"));
+  runs_one("fall/earth");
   change("examples/fall/expected.toml", "gravity=[0, -5]", "gravity=[0, -5.0001]");
-  EXPECT_TRUE(says(verify({}), "1 of 2 problems have their result already"));
+  runs_one("fall/light");
   change("examples/fall/case.toml", "0.1 s", "0.11 s");
   EXPECT_FALSE(says(verify({}), "result already"));
   EXPECT_TRUE(says(verify({}), "2 of 2 problems have their result already"));

@@ -100,9 +100,7 @@ base::Structure shaft(const penetration::Penetrometer& how)
   base::Structure structure = penetration::pushed_down(how);
   for (base::Reading& reading : structure.readings) reading.applies = base::is_pushed_down;
   structure.readings.insert(structure.readings.end() - 1, {load_of(how), at_rest(how)});
-  base::Reading& travels = structure.readings.back();
-  travels.applies = {};
-  travels.charts = [charts = travels.charts](Run run) { return base::is_pushed_down(run.settings) ? charts(run) : base::Charts{}; };
+  structure.readings.back().applies = {};
   return structure;
 }
 
