@@ -1,36 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/structures.hpp"
 
+#include "input/structure_words.hpp"
 #include "io/atomic_file.hpp"
-#include "structures/anchor/anchor.hpp"
 #include "structures/depth/profile_page.hpp"
 #include "structures/driven/run_charts.hpp"
-#include "structures/generic/generic.hpp"
 #include "structures/lateral/shaft.hpp"
-#include "structures/line/line.hpp"
 #include "structures/penetration/penetration.hpp"
 #include "structures/penetration/penetrometers.hpp"
-#include "structures/pipe/pipe.hpp"
 
 #include <algorithm>
+
+#define BERM_NOT_HERE(...)
+#define BERM_DECLARE(room, word, geometry) \
+  namespace berm::room {                   \
+  base::Structure word();                  \
+  }
+BERM_STRUCTURES(BERM_NOT_HERE, BERM_NOT_HERE, BERM_DECLARE)
 
 namespace berm::structures {
 
 const std::vector<base::Structure>& all_structures()
 {
+#define BERM_PENETROMETER(word, geometry) penetration::pushed_down(penetration::word()),
+#define BERM_SHAFT(word, geometry) lateral::shaft(lateral::word()),
+#define BERM_STRUCTURE(room, word, geometry) room::word(),
   static const std::vector<base::Structure> all = [] {
-    std::vector<base::Structure> list = {
-        penetration::pushed_down(penetration::cone()),
-        penetration::pushed_down(penetration::ball()),
-        penetration::pushed_down(penetration::t_bar()),
-        lateral::shaft(lateral::pile()),
-        lateral::shaft(lateral::skirt()),
-        penetration::pushed_down(penetration::footing()),
-        anchor::anchor(),
-        line::pipeline(),
-        pipe::pipe(),
-        generic::other(),
-    };
+    std::vector<base::Structure> list = {BERM_STRUCTURES(BERM_PENETROMETER, BERM_SHAFT, BERM_STRUCTURE)};
     for (base::Structure& structure : list) structure.readings.push_back(depth::reading());
     return list;
   }();

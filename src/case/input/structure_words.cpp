@@ -28,8 +28,11 @@ Listed& child(Listed& table, const std::string& key)
 const std::vector<StructureWord>& structure_words()
 {
   using enum StructureGeometry;
-  static const std::vector<StructureWord> words = {{"cone", round}, {"ball", round}, {"t_bar", plane},    {"pile", round}, {"skirt", round},
-                                                   {"footing"},     {"anchor"},      {"pipeline", plane}, {"pipe"},        {"other"}};
+#define BERM_WORD(word, geometry) {#word, geometry},
+#define BERM_WORD_OF_ROOM(room, word, geometry) BERM_WORD(word, geometry)
+  static const std::vector<StructureWord> words = {BERM_STRUCTURES(BERM_WORD, BERM_WORD, BERM_WORD_OF_ROOM)};
+#undef BERM_WORD_OF_ROOM
+#undef BERM_WORD
   return words;
 }
 

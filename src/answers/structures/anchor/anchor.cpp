@@ -58,6 +58,8 @@ std::vector<std::string> draw_depth(const base::Runs& runs, const base::Publishe
 
 }  // namespace
 
+/// An anchor, plough or grapnel that is dragged through the bed: depth of its lowest point and tow force over travel, beside what any driven body has, such as the uplift
+/// resistance of a plate that is pulled out. It is named in the input.
 base::Structure anchor()
 {
   using Run = const record::RunRecord&;

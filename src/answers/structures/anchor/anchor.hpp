@@ -6,10 +6,6 @@
 
 namespace berm::anchor {
 
-/// An anchor, plough or grapnel that is dragged through the bed: depth of its lowest point and tow force over travel, beside what any driven body has, such as the uplift
-/// resistance of a plate that is pulled out. It is named in the input.
-base::Structure anchor();
-
 /// What a body that is dragged through the bed meets on its way: all drags of a run, one after the other, by row.
 struct TowPath {
   std::vector<Real> travel;  ///< m, from where the first drag began

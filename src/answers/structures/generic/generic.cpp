@@ -186,6 +186,7 @@ base::TrustMeasures measures_of_any_run(const settings::Case& c)
                   counted("particles", "particles"), counted("cells", "cells")}});
 }
 
+/// Any case that is of no other structure: it has no key results; what it watches, its own quantities and its checks are told.
 base::Structure other()
 {
   using Run = const record::RunRecord&;

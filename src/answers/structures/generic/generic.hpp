@@ -5,9 +5,6 @@
 
 namespace berm::generic {
 
-/// Any case that is of no other structure: it has no key results; what it watches, its own quantities and its checks are told.
-base::Structure other();
-
 /// What is looked at in any run, whatever it is of.
 base::TrustMeasures measures_of_any_run(const settings::Case& c);
 

@@ -25,6 +25,7 @@ std::vector<penetration::Comparison> published_of_pile(const penetration::Penetr
 
 }  // namespace
 
+/// A pile with a closed end: q_b = V over the area of its base, N_c = (q_b - sigma_v0)/s_u in clay, N_q = (q_b - sigma_v0)/sigma_v0 in sand.
 const penetration::Penetrometer& pile()
 {
   static const penetration::Penetrometer pile{.word = "pile",

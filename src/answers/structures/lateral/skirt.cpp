@@ -86,6 +86,7 @@ base::TrustMeasures wall_measures(const settings::Case&)
 
 }  // namespace
 
+/// A body that is open below: the skirt of a footing, a caisson, a pipe pile. q_b = V over the area of its tip, the ring, without the friction of both faces; factors as of a pile.
 const penetration::Penetrometer& skirt()
 {
   static const penetration::Penetrometer skirt{.word = "skirt",

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/library/library_pipeline_test.cpp
-#include "structures/line/line.hpp"
-
 #include "structures/generic/generic.hpp"
 #include "structures/line/answers.hpp"
 #include "structures/line/load_curves.hpp"
@@ -55,6 +53,7 @@ std::string published_beside(const base::Runs& runs, const base::DisplayUnits&)
 
 }  // namespace
 
+/// A pipeline on slices of soil: what its line does under each of its loads.
 base::Structure pipeline()
 {
   using Run = const record::RunRecord&;

@@ -31,6 +31,7 @@ std::vector<Comparison> published_of_ball(const PenetrationRun& run)
 
 }  // namespace
 
+/// A ball that is pushed in: q over its largest section, N_ball = q/s_u less the weight of the soil that it displaces, over the depth of its centre.
 const Penetrometer& ball()
 {
   static const Penetrometer ball{.word = "ball",

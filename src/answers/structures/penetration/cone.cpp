@@ -29,6 +29,7 @@ std::vector<Comparison> published_of_cone(const PenetrationRun& run)
 
 }  // namespace
 
+/// A cone with its shaft, pushed in as in a cone penetration test: q_t over the depth of its shoulder, N_kt = (q_t - sigma_v0)/s_u in clay, Q_t = (q_t - sigma_v0)/sigma_v0 in sand.
 const Penetrometer& cone()
 {
   static const Penetrometer cone{

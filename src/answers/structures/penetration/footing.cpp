@@ -91,6 +91,7 @@ std::vector<Comparison> published_of_footing(const PenetrationRun& run)
 
 }  // namespace
 
+/// A footing or plate, strip or round: q = V over its area, N_c = (q - sigma_v0)/s_u on clay, N_gamma = 2 (q - sigma_v0)/(gamma' D) on sand; beside what any push and drag have.
 const Penetrometer& footing()
 {
   static const Penetrometer footing{

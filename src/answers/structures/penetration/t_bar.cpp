@@ -29,6 +29,7 @@ std::vector<Comparison> published_of_t_bar(const PenetrationRun& run)
 
 }  // namespace
 
+/// A bar that is pushed across itself (plane strain): q = V/D, N_Tbar = q/s_u less the weight of the soil that it displaces, over the depth of its axis.
 const Penetrometer& t_bar()
 {
   static const Penetrometer t_bar{

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/structures_test.cpp
-#include "structures/pipe/pipe.hpp"
-
 #include "structures/driven/driven.hpp"
 #include "structures/pipe/axial_results.hpp"
 #include "structures/pipe/pipe_report.hpp"
@@ -9,6 +7,7 @@
 
 namespace berm::pipe {
 
+/// A pipe on or in the bed. Bodies of other shapes that nothing else is known of are read by the same numbers, without the formulas, which are those of a circle.
 base::Structure pipe()
 {
   using Run = const record::RunRecord&;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/anchor/anchor.hpp"
+#include "structures/structures.hpp"
 
 #include "samples/made_run.hpp"
 #include "samples/names_before_a_run.hpp"
@@ -28,8 +29,8 @@ record::RunRecord dragged()
 TEST(Anchor, is_named)
 {
   const record::RunRecord run = dragged();
-  EXPECT_TRUE(anchor().applies_to(run.settings));
-  EXPECT_FALSE(anchor().applies_to(MadeRun{}.settings()));
+  EXPECT_STREQ(structures::structure_of(run.settings).word, "anchor");
+  EXPECT_STRNE(structures::structure_of(MadeRun{}.settings()).word, "anchor");
 }
 
 TEST(Anchor, tells_depth_and_tow_force_over_travel)
@@ -65,7 +66,7 @@ TEST(Anchor, that_was_not_dragged_has_no_tow)
   list.add(tow_answers, tow_results(tow_path(run), base::body_scale(run)));
   EXPECT_TRUE(list.list().empty());
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
-  const std::string words = anchor().in_words(run, shown);
+  const std::string words = structures::structure_of(run.settings).in_words(run, shown);
   EXPECT_EQ(words.find("ragged"), std::string::npos) << words;
   EXPECT_NE(words.find("V = "), std::string::npos) << words;
 }
