@@ -12,9 +12,9 @@
 #include <algorithm>
 
 #define BERM_NOT_HERE(...)
-#define BERM_DECLARE(room, word, geometry) \
-  namespace berm::room {                   \
-  base::Structure word();                  \
+#define BERM_DECLARE(room, word, geometry)                                                                                                 \
+  namespace berm::room {                                                                                                                   \
+  base::Structure word();                                                                                                                  \
   }
 BERM_STRUCTURES(BERM_NOT_HERE, BERM_NOT_HERE, BERM_DECLARE)
 

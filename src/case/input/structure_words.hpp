@@ -11,16 +11,16 @@ enum class StructureGeometry { any, round, plane };
 
 /// All structures, one a row, in the order in which they are tried: PENETROMETER and SHAFT (word, geometry), STRUCTURE (room, word, geometry). Each is a function named after
 /// its word: what is pushed down, or pushed down and loaded sideways, a penetration::Penetrometer of penetration or lateral; any other a base::Structure of its room.
-#define BERM_STRUCTURES(PENETROMETER, SHAFT, STRUCTURE) \
-  PENETROMETER(cone, round)                             \
-  PENETROMETER(ball, round)                             \
-  PENETROMETER(t_bar, plane)                            \
-  SHAFT(pile, round)                                    \
-  SHAFT(skirt, round)                                   \
-  PENETROMETER(footing, any)                            \
-  STRUCTURE(anchor, anchor, any)                        \
-  STRUCTURE(line, pipeline, plane)                      \
-  STRUCTURE(pipe, pipe, any)                            \
+#define BERM_STRUCTURES(PENETROMETER, SHAFT, STRUCTURE)                                                                                    \
+  PENETROMETER(cone, round)                                                                                                                \
+  PENETROMETER(ball, round)                                                                                                                \
+  PENETROMETER(t_bar, plane)                                                                                                               \
+  SHAFT(pile, round)                                                                                                                       \
+  SHAFT(skirt, round)                                                                                                                      \
+  PENETROMETER(footing, any)                                                                                                               \
+  STRUCTURE(anchor, anchor, any)                                                                                                           \
+  STRUCTURE(line, pipeline, plane)                                                                                                         \
+  STRUCTURE(pipe, pipe, any)                                                                                                               \
   STRUCTURE(generic, other, any)
 
 /// A value of rigid.NAME.structure.

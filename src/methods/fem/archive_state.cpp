@@ -4,6 +4,8 @@
 
 #include "problem/archive_state.hpp"
 
+#include <algorithm>
+
 namespace berm::fem {
 namespace {
 
@@ -20,12 +22,69 @@ void archive_numbers(Archive& k, const std::string& name, Points& points, const 
 
 }  // namespace
 
+void archive_mesh(Archive& k, const settings::Case& c, FemModel& model, FemState& state)
+{
+  mesh::Mesh<2>& corners = model.model.mesh;
+  const auto places = [&](const std::string& name, NodeField<Vec<2>>& field) {
+    std::vector<Real> numbers;
+    for (const Vec<2>& x : field) numbers.insert(numbers.end(), {x[0], x[1]});
+    k(name, numbers);
+    field.assign(static_cast<Index>(numbers.size() / 2));
+    for (Index node = 0; node < field.size(); ++node) field[node] = {numbers[2 * node], numbers[2 * node + 1]};
+  };
+  places("corners", corners.position);
+  std::vector<Index> triangles, regions(corners.region.begin(), corners.region.end());
+  for (const auto& nodes : corners.nodes) triangles.insert(triangles.end(), nodes.begin(), nodes.end());
+  k("triangles", triangles);
+  k("regions", regions);
+  for (std::size_t b = 0; b < corners.boundary_nodes.size(); ++b) k("boundary_" + corners.boundary_names[b], corners.boundary_nodes[b]);
+  if (k.reads()) {
+    if (triangles.size() != 3 * regions.size()) k.refuse("its triangles have no regions");
+    corners.nodes.assign(static_cast<Index>(regions.size()));
+    corners.region.assign(static_cast<Index>(regions.size()));
+    for (Index cell = 0; cell < corners.nodes.size(); ++cell) {
+      corners.region[cell] = regions[cell];
+      for (int n = 0; n < 3; ++n) corners.nodes[cell][n] = triangles[3 * cell + n];
+    }
+    const auto is_beyond = [](const auto& numbers, Index count) {
+      return std::any_of(numbers.begin(), numbers.end(), [&](Index number) { return number < 0 || number >= count; });
+    };
+    bool broken = is_beyond(triangles, corners.position.size()) || is_beyond(regions, static_cast<Index>(corners.region_names.size()));
+    for (const std::vector<Index>& nodes : corners.boundary_nodes) broken = broken || is_beyond(nodes, corners.position.size());
+    if (broken) k.refuse("its mesh names nodes or regions that it has not");
+    corners.complete();
+    model.mesh = make_quadratic(corners, c, {});
+  }
+  const Index nodes = model.mesh.node_count();
+  places("nodes", model.mesh.position);
+  for (int m = 0; m < moments; ++m) places(fmt::format("was_at_{}", m), state.was_at[static_cast<std::size_t>(m)]);
+  for (FemWatch& watch : model.watches)
+    k.table("watch_" + watch.name, [&] {
+      k("cell", watch.cell);
+      k("of_nodes", watch.of_nodes);
+      k("of_points", watch.of_points);
+      if (watch.cell < 0 || watch.cell >= model.mesh.cell_count()) k.refuse("it is in no element");
+    });
+  k("meshed_at", state.meshed_at.displacement);
+  k("meshed_at_angle", state.meshed_at.orientation.angle);
+  if (!k.reads()) return;
+  for (const auto* field : {&model.mesh.position, &state.was_at[0], &state.was_at[1], &state.was_at[2]})
+    if (field->size() != nodes) k.refuse("its nodes are of another mesh");
+  std::vector<bodies::Pose<2>> poses(model.model.rigid_bodies.size());
+  if (model.rigid != none) poses[static_cast<std::size_t>(model.rigid)] = state.meshed_at;
+  fit_to_mesh(c, state.place_at(Moment::start), poses, model);
+  state.displacement.assign(static_cast<std::size_t>(model.unknowns()), 0.);
+  state.points.assign(model.mesh.cell_count());
+  state.contact.assign(model.contact.size(), {});
+}
+
 // The sizes reveal a member that is not archived yet.
 void archive(Archive& k, const FemModel& model, FemState& state)
 {
   static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::max_state + 2) * sizeof(Real));
   static_assert(sizeof(FemContactState) == 5 * sizeof(Real));
-  static_assert(sizeof(FemState) == sizeof(problem::State<2>) + 5 * sizeof(std::vector<Real>) + sizeof(Vec<2>) + 3 * sizeof(Real));
+  static_assert(sizeof(FemState) == sizeof(problem::State<2>) + (5 + moments) * sizeof(std::vector<Real>) + sizeof(Vec<2>) +
+                                        3 * sizeof(Real) + sizeof(bodies::Pose<2>));
   k.table("state", [&] { problem::archive(k, model.model, state.state); });
   k.fixed("displacement", state.displacement);
   archive_numbers(k, "points", state.points, [](std::array<SoilPoint, triangle_points>& of_cell, const auto& number) {

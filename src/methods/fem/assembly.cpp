@@ -2,6 +2,8 @@
 #include "fem/assembly.hpp"
 
 #include "core/for_each.hpp"
+#include "fem/contact_force.hpp"
+#include "fem/moved_cell.hpp"
 #include "material/laws.hpp"
 #include "material/tangent.hpp"
 
@@ -155,6 +157,7 @@ Assembly::Assembly(const FemModel& model)
       points_(model.mesh.nodes.size()),
       laws_(std::make_unique<PointLaws>(model.mesh.nodes.size())),
       contact_(model.contact.size()),
+      arms_(model.contact.size()),
       soil_residual_(model.unknowns()),
       residual_(model.unknowns()),
       initial_imbalance_(model.unknowns(), 0.),
@@ -210,6 +213,19 @@ SoilPoint Assembly::with_effective_stress(SoilPoint point, Index cell) const
   return point;
 }
 
+/// Where deformations are large: the element in the increment.
+std::optional<MovedCell> Assembly::moved_cell(const FemState& begin, const std::vector<Real>& change, Index cell) const
+{
+  if (!model_.settings.large_deformation) return std::nullopt;
+  AtSixNodes<Vec<2>> nodes, moved;
+  for (int k = 0; k < 6; ++k) {
+    const Index node = model_.mesh.nodes[cell][k];
+    nodes[k] = position_now(model_, begin, node);
+    moved[k] = Vec<2>(change[2 * node], change[2 * node + 1]);
+  }
+  return move_cell(nodes, moved, model_.model.mesh.metric);
+}
+
 const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Index cell, int q)
 {
   PointLaw& made = laws_->now[cell][q];
@@ -247,15 +263,18 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
 {
   StrengthLag lag;
   for (Index cell = 0; cell < cells_.size(); ++cell) {
+    const std::optional<MovedCell> moved = moved_cell(begin, change, cell);
+    if (moved && moved->inverted) continue;
     for (int q = 0; q < triangle_points; ++q) {
       const material::Material material = model_.soil_at(cell, q);
       const material::Elasticity elastic = elasticity(material);
-      const ShapeAtPoint& shape = model_.shape[cell][q];
+      const ShapeAtPoint& shape = moved ? moved->middle[q] : model_.shape[cell][q];
       const SymTensor<2> end = effective_stress(points_[cell][q], cell);
       const auto [s1, s3] = extreme_stresses(end);
       const std::optional<Real> strength = shear_strength(material, (s1 + s3) / 2, points_[cell][q].law_state.data());
       if (!strength) continue;
       SymTensor<2> returned = effective_stress(begin.points[cell][q], cell);
+      if (moved) returned = rotated(returned, moved->rotation[q]);
       add_elastic_stress(elastic, returned, strain_of(shape, model_.mesh.nodes[cell], change));
       for (int k = 0; k < 4; ++k) returned[k] -= end[k];
       const auto [r1, r3] = extreme_stresses(returned);
@@ -272,14 +291,18 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
   CellWork& work = cells_[cell];
   work.force.fill(0);
   work.work = 0;
+  const std::optional<MovedCell> moved = moved_cell(begin, change, cell);
+  if (moved && moved->inverted) return work.force.fill(nan);
   for (int q = 0; q < triangle_points; ++q) {
     const Vec<2> weight = model_.density[cell][q] * gravity;
-    const ShapeAtPoint& shape = model_.shape[cell][q];
-    const SymTensor<2> strain = strain_of(shape, model_.mesh.nodes[cell], change);
+    const ShapeAtPoint &middle = moved ? moved->middle[q] : model_.shape[cell][q], &shape = moved ? moved->end[q] : model_.shape[cell][q];
+    const SymTensor<2> strain = strain_of(middle, model_.mesh.nodes[cell], change);
     SoilPoint& point = points_[cell][q];
     point = begin.points[cell][q];
     const SymTensor<2> effective = effective_stress(point, cell);
-    if (model_.flow.in(cell)) point.stress = effective;
+    if (moved) point.stress = rotated(point.stress, moved->rotation[q]);
+    const SymTensor<2> start = point.stress;
+    point = with_effective_stress(point, cell);
     SymTensor<2> mean;
     std::visit(
         [&](const auto& law) {
@@ -287,8 +310,8 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
         },
         law_of_point(effective, cell, q).law);
     if (model_.flow.in(cell)) set_pressure(point, pressure_at_end(corner_shape(shape), flow_increment(begin, change, cell)), cell);
-    for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
-    work.work += shape.area * double_dot(mean, strain);
+    for (int k = 0; k < 4; ++k) mean[k] = (start[k] + point.stress[k]) / 2;
+    work.work += middle.area * double_dot(mean, strain);
     const SymTensor<2>& stress = point.stress;
     for (int k = 0; k < 6; ++k) {
       const Vec<2>& gradient = shape.gradient[k];
@@ -317,20 +340,25 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
 {
   const bool elastic = is_elastic(viscosity, cell);
   if (elastic && elastic_[cell] != 0 && !model_.flow.in(cell)) return;
+  // Elastic soil keeps the stiffness that it had when the mesh was made: it moves little, and residuals are those of now.
+  const std::optional<MovedCell> moved = elastic ? std::nullopt : moved_cell(begin, change, cell);
+  if (moved && moved->inverted) return;
   elastic_[cell] = static_cast<char>(elastic);
   Eigen::Matrix<Real, 12, 12> stiffness = Eigen::Matrix<Real, 12, 12>::Zero();
   for (int q = 0; q < triangle_points; ++q) {
-    const ShapeAtPoint& shape = model_.shape[cell][q];
+    const ShapeAtPoint &middle = moved ? moved->middle[q] : model_.shape[cell][q], &shape = moved ? moved->end[q] : model_.shape[cell][q];
     const StrainMatrix b = strain_matrix(shape);
-    const SymTensor<2> strain = strain_of(shape, model_.mesh.nodes[cell], change);
-    const SoilPoint& point = begin.points[cell][q];
+    const SymTensor<2> strain = strain_of(middle, model_.mesh.nodes[cell], change);
+    SoilPoint point = begin.points[cell][q];
+    const SymTensor<2> effective = effective_stress(point, cell);
+    if (moved) point.stress = rotated(point.stress, moved->rotation[q]);
     const PointStiffness d = std::visit(
         [&](const auto& law) {
           if (elastic) return elastic_point(law.elastic);
           return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]},
                                     with_effective_stress(point, cell));
         },
-        law_of_point(effective_stress(point, cell), cell, q).law);
+        law_of_point(effective, cell, q).law);
     stiffness += b.transpose() * (shape.area * d.plane * b);
     if (!(shape.per_radius > 0)) continue;
     const HoopStrain h = hoop_strain(shape), across = b.transpose() * Eigen::Vector3d(d.across);
@@ -348,16 +376,15 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
   contact_force_ = 0;
   for (std::size_t k = 0; k < contact_.size(); ++k) {
     const FemContactPoint& point = model_.contact[k];
-    const Eigen::Matrix<Real, 2, 5> p = relative_movement(point);
     const Index unknowns[5] = {2 * point.node, 2 * point.node + 1, model_.rigid_unknown(), model_.rigid_unknown() + 1,
                                model_.rigid_unknown() + 2};
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change[unknowns[i]];
-    const FemTraction now = update_traction(interface_at(model_, k, begin), point.normal, begin.contact[k], p * moved);
+    const ContactForce now = fem::contact_force(model_, k, begin, moved);
     contact_[k] = now.state;
-    const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
+    arms_[k] = now.arm;
     contact_force_ += point.area * now.state.traction.norm();
-    for (int i = 0; i < 5; ++i) residual_[unknowns[i]] -= force[i];
+    for (int i = 0; i < 5; ++i) residual_[unknowns[i]] -= now.force[i];
   }
 }
 
@@ -462,7 +489,7 @@ Real Assembly::torque() const
   Real sum = 0;
   if (model_.model.mesh.metric == mesh::Metric::axisymmetric) return sum;
   for (std::size_t k = 0; k < contact_.size(); ++k) {
-    const Vec<2>&arm = model_.contact[k].arm, &traction = contact_[k].traction;
+    const Vec<2>&arm = arms_[k], &traction = contact_[k].traction;
     sum -= model_.contact[k].area * (arm[0] * traction[1] - arm[1] * traction[0]);
   }
   return sum;
@@ -485,14 +512,16 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
   const Vec<2> gravity = (state.gravity + loads.gravity) / 2;
   const Real initial_imbalance_factor = (state.initial_imbalance_factor + loads.initial_imbalance_factor) / 2;
   for (const CellWork& cell : cells_) totals.internal += cell.work;
-  for (Index cell = 0; cell < cells_.size(); ++cell)
+  for (Index cell = 0; cell < cells_.size(); ++cell) {
+    const std::optional<MovedCell> moved = moved_cell(state, change, cell);
     for (int q = 0; q < triangle_points; ++q) {
-      const ShapeAtPoint& shape = model_.shape[cell][q];
+      const ShapeAtPoint& shape = moved ? moved->middle[q] : model_.shape[cell][q];
       const Real density = model_.density[cell][q];
       for (int k = 0; k < 6; ++k)
         for (int d = 0; d < 2; ++d)
           totals.external += shape.area * shape.value[k] * density * gravity[d] * change[2 * model_.mesh.nodes[cell][k] + d];
     }
+  }
   for (std::size_t t = 0; t < loads.tractions.size(); ++t)
     for (const NodalLoad& load : model_.loads[t])
       for (int d = 0; d < 2; ++d)

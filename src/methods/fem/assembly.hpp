@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fem/fem_problem.hpp"
+#include "fem/moved_cell.hpp"
 
 #include <memory>
 
@@ -103,6 +104,7 @@ private:
   void prescribe_unknowns(const FemLoads& loads, Index stage);
   FlowIncrement flow_increment(const FemState& begin, const std::vector<Real>& change, Index cell) const;
   SoilPoint with_effective_stress(SoilPoint point, Index cell) const;
+  std::optional<MovedCell> moved_cell(const FemState& begin, const std::vector<Real>& change, Index cell) const;
   void set_pressure(SoilPoint& point, Real pressure, Index cell) const;
   void add_flow();
 
@@ -126,6 +128,7 @@ private:
   CellField<std::array<SoilPoint, triangle_points>> points_;
   std::unique_ptr<PointLaws> laws_;
   std::vector<FemContactState> contact_;
+  std::vector<Vec<2>> arms_;  ///< m, of the contact points, at the end of the increment
   std::vector<Real> soil_residual_, residual_, initial_imbalance_;
   std::vector<char> prescribed_;
   std::vector<Real> outside_;  ///< Pa, by pressure; empty where there is no head

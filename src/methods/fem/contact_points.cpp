@@ -56,7 +56,7 @@ std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>
                                                  const bodies::RigidShape<2>& shape, mesh::Metric metric)
 {
   std::map<Index, FemContactPoint> points;
-  for (const auto& [from, to, middle] : sides) {
+  for (const auto& [from, to, middle, boundary] : sides) {
     const Vec<2>&a = position[from], &b = position[to], &m = position[middle];
     // dx/ds at the ends and in the middle of the parabola through the three nodes, s from 0 to 1.
     const Vec<2> whole = b - a, half = m - a;

@@ -2,6 +2,7 @@
 #include "fem/contact_step.hpp"
 
 #include "core/timer.hpp"
+#include "fem/contact_force.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -34,19 +35,15 @@ void ContactStep::evaluate(const FemState& begin, const Vector& step, bool with_
   if (with_stiffness) stiffness_.setZero();
   const auto rigid = static_cast<int>(unknowns_.size()) - 3;
   for (int k = 0; k < static_cast<int>(model_.contact.size()); ++k) {
-    const FemContactPoint& point = model_.contact[k];
     const int at[5] = {2 * k, 2 * k + 1, rigid, rigid + 1, rigid + 2};
-    const Eigen::Matrix<Real, 2, 5> p = relative_movement(point);
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change_[at[i]] + step[at[i]];
-    const FemTraction now = update_traction(interface_at(model_, k, begin), point.normal, begin.contact[k], p * moved);
-    const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
-    const Eigen::Matrix<Real, 5, 5> stiffness = point.area * p.transpose() * now.stiffness * p;
+    const ContactForce now = contact_force(model_, static_cast<std::size_t>(k), begin, moved);
     for (int i = 0; i < 5; ++i) {
       if (prescribed_[at[i]]) continue;
-      force_[at[i]] += force[i];
+      force_[at[i]] += now.force[i];
       if (!with_stiffness) continue;
-      for (int j = 0; j < 5; ++j) stiffness_(at[i], at[j]) += stiffness(i, j);
+      for (int j = 0; j < 5; ++j) stiffness_(at[i], at[j]) += now.stiffness(i, j);
     }
   }
 }

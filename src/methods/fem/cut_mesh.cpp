@@ -101,7 +101,7 @@ void add_uneven_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const mesh::GroundL
 }
 
 template <class Shape>
-void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, const Shape& shape)
+void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, const Shape& shape, bool may_lie_above)
 {
   const mesh::SeabedLayout at = layout_of(bed);
   const Vec<2> half = half_extent(shape), lower = shape.center - half, upper = shape.center + half;
@@ -109,6 +109,7 @@ void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, c
   const std::vector<Real> ends = ends_on_surface(shape);
   const bool beside = lower[0] >= at.right || upper[0] <= at.left || upper[1] <= -bed.depth;
   const bool on_surface = lower[1] >= -rounding && ends.size() == 2;
+  if (!beside && may_lie_above && lower[1] >= -rounding) return cuts.distances.push_back(distance_from(shape));
   if (beside || (lower[1] >= -rounding && !on_surface))
     throw KeyError(fmt::format("rigid.{}.center: the body reaches from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m; for finite elements it must "
                                "lie in the soil, {:.6g} < x < {:.6g} m and {:.6g} < y < 0 m, at least partly, or be a box that lies on it",
@@ -135,9 +136,9 @@ Cuts cuts_of(const settings::Case& c, const mesh::SeabedMesh& bed)
     if (!ground.level())
       add_uneven_cut(cuts, bed, ground, name, shape);
     else if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
-      add_cut(cuts, bed, name, *circle);
+      add_cut(cuts, bed, name, *circle, c.fem.large_deformation);
     else if (const auto* box = std::get_if<bodies::Box<2>>(&shape))
-      add_cut(cuts, bed, name, *box);
+      add_cut(cuts, bed, name, *box, c.fem.large_deformation);
     else
       throw KeyError(fmt::format("rigid.{}.shape: of a mesh of kind \"seabed\" only a \"circle\" or a \"box\" can be cut out; a mesh of "
                                  "kind \"gmsh\" may have any hole",
@@ -270,7 +271,8 @@ void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vec
   mesh::end_geometry(out, size, path);
 }
 
-// By the cells' centroids.
+}  // namespace
+
 void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
 {
   mesh.region_names = {"near", "bed"};
@@ -281,7 +283,12 @@ void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
   }
 }
 
-}  // namespace
+std::string distance_formula(const bodies::RigidShape<2>& shape)
+{
+  if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape)) return distance_from(*circle);
+  if (const auto* box = std::get_if<bodies::Box<2>>(&shape)) return distance_from(*box);
+  throw KeyError("rigid.NAME.shape: finite elements with large deformations know a \"circle\" and a \"box\"");
+}
 
 mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const fs::path& case_folder, const fs::path& work_folder)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "bodies/rigid/shape.hpp"
 #include "settings/case.hpp"
 
 #include <filesystem>
@@ -19,5 +20,11 @@ namespace berm::fem {
 /// Throws InputError where a rigid body is neither circle nor box, does not lie in the soil, or is too large for
 /// contact_size; RunError where making the mesh fails.
 mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const std::filesystem::path& case_folder, const std::filesystem::path& work_folder);
+
+/// Names the regions of a seabed by the centroids of cells.
+void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed);
+
+/// The distance from a circle or box (m) as a formula of x and y that Gmsh evaluates. Throws KeyError for another shape.
+std::string distance_formula(const bodies::RigidShape<2>& shape);
 
 }  // namespace berm::fem

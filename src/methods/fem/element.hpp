@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/types.hpp"
+#include "mesh/mesh.hpp"
 
 #include <Eigen/LU>
 #include <array>
@@ -33,13 +33,17 @@ inline AtSixNodes<Vec<2>> shape_derivatives(const Vec<2>& at)
 
 /// The Jacobian: column d is dx/dr or dx/ds, m. Its determinant is the area per unit of (r, s), twice that of a triangle
 /// with straight sides.
-inline Matrix<2> jacobian(const AtSixNodes<Vec<2>>& x, const Vec<2>& at)
+inline Matrix<2> jacobian(const AtSixNodes<Vec<2>>& x, const AtSixNodes<Vec<2>>& derivatives)
 {
-  const AtSixNodes<Vec<2>> derivatives = shape_derivatives(at);
   Matrix<2> sum = Matrix<2>::Zero();
   // From corner 0, whose own derivatives the others balance: no digits are lost far from the origin.
   for (int k = 1; k < 6; ++k) sum += (x[k] - x[0]) * derivatives[k].transpose();
   return sum;
+}
+
+inline Matrix<2> jacobian(const AtSixNodes<Vec<2>>& x, const Vec<2>& at)
+{
+  return jacobian(x, shape_derivatives(at));
 }
 
 /// Stiffness of an element: the lower triangle of its 12 x 12 entries, row by row.
@@ -60,5 +64,11 @@ struct ShapeAtPoint {
 /// At integration point `point` of a triangle with these nodes (m), whose sides may be curved. The area is negative where
 /// the triangle is inverted.
 ShapeAtPoint shape_at(const AtSixNodes<Vec<2>>& nodes, int point);
+
+/// The position of an integration point, m.
+Vec<2> position_of(const ShapeAtPoint& shape, const AtSixNodes<Vec<2>>& nodes);
+
+/// Gives a shape of the plane what it has around an axis, at this position.
+void turn_around_axis(ShapeAtPoint& shape, const Vec<2>& position);
 
 }  // namespace berm::fem

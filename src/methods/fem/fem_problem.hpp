@@ -21,7 +21,8 @@ struct FemWatch {
   std::array<Real, triangle_points> of_points = {};
 };
 
-/// What cannot change during a finite element run: the same model as for the material point method, and the elements.
+/// What cannot change during a finite element run: the same model as for the material point method, and the elements; but in large deformations the elements and
+/// what follows from them are made anew now and then (fit_to_mesh).
 struct FemModel {
   problem::Model<2> model;  ///< its mesh is that of the corners
   QuadraticMesh mesh;
@@ -30,8 +31,9 @@ struct FemModel {
   CellField<std::array<Real, triangle_points>> density;  ///< kg/m3, at the integration points, that gives the weight
   CellField<std::array<Real, triangle_points>> depth;    ///< m, of the integration points below the bed's surface at the start
   Index rigid = none;                                    ///< the rigid body in contact with the soil
-  std::vector<FemContactPoint> contact;
-  FemInterface interface;  ///< but for its friction and adhesion, which are those of the point
+  std::vector<FemContactPoint> contact;                  ///< in large deformations where they are at the start of the increment
+  std::vector<BoundarySide> contact_sides;  ///< in large deformations: those that may come into contact before the next remeshing
+  FemInterface interface;                   ///< but for its friction and adhesion, which are those of the point
   problem::AdhesionLaw adhesion_law;
   Real width = 1;                             ///< m, of the rigid body, unit of the increments of travel; 1 where there is none
   Real weight = 0;                            ///< N/m, of all soil
@@ -67,10 +69,15 @@ struct SoilPoint {
   Real overstress = 0;                                ///< Pa, distance of the stress from the yield surface, in the norm of a tensor
 };
 
+/// Moments at which places of the soil are kept in large deformations: the start, the last frame, and that from which displacements count.
+enum class Moment { start, last_frame, zero };
+constexpr int moments = 3;
+
 /// Everything that changes during a finite element run.
 struct FemState {
-  problem::State<2> state;         ///< time, stage, rigid bodies, totals; no particles
-  std::vector<Real> displacement;  ///< by unknown: m, rad for the angle, and Pa for excess pore pressures
+  problem::State<2> state;  ///< time, stage, rigid bodies, totals; no particles
+  std::vector<Real>
+      displacement;  ///< by unknown: m, of nodes since their mesh was made; rad for the angle, and Pa for excess pore pressures
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
   std::vector<Vec<2>> support_forces;  ///< N/m, on the soil, by support that is reported
@@ -79,7 +86,34 @@ struct FemState {
   Real initial_imbalance_factor = 0;   ///< fraction of the initial unbalanced forces that fictitious forces still balance
   Real unbalanced = 0;                 ///< N/m, sum of the unbalanced nodal forces
   Real overstress = 0;                 ///< overstress over stress: integrals of both over the soil at yield
+  /// In large deformations, by moment: where the soil that is now at each node was then, m.
+  std::array<NodeField<Vec<2>>, moments> was_at;
+  bodies::Pose<2> meshed_at;  ///< that of the rigid body when the mesh was made
+
+  NodeField<Vec<2>>& place_at(Moment moment) { return was_at[static_cast<std::size_t>(moment)]; }
+  const NodeField<Vec<2>>& place_at(Moment moment) const { return was_at[static_cast<std::size_t>(moment)]; }
 };
+
+/// Where a node is, m.
+inline Vec<2> position_now(const FemModel& model, const FemState& state, Index node)
+{
+  return model.mesh.position[node] + Vec<2>(state.displacement[2 * node], state.displacement[2 * node + 1]);
+}
+
+/// In large deformations: the places of the soil at this moment are those with these displacements since the mesh was made, by unknown.
+void note_places(const FemModel& model, Moment moment, const std::vector<Real>& displacement, FemState& state);
+
+/// Where the rigid body is when its three unknowns have these values.
+inline bodies::Pose<2> pose_of(const Vec<3>& unknowns)
+{
+  bodies::Pose<2> pose;
+  pose.displacement = unknowns.head<2>();
+  pose.orientation.angle = unknowns[2];
+  return pose;
+}
+
+/// The point of the surface of a rigid body that is nearest to x, where the body is now.
+bodies::SurfacePoint<2> surface_now(const bodies::RigidBody<2>& rigid, const bodies::Pose<2>& pose, const Vec<2>& x);
 
 /// The interface at a contact point in an increment that begins with this state.
 FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin);
@@ -88,6 +122,13 @@ struct FemProblem {
   FemModel model;
   FemState state;
 };
+
+/// Makes what follows from `model.mesh`: contact points, loads, shapes, water, unknowns and their pattern. `was_at`: where the soil at each node was at the start, by which it has its
+/// strength; `poses`: of the rigid bodies. Throws InputError where the case does not fit the method.
+void fit_to_mesh(const settings::Case& c, const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2>>& poses, FemModel& model);
+
+/// In large deformations: puts the contact points where the nodes and the rigid body are.
+void place_contact(FemModel& model, const FemState& state);
 
 /// Builds mesh, elements and initial state. Throws InputError where the case does not fit the method.
 FemProblem build_fem(const settings::Case& c, const std::string& case_folder, const std::string& work_folder);
@@ -103,6 +144,9 @@ void make_flow(FemModel& model);
 /// stress in equilibrium with gravity and the supports of the first stage for the elasticity GroundElasticity. Holes are
 /// empty, the strength is ignored. Throws InputError where the supports do not hold the soil.
 void load_by_gravity(const settings::Case& c, const FemModel& model, FemState& state);
+
+/// In large deformations: the mesh that a state is of, bit for bit; reading it also makes what follows from it (fit_to_mesh). To be called before the state. Throws RunError where what is read is no mesh.
+void archive_mesh(Archive& k, const settings::Case& c, FemModel& model, FemState& state);
 
 /// The whole state, bit for bit. Reading puts it into one that was built for the same case. Throws RunError where elements, contact points or unknowns are
 /// not as many, or where what is read cannot be a state of this model.

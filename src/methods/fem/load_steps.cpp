@@ -58,10 +58,11 @@ Real largest_pressure(const FemModel& model, const std::vector<Real>& unknowns)
 
 }  // namespace
 
-LoadSteps::LoadSteps(const FemModel& model, FemState& state)
+LoadSteps::LoadSteps(FemModel& model, FemState& state, std::optional<Remesher> remesher)
     : model_(model),
       state_(state),
-      newton_(model),
+      remesher_(std::move(remesher)),
+      newton_(std::make_unique<Newton>(model)),
       min_relaxation_((model.non_associated ? 0.5 : 1e-4) * model.settings.relaxation),
       relaxation_(model.non_associated ? model.settings.relaxation : min_relaxation_)
 {
@@ -75,14 +76,14 @@ void LoadSteps::find_first_equilibrium()
   FemLoads drained = loads;
   drained.drained = true;
   for (Real& factor : drained.tractions) factor = 0;
-  if ((model_.flow.count > 0 && !release_imbalance(drained)) || !release_imbalance(loads))
+  if ((model_.flow.count > 0 && !release_imbalance(drained, release_viscosity)) || !release_imbalance(loads, release_viscosity))
     throw NoEquilibrium("the soil is not in equilibrium at the start: it cannot carry its weight with these stresses (k0, strength)");
 }
 
 /// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found.
-bool LoadSteps::release_imbalance(FemLoads loads)
+bool LoadSteps::release_imbalance(FemLoads loads, Real viscosity)
 {
-  newton_.assembly().store_initial_imbalance(state_, loads);
+  newton_->assembly().store_initial_imbalance(state_, loads);
   state_.gravity = loads.gravity;
   state_.tractions = loads.tractions;
   state_.initial_imbalance_factor = 1;
@@ -90,7 +91,7 @@ bool LoadSteps::release_imbalance(FemLoads loads)
   while (state_.initial_imbalance_factor > 0) {
     loads.initial_imbalance_factor = std::max(Real(0), state_.initial_imbalance_factor - part);
     std::vector<Real> change(model_.unknowns(), 0.);
-    const IncrementEnd end = newton_.find_equilibrium(state_, loads, release_viscosity, change);
+    const IncrementEnd end = newton_->find_equilibrium(state_, loads, viscosity, change);
     if (end.converged) {
       accept_equilibrium(change, loads);
       part *= 1.5;
@@ -103,7 +104,8 @@ bool LoadSteps::release_imbalance(FemLoads loads)
 
 void LoadSteps::accept_equilibrium(const std::vector<Real>& change, const FemLoads& loads)
 {
-  newton_.assembly().accept(state_, change, loads);
+  newton_->assembly().accept(state_, change, loads);
+  if (model_.settings.large_deformation) place_contact(model_, state_);
   for (const FemContactState& point : state_.contact) max_overlap_ = std::max(max_overlap_, -point.gap);
 }
 
@@ -214,7 +216,7 @@ Real LoadSteps::part_within_force(const IncrementEnd& end) const
   const std::optional<Real>& limit = stage().until.force;
   if (!limit || driven() == none || !end.converged) return 1;
   const Real before = resistance(model_.model, state_.state, state_.state.rigid_bodies[driven()].reaction),
-             after = resistance(model_.model, state_.state, newton_.assembly().reaction());
+             after = resistance(model_.model, state_.state, newton_->assembly().reaction());
   const Real direction = lifts(model_.model, state_.state) ? -1 : 1;
   return direction * (after - *limit) > std::abs(*limit) * 1e-4 ? std::max(0.1, (*limit - before) / (after - before)) : 1;
 }
@@ -223,9 +225,9 @@ Real LoadSteps::part_within_force(const IncrementEnd& end) const
 /// more is taken back.
 IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change)
 {
-  const Real viscosity = relaxation_ / first_travel * (first_dt_ / dt);
-  Assembly& assembly = newton_.assembly();
-  IncrementEnd end = newton_.find_equilibrium(state_, loads, viscosity, change);
+  const Real viscosity = viscosity_of(dt);
+  Assembly& assembly = newton_->assembly();
+  IncrementEnd end = newton_->find_equilibrium(state_, loads, viscosity, change);
   last_iterations_ = end.iterations;
   if (!model_.non_associated) return end;
   end.lag = assembly.strength_lag(state_, change);
@@ -233,7 +235,7 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
   for (int pass = 1; pass < max_passes && end.converged && std::abs(end.lag.part()) > max_lag; ++pass) {
     const std::vector<Real> before = change;
     assembly.update_strength(part);
-    IncrementEnd next = newton_.find_equilibrium(state_, loads, viscosity, change);
+    IncrementEnd next = newton_->find_equilibrium(state_, loads, viscosity, change);
     const int iterations = end.iterations + next.iterations;
     next.lag = assembly.strength_lag(state_, change);
     const Real ratio = next.lag.part() / end.lag.part(), left = std::abs(ratio);
@@ -253,10 +255,37 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
   return end;
 }
 
+/// The mesh anew, and the equilibrium there: what moves the body by its displacement holds it, what moves it by a force goes on acting.
+void LoadSteps::remesh()
+{
+  const bodies::RigidState<2>& rigid = state_.state.rigid_bodies[model_.rigid];
+  const Vec<2> before = rigid.reaction;
+  remesher_->remesh(model_, state_);
+  newton_ = std::make_unique<Newton>(model_);
+  last_dt_ = 0;
+  if (!release_imbalance(loads_after(0), viscosity_of(dt_)) && !release_imbalance(loads_after(0), release_viscosity))
+    throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
+  const Real change = (rigid.reaction - before).norm() / std::max(before.norm(), std::numeric_limits<Real>::min());
+  ++remeshings_.count;
+  remeshings_.just_now = true;
+  remeshings_.largest_change = std::max(remeshings_.largest_change, change);
+  remeshings_.sum_of_changes += change;
+}
+
+/// Of an increment of dt (s).
+Real LoadSteps::viscosity_of(Real dt) const
+{
+  return relaxation_ / first_travel * (first_dt_ / dt);
+}
+
 IncrementEnd LoadSteps::advance()
 {
   max_overlap_ = 0;
-  const Real largest_dt = shortest_dt_ < first_dt_ ? infinity : first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
+  remeshings_.just_now = false;
+  if (remesher_ && remesher_->is_due(model_, state_)) remesh();
+  const Real largest_step =
+      remesher_ ? std::min(model_.settings.largest_step, model_.settings.remeshing_travel) : model_.settings.largest_step;
+  const Real largest_dt = shortest_dt_ < first_dt_ ? infinity : first_dt_ * std::max(Real(1), largest_step / first_travel);
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
     const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest);
@@ -273,8 +302,8 @@ IncrementEnd LoadSteps::advance()
     if (end.converged || last_resort) {
       const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[driven()].reaction;
       accept_equilibrium(change, loads);
-      const Real force = newton_.assembly().contact_force();
-      accept(change, dt, end, force > 0 ? (newton_.assembly().reaction() - before).norm() / force : 0);
+      const Real force = newton_->assembly().contact_force();
+      accept(change, dt, end, force > 0 ? (newton_->assembly().reaction() - before).norm() / force : 0);
       refuse_cavitation(model_, state_);
       if (state_.overstress > max_overstress && driven() != none) refuse_overstress();
       return end;
@@ -341,7 +370,8 @@ bool LoadSteps::next_stage()
   if (state_.state.stage.index + 1 == static_cast<Index>(model_.model.stages.size())) return false;
   const Index held = model_.model.conditions.table_of_stage[state_.state.stage.index];
   ++state_.state.stage.index;
-  if (model_.model.conditions.table_of_stage[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
+  if (model_.model.conditions.table_of_stage[state_.state.stage.index] != held &&
+      !release_imbalance(dead_loads(state_.state.time), release_viscosity))
     throw NoEquilibrium(
         fmt::format("stage \"{}\": the soil does not reach equilibrium without the supports that are released", stage().name));
   begin_stage(model_.model, state_.state);
@@ -350,6 +380,12 @@ bool LoadSteps::next_stage()
       for (int q = 0; q < triangle_points; ++q) recover(model_.soil_at(cell, q), share, state_.points[cell][q].law_state.data());
   begin();
   return true;
+}
+
+void LoadSteps::archive_mesh(Archive& k)
+{
+  fem::archive_mesh(k, remesher_->settings(), model_, state_);
+  if (k.reads()) newton_ = std::make_unique<Newton>(model_);
 }
 
 void LoadSteps::archive(Archive& k)
@@ -362,6 +398,11 @@ void LoadSteps::archive(Archive& k)
   k("last_iterations", last_iterations_);
   k("accepted_above_tolerance", accepted_above_tolerance_);
   k("largest_pressure", largest_pressure_);
+  if (remesher_) {
+    k("remeshings", remeshings_.count);
+    k("largest_change", remeshings_.largest_change);
+    k("sum_of_changes", remeshings_.sum_of_changes);
+  }
   k("last_change", last_change_);
   if (!(relaxation_ > 0 && first_dt_ > 0 && dt_ > 0 && last_dt_ >= 0)) k.refuse("its increments have no length");
   if (last_dt_ > 0 && static_cast<Index>(last_change_.size()) != model_.unknowns()) k.refuse("its last increment is of another mesh");

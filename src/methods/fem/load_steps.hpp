@@ -3,6 +3,7 @@
 
 #include "core/archive.hpp"
 #include "fem/newton.hpp"
+#include "fem/remesher.hpp"
 #include "os/error.hpp"
 
 namespace berm::fem {
@@ -10,6 +11,14 @@ namespace berm::fem {
 /// The soil carries its loads in no equilibrium that could be found.
 struct NoEquilibrium : RunError {
   using RunError::RunError;
+};
+
+/// The remeshings of a run: how many there were, and how the reaction changed by mapping and the equilibrium after it, over the reaction before: the largest change by size, and the sum
+/// of all.
+struct Remeshings {
+  BigIndex count = 0;
+  Real largest_change = 0, sum_of_changes = 0;
+  bool just_now = false;  ///< since the increment before the last
 };
 
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
@@ -20,10 +29,11 @@ struct NoEquilibrium : RunError {
 /// force changes by more than a fiftieth makes the next shorter. Where water flows, the error of the pressures in an increment limits the next.
 class LoadSteps {
 public:
-  LoadSteps(const FemModel& model, FemState& state);
+  /// `remesher`: where deformations are large.
+  LoadSteps(FemModel& model, FemState& state, std::optional<Remesher> remesher = {});
 
   /// Bytes that the increments take beside what they have had since this was made.
-  Real memory_to_come() const { return newton_.memory_to_come(); }
+  Real memory_to_come() const { return newton_->memory_to_come(); }
 
   /// Finds the equilibrium of the first state, the rigid body at rest: under its weight consolidated soil has no excess pore pressure; tractions of the
   /// start come at once, and no water has flowed since. Throws NoEquilibrium where it finds none.
@@ -40,8 +50,13 @@ public:
   Real max_overlap() const { return max_overlap_; }
 
   /// The iteration that finds the equilibria.
-  Newton& newton() { return newton_; }
+  Newton& newton() { return *newton_; }
 
+  /// What remeshings have done to the run.
+  const Remeshings& remeshings() const { return remeshings_; }
+
+  /// In large deformations the mesh, before what is of it.
+  void archive_mesh(Archive& k);
   /// What the next increment takes from those before it, beside the state.
   void archive(Archive& k);
 
@@ -49,7 +64,9 @@ private:
   const settings::StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
   void begin();
-  bool release_imbalance(FemLoads loads);
+  bool release_imbalance(FemLoads loads, Real viscosity);
+  void remesh();
+  Real viscosity_of(Real dt) const;
   Real speed_of_body() const;
   Real travel(int freedom, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;
@@ -63,9 +80,11 @@ private:
   void accept_equilibrium(const std::vector<Real>& change, const FemLoads& loads);
   [[noreturn]] void refuse_overstress() const;
 
-  const FemModel& model_;
+  FemModel& model_;
   FemState& state_;
-  Newton newton_;
+  std::optional<Remesher> remesher_;
+  Remeshings remeshings_;
+  std::unique_ptr<Newton> newton_;
   Real min_relaxation_, relaxation_;       ///< travel over which overstress fades, over the width: at least, and of the next increment
   Real first_dt_ = 0, dt_ = 0;             ///< s, of the first and of the next increment of the stage
   Real shortest_dt_ = 0;                   ///< s, of the increments that the error of the pressures limits

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int max_iterations = 25;
 constexpr int max_chords = 12;
+constexpr Real shortest_unfolded = 1e-3;    // of a step: large deformations may fold an element
 constexpr Real gentle_slope = 0.1;          // of the first slope: ends the line search
 constexpr Real max_unbalanced_flow = 1e-6;  // of the water: its balance is linear, and holds after a whole step but for rounding
 constexpr Real tolerance_of_flow = 0.1;     // of that without water that flows
@@ -90,6 +91,7 @@ void Newton::search_line(const FemState& begin, const FemLoads& loads, Real visc
     return slope();
   };
   Real at = 1, here = go(1), low = 0, low_slope = first, high = 0, high_slope = 0;
+  for (; at > shortest_unfolded && !std::isfinite(here); at /= 2) here = go(-at / 2);
   if (!(first < 0)) return;
   for (int k = 0; k < max_chords && !(std::abs(here) <= -gentle_slope * first); ++k) {
     if (here < 0 && high == 0) return;  // still downhill after the whole step

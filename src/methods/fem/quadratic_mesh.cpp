@@ -67,6 +67,18 @@ public:
     return sides;
   }
 
+  /// Gives sides their boundaries.
+  void name_sides()
+  {
+    for (Index boundary = static_cast<Index>(mesh_.boundary_names.size()) - 1; boundary >= 0; --boundary) {
+      NodeField<char> at_boundary(made.node_count(), false);
+      for (const Index i : mesh_.boundary_nodes[boundary])
+        if (node_number_[i] != none) at_boundary[node_number_[i]] = true;
+      for (BoundarySide& side : made.boundary_sides)
+        if (at_boundary[side.from] && at_boundary[side.to]) side.boundary = boundary;
+    }
+  }
+
   QuadraticMesh made;
 
 private:
@@ -165,6 +177,7 @@ AtSixNodes<Vec<2>> QuadraticMesh::positions_of(Index cell) const
 QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const settings::Case& c, const std::vector<bodies::RigidShape<2>>& shapes)
 {
   Maker maker(mesh, c);
+  maker.name_sides();
   for (const std::vector<settings::SupportRole>& roles : support_sets(c).roles) {
     NodeField<std::uint8_t> fixed(maker.made.node_count(), 0), closed = fixed;
     NodeField<boundary::Holders<2>> holders(c.output.support_reactions ? maker.made.node_count() : 0, {none, none});
@@ -198,6 +211,11 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const settings::Case& c,
   for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
   check_unfolded(maker.made);
   return std::move(maker.made);
+}
+
+bool is_ground(const mesh::Mesh<2>& mesh, const BoundarySide& side)
+{
+  return side.boundary == none || mesh.boundary_names[side.boundary] == "surface";
 }
 
 std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape)

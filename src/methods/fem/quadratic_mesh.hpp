@@ -10,6 +10,7 @@ namespace berm::fem {
 /// A side of an element at the boundary of the mesh, with the soil on the left from its first to its last node.
 struct BoundarySide {
   Index from, to, middle;
+  Index boundary = none;  ///< the first of the mesh's on which both ends lie; none: a hole
 };
 
 /// 6-node triangles that fill the bodies. Nodes are numbered by first use, cells as in the mesh they are made from.
@@ -38,6 +39,9 @@ struct QuadraticMesh {
 /// unknown, where two bodies fill one region, or where an element is folded because its side is too long for the circle it
 /// lies on.
 QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const settings::Case& c, const std::vector<bodies::RigidShape<2>>& shapes);
+
+/// Whether a side is neither at a wall nor at the base of a seabed: the surface of the soil, or a hole.
+bool is_ground(const mesh::Mesh<2>& mesh, const BoundarySide& side);
 
 /// The sides at the boundary of which all three nodes lie on the surface of a shape, to a millionth of the side.
 std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape);

@@ -54,6 +54,18 @@ Matrix<2> gradient_at(const fem::ShapeAtPoint& shape, const fem::AtSixNodes<Inde
   return gradient;
 }
 
+/// The gradient of the displacement since a moment, by the places of then: F - 1, of which the inverse is known, the gradient of those places by the ones of now.
+Matrix<2> gradient_since(const fem::FemModel& model, const fem::FemState& state, fem::Moment moment, Index cell, int q)
+{
+  const fem::AtSixNodes<Index>& nodes = model.mesh.nodes[cell];
+  fem::AtSixNodes<Vec<2>> now;
+  for (int k = 0; k < 6; ++k) now[k] = fem::position_now(model, state, nodes[k]);
+  const fem::ShapeAtPoint shape = fem::shape_at(now, q);
+  Matrix<2> inverse = Matrix<2>::Zero();
+  for (int k = 0; k < 6; ++k) inverse += state.place_at(moment)[nodes[k]] * shape.gradient[k].transpose();
+  return inverse.inverse() - Matrix<2>::Identity();
+}
+
 /// A field of a frame that points of integration of some bodies carry.
 struct DrawnField {
   FieldInfo info;
@@ -162,6 +174,11 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
     for (const fem::ShapeAtPoint& shape : model.shape[cell]) area += shape.per_radius > 0 ? shape.area * shape.per_radius : shape.area;
     std::array<Matrix<2>, fem::triangle_points> gradient, since_last;
     for (int q = 0; q < fem::triangle_points; ++q) {
+      if (model.settings.large_deformation) {
+        gradient[q] = gradient_since(model, state, fem::Moment::zero, cell, q);
+        since_last[q] = gradient_since(model, state, fem::Moment::last_frame, cell, q);
+        continue;
+      }
       const Matrix<2> now = gradient_at(model.shape[cell][q], mesh.nodes[cell], state.displacement);
       gradient[q] = now - gradient_at(model.shape[cell][q], mesh.nodes[cell], zero);
       since_last[q] = now - gradient_at(model.shape[cell][q], mesh.nodes[cell], last_displacement);
@@ -192,13 +209,15 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
 }
 
 /// Gives each node the mean of what the soil of its elements has there at the start.
-void set_own(const fem::FemModel& model, const std::vector<OwnField>& own, Frame<2>& frame)
+void set_own(const fem::FemModel& model, const fem::FemState& state, const std::vector<OwnField>& own, Frame<2>& frame)
 {
   NodeField<Real> cells(model.mesh.node_count(), 0);
   for (Index cell = 0; cell < model.mesh.cell_count() && !own.empty(); ++cell)
     for (const Index node : model.mesh.nodes[cell]) {
       const settings::BodySoil& soil = model.soil_of(cell);
-      const std::vector<Real> values = local_values(soil, model.region_of(cell), model.model.soil_depth(model.mesh.position[node]));
+      const std::vector<Real> values = local_values(
+          soil, model.region_of(cell),
+          model.model.soil_depth(model.settings.large_deformation ? state.place_at(fem::Moment::start)[node] : model.mesh.position[node]));
       ++cells[node];
       for (const OwnField& field : own)
         if (const int place = field.place[model.mesh.body[cell]]; place != none && !values.empty()) {
@@ -266,7 +285,7 @@ void set_motion(const fem::FemModel& model, const fem::FemState& state, const st
   const fem::QuadraticMesh& mesh = model.mesh;
   const auto stretch_around = [&](Index node, Real moved, const Matrix<2>& gradient) {
     if (model.model.mesh.metric != mesh::Metric::axisymmetric) return Real(1);
-    const Real radius = mesh.position[node][0];
+    const Real radius = model.settings.large_deformation ? state.place_at(fem::Moment::start)[node][0] : mesh.position[node][0];
     return 1 + (radius > 0 ? moved / radius : gradient(0, 0));
   };
   const FieldValues<Real>& stress = frame.field("stress");
@@ -275,15 +294,20 @@ void set_motion(const fem::FemModel& model, const fem::FemState& state, const st
   &increment = frame.field("incremental_deviatoric_strain");
   for (Index node = 0; node < mesh.node_count(); ++node) {
     const NodalSums& sum = sums[node];
-    const Vec<2> moved_by(state.displacement[2 * node], state.displacement[2 * node + 1]);
+    const bool large = model.settings.large_deformation;
+    const Vec<2> moved_by(state.displacement[2 * node], state.displacement[2 * node + 1]), now = mesh.position[node] + moved_by;
+    const Vec<2> since_zero = large ? Vec<2>(now - state.place_at(fem::Moment::zero)[node])
+                                    : Vec<2>(moved_by - Vec<2>(zero[2 * node], zero[2 * node + 1])),
+                 since_frame = large ? Vec<2>(now - state.place_at(fem::Moment::last_frame)[node])
+                                     : Vec<2>(moved_by - Vec<2>(last_displacement[2 * node], last_displacement[2 * node + 1]));
     frame.id[node] = node;
-    frame.points[node] = mesh.position[node] + moved_by;
+    frame.points[node] = now;
     frame.volume[node] = sum.area / 6;
-    for (int d = 0; d < 2; ++d) displacement.at(node, d) = moved_by[d] - zero[2 * node + d];
+    for (int d = 0; d < 2; ++d) displacement.at(node, d) = since_zero[d];
     mean_stress.at(node) = (stress.at(node, 0) + stress.at(node, 1) + stress.at(node, 2)) / 3;
     const Matrix<2> gradient = sum.gradient / sum.area, since_last = sum.gradient_since_last / sum.area;
     const Real around = stretch_around(node, displacement.at(node, 0), gradient),
-               around_since_last = stretch_around(node, moved_by[0] - last_displacement[2 * node], since_last);
+               around_since_last = stretch_around(node, since_frame[0], since_last);
     const GradientStrain strain = gradient_strain<2>(Matrix<2>::Identity() + gradient, around);
     deviatoric.at(node) = strain.deviatoric;
     volumetric.at(node) = strain.volumetric;
@@ -302,6 +326,7 @@ FemFrameMaker::FemFrameMaker(const fem::FemModel& model)
 
 void FemFrameMaker::archive(Archive& k)
 {
+  if (model_.settings.large_deformation) return;  // the state has what they count from
   k.fixed("last_displacement", last_displacement_);
   if (!displacements_since(model_.model.stages).empty()) k.fixed("zero_of_nodes", zero_);
 }
@@ -318,7 +343,7 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
   frame.time = state.state.time;
   set_motion(model_, state, last_displacement_, zero_, draw_out(model_, state, last_displacement_, zero_, drawn, frame), frame);
   last_displacement_ = state.displacement;
-  set_own(model_, own, frame);
+  set_own(model_, state, own, frame);
   set_pore_pressure_ratio(model_, frame);
   if (model_.flow.count > 0) set_water_flux(model_, state, frame);
   frame.rigid_bodies = frame_rigids(model_.model, state.state.rigid_bodies);

@@ -40,12 +40,18 @@ fem::FemProblem build_for(const RunRequest& request, const io::ScratchFolder& sc
   return fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
 }
 
+std::optional<fem::Remesher> remesher_of(const settings::Case& c, const io::ScratchFolder& scratch)
+{
+  if (!c.fem.large_deformation) return std::nullopt;
+  return fem::Remesher(c, scratch.path());
+}
+
 }  // namespace
 
 FemMethod::FemMethod(const RunRequest& request, const io::ScratchFolder& scratch)
     : memory_for_mesh_(memory_in_use() + memory_of_gmsh(request.settings)),
       problem_(build_for(request, scratch)),
-      steps_(problem_.model, problem_.state),
+      steps_(problem_.model, problem_.state, remesher_of(request.settings, scratch)),
       recorder_(problem_.model),
       frame_maker_(problem_.model)
 {
@@ -88,6 +94,7 @@ void FemMethod::refuse_lost_soil() const
 {
   constexpr Index tenth = 10;
   const fem::FemModel& of = problem_.model;
+  if (of.settings.large_deformation) return;
   const std::vector<Real>& now = problem_.state.displacement;
   const Vec<2> size = model().mesh.upper - model().mesh.lower;
   Index lost = 0;
@@ -120,7 +127,7 @@ void FemMethod::add_row(run_folder::HistoryFile& file)
     trial_->note(state().time, movement());
     recorder_.note_movement(trial_->movement());
   }
-  recorder_.add_row(problem_.model, problem_.state, last_, file);
+  recorder_.add_row(problem_.model, problem_.state, last_, steps_.remeshings(), file);
 }
 
 std::string FemMethod::size_words() const
@@ -171,6 +178,7 @@ bool FemMethod::next_stage()
   if (begins && model().stages[state().stage.index].zero_displacements) {
     recorder_.zero_displacements(at_end, bodies_at_end);
     frame_maker_.zero_displacements(at_end);
+    note_places(problem_.model, fem::Moment::zero, at_end, problem_.state);
   }
   if (begins) recorder_.observe_steps(steps_);
   return begins;
@@ -178,6 +186,7 @@ bool FemMethod::next_stage()
 
 void FemMethod::archive(Archive& k)
 {
+  if (problem_.model.settings.large_deformation) k.table("mesh", [&] { steps_.archive_mesh(k); });
   k.table("increments", [&] { frame_maker_.archive(k); });
   k.table("recorder", [&] { recorder_.archive(k); });
   k.table("steps", [&] { steps_.archive(k); });
@@ -189,6 +198,14 @@ void FemMethod::archive(Archive& k)
       k.fixed("moved_from", moved_from_);
     });
   k.table("state", [&] { fem::archive(k, problem_.model, problem_.state); });
+  if (problem_.model.settings.large_deformation && k.reads()) place_contact(problem_.model, problem_.state);
+}
+
+run_folder::Frame<2> FemMethod::make_frame(run_folder::Frame<2>)
+{
+  run_folder::Frame<2> frame = frame_maker_.make(problem_.state);
+  note_places(problem_.model, fem::Moment::last_frame, problem_.state.displacement, problem_.state);
+  return frame;
 }
 
 run_folder::Summary::Checks FemMethod::checks() const
@@ -203,6 +220,11 @@ run_folder::Summary::Checks FemMethod::checks() const
                                         {"largest_overstress", recorder_.largest_overstress()},
                                         {"strength_lag", recorder_.strength_lag()},
                                         {"friction_work_is_loss", state().ledger.totals.friction >= 0}};
+  if (const fem::Remeshings& of = steps_.remeshings(); of.count > 0) {
+    checks.emplace_back("remeshings", static_cast<Real>(of.count));
+    checks.emplace_back("largest_change_by_remeshing", of.largest_change);
+    checks.emplace_back("mean_change_by_remeshing", of.sum_of_changes / static_cast<Real>(of.count));
+  }
   if (trial_)
     for (auto& check : trial_->checks()) checks.push_back(std::move(check));
   return checks;

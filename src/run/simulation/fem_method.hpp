@@ -42,7 +42,7 @@ public:
   /// A row for each increment.
   Real history_interval() const { return 0; }
   void add_row(run_folder::HistoryFile& file);
-  run_folder::Frame<2> make_frame(run_folder::Frame<2>) { return frame_maker_.make(problem_.state); }
+  run_folder::Frame<2> make_frame(run_folder::Frame<2>);
   /// False after the last one.
   bool stage_ended() const { return problem::stage_ended(model(), state()) || (trial_ && trial_->failed()); }
   bool next_stage();

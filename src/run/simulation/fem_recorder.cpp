@@ -47,15 +47,16 @@ Real inflow_of_head(const fem::FemModel& model, const fem::FemState& state, std:
 
 }  // namespace
 
-Vec<2> FemRecorder::displacement_of(const fem::FemState& state, Index node) const
+Vec<2> FemRecorder::displacement_of(const fem::FemModel& model, const fem::FemState& state, Index node) const
 {
+  if (large_) return position_now(model, state, node) - state.place_at(fem::Moment::zero)[node];
   return {state.displacement[2 * node] - zero_[2 * node], state.displacement[2 * node + 1] - zero_[2 * node + 1]};
 }
 
 void FemRecorder::zero_displacements(const std::vector<Real>& displacement, const problem::State<2>& state)
 {
   zero_rigid_bodies(state);
-  zero_ = displacement;
+  if (!large_) zero_ = displacement;
 }
 
 void FemRecorder::observe_solution(const fem::FemState& state, const fem::IncrementEnd& end)
@@ -70,7 +71,7 @@ void FemRecorder::observe_tractions(const fem::FemModel& model, const fem::FemSt
 {
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     LoadedArea<2> area;
-    for (const fem::NodalLoad& load : model.loads[k]) area.add(load.force, displacement_of(state, load.node), load.area);
+    for (const fem::NodalLoad& load : model.loads[k]) area.add(load.force, displacement_of(model, state, load.node), load.area);
     row_.of(model.model.tractions[k].name);
     area.observe(row_, state.tractions[k], counted("mean displacement"));
   }
@@ -85,7 +86,7 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
     Vec<2> displacement = Vec<2>::Zero();
     SymTensor<2> stress{};
     Real pressure = 0;
-    for (int k = 0; k < 6; ++k) displacement += watch.of_nodes[k] * displacement_of(state, model.mesh.nodes[watch.cell][k]);
+    for (int k = 0; k < 6; ++k) displacement += watch.of_nodes[k] * displacement_of(model, state, model.mesh.nodes[watch.cell][k]);
     for (int q = 0; q < fem::triangle_points; ++q) {
       const fem::SoilPoint& point = state.points[watch.cell][q];
       for (int c = 0; c < tensor_size<2>; ++c) stress.c[c] += watch.of_points[q] * point.stress.c[c];
@@ -98,7 +99,7 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
 }
 
 void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state, const fem::IncrementEnd& end,
-                          run_folder::HistoryFile& file)
+                          const fem::Remeshings& remeshings, run_folder::HistoryFile& file)
 {
   const problem::State<2>& now = state.state;
   const problem::Totals<2>& t = now.ledger.totals;
@@ -130,6 +131,8 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
   }
   row_.of_main("run");
   observe_solution(state, end);
+  if (model.settings.large_deformation)
+    row_("remeshings", static_cast<Real>(remeshings.count), run_folder::bare, "meshes made since the start");
   if (model.flow.count > 0) observe_consolidation(row_, now.stage);
   observe_tractions(model, state);
   observe_watches(model, state);
@@ -157,7 +160,7 @@ void FemRecorder::archive(Archive& k)
   static_assert(sizeof(lag_) == 2 * sizeof(Real));
   k("lag_missing", lag_.missing);
   k("lag_dissipated", lag_.dissipated);
-  if (counts_from_stages()) k.fixed("zero_of_nodes", zero_);
+  if (counts_from_stages() && !large_) k.fixed("zero_of_nodes", zero_);
 }
 
 }  // namespace berm::simulation

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fem/cut_mesh_test.cpp
+#include "fem/fem_problem.hpp"
+#include "os/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::fem {
+namespace {
+
+/// Stiffness of the contact springs, relative to a layer of soil as thick as the elements at the body.
+constexpr Real contact_stiffness = 100;
+
+/// The unknowns of an element, and the entries of the matrix that they couple.
+class PatternMaker {
+public:
+  explicit PatternMaker(Index unknowns) : rows_(unknowns) {}
+
+  void couple(std::span<const Index> unknowns)
+  {
+    for (const Index row : unknowns)
+      for (const Index column : unknowns)
+        if (column <= row) rows_[row].push_back(column);
+  }
+  SparsePattern pattern()
+  {
+    SparsePattern made;
+    made.first.push_back(0);
+    for (std::vector<Index>& row : rows_) {
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+      made.column.insert(made.column.end(), row.begin(), row.end());
+      made.first.push_back(static_cast<Index>(made.column.size()));
+    }
+    return made;
+  }
+
+private:
+  std::vector<std::vector<Index>> rows_;
+};
+
+std::array<Index, 12> unknowns_of(const AtSixNodes<Index>& nodes)
+{
+  std::array<Index, 12> unknowns;
+  for (int k = 0; k < 12; ++k) unknowns[k] = 2 * nodes[k / 2] + k % 2;
+  return unknowns;
+}
+
+std::array<Index, 15> unknowns_with_pressures(const FemModel& model, Index cell)
+{
+  const AtSixNodes<Index>& nodes = model.mesh.nodes[cell];
+  std::array<Index, 15> unknowns;
+  for (int k = 0; k < 12; ++k) unknowns[k] = 2 * nodes[k / 2] + k % 2;
+  for (int k = 0; k < 3; ++k) unknowns[12 + k] = model.flow.unknown[nodes[k]];
+  return unknowns;
+}
+
+void number_unknowns(FemModel& model)
+{
+  PatternMaker maker(model.unknowns());
+  for (const auto& nodes : model.mesh.nodes) maker.couple(unknowns_of(nodes));
+  for (Index cell = 0; cell < model.flow.water.size(); ++cell)
+    if (model.flow.in(cell)) maker.couple(unknowns_with_pressures(model, cell));
+  for (Index unknown = model.rigid_unknown(); unknown < model.unknowns(); ++unknown) maker.couple(std::array{unknown});
+  model.pattern = maker.pattern();
+  model.cell_entries.assign(model.mesh.nodes.size());
+  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
+    const std::array<Index, 12> unknowns = unknowns_of(model.mesh.nodes[cell]);
+    int k = 0;
+    for (int i = 0; i < 12; ++i)
+      for (int j = 0; j <= i; ++j)
+        model.cell_entries[cell][k++] = model.pattern.index_of(std::max(unknowns[i], unknowns[j]), std::min(unknowns[i], unknowns[j]));
+  }
+  model.flow.entries.assign(model.flow.water.size());
+  for (Index cell = 0; cell < model.flow.water.size(); ++cell) {
+    if (!model.flow.in(cell)) continue;
+    const std::array<Index, 15> unknowns = unknowns_with_pressures(model, cell);
+    int k = 0;
+    for (int i = 12; i < 15; ++i)
+      for (int j = 0; j <= i; ++j)
+        model.flow.entries[cell][k++] = model.pattern.index_of(std::max(unknowns[i], unknowns[j]), std::min(unknowns[i], unknowns[j]));
+  }
+}
+
+/// P-wave modulus of the stiffest soil that the surface of the rigid body meets, Pa; where regions have their own materials, the stiffest of all at these depths.
+Real stiffest_at_contact(const FemModel& model, const NodeField<Vec<2>>& was_at, Index body)
+{
+  const settings::BodySoil& soil = model.model.bodies[body].soil;
+  Real stiffest = 0;
+  for (const FemContactPoint& point : model.contact) {
+    const Real depth = model.model.soil_depth(was_at[point.node]);
+    stiffest = std::max(stiffest, p_wave_modulus(soil.at("", depth)));
+    for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, p_wave_modulus(soil.at(region, depth)));
+  }
+  return stiffest;
+}
+
+/// The friction of each contact point, and its adhesion before it slides: beside soil at rest at its depth.
+void set_adhesion(FemModel& model, const NodeField<Vec<2>>& was_at, const problem::Contact& contact)
+{
+  model.adhesion_law = contact.adhesion_law;
+  const settings::BodySoil& soil = model.model.bodies[contact.body].soil;
+  const bool by_soil = !contact.adhesion_law.by_soil.empty();
+  if ((contact.adhesion_law.factor > 0 || by_soil) && !soil.of_region.empty())
+    throw KeyError(
+        fmt::format("contact.{}.{}: finite elements find the soil beside the interface by its depth: give the soil by soil_layer "
+                    "instead of region_material, or one friction and an adhesion in Pa",
+                    contact.name, by_soil ? "soil" : "adhesion_factor"));
+  for (FemContactPoint& point : model.contact) {
+    const Real depth = model.model.soil_depth(was_at[point.node]);
+    const material::Material there = soil.at("", depth);
+    const Index number = soil.material_index_at("", depth);
+    const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(there)), 0);
+    point.adhesion = contact.adhesion_law.at(there, undisturbed.data(), 0, number);
+    point.friction = by_soil ? contact.adhesion_law.by_soil[static_cast<std::size_t>(number)].friction : contact.friction;
+  }
+}
+
+/// The rigid body that meets the soil; none without contact.
+const problem::Contact* contact_of(const FemModel& model)
+{
+  const problem::Contact* found = nullptr;
+  for (const problem::Contact& contact : model.model.contacts) {
+    if (contact.rigid == none)
+      throw KeyError(fmt::format("contact.{}.other_body: the finite element method supports contact with a rigid body only", contact.name));
+    if (found != nullptr) throw KeyError(fmt::format("contact.{}: the finite element method supports one contact only", contact.name));
+    found = &contact;
+  }
+  return found;
+}
+
+/// The sides of the ground that the body may reach before the next remeshing.
+std::vector<BoundarySide> sides_within_reach(const FemModel& model, const bodies::Pose<2>& pose)
+{
+  constexpr Real remeshings = 5;
+  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
+  const Real reach = remeshings * model.settings.remeshing_travel * width_of<2>(rigid.shape);
+  const auto is_near = [&](Index node) { return surface_now(rigid, pose, model.mesh.position[node]).distance < reach; };
+  std::vector<BoundarySide> sides;
+  for (const BoundarySide& side : model.mesh.boundary_sides)
+    if (is_ground(model.model.mesh, side) && (is_near(side.from) || is_near(side.middle) || is_near(side.to))) sides.push_back(side);
+  return sides;
+}
+
+void make_contact(FemModel& model, const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2>>& poses)
+{
+  const problem::Contact* contact = contact_of(model);
+  if (contact == nullptr) return;
+  model.rigid = contact->rigid;
+  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[contact->rigid];
+  const mesh::Metric metric = model.model.mesh.metric;
+  const auto sides =
+      model.settings.large_deformation ? sides_within_reach(model, poses[contact->rigid]) : contact_sides(model.mesh, rigid.shape);
+  if (model.settings.large_deformation)
+    model.contact_sides = sides;
+  else if (sides.empty())
+    throw KeyError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact->name, rigid.name));
+  model.contact = make_contact_points(sides, model.mesh.position, placed(rigid, poses[contact->rigid]), metric);
+  Real length = 0;
+  for (const FemContactPoint& point : model.contact) length += section_of(metric, point.area, model.mesh.position[point.node]);
+  model.interface = {0, 0, rules_of(contact->scheme).tied,
+                     contact_stiffness * stiffest_at_contact(model, was_at, contact->body) * static_cast<Real>(sides.size()) / length,
+                     contact->tension};
+  set_adhesion(model, was_at, *contact);
+}
+
+/// Shape functions and depths of the points of all elements, and the weight of the soil.
+void fill_shapes(const NodeField<Vec<2>>& was_at, FemModel& model)
+{
+  model.shape.assign(model.mesh.nodes.size());
+  model.depth.assign(model.mesh.nodes.size());
+  model.density.assign(model.mesh.nodes.size());
+  model.cell_size.assign(model.mesh.nodes.size(), 0);
+  model.weight = 0;
+  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
+    const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
+    AtSixNodes<Vec<2>> first;
+    for (int k = 0; k < 6; ++k) first[k] = was_at[model.mesh.nodes[cell][k]];
+    for (int q = 0; q < triangle_points; ++q) {
+      ShapeAtPoint& shape = model.shape[cell][q] = shape_at(nodes, q);
+      model.cell_size[cell] += shape.area;
+      if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
+      if (model.model.mesh.metric == mesh::Metric::axisymmetric) turn_around_axis(shape, position_of(shape, nodes));
+      model.depth[cell][q] = model.model.soil_depth(position_of(shape, first));
+      const settings::BodySoil& soil = model.soil_of(cell);
+      model.density[cell][q] = density(soil.materials[soil.material_index_at(model.region_of(cell), model.depth[cell][q])]);
+    }
+  }
+  for (Real& size : model.cell_size) size = std::sqrt(size);
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+    for (int q = 0; q < triangle_points; ++q)
+      model.weight += model.shape[cell][q].area * model.density[cell][q] * model.model.gravity.norm();
+}
+
+/// Holds the nodes on the axis across it, those in the middle of sides too.
+void hold_axis(FemModel& model)
+{
+  if (model.model.mesh.metric != mesh::Metric::axisymmetric) return;
+  for (NodeField<std::uint8_t>& fixed : model.mesh.fixed)
+    for (Index node = 0; node < model.mesh.node_count(); ++node)
+      if (model.mesh.position[node][0] == 0) fixed[node] |= 1;
+}
+
+}  // namespace
+
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin)
+{
+  FemInterface interface = model.interface;
+  interface.friction = model.contact[point].friction;
+  interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.contact[point].slip);
+  if (model.flow.count > 0)
+    for (const Index unknown : model.flow.at_contact[point])
+      if (unknown != none) interface.pore_pressure += begin.displacement[unknown] / 2;
+  return interface;
+}
+
+bodies::SurfacePoint<2> surface_now(const bodies::RigidBody<2>& rigid, const bodies::Pose<2>& pose, const Vec<2>& x)
+{
+  const Matrix<2> turned = pose.orientation.matrix();
+  const Vec<2> at_first = center_of<2>(rigid.shape) + turned.transpose() * (x - center_now(rigid, pose));
+  bodies::SurfacePoint<2> surface = surface_at<2>(rigid.shape, at_first);
+  surface.normal = turned * surface.normal;
+  return surface;
+}
+
+void note_places(const FemModel& model, Moment moment, const std::vector<Real>& displacement, FemState& state)
+{
+  if (!model.settings.large_deformation) return;
+  for (Index node = 0; node < model.mesh.node_count(); ++node)
+    state.place_at(moment)[node] = model.mesh.position[node] + Vec<2>(displacement[2 * node], displacement[2 * node + 1]);
+}
+
+void place_contact(FemModel& model, const FemState& state)
+{
+  if (model.contact.empty()) return;
+  NodeField<Vec<2>> position = model.mesh.position;
+  for (Index node = 0; node < position.size(); ++node) position[node] = position_now(model, state, node);
+  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
+  const bodies::Pose<2>& pose = state.state.rigid_bodies[model.rigid];
+  const std::vector<FemContactPoint> now = make_contact_points(model.contact_sides, position, placed(rigid, pose), model.model.mesh.metric);
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    model.contact[k].area = now[k].area;
+    model.contact[k].arm = now[k].arm;
+    model.contact[k].normal = surface_now(rigid, pose, position[now[k].node]).normal;
+  }
+}
+
+void fit_to_mesh(const settings::Case& c, const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2>>& poses, FemModel& model)
+{
+  hold_axis(model);
+  make_contact(model, was_at, poses);
+  model.loads.clear();
+  for (std::size_t t = 0; t < c.traction.size(); ++t)
+    model.loads.push_back(
+        side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second, model.model.mesh.metric));
+  fill_shapes(was_at, model);
+  model.flow = {};
+  make_flow(model);
+  number_unknowns(model);
+}
+
+}  // namespace berm::fem

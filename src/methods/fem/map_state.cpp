@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fem/remesher_test.cpp
+#include "core/for_each.hpp"
+#include "fem/point_locator.hpp"
+#include "fem/remesher.hpp"
+#include "material/laws.hpp"
+
+#include <algorithm>
+
+namespace berm::fem {
+namespace {
+
+/// What is known of the old mesh where it is now.
+struct OldMesh {
+  const FemModel& model;
+  const FemState& state;
+  NodeField<Vec<2>> position;
+  PointLocator locator;
+
+  OldMesh(const FemModel& m, const FemState& s) : model(m), state(s), position(positions(m, s)), locator(m.mesh, position) {}
+
+  static NodeField<Vec<2>> positions(const FemModel& model, const FemState& state)
+  {
+    NodeField<Vec<2>> position = model.mesh.position;
+    for (Index node = 0; node < position.size(); ++node) position[node] = position_now(model, state, node);
+    return position;
+  }
+  /// A field of the nodes at a point.
+  Vec<2> at(const MeshPoint& point, const NodeField<Vec<2>>& field) const
+  {
+    const AtSixNodes<Real> part = shape_functions(point.at);
+    Vec<2> sum = Vec<2>::Zero();
+    for (int k = 0; k < 6; ++k) sum += part[k] * field[model.mesh.nodes[point.cell][k]];
+    return sum;
+  }
+  Real pressure_at(const MeshPoint& point) const
+  {
+    const std::array<Real, 3> part = {1 - point.at[0] - point.at[1], point.at[0], point.at[1]};
+    Real sum = 0;
+    for (int k = 0; k < 3; ++k)
+      if (const Index unknown = model.flow.unknown[model.mesh.nodes[point.cell][k]]; unknown != none)
+        sum += part[k] * state.displacement[unknown];
+    return sum;
+  }
+};
+
+/// What the points of an element carry, drawn out linearly to this one; what is a single number stays within their range.
+SoilPoint soil_at(const OldMesh& old, const MeshPoint& there)
+{
+  const std::array<Real, triangle_points> weights = linear_weights(there.at);
+  const auto& points = old.state.points[there.cell];
+  SoilPoint soil;
+  for (int q = 0; q < triangle_points; ++q)
+    for (int c = 0; c < tensor_size<2>; ++c) soil.stress[c] += weights[q] * points[q].stress[c];
+  const auto mean = [&](const auto& of) {
+    const Real values[3] = {of(points[0]), of(points[1]), of(points[2])};
+    const auto [least, most] = std::minmax({values[0], values[1], values[2]});
+    return std::clamp(weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2], least, most);
+  };
+  soil.deviatoric_strain = mean([](const SoilPoint& point) { return point.deviatoric_strain; });
+  for (std::size_t k = 0; k < soil.law_state.size(); ++k)
+    soil.law_state[k] = mean([&](const SoilPoint& point) { return point.law_state[k]; });
+  return soil;
+}
+
+/// Puts the stress back onto the surface of the law, where it is beyond it.
+void return_to_surface(const FemModel& model, Index cell, int q, Real time, SoilPoint& point)
+{
+  const material::Material soil = model.soil_at(cell, q);
+  const bool flows = model.flow.in(cell);
+  const SymTensor<2> total = point.stress;
+  if (flows) point.stress = material::effective_stress(soil, total, point.law_state.data());
+  SymTensor<2> pressure;
+  for (int c = 0; c < tensor_size<2>; ++c) pressure[c] = total[c] - point.stress[c];
+  std::visit(
+      [&](const auto& law) {
+        update(law, point.stress, material::Increment<2, Real>{{}, 0, time, model.cell_size[cell]}, point.law_state.data());
+      },
+      prepare(flows ? material::drained(soil) : soil));
+  for (int c = 0; c < tensor_size<2>; ++c) point.stress[c] += pressure[c];
+}
+
+/// Shear and state of the old contact at a point of the outline.
+class OldContact {
+public:
+  explicit OldContact(const OldMesh& old) : old_(old), point_of_(old.model.mesh.node_count(), none)
+  {
+    for (std::size_t k = 0; k < old.model.contact.size(); ++k) point_of_[old.model.contact[k].node] = static_cast<Index>(k);
+    NodeField<int> sides(old.model.mesh.node_count(), 0);
+    end_.assign(old.model.mesh.node_count(), 0);
+    for (const BoundarySide& side : old.model.mesh.boundary_sides)
+      for (const Index node : {side.from, side.to}) end_[node] += mean_of(side), ++sides[node];
+    for (Index node = 0; node < sides.size(); ++node)
+      if (sides[node] > 0) end_[node] /= sides[node];
+  }
+
+  /// Pa, along (-n_y, n_x): linear between the mean of a side in its middle and the means of two at their common end.
+  Real shear_at(const OutlinePoint& point) const
+  {
+    const BoundarySide& side = old_.model.mesh.boundary_sides[point.side];
+    const Real middle = mean_of(side);
+    return point.part < 0.5 ? end_[side.from] + 2 * point.part * (middle - end_[side.from])
+                            : middle + (2 * point.part - 1) * (end_[side.to] - middle);
+  }
+  /// That of the nearest node; null where it had none.
+  const FemContactState* nearest(const OutlinePoint& point) const
+  {
+    const BoundarySide& side = old_.model.mesh.boundary_sides[point.side];
+    const Index node = point.part < 0.25 ? side.from : point.part < 0.75 ? side.middle : side.to, k = point_of_[node];
+    return k == none ? nullptr : &old_.state.contact[static_cast<std::size_t>(k)];
+  }
+
+private:
+  Real shear_of(Index node) const
+  {
+    const Index k = point_of_[node];
+    if (k == none) return 0;
+    const Vec<2>& normal = old_.model.contact[static_cast<std::size_t>(k)].normal;
+    return old_.state.contact[static_cast<std::size_t>(k)].traction.dot(Vec<2>(-normal[1], normal[0]));
+  }
+  Real mean_of(const BoundarySide& side) const { return (shear_of(side.from) + 4 * shear_of(side.middle) + shear_of(side.to)) / 6; }
+
+  const OldMesh& old_;
+  NodeField<Index> point_of_;
+  NodeField<Real> end_;
+};
+
+std::vector<FemContactState> map_contact(const OldMesh& old, const std::vector<const OutlinePoint*>& outline, const FemModel& model,
+                                         const FemState& state)
+{
+  const OldContact contact(old);
+  std::vector<FemContactState> mapped;
+  for (const FemContactPoint& point : model.contact) {
+    const OutlinePoint& there = *outline[static_cast<std::size_t>(point.node)];
+    const FemContactState* before = contact.nearest(there);
+    FemContactState& now = mapped.emplace_back();
+    now.gap = surface_now(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid], there.x).distance;
+    now.parted = before == nullptr ? 1 : before->parted;
+    now.slip = before == nullptr ? 0 : before->slip;
+    now.traction = contact.shear_at(there) * Vec<2>(-point.normal[1], point.normal[0]);
+  }
+  return mapped;
+}
+
+}  // namespace
+
+void map_state(const FemModel& old_model, const FemState& old_state, const std::vector<const OutlinePoint*>& outline,
+               const settings::Case& c, FemModel& model, FemState& state)
+{
+  const OldMesh old(old_model, old_state);
+  const QuadraticMesh& mesh = model.mesh;
+  NodeField<MeshPoint> of_node(mesh.node_count());
+  for_each("map nodes", mesh.node_count(), [&](Index node) { of_node[node] = old.locator.find(mesh.position[node]); });
+  for (int m = 0; m < moments; ++m) {
+    state.was_at[m].assign(mesh.node_count());
+    for (Index node = 0; node < mesh.node_count(); ++node) state.was_at[m][node] = old.at(of_node[node], old_state.was_at[m]);
+  }
+  fit_to_mesh(c, state.place_at(Moment::start), {old_state.state.rigid_bodies.begin(), old_state.state.rigid_bodies.end()}, model);
+
+  state.displacement.assign(static_cast<std::size_t>(model.unknowns()), 0.);
+  for (Index d = 0; d < model.pressure_unknown() - model.rigid_unknown(); ++d)
+    state.displacement[model.rigid_unknown() + d] = old_state.displacement[old_model.rigid_unknown() + d];
+  for (Index node = 0; node < mesh.node_count() && model.flow.count > 0; ++node)
+    if (const Index unknown = model.flow.unknown[node]; unknown != none) state.displacement[unknown] = old.pressure_at(of_node[node]);
+
+  state.points.assign(mesh.cell_count());
+  for_each("map stresses", mesh.cell_count(), [&](Index cell) {
+    const AtSixNodes<Vec<2>> nodes = mesh.positions_of(cell);
+    for (int q = 0; q < triangle_points; ++q) {
+      SoilPoint& point = state.points[cell][q];
+      point = soil_at(old, old.locator.find(position_of(model.shape[cell][q], nodes)));
+      return_to_surface(model, cell, q, state.state.time, point);
+    }
+  });
+  if (model.rigid != none) state.contact = map_contact(old, outline, model, state);
+  for (FemWatch& watch : model.watches) {
+    Vec<2> x = Vec<2>::Zero();
+    for (int k = 0; k < 6; ++k) x += watch.of_nodes[k] * old.position[old_model.mesh.nodes[watch.cell][k]];
+    watch = make_watch(mesh, watch.name, x, old_model.mesh.body[watch.cell]);
+  }
+  place_contact(model, state);
+}
+
+}  // namespace berm::fem

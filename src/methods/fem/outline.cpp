@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fem/remesher_test.cpp
+#include "fem/outline.hpp"
+
+#include <algorithm>
+
+namespace berm::fem {
+namespace {
+
+constexpr int samples_of_side = 16;
+constexpr int open_within_contact = 2;  // nodes between closed ones that count as closed
+constexpr Real kink = 40 * degree;      // between two sides of the ground: a corner that stays
+constexpr Real closed_distance = 1e-4;  // over the width: of points between nodes in contact
+
+/// The parabola through the three nodes of a side; on a wall it stays on the wall to the last bit.
+Vec<2> on_side(const Vec<2>& from, const Vec<2>& middle, const Vec<2>& to, Real part)
+{
+  return from + (middle - from) * (4 * part * (1 - part)) + (to - from) * (part * (2 * part - 1));
+}
+
+/// A point of a loop that was sampled, and the length of the loop up to it.
+struct Sample {
+  Vec<2> x;
+  std::size_t side;
+  Real part, length;
+};
+
+/// Divides one loop of sides.
+class Divider {
+public:
+  Divider(const FemModel& model, const FemState& state, const ElementSizes& sizes)
+      : model_(model),
+        sizes_(sizes),
+        position_(model.mesh.position),
+        closed_(model.mesh.node_count(), 0)
+  {
+    for (Index node = 0; node < position_.size(); ++node) position_[node] = position_now(model, state, node);
+    if (model.rigid == none) return;
+    rigid_ = &model.model.rigid_bodies[model.rigid];
+    pose_ = state.state.rigid_bodies[model.rigid];
+    for (std::size_t k = 0; k < model.contact.size(); ++k) {
+      const FemContactPoint& point = model.contact[k];
+      const FemContactState& now = state.contact[k];
+      const bool bonded = model.interface.tied || (model.interface.tension > 0 && now.parted == 0);
+      closed_[point.node] = static_cast<char>(now.traction.dot(point.normal) > 0 || bonded);
+    }
+    for (const BoundarySide& side : model.mesh.boundary_sides)
+      if (is_ground(model.model.mesh, side))
+        for (const Index node : {side.from, side.middle, side.to}) position_[node] = put_beside_body(position_[node], closed_[node] != 0);
+  }
+
+  /// `sides`: numbers of boundary sides, each of which begins where the one before ends, the first where the last ends.
+  OutlineLoop divide(std::vector<std::size_t> sides)
+  {
+    close_small_gaps(sides);
+    start_at_kept(sides);
+    sample(sides);
+    const std::vector<Real> kept = kept_lengths(sides);
+    OutlineLoop loop;
+    for (std::size_t k = 0; k + 1 < kept.size(); ++k) divide_piece(kept[k], kept[k + 1], loop);
+    return loop;
+  }
+
+private:
+  const BoundarySide& side(std::size_t k) const { return model_.mesh.boundary_sides[k]; }
+  bool is_ground_at(std::size_t k) const { return is_ground(model_.model.mesh, side(k)); }
+  Real distance(const Vec<2>& x) const { return rigid_ == nullptr ? infinity : surface_now(*rigid_, pose_, x).distance; }
+
+  Vec<2> put_beside_body(const Vec<2>& x, bool closed) const
+  {
+    if (rigid_ == nullptr) return x;
+    const bodies::SurfacePoint<2> nearest = surface_now(*rigid_, pose_, x);
+    return closed || nearest.distance < 0 ? Vec<2>(x - nearest.distance * nearest.normal) : x;
+  }
+
+  void close_small_gaps(const std::vector<std::size_t>& sides)
+  {
+    std::vector<Index> nodes;
+    for (const std::size_t k : sides) nodes.insert(nodes.end(), {side(k).from, side(k).middle});
+    const std::size_t n = nodes.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t gap = 1; gap <= open_within_contact; ++gap)
+        if (closed_[nodes[k]] && closed_[nodes[(k + gap + 1) % n]])
+          for (std::size_t j = 1; j <= gap; ++j)
+            if (Index node = nodes[(k + j) % n]; !closed_[node]) {
+              closed_[node] = 1;
+              position_[node] = put_beside_body(position_[node], true);
+            }
+  }
+
+  /// Whether the corner at which a side begins after another must stay.
+  bool stays(std::size_t before, std::size_t after) const
+  {
+    if (is_ground_at(before) != is_ground_at(after)) return true;
+    if (!is_ground_at(after)) return side(before).boundary != side(after).boundary;
+    const Vec<2> in = 3 * position_[side(before).to] - 4 * position_[side(before).middle] + position_[side(before).from],
+                 out = 4 * position_[side(after).middle] - 3 * position_[side(after).from] - position_[side(after).to];
+    const bool inside_contact = closed_[side(after).from] && closed_[side(before).middle] && closed_[side(after).middle] && !has_corners();
+    return !inside_contact && in.dot(out) < std::cos(kink) * in.norm() * out.norm();
+  }
+  bool has_corners() const { return rigid_ != nullptr && bodies::has_corners<2>(rigid_->shape); }
+
+  void start_at_kept(std::vector<std::size_t>& sides) const
+  {
+    const std::size_t n = sides.size();
+    for (std::size_t k = 0; k < n; ++k)
+      if (stays(sides[(k + n - 1) % n], sides[k])) {
+        std::rotate(sides.begin(), sides.begin() + static_cast<std::ptrdiff_t>(k), sides.end());
+        return;
+      }
+  }
+
+  void sample(const std::vector<std::size_t>& sides)
+  {
+    samples_.clear();
+    for (const std::size_t k : sides)
+      for (int j = 0; j <= samples_of_side; ++j) {
+        if (j == 0 && !samples_.empty()) continue;
+        const Real part = static_cast<Real>(j) / samples_of_side;
+        const Vec<2> x = on_side(position_[side(k).from], position_[side(k).middle], position_[side(k).to], part);
+        samples_.push_back({x, k, part, samples_.empty() ? 0 : samples_.back().length + (x - samples_.back().x).norm()});
+      }
+  }
+
+  /// Lengths at which corners stay: also where the contact begins and ends.
+  std::vector<Real> kept_lengths(const std::vector<std::size_t>& sides)
+  {
+    edges_.clear();
+    std::vector<Real> kept = {0};
+    const std::size_t n = sides.size();
+    const auto keep = [&](std::size_t sample, bool edge) {
+      const Real length = samples_[sample].length;
+      if (edge) edges_.push_back(samples_[sample].x);
+      if (length > kept.back() && length < samples_.back().length) kept.push_back(length);
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+      const BoundarySide &now = side(sides[k]), &before = side(sides[(k + n - 1) % n]);
+      const bool from = closed_[now.from], middle = closed_[now.middle], to = closed_[now.to];
+      const bool ends_at_from = from && closed_[before.middle] != closed_[now.middle];
+      if (ends_at_from || (k > 0 && stays(sides[k - 1], sides[k]))) keep(k * samples_of_side, ends_at_from);
+      if (middle && from != to) keep(k * samples_of_side + samples_of_side / 2, true);
+    }
+    if (edges_.empty()) note_nearest();
+    kept.push_back(samples_.back().length);
+    return kept;
+  }
+
+  /// Where nothing is in contact yet, what will be first.
+  void note_nearest()
+  {
+    if (rigid_ == nullptr) return;
+    const auto nearest = std::min_element(samples_.begin(), samples_.end(), [&](const Sample& a, const Sample& b) {
+      return std::abs(distance(a.x)) < std::abs(distance(b.x));
+    });
+    if (std::abs(distance(nearest->x)) < sizes_.fine) edges_.push_back(nearest->x);
+  }
+
+  Real size_at(const OutlinePoint& point) const
+  {
+    if (!is_ground_at(point.side)) return sizes_.at(distance(point.x));
+    Real from_edge = infinity;
+    for (const Vec<2>& edge : edges_) from_edge = std::min(from_edge, (point.x - edge).norm());
+    return sizes_.of_side(distance(point.x), from_edge);
+  }
+
+  bool in_contact(std::size_t k) const { return closed_[side(k).from] || closed_[side(k).middle] || closed_[side(k).to]; }
+
+  OutlinePoint at_length(Real length) const
+  {
+    const auto after = std::lower_bound(samples_.begin() + 1, samples_.end() - 1, length,
+                                        [](const Sample& sample, Real value) { return sample.length < value; });
+    const Sample &b = *after, &a = *(after - 1);
+    const Real step = b.length - a.length, fraction = step > 0 ? std::clamp((length - a.length) / step, Real(0), Real(1)) : 0;
+    const Real first = a.side == b.side ? a.part : 0, part = first + fraction * (b.part - first);
+    OutlinePoint point{on_side(position_[side(b.side).from], position_[side(b.side).middle], position_[side(b.side).to], part), b.side,
+                       part};
+    if (rigid_ != nullptr && is_ground_at(b.side))
+      point.x = put_beside_body(point.x, in_contact(b.side) && distance(point.x) < closed_distance * model_.width);
+    return point;
+  }
+
+  /// So that each side of a piece has its size: the integral of length over size is the same in all.
+  void divide_piece(Real begin, Real end, OutlineLoop& loop) const
+  {
+    const int steps = std::max(50, static_cast<int>(16 * (end - begin) / sizes_.contact));
+    const Real step = (end - begin) / steps;
+    std::vector<Real> sum = {0};
+    for (int k = 0; k < steps; ++k) sum.push_back(sum.back() + step / size_at(at_length(begin + (k + 0.5) * step)));
+    const int count = std::max(1, static_cast<int>(std::lround(sum.back())));
+    const auto division = [&](int k) {
+      if (k == count) return end;
+      const Real wanted = sum.back() * k / count;
+      const auto after = std::upper_bound(sum.begin(), sum.end(), wanted);
+      const auto j = after - sum.begin() - 1;
+      return begin +
+             step * (static_cast<Real>(j) + (wanted - sum[static_cast<std::size_t>(j)]) / (*after - sum[static_cast<std::size_t>(j)]));
+    };
+    Real from = begin;
+    for (int k = 1; k <= count; ++k) {
+      const Real to = division(k);
+      const OutlinePoint middle = at_length((from + to) / 2);
+      loop.corners.push_back(at_length(from));
+      loop.middles.push_back(middle);
+      loop.boundary.push_back(is_ground_at(middle.side) && in_contact(middle.side) ? none : side(middle.side).boundary);
+      from = to;
+    }
+  }
+
+  const FemModel& model_;
+  const ElementSizes& sizes_;
+  NodeField<Vec<2>> position_;
+  NodeField<char> closed_;  ///< nodes in contact
+  const bodies::RigidBody<2>* rigid_ = nullptr;
+  bodies::Pose<2> pose_;
+  std::vector<Sample> samples_;
+  std::vector<Vec<2>> edges_;  ///< of the contact
+};
+
+/// The boundary sides in their order, loop by loop.
+std::vector<std::vector<std::size_t>> loops_of(const QuadraticMesh& mesh)
+{
+  NodeField<Index> next(mesh.node_count(), none);
+  for (std::size_t k = 0; k < mesh.boundary_sides.size(); ++k) next[mesh.boundary_sides[k].from] = static_cast<Index>(k);
+  std::vector<char> taken(mesh.boundary_sides.size(), 0);
+  std::vector<std::vector<std::size_t>> loops;
+  for (std::size_t first = 0; first < taken.size(); ++first) {
+    if (taken[first]) continue;
+    std::vector<std::size_t>& loop = loops.emplace_back();
+    for (std::size_t k = first; !taken[k]; k = static_cast<std::size_t>(next[mesh.boundary_sides[k].to])) taken[k] = 1, loop.push_back(k);
+  }
+  return loops;
+}
+
+Real area_of(const OutlineLoop& loop)
+{
+  Real twice = 0;
+  for (std::size_t k = 0; k < loop.corners.size(); ++k) {
+    const Vec<2>&a = loop.corners[k].x, &b = loop.corners[(k + 1) % loop.corners.size()].x;
+    twice += a[0] * b[1] - a[1] * b[0];
+  }
+  return twice / 2;
+}
+
+}  // namespace
+
+std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes)
+{
+  Divider divider(model, state, sizes);
+  std::vector<OutlineLoop> loops;
+  for (std::vector<std::size_t>& sides : loops_of(model.mesh)) loops.push_back(divider.divide(std::move(sides)));
+  std::stable_sort(loops.begin(), loops.end(), [](const OutlineLoop& a, const OutlineLoop& b) { return area_of(a) > area_of(b); });
+  return loops;
+}
+
+}  // namespace berm::fem

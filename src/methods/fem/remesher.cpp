@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fem/remesher_test.cpp
+#include "fem/remesher.hpp"
+
+#include "fem/cut_mesh.hpp"
+#include "mesh/gmsh.hpp"
+#include "os/error.hpp"
+#include "os/gmsh_program.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace berm::fem {
+namespace {
+
+constexpr Real least_determinant = 0.3;  // of the Jacobian at a node, over that when the mesh was made
+
+/// Whether an element has lost much of its shape since the mesh was made.
+bool is_folding(const FemModel& model, const FemState& state)
+{
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    const AtSixNodes<Vec<2>> first = model.mesh.positions_of(cell);
+    AtSixNodes<Vec<2>> now;
+    for (int k = 0; k < 6; ++k) now[k] = position_now(model, state, model.mesh.nodes[cell][k]);
+    for (const Vec<2>& at : six_nodes)
+      if (jacobian(now, at).determinant() < least_determinant * jacobian(first, at).determinant()) return true;
+  }
+  return false;
+}
+
+/// Whether soil that has no contact point has come into the body.
+bool is_met_elsewhere(const FemModel& model, const FemState& state)
+{
+  NodeField<char> may_meet(model.mesh.node_count(), 0);
+  for (const FemContactPoint& point : model.contact) may_meet[point.node] = 1;
+  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
+  for (const BoundarySide& side : model.mesh.boundary_sides)
+    if (is_ground(model.model.mesh, side))
+      for (const Index node : {side.from, side.middle, side.to})
+        if (!may_meet[node] && surface_now(rigid, state.state.rigid_bodies[model.rigid], position_now(model, state, node)).distance < 0)
+          return true;
+  return false;
+}
+
+/// Geometry for Gmsh whose outline is divided already.
+void write_outline(const std::vector<OutlineLoop>& outline, const mesh::Mesh<2>& names, const std::string& size,
+                   const std::filesystem::path& path)
+{
+  std::ofstream out(path);
+  out << "// The soil at a remeshing, made by berm. Lengths in metres.\n";
+  std::size_t lines = 0;
+  std::vector<std::string> loops, of_boundary(names.boundary_names.size());
+  for (const OutlineLoop& loop : outline) {
+    const std::size_t first = lines + 1, n = loop.corners.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      out << fmt::format("Point({}) = {{{}, {}, 0}};\n", first + k, loop.corners[k].x[0], loop.corners[k].x[1]);
+      if (const Index boundary = loop.boundary[k]; boundary != none)
+        of_boundary[static_cast<std::size_t>(boundary)] +=
+            fmt::format("{}{}", of_boundary[static_cast<std::size_t>(boundary)].empty() ? "" : ", ", first + k);
+    }
+    for (std::size_t k = 0; k < n; ++k) out << fmt::format("Line({}) = {{{}, {}}};\n", first + k, first + k, first + (k + 1) % n);
+    out << fmt::format("Curve Loop({}) = {{{}:{}}};\n", loops.size() + 1, first, lines + n);
+    loops.push_back(std::to_string(loops.size() + 1));
+    lines += n;
+  }
+  std::string all;
+  for (const std::string& loop : loops) all += (all.empty() ? "" : ", ") + loop;
+  out << fmt::format("Transfinite Curve{{1:{}}} = 2;\nPlane Surface(1) = {{{}}};\nPhysical Surface(\"soil\") = {{1}};\n", lines, all);
+  for (std::size_t k = 0; k < of_boundary.size(); ++k)
+    if (!of_boundary[k].empty()) out << fmt::format("Physical Curve(\"{}\") = {{{}}};\n", names.boundary_names[k], of_boundary[k]);
+  mesh::end_geometry(out, size, path);
+}
+
+/// The boundaries in the order of the names, those without nodes, too.
+void order_boundaries(mesh::Mesh<2>& mesh, const std::vector<std::string>& names)
+{
+  std::vector<std::vector<Index>> nodes(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (const Index found = mesh.find_boundary(names[k]); found != none) nodes[k] = mesh.boundary_nodes[found];
+  mesh.boundary_names = names;
+  mesh.boundary_nodes = std::move(nodes);
+}
+
+/// Puts the nodes of the boundary onto the outline, and says by node which point of it they are; null inside.
+std::vector<const OutlinePoint*> put_on_outline(QuadraticMesh& mesh, const std::vector<OutlineLoop>& outline)
+{
+  std::vector<const OutlinePoint*> of_node(static_cast<std::size_t>(mesh.node_count()), nullptr);
+  std::vector<const OutlinePoint*> corners, middles;
+  for (const OutlineLoop& loop : outline)
+    for (std::size_t k = 0; k < loop.corners.size(); ++k) corners.push_back(&loop.corners[k]), middles.push_back(&loop.middles[k]);
+  for (const BoundarySide& side : mesh.boundary_sides) {
+    const Vec<2>& x = mesh.position[side.from];
+    const auto nearest = std::min_element(corners.begin(), corners.end(), [&](const OutlinePoint* a, const OutlinePoint* b) {
+      return (a->x - x).squaredNorm() < (b->x - x).squaredNorm();
+    });
+    const OutlinePoint* middle = middles[static_cast<std::size_t>(nearest - corners.begin())];
+    of_node[static_cast<std::size_t>(side.from)] = *nearest;
+    of_node[static_cast<std::size_t>(side.middle)] = middle;
+    mesh.position[side.from] = (*nearest)->x;
+    mesh.position[side.middle] = middle->x;
+  }
+  return of_node;
+}
+
+/// Straightens the sides of elements that a curved one folds.
+void unfold(QuadraticMesh& mesh)
+{
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const AtSixNodes<Vec<2>> x = mesh.positions_of(cell);
+    if (std::none_of(six_nodes.begin(), six_nodes.end(), [&](const Vec<2>& at) { return jacobian(x, at).determinant() <= 0; })) continue;
+    for (int k = 0; k < 3; ++k) mesh.position[mesh.nodes[cell][3 + k]] = (x[k] + x[(k + 1) % 3]) / 2;
+  }
+}
+
+}  // namespace
+
+Remesher::Remesher(const settings::Case& c, std::filesystem::path folder) : case_(c), folder_(std::move(folder))
+{
+  if (!std::holds_alternative<mesh::SeabedMesh>(c.mesh))
+    throw KeyError("mesh.kind: large deformations by finite elements need a mesh of kind \"seabed\", whose walls and base they keep");
+  if (c.body.size() != 1)
+    throw KeyError("body: large deformations by finite elements need all soil in one body; soil_layer gives it layers");
+}
+
+ElementSizes Remesher::sizes_for(const FemModel& model) const
+{
+  const mesh::SeabedMesh& bed = std::get<mesh::SeabedMesh>(case_.mesh);
+  return {case_.fem.contact_size.value_or(bed.near_size),
+          std::max(bed.far_size.value_or(model.width), case_.fem.contact_size.value_or(bed.near_size)), model.width / 4};
+}
+
+bool Remesher::is_due(const FemModel& model, const FemState& state) const
+{
+  if (model.rigid == none) return false;
+  constexpr Real rounding = 1e-9;
+  const Real travel = distance_between(model.model.rigid_bodies[model.rigid], state.meshed_at, state.state.rigid_bodies[model.rigid]);
+  if (travel >= (1 - rounding) * model.settings.remeshing_travel * model.width) return true;
+  return travel > 0 && (is_met_elsewhere(model, state) || is_folding(model, state));
+}
+
+mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const
+{
+  const ElementSizes sizes = sizes_for(model);
+  const std::string distance = distance_formula(placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]));
+  const std::filesystem::path geo = folder_ / "remesh.geo", msh = folder_ / "remesh.msh";
+  write_outline(outline, model.model.mesh,
+                fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance, sizes.fine),
+                geo);
+  run_gmsh(geo, msh, 2, GeometryBy::berm);
+  mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);
+  mesh.metric = model.model.mesh.metric;
+  name_regions(mesh, std::get<mesh::SeabedMesh>(case_.mesh));
+  order_boundaries(mesh, model.model.mesh.boundary_names);
+  return mesh;
+}
+
+void Remesher::remesh(FemModel& model, FemState& state) const
+{
+  const std::vector<OutlineLoop> outline = divide_outline(model, state, sizes_for(model));
+  FemModel next = model;
+  next.model.mesh = make_mesh(model, state, outline);
+  next.mesh = make_quadratic(next.model.mesh, case_, {});
+  const std::vector<const OutlinePoint*> of_node = put_on_outline(next.mesh, outline);
+  unfold(next.mesh);
+  FemState mapped = state;
+  map_state(model, state, of_node, case_, next, mapped);
+  if (next.rigid != none) mapped.meshed_at = mapped.state.rigid_bodies[next.rigid];
+  model = std::move(next);
+  state = std::move(mapped);
+}
+
+}  // namespace berm::fem

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fem/outline.hpp"
+
+#include <filesystem>
+
+namespace berm::fem {
+
+/// Large deformations by small ones: after each travel of the rigid body the soil that it has deformed is meshed anew, and what its points carry is mapped (remeshing and interpolation with small
+/// strain, RITSS, of Hu and Randolph 1998; here the increments are those of updated Lagrange).
+class Remesher {
+public:
+  /// Meshes are made in `folder`. Throws InputError where the method does not take the case.
+  Remesher(const settings::Case& c, std::filesystem::path folder);
+
+  const settings::Case& settings() const { return case_; }
+
+  /// Whether the body has travelled far enough, soil that no contact point stands for has come to it, or an element is about to fold.
+  bool is_due(const FemModel& model, const FemState& state) const;
+
+  /// Puts a new mesh in the place of the old one. The state is then out of equilibrium by the error of the mapping. Throws RunError where no mesh can be made.
+  void remesh(FemModel& model, FemState& state) const;
+
+private:
+  mesh::Mesh<2> make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const;
+  ElementSizes sizes_for(const FemModel& model) const;
+
+  settings::Case case_;
+  std::filesystem::path folder_;
+};
+
+/// Gives the new state what the old one has: stress and variables of the law linear in each element of the old mesh and put back onto the surface of the law, shear stress of the contact by the means of
+/// its sides, pore pressures, and the places where the soil was. `outline`: of the new mesh, by node; null inside.
+void map_state(const FemModel& old_model, const FemState& old_state, const std::vector<const OutlinePoint*>& outline,
+               const settings::Case& c, FemModel& model, FemState& state);
+
+}  // namespace berm::fem
