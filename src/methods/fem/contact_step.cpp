@@ -11,7 +11,9 @@ namespace berm::fem {
 namespace {
 
 constexpr int max_steps = 40, max_searches = 30;
-constexpr Real rounding = 1e-10;       // relative to the forces: residual of the converged contact, whose law is piecewise linear
+constexpr Real rounding = 1e-10;  // relative to the forces: residual of the converged contact, whose law is piecewise linear
+constexpr Real curved =
+    1e-5;  // the same in large deformations, where gap and normal turn, and the residuals of the next iteration see what is left
 constexpr Real enough_descent = 0.01;  // the line search ends at a slope of this fraction of the first one
 
 }  // namespace
@@ -90,7 +92,7 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
   for (int k = 0; k < max_steps && !converged; ++k) {
     evaluate(begin, step_, true);
     unbalanced_ = soil_ * step_ - load - force_;
-    converged = k > 0 && unbalanced_.norm() <= rounding * (load.norm() + force_.norm());
+    converged = k > 0 && unbalanced_.norm() <= (model_.settings.large_deformation ? curved : rounding) * (load.norm() + force_.norm());
     if (converged) break;
     matrix_ = soil_ - stiffness_;
     direction_ = -matrix_.partialPivLu().solve(unbalanced_);

@@ -11,6 +11,7 @@ namespace {
 
 /// Stiffness of the contact springs, relative to a layer of soil as thick as the elements at the body.
 constexpr Real contact_stiffness = 100;
+constexpr Real soft_contact = 0.4;  // of that, in large deformations
 
 /// The unknowns of an element, and the entries of the matrix that they couple.
 class PatternMaker {
@@ -83,15 +84,18 @@ void number_unknowns(FemModel& model)
   }
 }
 
-/// P-wave modulus of the stiffest soil that the surface of the rigid body meets, Pa; where regions have their own materials, the stiffest of all at these depths.
+/// Modulus of the stiffest soil that the surface of the rigid body meets, Pa: of its P-waves, in large deformations of shear, since stiff springs on a surface that turns need short increments; where regions have their own materials, the stiffest of all at these depths.
 Real stiffest_at_contact(const FemModel& model, const NodeField<Vec<2>>& was_at, Index body)
 {
   const settings::BodySoil& soil = model.model.bodies[body].soil;
+  const auto modulus = [&](const material::Material& there) {
+    return model.settings.large_deformation ? soft_contact * elasticity(there).shear : p_wave_modulus(there);
+  };
   Real stiffest = 0;
   for (const FemContactPoint& point : model.contact) {
     const Real depth = model.model.soil_depth(was_at[point.node]);
-    stiffest = std::max(stiffest, p_wave_modulus(soil.at("", depth)));
-    for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, p_wave_modulus(soil.at(region, depth)));
+    stiffest = std::max(stiffest, modulus(soil.at("", depth)));
+    for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, modulus(soil.at(region, depth)));
   }
   return stiffest;
 }
@@ -133,7 +137,7 @@ const problem::Contact* contact_of(const FemModel& model)
 /// The sides of the ground that the body may reach before the next remeshing.
 std::vector<BoundarySide> sides_within_reach(const FemModel& model, const bodies::Pose<2>& pose)
 {
-  constexpr Real remeshings = 5;
+  constexpr Real remeshings = 3;
   const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
   const Real reach = remeshings * model.settings.remeshing_travel * width_of<2>(rigid.shape);
   const auto is_near = [&](Index node) { return surface_now(rigid, pose, model.mesh.position[node]).distance < reach; };

@@ -258,14 +258,14 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
 /// The mesh anew, and the equilibrium there: what moves the body by its displacement holds it, what moves it by a force goes on acting.
 void LoadSteps::remesh()
 {
-  const bodies::RigidState<2>& rigid = state_.state.rigid_bodies[model_.rigid];
-  const Vec<2> before = rigid.reaction;
+  const Vec<2> before = state_.state.rigid_bodies[model_.rigid].reaction;
   remesher_->remesh(model_, state_);
   newton_ = std::make_unique<Newton>(model_);
   last_dt_ = 0;
   if (!release_imbalance(loads_after(0), viscosity_of(dt_)) && !release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
-  const Real change = (rigid.reaction - before).norm() / std::max(before.norm(), std::numeric_limits<Real>::min());
+  const Real change =
+      (state_.state.rigid_bodies[model_.rigid].reaction - before).norm() / std::max(before.norm(), std::numeric_limits<Real>::min());
   ++remeshings_.count;
   remeshings_.just_now = true;
   remeshings_.largest_change = std::max(remeshings_.largest_change, change);
@@ -278,14 +278,21 @@ Real LoadSteps::viscosity_of(Real dt) const
   return relaxation_ / first_travel * (first_dt_ / dt);
 }
 
+/// In large deformations no increment is longer than the travel asked for, nor than half of that between two meshes.
+Real LoadSteps::longest_dt() const
+{
+  if (shortest_dt_ < first_dt_) return infinity;
+  const Real longest = first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel), speed = speed_of_body();
+  if (!remesher_ || !(speed > 0)) return longest;
+  return std::min(longest, std::min(model_.settings.largest_step, model_.settings.remeshing_travel / 2) * model_.width / speed);
+}
+
 IncrementEnd LoadSteps::advance()
 {
   max_overlap_ = 0;
   remeshings_.just_now = false;
   if (remesher_ && remesher_->is_due(model_, state_)) remesh();
-  const Real largest_step =
-      remesher_ ? std::min(model_.settings.largest_step, model_.settings.remeshing_travel) : model_.settings.largest_step;
-  const Real largest_dt = shortest_dt_ < first_dt_ ? infinity : first_dt_ * std::max(Real(1), largest_step / first_travel);
+  const Real largest_dt = longest_dt();
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
     const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest);

@@ -67,6 +67,7 @@ private:
   bool release_imbalance(FemLoads loads, Real viscosity);
   void remesh();
   Real viscosity_of(Real dt) const;
+  Real longest_dt() const;
   Real speed_of_body() const;
   Real travel(int freedom, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;

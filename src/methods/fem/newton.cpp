@@ -9,6 +9,7 @@ namespace {
 constexpr int max_iterations = 25;
 constexpr int max_chords = 12;
 constexpr Real shortest_unfolded = 1e-3;    // of a step: large deformations may fold an element
+constexpr Real rounding_of_gap = 1e-12;     // over the width
 constexpr Real gentle_slope = 0.1;          // of the first slope: ends the line search
 constexpr Real max_unbalanced_flow = 1e-6;  // of the water: its balance is linear, and holds after a whole step but for rounding
 constexpr Real tolerance_of_flow = 0.1;     // of that without water that flows
@@ -24,6 +25,8 @@ Newton::Newton(const FemModel& model)
       min_force_(std::max(1e-3 * model.weight, 1e-300))
 {
   if (model.flow.count > 0) solver_.emplace<DirectSolver>(model.pattern, contact_.unknowns(), MatrixKind::indefinite);
+  // Positions are rounded, and so are the gaps that follow from them.
+  if (model.settings.large_deformation) min_force_ += rounding_of_gap * model.interface.stiffness * model.width * model.width;
   for (const std::vector<NodalLoad>& loads : model.loads)
     for (const NodalLoad& load : loads) min_force_ += 1e-3 * load.force.norm();
   boundary::for_each_of<boundary::Head<2>>(model.model.conditions, [&](std::size_t h, const auto&, const auto& head) {

@@ -186,7 +186,7 @@ bool FemMethod::next_stage()
 
 void FemMethod::archive(Archive& k)
 {
-  if (problem_.model.settings.large_deformation) k.table("mesh", [&] { steps_.archive_mesh(k); });
+  if (problem_.model.settings.large_deformation) k.table("elements", [&] { steps_.archive_mesh(k); });
   k.table("increments", [&] { frame_maker_.archive(k); });
   k.table("recorder", [&] { recorder_.archive(k); });
   k.table("steps", [&] { steps_.archive(k); });
