@@ -446,7 +446,8 @@ void describe(Describe& d, Case& c)
 {
   d.value("title", c.title, {.meaning = "description of the case in one line"});
   d.choice("method", c.method, {"mpm", "fem"},
-           {.meaning = "material point method, or small-strain finite elements around a rigid body wished in place"});
+           {.meaning = "material point method; or finite elements, of small strain around a rigid body wished in place, or of large "
+                       "deformations (fem.large_deformation)"});
   d.choice("geometry", c.geometry, {"plane_strain", "axisymmetric", "space"},
            {.meaning =
                 "plane strain, all per metre run; axisymmetric about x = 0, with x the radius and gravity along y; or three-dimensional"});

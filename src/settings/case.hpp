@@ -122,7 +122,6 @@ struct Case {
   OutputSettings output;
   ReportSettings report;
 
-  /// Of its mesh: 2 or 3.
   // In case.cpp: what copies and destroys all these lists would else be compiled into half of all sources.
   Case();
   Case(const Case&);
@@ -131,6 +130,9 @@ struct Case {
   Case& operator=(Case&&) noexcept;
   ~Case();
 
+  /// Finite elements around a body wished in place, which their strains leave there.
+  bool small_strain() const { return method == Method::fem && !fem.large_deformation; }
+  /// Of its mesh: 2 or 3.
   int dimension() const { return geometry == Geometry::space ? 3 : 2; }
   /// Of its forces: 2 where they are per metre run (N/m), 3 where they are whole (N).
   int force_dimension() const { return geometry == Geometry::plane_strain ? 2 : 3; }

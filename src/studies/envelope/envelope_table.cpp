@@ -51,7 +51,7 @@ StagePath path_of(const StageRows& rows)
 /// Finite elements of small strain keep the arms of their forces.
 StagePath path_of_base(const StageRows& rows, const base::EmbeddedBody& body, const settings::Case& c)
 {
-  const bool plane = c.dimension() == 2, small_strain = c.method == settings::Method::fem;
+  const bool plane = c.dimension() == 2, small_strain = c.small_strain();
   const std::vector<Real> V = rows["V"], H = rows["H"], moment = rows[plane ? "M" : "Mz"], angle = rows[plane ? "angle" : "anglez"];
   std::vector<Real> u = rows["u"], w = rows["w"], M, travel, since[3];
   for (std::size_t k = 0; k < u.size(); ++k) {

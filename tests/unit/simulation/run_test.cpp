@@ -55,6 +55,10 @@ protected:
     in_half("until.force = 60", "until.force = 1");
     in_half("until.displacement = \"0.4 mm\"", "until.embedment = \"10.4 mm\"");
     folder_.write("fem_axisymmetric.toml", half);
+    std::string large = test::small_fem_case;  // meshed anew five times
+    large.replace(large.find("contact_size = "), 0, "large_deformation = true\nremeshing_travel = 0.01\n");
+    large.replace(large.find("until.displacement = \"0.4 mm\""), 29, "until.displacement = \"1.0 mm\"");
+    folder_.write("fem_large.toml", large);
   }
 
   bool is_fem() const { return std::string(GetParam()).starts_with("fem"); }
@@ -82,7 +86,7 @@ constexpr int all = 1 << 30;
 
 INSTANTIATE_TEST_SUITE_P(Methods, RunOf,
                          testing::Values("mpm", "axisymmetric", "space", "consolidation", "fem", "fem_sand", "fem_consolidation",
-                                         "fem_axisymmetric"),
+                                         "fem_axisymmetric", "fem_large"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)

@@ -61,13 +61,12 @@ std::vector<std::string> draw_frame(const DrivenRun& run, const BodyFrames& fram
   return drawn;
 }
 
-/// The largest embedment at which a run of finite elements ends; empty without one.
+/// The largest embedment at which a run of small strain ends; empty without one.
 std::optional<Real> max_fem_embedment(const DrivenRuns& runs)
 {
   std::optional<Real> deepest;
   for (const DrivenRun& run : runs)
-    if (run.settings.method == settings::Method::fem && run.history.rows() > 0)
-      deepest = std::max(deepest.value_or(0), run.history["w_m"].back());
+    if (run.settings.small_strain() && run.history.rows() > 0) deepest = std::max(deepest.value_or(0), run.history["w_m"].back());
   return deepest;
 }
 

@@ -24,7 +24,7 @@ bool is_one_of(Real part, const Real (&parts)[size])
 std::vector<ComparedState> states_of(const driven::DrivenRun& run)
 {
   const driven::RunPoints points = driven::points_of(run);
-  const bool small_strain = run.settings.method == settings::Method::fem;
+  const bool small_strain = run.settings.small_strain();
   const Real D = run.scale.width;
   std::vector<ComparedState> states;
   // Small strains leave the pipe where it began: what it carries on the way is no strength.
@@ -42,7 +42,7 @@ std::vector<ComparedState> states_of(const driven::DrivenRun& run)
 
 std::string remark_on_place(const driven::DrivenRun& run)
 {
-  if (run.settings.method == settings::Method::fem)
+  if (run.settings.small_strain())
     return fmt::format(
         "This run is wished in place: the pipe lies at w = {:.3g} D from the start, below a flat surface, and strains are small. Formulas "
         "with heave are for a pipe that was pushed there.",
@@ -80,7 +80,7 @@ std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const driven:
   const driven::Path path = driven::path_of(run.history, run.stages);
   const driven::DragPath& drag = path.main_drag();
   const Real half = base::averaging_half(run.scale);
-  const bool small_strain = run.settings.method == settings::Method::fem;
+  const bool small_strain = run.settings.small_strain();
   H = peak->H;
   // A held V is not there yet when the drag begins.
   const Real there = record::TravelCurve(drag.travel, drag.V).at(peak->u, half);
@@ -96,7 +96,7 @@ std::optional<ComparedState> peak_of(const driven::DrivenRun& run, const driven:
 /// Unloading and other stages may lie between the push and the drag.
 Real w_where_the_drag_begins(const driven::DrivenRun& run, const driven::RunPoints& points)
 {
-  if (run.settings.method == settings::Method::fem) return points.first_w;  // small strains leave it there
+  if (run.settings.small_strain()) return points.first_w;  // small strains leave it there
   const driven::Path path = run.history.rows() > 0 ? driven::path_of(run.history, run.stages) : driven::Path{};
   if (!path.main_drag().w.empty() && std::isfinite(path.main_drag().w.front())) return path.main_drag().w.front();
   return points.push_end ? points.push_end->w : points.first_w;
@@ -130,7 +130,7 @@ void put_out_of_range(ComparedState& state, const char* range)
 void add_sweeps(PublishedValues& values, const driven::DrivenRun& run, const PipeSoil& soil, Real part)
 {
   const auto* clay = std::get_if<ClayAround>(&soil);
-  if (run.history.rows() == 0 || run.settings.method == settings::Method::fem) return;
+  if (run.history.rows() == 0 || run.settings.small_strain()) return;
   const driven::Path path = driven::path_of(run.history, run.stages);
   const driven::Results results = run.results();
   const Real D = run.scale.width, half = base::averaging_half(run.scale);

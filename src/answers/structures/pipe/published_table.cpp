@@ -39,8 +39,7 @@ std::string state_words(const ComparedState& state, const driven::DrivenRun& run
   case ComparedState::Kind::push:
     return fmt::format("Pushed to {}", w);
   case ComparedState::Kind::end_of_push:
-    return fmt::format("{}{} {}", with_capital(driven::end_of_push(run).at), run.settings.method == settings::Method::fem ? " from" : ",",
-                       w);
+    return fmt::format("{}{} {}", with_capital(driven::end_of_push(run).at), run.settings.small_strain() ? " from" : ",", w);
   case ComparedState::Kind::drag:
     return fmt::format("Dragged {} D: {}, {}", text::short_number(state.u / D), w, V);
   case ComparedState::Kind::peak:

@@ -97,6 +97,10 @@ std::vector<std::string> FilmFrames::stages() const
 FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory, FilmPart part)
 {
   FilmFrames footage;
+  if (run.settings.method == settings::Method::fem && run.settings.fem.large_deformation) {
+    footage.fault = "there is no film of the soil: its mesh changes in the run. ParaView shows frames/frames.pvd";
+    return footage;
+  }
   std::vector<run_folder::FrameFiles> files;
   try {
     files = run_folder::frame_files(run.folder / "frames");

@@ -283,7 +283,9 @@ text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
     const settings::Case& c = run.settings;
     Rows rows(run);
     models = models || has_prototype(rows.scale());
-    rows.add("method", c.method == settings::Method::mpm ? "material point method" : "finite elements, wished in place");
+    rows.add("method", c.method == settings::Method::mpm ? "material point method"
+                       : c.small_strain()                ? "finite elements, wished in place"
+                                                         : "finite elements, large deformations, remeshed");
     rows.add("gravity", rows.level() > 0 ? fmt::format("{:.4g} g", rows.level()) : "none");
     for (const auto& [name, rigid] : c.rigid)
       add_rigid(rows, c.rigid.size() > 1 ? prefix_of("rigid body", name, c.rigid.size()) : base::body_word(c) + ": ", rigid);
