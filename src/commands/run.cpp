@@ -11,6 +11,7 @@
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "os/mesh_cache.hpp"
+#include "report/page/report.hpp"
 #include "run_folder/summary_file.hpp"
 #include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -112,6 +113,28 @@ Outcome judged(Outcome outcome, const std::vector<std::filesystem::path>& folder
   return simulation::ends_on_any_rank_with(invalid) ? Outcome::failed : Outcome::done;
 }
 
+/// The case by both methods for large deformations, into mpm and fem of its folder.
+std::vector<simulation::RunRequest> by_both_methods(const CaseOptions& options)
+{
+  if (options.files.size() != 1) throw InputError("--both runs one case by both methods, and several are named");
+  const auto by = [&](const char* method, const std::vector<std::string>& settings) {
+    CaseOptions one = options;
+    one.overrides.insert(one.overrides.end(), settings.begin(), settings.end());
+    simulation::RunRequest request = requests(one).front();
+    request.folder /= method;
+    return request;
+  };
+  return {by("mpm", {"method=mpm"}), by("fem", {"method=fem", "fem.large_deformation=true"})};
+}
+
+/// One page of runs, in the folder that holds theirs.
+void write_page(const std::vector<std::filesystem::path>& folders)
+{
+  report::ReportRequest page;
+  for (const std::filesystem::path& folder : folders) page.folders.push_back(folder.string());
+  for (const std::filesystem::path& file : write_report(page)) fmt::print("{}\n", std::filesystem::proximate(file).string());
+}
+
 std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunRequest>& all)
 {
   std::vector<std::filesystem::path> folders;
@@ -161,6 +184,7 @@ Command add_run(CLI::App& program)
 {
   struct Options : CaseOptions {
     std::string unfinished;
+    bool both = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("run", "run cases");
@@ -179,6 +203,12 @@ Command add_run(CLI::App& program)
       ->excludes("--set")
       ->excludes("--output")
       ->excludes(force);
+  app->add_flag(
+         "--both", options->both,
+         "run the case by the material point method and by remeshed finite elements (fem.large_deformation), into mpm and fem of its "
+         "folder, and write the page of both")
+      ->excludes("--runner")
+      ->excludes("--resume");
   app->add_flag("--uncertainty", options->uncertainty,
                 "also run each case on coarser cells and at another speed, and give 95 % bands of its results: about as long again");
   app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is invalid, as its summary.json says");
@@ -192,15 +222,18 @@ Command add_run(CLI::App& program)
               throw InputError("the ranks of an MPI launcher run one case after the other: without --runner and --uncertainty");
             if (!options->unfinished.empty())
               return status_of(judged(resume(options->unfinished, *options), {options->unfinished}, *options));
-            const std::vector<simulation::RunRequest> all = requests(*options);
+            const std::vector<simulation::RunRequest> all = options->both ? by_both_methods(*options) : requests(*options);
             if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
             for (const simulation::RunRequest& request : all) {
               run_folder::refuse_other_files(request.folder);
               if (brings_libraries(request)) options->refuse_links(request.folder);
             }
-            if (go_side_by_side(all, *options)) return status_of(judged(run_side_by_side(all, *options, true), folders_of(all), *options));
+            if (!options->both && go_side_by_side(all, *options))
+              return status_of(judged(run_side_by_side(all, *options, true), folders_of(all), *options));
             options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), written_folders(all));
-            return status_of(judged(run_all(all, *options), folders_of(all), *options));
+            const Outcome outcome = run_all(all, *options);
+            if (options->both && outcome == Outcome::done) simulation::on_first_rank([&] { write_page(folders_of(all)); });
+            return status_of(judged(outcome, folders_of(all), *options));
           }};
 }
 

@@ -287,7 +287,7 @@ std::string distance_formula(const bodies::RigidShape<2>& shape)
 {
   if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape)) return distance_from(*circle);
   if (const auto* box = std::get_if<bodies::Box<2>>(&shape)) return distance_from(*box);
-  throw KeyError("rigid.NAME.shape: finite elements with large deformations know a \"circle\" and a \"box\"");
+  throw std::logic_error("distance_formula: neither circle nor box");
 }
 
 mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const fs::path& case_folder, const fs::path& work_folder)

@@ -119,6 +119,11 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder) : case
 {
   if (!std::holds_alternative<mesh::SeabedMesh>(c.mesh))
     throw KeyError("mesh.kind: large deformations by finite elements need a mesh of kind \"seabed\", whose walls and base they keep");
+  for (const auto& [name, rigid] : c.rigid)
+    if (const bodies::RigidShape<2> shape = make_shape<2>(rigid.shape);
+        !std::holds_alternative<bodies::Circle<2>>(shape) && !std::holds_alternative<bodies::Box<2>>(shape))
+      throw KeyError(fmt::format("rigid.{}.shape: large deformations by finite elements know a \"circle\" and a \"box\"", name));
+  if (c.safety) throw KeyError("safety: the factor of safety is found at small strain: leave out fem.large_deformation");
   if (c.body.size() != 1)
     throw KeyError("body: large deformations by finite elements need all soil in one body; soil_layer gives it layers");
 }

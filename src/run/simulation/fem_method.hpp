@@ -39,6 +39,8 @@ public:
   void begin(bool at_start);
   void step();
   bool soil_changed() const { return false; }
+  /// False: a checkpoint holds the mesh that the state is of.
+  bool keeps_mesh() const { return !problem_.model.settings.large_deformation; }
   /// A row for each increment.
   Real history_interval() const { return 0; }
   void add_row(run_folder::HistoryFile& file);

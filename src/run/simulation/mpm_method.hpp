@@ -50,6 +50,7 @@ public:
   void step_to(settings::StageKind kind);
   /// Whether soil was placed or taken out before the last step.
   bool soil_changed() const { return soil_changed_; }
+  bool keeps_mesh() const { return true; }
   /// s between rows of the history.
   Real history_interval() const { return history_interval_; }
   void add_row(run_folder::HistoryFile& file) { add_row(file, {}); }

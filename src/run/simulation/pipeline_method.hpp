@@ -23,6 +23,7 @@ public:
   Real expected_wall_time() { return first_.expected_wall_time(); }
   void begin(bool at_start) { first_.begin(at_start); }
   bool soil_changed() const { return first_.soil_changed(); }
+  bool keeps_mesh() const { return true; }
   Real history_interval() const { return first_.history_interval(); }
   bool stage_ended() const { return first_.stage_ended(); }
   bool at_checkpoint_boundary() const { return first_.at_checkpoint_boundary(); }

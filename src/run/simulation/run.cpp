@@ -178,7 +178,7 @@ void Run<Method>::archive(Archive& k)
 {
   const std::string resolved = input::resolved_toml(request_.settings);
   archive_same(k, "case", std::string(input::without_report(resolved)), "it is of another case than resolved.toml");
-  archive_same_mesh(k, model().mesh);
+  if (method_.keeps_mesh()) archive_same_mesh(k, model().mesh);
   k("vector_unit", unit_);
   k.table("history", [&] { archive_history(k, history_path(), history_bytes_); });
   k.table("frames", [&] { frames_.archive(k); });

@@ -55,6 +55,22 @@ TEST(FemRun, without_a_checkpoint_begins_at_the_start_and_ends_with_the_same_byt
     EXPECT_TRUE(place.folder.read("results/frames/" + name) == place.folder.read("killed/frames/" + name)) << name;
 }
 
+TEST(RunBoth, runs_a_case_by_both_methods_and_writes_one_page)
+{
+  const Place place;
+  const Ended ended = place.berm({"run", "small.toml", "--both", "--threads", "1", "-o", "out", "--set", "mesh.near_size=10 mm", "--set",
+                                  "body.clay.particles_per_cell=4", "--set", "stage.push.until.force=20"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(names_in(place.folder / "out"), (Words{"fem/", "mpm/", "report.html"}));
+  EXPECT_NE(place.folder.read("out/mpm/resolved.toml").find("method = \"mpm\""), std::string::npos);
+  EXPECT_NE(place.folder.read("out/fem/resolved.toml").find("large_deformation = true"), std::string::npos);
+  const std::string page = place.folder.read("out/report.html");
+  EXPECT_NE(page.find("finite elements, large deformations, remeshed"), std::string::npos);
+  EXPECT_NE(page.find("material point method"), std::string::npos);
+  const Ended again = place.berm({"run", "small.toml", "--both", "-o", "out"});
+  EXPECT_EQ(again.status, 2) << "it replaces no results unasked";
+}
+
 TEST(FemRun, measures_forces_by_the_soil_of_the_region_below_the_pipe_as_the_report_does)
 {
   const Place place;

@@ -124,6 +124,18 @@ TEST(Remesher, refuses_what_it_cannot_mesh)
   settings::Case apart = bed_around(pipe_at(0.1));
   fill_regions_apart(apart);
   EXPECT_THROW(Remesher(apart, "."), KeyError);
+  EXPECT_THROW(Remesher(bed_around(bodies::PolygonSettings{{-0.1, 0.1, 0}, {0, 0, 0.2}}), "."), KeyError);
+  settings::Case trial = bed_around(pipe_at(0.1));
+  trial.safety.emplace();
+  EXPECT_THROW(Remesher(trial, "."), KeyError);
+}
+
+TEST(LargeDeformation, needs_a_body_and_soil_whose_water_does_not_flow)
+{
+  settings::Case alone = bed_around(pipe_at(0.1));
+  alone.fem.large_deformation = true;
+  alone.contact.clear();
+  EXPECT_NE(refusal_of([&] { fem_problem_of(alone); }).find("needs a rigid body in contact"), std::string::npos);
 }
 
 }  // namespace

@@ -101,6 +101,7 @@ TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
     EXPECT_FALSE(summary->finished());
     ASSERT_NO_THROW(finished = run("parts", steps, true)) << messages_.str();
     ASSERT_LT(++parts, 100);
+    EXPECT_EQ(messages_.str().find("is not used"), std::string::npos) << messages_.str();
   }
   EXPECT_GT(parts, 4);
   EXPECT_TRUE(folder_.read("whole/history.csv") == folder_.read("parts/history.csv"));
