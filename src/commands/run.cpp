@@ -82,8 +82,11 @@ Outcome run_all(const std::vector<simulation::RunRequest>& all, const CaseOption
 }
 
 /// A run is never lost by a second one into its folder: it is replaced where the user says so. A runner that is not local goes on with what is of the same case.
-void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
+void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all, const CaseOptions& options, bool both)
 {
+  if (const std::filesystem::path folder = all.front().folder.parent_path(); both && simulation::has_begun(folder))
+    throw InputError(
+        fmt::format("{} holds a run: --both writes mpm, fem and report.html there; name another folder with -o", folder.string()));
   const bool handed_over = options.has_runner() && jobs::handed_over(queue_of(all));
   for (const simulation::RunRequest& request : all) {
     if (!simulation::has_begun(request.folder)) continue;
@@ -116,7 +119,7 @@ Outcome judged(Outcome outcome, const std::vector<std::filesystem::path>& folder
 /// The case by both methods for large deformations, into mpm and fem of its folder.
 std::vector<simulation::RunRequest> by_both_methods(const CaseOptions& options)
 {
-  if (options.files.size() != 1) throw InputError("--both runs one case by both methods, and several are named");
+  if (options.files.size() != 1) throw InputError("--both takes one case; several were given");
   const auto by = [&](const char* method, const std::vector<std::string>& settings) {
     CaseOptions one = options;
     one.overrides.insert(one.overrides.end(), settings.begin(), settings.end());
@@ -223,7 +226,7 @@ Command add_run(CLI::App& program)
             if (!options->unfinished.empty())
               return status_of(judged(resume(options->unfinished, *options), {options->unfinished}, *options));
             const std::vector<simulation::RunRequest> all = options->both ? by_both_methods(*options) : requests(*options);
-            if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
+            if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options, options->both); });
             for (const simulation::RunRequest& request : all) {
               run_folder::refuse_other_files(request.folder);
               if (brings_libraries(request)) options->refuse_links(request.folder);

@@ -373,7 +373,7 @@ void describe(Describe& d, FemSettings& fem)
                "whether the geometry follows the soil and the mesh is renewed as the rigid body travels (updated Lagrangian elements "
                "with remeshing); without it strains are small and the rigid body is wished in place"});
   d.value("remeshing_travel", fem.remeshing_travel,
-          {.meaning = "travel of the rigid body after which the mesh is renewed, over its width, in large deformations",
+          {.meaning = "with large_deformation: travel of the rigid body between remeshings, as a fraction of its width",
            .range = {0, 1, true}});
   d.value("largest_step", fem.largest_step,
           {.meaning = "largest travel in one increment, over the width of the rigid body", .range = {0, 1, true}});

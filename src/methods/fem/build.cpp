@@ -100,10 +100,10 @@ void begin_large_deformation(FemModel& model, FemState& state)
 {
   state.was_at.fill(model.mesh.position);
   if (model.rigid == none)
-    throw KeyError("fem.large_deformation: needs a rigid body in contact with the soil, whose travel says when the mesh is renewed");
+    throw KeyError("fem.large_deformation: needs a rigid body in contact with the soil: remeshing is triggered by its travel");
   if (model.flow.count > 0)
-    throw KeyError(
-        "fem.large_deformation: cannot be combined with water.drainage = \"consolidation\": take method = \"mpm\", or small strain");
+    throw KeyError("fem.large_deformation: cannot be combined with water.drainage = \"consolidation\": use method = \"mpm\", or set "
+                   "fem.large_deformation = false");
   const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
   state.meshed_at = state.state.rigid_bodies[model.rigid];
   for (std::size_t k = 0; k < state.contact.size(); ++k) {

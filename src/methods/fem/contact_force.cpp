@@ -35,7 +35,7 @@ ContactForce contact_force(const FemModel& model, std::size_t point, const FemSt
   FemContactState before = begin.contact[point];
   Eigen::Matrix<Real, 2, 5> p = relative_movement(at);
   if (model.settings.large_deformation) {
-    const bool bonded = model.interface.tied || (model.interface.tension > 0 && before.parted == 0);
+    const bool bonded = model.interface.tension > 0 && before.parted == 0;
     if (const Real gap = before.gap - (p * moved).norm(); gap > 0 && !bonded) return apart(gap, before, at.arm);
     const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
     const Index first = model.rigid_unknown();

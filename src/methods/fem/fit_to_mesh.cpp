@@ -91,9 +91,11 @@ Real stiffest_at_contact(const FemModel& model, const NodeField<Vec<2>>& was_at,
   const auto modulus = [&](const material::Material& there) {
     return model.settings.large_deformation ? soft_contact * elasticity(there).shear : p_wave_modulus(there);
   };
+  // What comes from the mudline has hardly a stiffness, and lies on stiffer soil.
+  const Real least = model.settings.large_deformation ? width_of<2>(model.model.rigid_bodies[model.rigid].shape) / 4 : -infinity;
   Real stiffest = 0;
   for (const FemContactPoint& point : model.contact) {
-    const Real depth = model.model.soil_depth(was_at[point.node]);
+    const Real depth = std::max(model.model.soil_depth(was_at[point.node]), least);
     stiffest = std::max(stiffest, modulus(soil.at("", depth)));
     for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, modulus(soil.at(region, depth)));
   }
@@ -163,9 +165,9 @@ void make_contact(FemModel& model, const NodeField<Vec<2>>& was_at, const std::v
   model.contact = make_contact_points(sides, model.mesh.position, placed(rigid, poses[contact->rigid]), metric);
   Real length = 0;
   for (const FemContactPoint& point : model.contact) length += section_of(metric, point.area, model.mesh.position[point.node]);
+  const Real per_length = length > 0 ? static_cast<Real>(sides.size()) / length : 0;
   model.interface = {0, 0, rules_of(contact->scheme).tied,
-                     contact_stiffness * stiffest_at_contact(model, was_at, contact->body) * static_cast<Real>(sides.size()) / length,
-                     contact->tension};
+                     contact_stiffness * stiffest_at_contact(model, was_at, contact->body) * per_length, contact->tension};
   set_adhesion(model, was_at, *contact);
 }
 

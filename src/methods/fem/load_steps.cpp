@@ -11,6 +11,7 @@ namespace berm::fem {
 namespace {
 
 constexpr Real release_viscosity = 0.1;
+constexpr Real small_force = 0.05;      // of the largest reaction: changes by a remeshing are over this at least
 constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
 constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
 constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
@@ -264,10 +265,11 @@ void LoadSteps::remesh()
   last_dt_ = 0;
   if (!release_imbalance(loads_after(0), viscosity_of(dt_)) && !release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
-  const Real change =
-      (state_.state.rigid_bodies[model_.rigid].reaction - before).norm() / std::max(before.norm(), std::numeric_limits<Real>::min());
+  const Vec<2>& after = state_.state.rigid_bodies[model_.rigid].reaction;
+  remeshings_.largest_force = std::max({remeshings_.largest_force, before.norm(), after.norm()});
+  const Real scale = std::max(before.norm(), small_force * remeshings_.largest_force);
+  const Real change = scale > 0 ? (after - before).norm() / scale : 0;
   ++remeshings_.count;
-  remeshings_.just_now = true;
   remeshings_.largest_change = std::max(remeshings_.largest_change, change);
   remeshings_.sum_of_changes += change;
 }
@@ -287,10 +289,20 @@ Real LoadSteps::longest_dt() const
   return std::min(longest, std::min(model_.settings.largest_step, model_.settings.remeshing_travel / 2) * model_.width / speed);
 }
 
+/// Whether an increment takes the body, which a force may move, farther than it may go between two meshes: soil without contact points would meet it.
+bool LoadSteps::goes_too_far(const std::vector<Real>& change) const
+{
+  if (!remesher_) return false;
+  const Index first = model_.rigid_unknown();
+  Vec<3> end;
+  for (int d = 0; d < 3; ++d) end[d] = state_.displacement[first + d] + change[first + d];
+  const Real travel = distance_between<2>(model_.model.rigid_bodies[model_.rigid], state_.state.rigid_bodies[model_.rigid], pose_of(end));
+  return travel > model_.settings.remeshing_travel * model_.width;
+}
+
 IncrementEnd LoadSteps::advance()
 {
   max_overlap_ = 0;
-  remeshings_.just_now = false;
   if (remesher_ && remesher_->is_due(model_, state_)) remesh();
   const Real largest_dt = longest_dt();
   Real shortest = 1;  // where a limit of force cuts the increment
@@ -303,6 +315,12 @@ IncrementEnd LoadSteps::advance()
     const IncrementEnd end = find_equilibrium(loads, dt, change);
     if (const Real part = part_within_force(end); part < 1 && shortest > 1e-6) {
       shortest *= part;
+      continue;
+    }
+    if (end.converged && goes_too_far(change)) {
+      dt_ = dt / 2;
+      if (dt_ < 1e-4 * first_dt_)
+        throw NoEquilibrium(fmt::format("stage \"{}\": nothing stops the rigid body at t = {:.6g} s", stage().name, state_.state.time));
       continue;
     }
     const bool last_resort = !accepted_above_tolerance_ && dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
@@ -409,6 +427,7 @@ void LoadSteps::archive(Archive& k)
     k("remeshings", remeshings_.count);
     k("largest_change", remeshings_.largest_change);
     k("sum_of_changes", remeshings_.sum_of_changes);
+    k("largest_force", remeshings_.largest_force);
   }
   k("last_change", last_change_);
   if (!(relaxation_ > 0 && first_dt_ > 0 && dt_ > 0 && last_dt_ >= 0)) k.refuse("its increments have no length");

@@ -13,12 +13,12 @@ struct NoEquilibrium : RunError {
   using RunError::RunError;
 };
 
-/// The remeshings of a run: how many there were, and how the reaction changed by mapping and the equilibrium after it, over the reaction before: the largest change by size, and the sum
+/// The remeshings of a run: how many there were, and how the reaction changed by mapping and the equilibrium after it, over the reaction before, but for small ones: the largest change by size, and the sum
 /// of all.
 struct Remeshings {
   BigIndex count = 0;
   Real largest_change = 0, sum_of_changes = 0;
-  bool just_now = false;  ///< since the increment before the last
+  Real largest_force = 0;  ///< N/m
 };
 
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
@@ -68,6 +68,7 @@ private:
   void remesh();
   Real viscosity_of(Real dt) const;
   Real longest_dt() const;
+  bool goes_too_far(const std::vector<Real>& change) const;
   Real speed_of_body() const;
   Real travel(int freedom, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;

@@ -60,6 +60,11 @@ SoilPoint soil_at(const OldMesh& old, const MeshPoint& there)
   soil.deviatoric_strain = mean([](const SoilPoint& point) { return point.deviatoric_strain; });
   for (std::size_t k = 0; k < soil.law_state.size(); ++k)
     soil.law_state[k] = mean([&](const SoilPoint& point) { return point.law_state[k]; });
+  // The pore pressure as the total stress, whose part it is.
+  if (const int k = pore_pressure_index(old.model.soil_of(there.cell).materials.front()); k != none) {
+    soil.law_state[k] = 0;
+    for (int q = 0; q < triangle_points; ++q) soil.law_state[k] += weights[q] * points[q].law_state[k];
+  }
   return soil;
 }
 

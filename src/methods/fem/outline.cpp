@@ -8,6 +8,7 @@ namespace berm::fem {
 namespace {
 
 constexpr int samples_of_side = 16;
+constexpr Real small_gap = 1e-3;        // over the width: of such nodes
 constexpr int open_within_contact = 2;  // nodes between closed ones that count as closed
 constexpr Real kink = 40 * degree;      // between two sides of the ground: a corner that stays
 constexpr Real closed_distance = 1e-4;  // over the width: of points between nodes in contact
@@ -41,7 +42,7 @@ public:
     for (std::size_t k = 0; k < model.contact.size(); ++k) {
       const FemContactPoint& point = model.contact[k];
       const FemContactState& now = state.contact[k];
-      const bool bonded = model.interface.tied || (model.interface.tension > 0 && now.parted == 0);
+      const bool bonded = model.interface.tension > 0 && now.parted == 0;
       closed_[point.node] = static_cast<char>(now.traction.dot(point.normal) > 0 || bonded);
     }
     for (const BoundarySide& side : model.mesh.boundary_sides)
@@ -82,7 +83,7 @@ private:
       for (std::size_t gap = 1; gap <= open_within_contact; ++gap)
         if (closed_[nodes[k]] && closed_[nodes[(k + gap + 1) % n]])
           for (std::size_t j = 1; j <= gap; ++j)
-            if (Index node = nodes[(k + j) % n]; !closed_[node]) {
+            if (Index node = nodes[(k + j) % n]; !closed_[node] && distance(position_[node]) < small_gap * model_.width) {
               closed_[node] = 1;
               position_[node] = put_beside_body(position_[node], true);
             }

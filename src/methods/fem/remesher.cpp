@@ -3,6 +3,7 @@
 #include "fem/remesher.hpp"
 
 #include "fem/cut_mesh.hpp"
+#include "material/clay.hpp"
 #include "mesh/gmsh.hpp"
 #include "os/error.hpp"
 #include "os/gmsh_program.hpp"
@@ -117,15 +118,33 @@ void unfold(QuadraticMesh& mesh)
 
 Remesher::Remesher(const settings::Case& c, std::filesystem::path folder) : case_(c), folder_(std::move(folder))
 {
-  if (!std::holds_alternative<mesh::SeabedMesh>(c.mesh))
-    throw KeyError("mesh.kind: large deformations by finite elements need a mesh of kind \"seabed\", whose walls and base they keep");
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  if (bed == nullptr)
+    throw KeyError("mesh.kind: fem.large_deformation needs kind = \"seabed\": its side walls and base are kept in remeshing");
+  if (c.geometry != settings::Geometry::plane_strain) throw KeyError("geometry: fem.large_deformation is for plane strain");
   for (const auto& [name, rigid] : c.rigid)
-    if (const bodies::RigidShape<2> shape = make_shape<2>(rigid.shape);
-        !std::holds_alternative<bodies::Circle<2>>(shape) && !std::holds_alternative<bodies::Box<2>>(shape))
-      throw KeyError(fmt::format("rigid.{}.shape: large deformations by finite elements know a \"circle\" and a \"box\"", name));
-  if (c.safety) throw KeyError("safety: the factor of safety is found at small strain: leave out fem.large_deformation");
-  if (c.body.size() != 1)
-    throw KeyError("body: large deformations by finite elements need all soil in one body; soil_layer gives it layers");
+    if (!std::holds_alternative<bodies::CircleSettings>(rigid.shape))
+      throw KeyError(fmt::format("rigid.{}.shape: fem.large_deformation supports a \"circle\" only", name));
+  for (const auto& [name, contact] : c.contact)
+    if (rules_of(contact.scheme).tied)
+      throw KeyError(fmt::format(
+          "contact.{}.scheme: fem.large_deformation needs a surface that can open: take adhesion_factor = 1 for a rough one", name));
+  if (c.safety) throw KeyError("safety: the factor of safety is a small-strain analysis: remove fem.large_deformation");
+  if (!c.traction.empty())
+    throw KeyError(fmt::format("traction.{}: cannot be combined with fem.large_deformation", c.traction.front().first));
+  if (c.body.size() != 1) throw KeyError("body: fem.large_deformation needs all soil in one [body]; define layers by soil_layer");
+  const auto& [name, body] = c.body.front();
+  std::vector<std::string> needed = {"near", "bed"};
+  if (bed->layer > 0) needed.emplace_back("layer");
+  for (const std::string& region : needed)
+    if (std::ranges::find(body.regions, region) == body.regions.end())
+      throw KeyError(fmt::format("body.{}.regions: with fem.large_deformation the soil fills \"{}\", too", name, region));
+  if (!body.region_material.empty())
+    throw KeyError(
+        fmt::format("body.{}.region_material: with fem.large_deformation soil leaves its region: define layers by soil_layer", name));
+  for (const auto& [material, law] : c.material)
+    if (const auto* clay = law.get_if<material::Clay>(); clay != nullptr && clay->rate_parameter > 0)
+      throw KeyError(fmt::format("material.{}.rate_parameter: cannot be combined with fem.large_deformation", material));
 }
 
 ElementSizes Remesher::sizes_for(const FemModel& model) const

@@ -164,6 +164,7 @@ VariantPlan choose_variants(const settings::Case& c)
   if (c.method == settings::Method::fem) {
     settings::Case longer = last.settings;
     longer.fem.largest_step *= 2;
+    if (c.fem.large_deformation) longer.fem.remeshing_travel = std::min(Real(1), 2 * longer.fem.remeshing_travel);  // limits them, too
     longer.fem.relaxation *= 4;  // its error grows with the root (examples/wip_pipe): this doubles it
     plan.variants.push_back({last.name + "_long_steps", last.size, 2, std::move(longer)});
   } else if (knows_speed(c)) {
