@@ -217,13 +217,12 @@ SoilPoint Assembly::with_effective_stress(SoilPoint point, Index cell) const
 std::optional<MovedCell> Assembly::moved_cell(const FemState& begin, const std::vector<Real>& change, Index cell) const
 {
   if (!model_.settings.large_deformation) return std::nullopt;
-  AtSixNodes<Vec<2>> nodes, moved;
+  AtSixNodes<Vec<2>> moved;
   for (int k = 0; k < 6; ++k) {
     const Index node = model_.mesh.nodes[cell][k];
-    nodes[k] = position_now(model_, begin, node);
     moved[k] = Vec<2>(change[2 * node], change[2 * node + 1]);
   }
-  return move_cell(nodes, moved, model_.model.mesh.metric);
+  return move_cell(positions_now(model_, begin, cell), moved, model_.model.mesh.metric);
 }
 
 const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Index cell, int q)

@@ -50,10 +50,7 @@ std::string draw(const bodies::Box<2>& box, std::size_t tag)
                      std::atan2(box.axes(1, 0), box.axes(0, 0)), tag);
 }
 
-std::string distance_from(const bodies::Circle<2>& circle)
-{
-  return fmt::format("Abs(Sqrt((x - ({}))^2 + (y - ({}))^2) - {})", circle.center[0], circle.center[1], circle.radius);
-}
+using fem::distance_from;
 std::string distance_from(const bodies::Box<2>& box)
 {
   const auto beyond = [&](int side) {
@@ -138,7 +135,7 @@ Cuts cuts_of(const settings::Case& c, const mesh::SeabedMesh& bed)
     else if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
       add_cut(cuts, bed, name, *circle, c.fem.large_deformation);
     else if (const auto* box = std::get_if<bodies::Box<2>>(&shape))
-      add_cut(cuts, bed, name, *box, c.fem.large_deformation);
+      add_cut(cuts, bed, name, *box, false);
     else
       throw KeyError(fmt::format("rigid.{}.shape: of a mesh of kind \"seabed\" only a \"circle\" or a \"box\" can be cut out; a mesh of "
                                  "kind \"gmsh\" may have any hole",
@@ -283,11 +280,9 @@ void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
   }
 }
 
-std::string distance_formula(const bodies::RigidShape<2>& shape)
+std::string distance_from(const bodies::Circle<2>& circle)
 {
-  if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape)) return distance_from(*circle);
-  if (const auto* box = std::get_if<bodies::Box<2>>(&shape)) return distance_from(*box);
-  throw std::logic_error("distance_formula: neither circle nor box");
+  return fmt::format("Abs(Sqrt((x - ({}))^2 + (y - ({}))^2) - {})", circle.center[0], circle.center[1], circle.radius);
 }
 
 mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const fs::path& case_folder, const fs::path& work_folder)

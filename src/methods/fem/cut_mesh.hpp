@@ -24,7 +24,7 @@ mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const std::filesystem::path
 /// Names the regions of a seabed by the centroids of cells.
 void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed);
 
-/// The distance from a circle or box (m) as a formula of x and y that Gmsh evaluates. Throws std::logic_error for another shape.
-std::string distance_formula(const bodies::RigidShape<2>& shape);
+/// The distance from a circle (m) as a formula of x and y that Gmsh evaluates.
+std::string distance_from(const bodies::Circle<2>& circle);
 
 }  // namespace berm::fem

@@ -100,6 +100,17 @@ inline Vec<2> position_now(const FemModel& model, const FemState& state, Index n
   return model.mesh.position[node] + Vec<2>(state.displacement[2 * node], state.displacement[2 * node + 1]);
 }
 
+/// Where the nodes of an element are, m.
+inline AtSixNodes<Vec<2>> positions_now(const FemModel& model, const FemState& state, Index cell)
+{
+  AtSixNodes<Vec<2>> positions;
+  for (int k = 0; k < 6; ++k) positions[k] = position_now(model, state, model.mesh.nodes[cell][k]);
+  return positions;
+}
+
+/// Where all nodes are with these displacements since their mesh was made, by unknown, m.
+NodeField<Vec<2>> positions_with(const FemModel& model, const std::vector<Real>& displacement);
+
 /// In large deformations: the places of the soil at this moment are those with these displacements since the mesh was made, by unknown.
 void note_places(const FemModel& model, Moment moment, const std::vector<Real>& displacement, FemState& state);
 

@@ -230,18 +230,22 @@ bodies::SurfacePoint<2> surface_now(const bodies::RigidBody<2>& rigid, const bod
   return surface;
 }
 
+NodeField<Vec<2>> positions_with(const FemModel& model, const std::vector<Real>& displacement)
+{
+  NodeField<Vec<2>> positions = model.mesh.position;
+  for (Index node = 0; node < positions.size(); ++node) positions[node] += Vec<2>(displacement[2 * node], displacement[2 * node + 1]);
+  return positions;
+}
+
 void note_places(const FemModel& model, Moment moment, const std::vector<Real>& displacement, FemState& state)
 {
-  if (!model.settings.large_deformation) return;
-  for (Index node = 0; node < model.mesh.node_count(); ++node)
-    state.place_at(moment)[node] = model.mesh.position[node] + Vec<2>(displacement[2 * node], displacement[2 * node + 1]);
+  if (model.settings.large_deformation) state.place_at(moment) = positions_with(model, displacement);
 }
 
 void place_contact(FemModel& model, const FemState& state)
 {
   if (model.contact.empty()) return;
-  NodeField<Vec<2>> position = model.mesh.position;
-  for (Index node = 0; node < position.size(); ++node) position[node] = position_now(model, state, node);
+  const NodeField<Vec<2>> position = positions_with(model, state.displacement);
   const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
   const bodies::Pose<2>& pose = state.state.rigid_bodies[model.rigid];
   const std::vector<FemContactPoint> now = make_contact_points(model.contact_sides, position, placed(rigid, pose), model.model.mesh.metric);

@@ -17,29 +17,16 @@ struct OldMesh {
   NodeField<Vec<2>> position;
   PointLocator locator;
 
-  OldMesh(const FemModel& m, const FemState& s) : model(m), state(s), position(positions(m, s)), locator(m.mesh, position) {}
-
-  static NodeField<Vec<2>> positions(const FemModel& model, const FemState& state)
+  OldMesh(const FemModel& m, const FemState& s) : model(m), state(s), position(positions_with(m, s.displacement)), locator(m.mesh, position)
   {
-    NodeField<Vec<2>> position = model.mesh.position;
-    for (Index node = 0; node < position.size(); ++node) position[node] = position_now(model, state, node);
-    return position;
   }
+
   /// A field of the nodes at a point.
   Vec<2> at(const MeshPoint& point, const NodeField<Vec<2>>& field) const
   {
     const AtSixNodes<Real> part = shape_functions(point.at);
     Vec<2> sum = Vec<2>::Zero();
     for (int k = 0; k < 6; ++k) sum += part[k] * field[model.mesh.nodes[point.cell][k]];
-    return sum;
-  }
-  Real pressure_at(const MeshPoint& point) const
-  {
-    const std::array<Real, 3> part = {1 - point.at[0] - point.at[1], point.at[0], point.at[1]};
-    Real sum = 0;
-    for (int k = 0; k < 3; ++k)
-      if (const Index unknown = model.flow.unknown[model.mesh.nodes[point.cell][k]]; unknown != none)
-        sum += part[k] * state.displacement[unknown];
     return sum;
   }
 };
@@ -71,18 +58,11 @@ SoilPoint soil_at(const OldMesh& old, const MeshPoint& there)
 /// Puts the stress back onto the surface of the law, where it is beyond it.
 void return_to_surface(const FemModel& model, Index cell, int q, Real time, SoilPoint& point)
 {
-  const material::Material soil = model.soil_at(cell, q);
-  const bool flows = model.flow.in(cell);
-  const SymTensor<2> total = point.stress;
-  if (flows) point.stress = material::effective_stress(soil, total, point.law_state.data());
-  SymTensor<2> pressure;
-  for (int c = 0; c < tensor_size<2>; ++c) pressure[c] = total[c] - point.stress[c];
   std::visit(
       [&](const auto& law) {
         update(law, point.stress, material::Increment<2, Real>{{}, 0, time, model.cell_size[cell]}, point.law_state.data());
       },
-      prepare(flows ? material::drained(soil) : soil));
-  for (int c = 0; c < tensor_size<2>; ++c) point.stress[c] += pressure[c];
+      prepare(model.soil_at(cell, q)));
 }
 
 /// Shear and state of the old contact at a point of the outline.
@@ -163,10 +143,8 @@ void map_state(const FemModel& old_model, const FemState& old_state, const std::
   fit_to_mesh(c, state.place_at(Moment::start), {old_state.state.rigid_bodies.begin(), old_state.state.rigid_bodies.end()}, model);
 
   state.displacement.assign(static_cast<std::size_t>(model.unknowns()), 0.);
-  for (Index d = 0; d < model.pressure_unknown() - model.rigid_unknown(); ++d)
+  for (Index d = 0; d < model.unknowns() - model.rigid_unknown(); ++d)
     state.displacement[model.rigid_unknown() + d] = old_state.displacement[old_model.rigid_unknown() + d];
-  for (Index node = 0; node < mesh.node_count() && model.flow.count > 0; ++node)
-    if (const Index unknown = model.flow.unknown[node]; unknown != none) state.displacement[unknown] = old.pressure_at(of_node[node]);
 
   state.points.assign(mesh.cell_count());
   for_each("map stresses", mesh.cell_count(), [&](Index cell) {

@@ -32,10 +32,9 @@ public:
   Divider(const FemModel& model, const FemState& state, const ElementSizes& sizes)
       : model_(model),
         sizes_(sizes),
-        position_(model.mesh.position),
+        position_(positions_with(model, state.displacement)),
         closed_(model.mesh.node_count(), 0)
   {
-    for (Index node = 0; node < position_.size(); ++node) position_[node] = position_now(model, state, node);
     if (model.rigid == none) return;
     rigid_ = &model.model.rigid_bodies[model.rigid];
     pose_ = state.state.rigid_bodies[model.rigid];
@@ -96,10 +95,9 @@ private:
     if (!is_ground_at(after)) return side(before).boundary != side(after).boundary;
     const Vec<2> in = 3 * position_[side(before).to] - 4 * position_[side(before).middle] + position_[side(before).from],
                  out = 4 * position_[side(after).middle] - 3 * position_[side(after).from] - position_[side(after).to];
-    const bool inside_contact = closed_[side(after).from] && closed_[side(before).middle] && closed_[side(after).middle] && !has_corners();
+    const bool inside_contact = closed_[side(after).from] && closed_[side(before).middle] && closed_[side(after).middle];
     return !inside_contact && in.dot(out) < std::cos(kink) * in.norm() * out.norm();
   }
-  bool has_corners() const { return rigid_ != nullptr && bodies::has_corners<2>(rigid_->shape); }
 
   void start_at_kept(std::vector<std::size_t>& sides) const
   {

@@ -21,9 +21,7 @@ constexpr Real least_determinant = 0.3;  // of the Jacobian at a node, over that
 bool is_folding(const FemModel& model, const FemState& state)
 {
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
-    const AtSixNodes<Vec<2>> first = model.mesh.positions_of(cell);
-    AtSixNodes<Vec<2>> now;
-    for (int k = 0; k < 6; ++k) now[k] = position_now(model, state, model.mesh.nodes[cell][k]);
+    const AtSixNodes<Vec<2>> first = model.mesh.positions_of(cell), now = positions_now(model, state, cell);
     for (const Vec<2>& at : six_nodes)
       if (jacobian(now, at).determinant() < least_determinant * jacobian(first, at).determinant()) return true;
   }
@@ -166,10 +164,11 @@ bool Remesher::is_due(const FemModel& model, const FemState& state) const
 mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const
 {
   const ElementSizes sizes = sizes_for(model);
-  const std::string distance = distance_formula(placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]));
+  const auto circle = std::get<bodies::Circle<2>>(placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]));
   const std::filesystem::path geo = folder_ / "remesh.geo", msh = folder_ / "remesh.msh";
   write_outline(outline, model.model.mesh,
-                fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance, sizes.fine),
+                fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance_from(circle),
+                            sizes.fine),
                 geo);
   run_gmsh(geo, msh, 2, GeometryBy::berm);
   mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);

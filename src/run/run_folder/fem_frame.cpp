@@ -58,9 +58,7 @@ Matrix<2> gradient_at(const fem::ShapeAtPoint& shape, const fem::AtSixNodes<Inde
 Matrix<2> gradient_since(const fem::FemModel& model, const fem::FemState& state, fem::Moment moment, Index cell, int q)
 {
   const fem::AtSixNodes<Index>& nodes = model.mesh.nodes[cell];
-  fem::AtSixNodes<Vec<2>> now;
-  for (int k = 0; k < 6; ++k) now[k] = fem::position_now(model, state, nodes[k]);
-  const fem::ShapeAtPoint shape = fem::shape_at(now, q);
+  const fem::ShapeAtPoint shape = fem::shape_at(fem::positions_now(model, state, cell), q);
   Matrix<2> inverse = Matrix<2>::Zero();
   for (int k = 0; k < 6; ++k) inverse += state.place_at(moment)[nodes[k]] * shape.gradient[k].transpose();
   return inverse.inverse() - Matrix<2>::Identity();
@@ -285,7 +283,7 @@ void set_motion(const fem::FemModel& model, const fem::FemState& state, const st
   const fem::QuadraticMesh& mesh = model.mesh;
   const auto stretch_around = [&](Index node, Real moved, const Matrix<2>& gradient) {
     if (model.model.mesh.metric != mesh::Metric::axisymmetric) return Real(1);
-    const Real radius = model.settings.large_deformation ? state.place_at(fem::Moment::start)[node][0] : mesh.position[node][0];
+    const Real radius = mesh.position[node][0];
     return 1 + (radius > 0 ? moved / radius : gradient(0, 0));
   };
   const FieldValues<Real>& stress = frame.field("stress");
