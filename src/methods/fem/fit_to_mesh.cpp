@@ -165,9 +165,8 @@ void make_contact(FemModel& model, const NodeField<Vec<2>>& was_at, const std::v
   model.contact = make_contact_points(sides, model.mesh.position, placed(rigid, poses[contact->rigid]), metric);
   Real length = 0;
   for (const FemContactPoint& point : model.contact) length += section_of(metric, point.area, model.mesh.position[point.node]);
-  const Real per_length = length > 0 ? static_cast<Real>(sides.size()) / length : 0;
-  model.interface = {0, 0, rules_of(contact->scheme).tied,
-                     contact_stiffness * stiffest_at_contact(model, was_at, contact->body) * per_length, contact->tension};
+  const Real stiffness = contact_stiffness * stiffest_at_contact(model, was_at, contact->body) * static_cast<Real>(sides.size());
+  model.interface = {0, 0, rules_of(contact->scheme).tied, length > 0 ? stiffness / length : 0, contact->tension};
   set_adhesion(model, was_at, *contact);
 }
 
