@@ -2,7 +2,7 @@
 import { ChartView } from "./charts/chart_view";
 import { chart_controls, labelled_select } from "./charts/controls";
 import { follow_size } from "./charts/follow_size";
-import { drag_plans, lift_plans, own_plans, push_plans } from "./charts/path_charts";
+import { drag_plans, is_of_ground, lift_plans, own_plans, push_plans } from "./charts/path_charts";
 import type { Plan } from "./charts/plan";
 import type { Settings } from "./charts/scene";
 import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_with_energies, water_plans } from "./charts/time_charts";
@@ -19,7 +19,8 @@ export function show_charts(section: HTMLElement, trust: HTMLElement, data: Page
     views.push(made);
     return made;
   };
-  const [forces, noise] = parted([...own_plans(data), ...push_plans(data), ...drag_plans(data), ...lift_plans(data)], (plan) => plan.id.includes("_noise"));
+  const [own, outlines] = parted(own_plans(data), is_of_ground);
+  const [forces, noise] = parted([...own, ...push_plans(data), ...drag_plans(data), ...lift_plans(data), ...outlines], (plan) => plan.id.includes("_noise"));
   section.append(chart_controls(data, settings, () => views.forEach((each) => each.show(settings))));
   section.append(element("p", { class: "quiet chart_hint" }, hint(forces)));
   const thinned = data.runs.flatMap((run) => (run.row === null ? [] : `${run.name} (${run.row.length} of ${run.row.at(-1)! + 1})`));

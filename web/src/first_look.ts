@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is seen without scrolling: charts of the structure (p-y curves), H(u), V(w) and R of a lift of the first run, of a pipeline the line at the ends of its stages, beside its answer in words and its last picture of the soil.
 import { ChartView } from "./charts/chart_view";
-import { drag_plans, lift_plans, own_plans, push_plans } from "./charts/path_charts";
+import { drag_plans, is_of_ground, lift_plans, own_plans, push_plans } from "./charts/path_charts";
 import type { Settings } from "./charts/scene";
 import { follow_size } from "./charts/follow_size";
 import type { PageData } from "./data";
@@ -19,7 +19,7 @@ export function show_first_look(place: HTMLElement | null, data: PageData): Char
   const lead = { ...data, runs: data.runs.slice(0, 1) };
   const settings: Settings = { units: "model", raw: true, published: false, hidden: new Set() };
   const plans = [
-    ...own_plans({ ...lead, runs: lead.runs.filter((run) => !is_line_run(run)) }),
+    ...own_plans({ ...lead, runs: lead.runs.filter((run) => !is_line_run(run)) }).filter((plan) => !is_of_ground(plan)),
     ...[...drag_plans(lead), ...push_plans(lead), ...lift_plans(lead)].filter((plan) => ["H_u", "V_w", "R_lift"].includes(plan.id)),
   ];
   const views = plans

@@ -77,6 +77,25 @@ test("svg_stands_alone_with_titles_units_and_legend", async () => {
   await context.close();
 });
 
+test("remeshings_are_ticks_with_one_key", async (t) => {
+  if (main_chart === "any") return t.skip("no pipe in these runs");
+  const { page: without, context: its_context } = await open_report(browser);
+  assert.equal(await without.locator(".chart_key").count(), 0);
+  await its_context.close();
+  const file = changed_report((changed) => changed.runs.forEach((run) => (run.columns.remeshings = run.stage.map((_, row) => Math.floor(row / 10)))));
+  const { page, context, errors } = await open_report(browser, { file });
+  assert.deepEqual(await page.locator(".chart_key").allTextContents(), ["remeshing"]);
+  const svg = await downloaded(page, chart_of(page, main_chart), ".chart_svg");
+  const [ticks, keys] = await page.evaluate((text) => {
+    const read = new DOMParser().parseFromString(text, "image/svg+xml");
+    return [read.querySelectorAll(".remeshings line").length, [...read.querySelectorAll(".remeshings_key text")].map((each) => each.textContent)] as const;
+  }, svg.text);
+  assert.ok(ticks > 0);
+  assert.deepEqual(keys, ["remeshing"]);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
 test("svg_shows_the_zoom", async () => {
   const { page, context } = await open_report(browser);
   const chart = chart_of(page, main_chart);

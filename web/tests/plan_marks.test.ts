@@ -2,7 +2,7 @@
 // Where published numbers and axes are, by the data alone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drag_plans, own_plans, push_plans } from "../src/charts/path_charts";
+import { drag_plans, is_of_ground, own_plans, push_plans } from "../src/charts/path_charts";
 import { published_marks } from "../src/charts/plan";
 import { make_scene } from "../src/charts/scene";
 import type { PageData, RunData } from "../src/data";
@@ -92,6 +92,15 @@ test("charts_of_a_structure_have_a_trace_for_each_curve", () => {
   assert.deepEqual(plan.traces.map((trace) => [trace.label, trace.value, trace.mean]), [["1 m", [0, 6], [0, 6]], ["3 m", [0, 3], null]]);
   assert.equal(plan.value.kind, "force");
   assert.equal(plan.by_run, false);
+});
+
+test("the_ground_is_told_from_charts_of_a_structure", () => {
+  const run = run_to(0.022), axis = { meaning: "", symbol: "x", unit: "m" };
+  const curves = [{ name: "start", rows: [0, 0], x: [0, 1], y: [0, 0] }, { name: "drag", rows: [1, 1], x: [0, 1], y: [0, 0.1] }];
+  run.charts = ["p_y", "ground"].map((chart) => ({ chart, title: chart, x: axis, y: axis, curves }));
+  const plans = own_plans(page_of(run_to(0.022), run));
+  assert.deepEqual(plans.map((plan) => [plan.id, is_of_ground(plan)]), [["p_y_2", false], ["ground_2", true]]);
+  assert.deepEqual(plans[1].traces.map((trace) => [trace.label, trace.mean]), [["start", null], ["drag", null]]);
 });
 
 test("without_means_the_path_of_forces_is_that_of_the_rows", () => {

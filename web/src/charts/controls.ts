@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { PageData, RunData } from "../data";
-import { element } from "../element";
+import { element, svg_element } from "../element";
+import { tick_sample, was_remeshed } from "./remeshings";
 import { line_sample, run_style } from "./run_style";
 import type { Settings } from "./scene";
 import { left_out, offered_systems, system_name } from "./units";
@@ -10,6 +11,7 @@ import type { UnitSystem } from "./units";
 export function chart_controls(data: PageData, settings: Settings, changed: () => void): HTMLElement {
   const runs = element("fieldset", { class: "chart_runs" }, element("legend", {}, "Runs"));
   data.runs.forEach((run, index) => runs.append(run_switch(run, index, settings, changed)));
+  if (data.runs.some(was_remeshed)) runs.append(key_of_remeshings());
   const options = element("div", { class: "chart_options" });
   const controls = element("div", { class: "chart_controls" }, runs, options);
 
@@ -44,6 +46,11 @@ function run_switch(run: RunData, index: number, settings: Settings, changed: ()
     changed();
   });
   return label;
+}
+
+function key_of_remeshings(): HTMLElement {
+  const sample = svg_element("svg", { width: 34, height: 10, "aria-hidden": "true" }, tick_sample(0, 1));
+  return element("span", { class: "chart_key", title: "ticks at the edge of the charts, in the colour of the run" }, sample, element("span", {}, "remeshing"));
 }
 
 function note_on(runs: RunData[], units: UnitSystem): string {

@@ -4,6 +4,7 @@ import { candidates, LabelPlaces, levels_first } from "./label_places";
 import type { Box } from "./label_places";
 import { band_opacity } from "./plot";
 import type { View } from "./plot";
+import { tick_length, tick_offset, tick_sample } from "./remeshings";
 import type { Line, Scene, SceneAxis } from "./scene";
 import { ticks_of } from "./ticks";
 import type { Range } from "./ticks";
@@ -30,7 +31,7 @@ export function figure_svg(scene: Scene, view: View): string {
 /** The same as an element, in the size of a file's figure or smaller for print, where `name` tells its parts from those of others. */
 export function figure_element(scene: Scene, view: View, size: keyof typeof sizes, name = ""): SVGSVGElement {
   const area = sizes[size];
-  const height = area.top + area.height + 62 + legend_step * scene.traces.length;
+  const height = area.top + area.height + 62 + legend_step * (scene.traces.length + (scene.remeshings.length > 0 ? 1 : 0));
   const width = area.left + area.width + 22;
   const x = place(view.x, scene.x, area.left, area.width, false);
   const y = place(view.y, scene.y, area.top, area.height, true);
@@ -47,8 +48,10 @@ export function figure_element(scene: Scene, view: View, size: keyof typeof size
     axis_group(area, scene.y, view.y, y, false),
     drawn,
     svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height, fill: "none", stroke: ink }),
+    remeshings_group(area, scene, scene.plan.upright ? y : x),
     marks_group(area, scene, x, y),
     legend(area, scene),
+    key_of_remeshings(area, scene),
   );
 }
 
@@ -131,6 +134,28 @@ function marks_group(area: Size, scene: Scene, to_x: To, to_y: To): SVGGElement 
       { x: rounded(box.left), y: rounded(box.top + 10), "font-size": 11, fill: mark_ink(mark.published), stroke: "#ffffff", "stroke-width": 3, "paint-order": "stroke" },
       mark.label));
   }
+  return group;
+}
+
+/** At the edge opposite to the axis of the argument. */
+function remeshings_group(area: Size, scene: Scene, to: To): SVGGElement {
+  const group = svg_element("g", { class: "remeshings" });
+  const right = area.left + area.width;
+  for (const tick of scene.remeshings) {
+    const at = to(tick.at), from = tick_offset(tick), end = from + tick_length;
+    const place = scene.plan.upright ? { x1: right - from, x2: right - end, y1: at, y2: at } : { x1: at, x2: at, y1: area.top + from, y2: area.top + end };
+    if (scene.plan.upright ? is_within(at, area.top, area.height) : is_within(at, area.left, area.width))
+      group.append(svg_element("line", { ...place, stroke: tick.style.colour.light }));
+  }
+  return group;
+}
+
+/** The row of the legend below those of the runs. */
+function key_of_remeshings(area: Size, scene: Scene): SVGGElement {
+  const group = svg_element("g", { class: "remeshings_key", color: ink });
+  if (scene.remeshings.length === 0) return group;
+  const y = area.top + area.height + 62 + legend_step * scene.traces.length;
+  group.append(tick_sample(area.left, y - tick_length / 2), svg_element("text", { x: area.left + 44, y, dy: "0.35em" }, "remeshing"));
   return group;
 }
 

@@ -108,6 +108,11 @@ export function own_plans(data: PageData): Plan[] {
   })));
 }
 
+/** Whether a chart of a run shows the shape of the ground, not what a structure is asked for. */
+export function is_of_ground(plan: Plan): boolean {
+  return /^ground(_\d+)?$/.test(plan.id);
+}
+
 /** The chart of a body that is lifted, as an uplift resistance is read: R = -V. */
 export function lift_plans(data: PageData): Plan[] {
   const upwards: Quantity = { words: "travel upwards", symbol: "s", kind: "length", unit: "m" };

@@ -4,6 +4,7 @@ import { element } from "../element";
 import { is_dark, page_colour } from "../theme";
 import type { RunStyle } from "./run_style";
 import { draw_marks } from "./marks";
+import { draw_remeshings } from "./remeshings";
 import type { Line, Scene, SceneAxis } from "./scene";
 import { ticks_of } from "./ticks";
 import type { Range } from "./ticks";
@@ -105,7 +106,7 @@ export class Plot {
       hooks: {
         setSelect: [(u) => this.selected(u)],
         setCursor: [(u) => u.cursor.left! >= 0 && this.events.pointed(u.cursor.left!, u.cursor.top!)],
-        draw: [(u) => draw_marks(u, scene), () => this.place_dots()],
+        draw: [(u) => draw_remeshings(u, scene), (u) => draw_marks(u, scene), () => this.place_dots()],
       },
     };
   }

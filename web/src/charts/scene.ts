@@ -2,6 +2,8 @@
 import type { RunData } from "../data";
 import type { Numbers, Plan, Trace } from "./plan";
 import type { RunStyle } from "./run_style";
+import { ticks_of_remeshings } from "./remeshings";
+import type { Tick } from "./remeshings";
 import type { Range } from "./ticks";
 import { axis_title, short_title, unit_of } from "./units";
 import type { Unit, UnitSystem } from "./units";
@@ -52,6 +54,7 @@ export interface Scene {
   traces: Trace[];
   lines: Line[];
   marks: Mark[];
+  remeshings: Tick[];
 }
 
 /** The axis on which the plan's argument (or value) stands. */
@@ -103,7 +106,9 @@ export function make_scene(plan: Plan, settings: Settings, runs: RunData[]): Sce
       full: logarithmic ? decades(numbers) : full_range(numbers, plan.zero, is_argument),
     };
   };
-  return { plan, x: axis("x"), y: axis("y"), traces, lines, marks };
+  // In a plane the argument is no travel or time.
+  const remeshings = plan.by_run && !plan.in_plane ? ticks_of_remeshings(traces, (run) => argument.factor(run)) : [];
+  return { plan, x: axis("x"), y: axis("y"), traces, lines, marks, remeshings };
 }
 
 function trace_lines(trace: Trace, index: number, raw: boolean, upright: boolean, argument: Unit, value: Unit): Line[] {

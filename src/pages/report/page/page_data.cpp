@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page.hpp"
 
+#include "report/animation/ground_chart.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -107,7 +108,9 @@ Json run_data(const record::RunRecord& run)
       data["drag"]["u"]["values"].push_back(number_or_null(point->u[kept[row.get<std::size_t>()]]));
   }
   data["lift"] = path_json(run, kept, charts, "V_s", "");
-  data["charts"] = own_charts_json(charts, kept);
+  base::Charts own = charts;
+  if (std::optional<base::Chart> ground = ground_chart(run)) own.push_back(std::move(*ground));
+  data["charts"] = own_charts_json(own, kept);
   const bool has_bands = run.summary && run.summary->uncertainty;
   data["bands"] = has_bands ? json_of(*run.summary->uncertainty)["curves"] : Json::array();
   data["film"] = nullptr;

@@ -68,7 +68,7 @@ base::DisplayUnits units_of(const Runs& runs)
 std::string results_section(const Runs& runs, const std::vector<Judgement>& judgements, const FirstLook& first_look)
 {
   const base::DisplayUnits shown = units_of(runs);
-  std::string html, key, published;
+  std::string html = two_methods(runs, judgements), key, published;
   for (const base::Structure& structure : structures::all_structures()) {
     const base::Runs of_structure = structures::runs_of(structure, runs);
     key += structure.key_results(of_structure, shown);

@@ -17,6 +17,10 @@ struct FirstLook {
 std::string results_section(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements,
                             const FirstLook& first_look = {});
 
+/// The key results of cases that ran by the material point method and by finite elements of large deformations, side by side with their differences, and which of both
+/// is more reliable, as HTML with its heading; "" where no case ran by both. Cases are the same that differ in method, size of cells and particles per cell alone.
+std::string two_methods(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements);
+
 /// How the water drained in each stage, of the runs whose water flows, as HTML with its heading; "" where none does.
 std::string consolidation_table(const std::vector<record::RunRecord>& runs);
 
