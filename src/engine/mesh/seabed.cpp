@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/seabed.hpp"
 
+#include "mesh/end_geometry.hpp"
+
 #include "mesh/spatial_seabed.hpp"
 #include "mesh/uneven_seabed.hpp"
 #include "os/error.hpp"
@@ -263,8 +265,16 @@ Real expected_cells(const SeabedMesh& bed)
 
 void end_geometry(std::ofstream& out, const std::string& size, const std::filesystem::path& path)
 {
-  out << "\n// The size of a cell grows with its distance from where cells are fine.\n"
-      << fmt::format("Field[1] = MathEval;\nField[1].F = \"{}\";\nBackground Field = 1;\n", size) << gmsh_options;
+  end_geometry(out, std::vector{size}, path);
+}
+
+void end_geometry(std::ofstream& out, const std::vector<std::string>& sizes, const std::filesystem::path& path)
+{
+  const std::size_t n = sizes.size();
+  out << "\n// The size of a cell grows with its distance from where cells are fine.\n";
+  for (std::size_t k = 0; k < n; ++k) out << fmt::format("Field[{0}] = MathEval;\nField[{0}].F = \"{1}\";\n", k + 1, sizes[k]);
+  if (n > 1) out << fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{1:{1}}};\n", n + 1, n);
+  out << fmt::format("Background Field = {};\n", n > 1 ? n + 1 : 1) << gmsh_options;
   out.close();
   if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
 }

@@ -320,7 +320,8 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
       work.force[2 * k + 1] += shape.area * (gradient[1] * stress[1] + gradient[0] * stress[3] - value * weight[1]);
     }
   }
-  if (model_.flow.in(cell)) flow_[cell] = water_balance(model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
+  if (model_.flow.in(cell))
+    flow_[cell] = water_balance(moved ? moved->middle : model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
 }
 
 /// Whether all stresses of an element that were evaluated last are elastic, as viscosity tells: it moves every other.
@@ -367,7 +368,8 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j <= i; ++j) stiffness_[cell][k++] = stiffness(i, j);
   if (model_.flow.in(cell))
-    flow_stiffness_[cell] = balance_derivatives(model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
+    flow_stiffness_[cell] =
+        balance_derivatives(moved ? moved->middle : model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
 }
 
 void Assembly::add_contact(const FemState& begin, const std::vector<Real>& change)
@@ -503,40 +505,6 @@ std::vector<Vec<2>> Assembly::support_forces(Index stage) const
     for (int d = 0; d < 2; ++d)
       if (const Index support = holders[node][d]; support != none) forces[support][d] += residual_[2 * node + d];
   return forces;
-}
-
-void Assembly::count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const
-{
-  problem::Totals<2>& totals = state.state.ledger.totals;
-  const Vec<2> gravity = (state.gravity + loads.gravity) / 2;
-  const Real initial_imbalance_factor = (state.initial_imbalance_factor + loads.initial_imbalance_factor) / 2;
-  for (const CellWork& cell : cells_) totals.internal += cell.work;
-  for (Index cell = 0; cell < cells_.size(); ++cell) {
-    const std::optional<MovedCell> moved = moved_cell(state, change, cell);
-    for (int q = 0; q < triangle_points; ++q) {
-      const ShapeAtPoint& shape = moved ? moved->middle[q] : model_.shape[cell][q];
-      const Real density = model_.density[cell][q];
-      for (int k = 0; k < 6; ++k)
-        for (int d = 0; d < 2; ++d)
-          totals.external += shape.area * shape.value[k] * density * gravity[d] * change[2 * model_.mesh.nodes[cell][k] + d];
-    }
-  }
-  for (std::size_t t = 0; t < loads.tractions.size(); ++t)
-    for (const NodalLoad& load : model_.loads[t])
-      for (int d = 0; d < 2; ++d)
-        totals.external += (state.tractions[t] + loads.tractions[t]) / 2 * load.force[d] * change[2 * load.node + d];
-  for (std::size_t k = 0; k < change.size(); ++k) totals.external += initial_imbalance_factor * initial_imbalance_[k] * change[k];
-  if (model_.rigid == none) return;
-  const bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.rigid];
-  const Index first = model_.rigid_unknown();
-  const Vec<2> moved(change[first], change[first + 1]), force = -(rigid.reaction + reaction()) / 2;
-  totals.external += force.dot(moved) - (rigid.torque + torque()) / 2 * change[first + 2];
-  for (std::size_t k = 0; k < contact_.size(); ++k) {
-    const FemContactPoint& point = model_.contact[k];
-    const Vec<2> relative =
-        Vec<2>(change[2 * point.node], change[2 * point.node + 1]) - moved - change[first + 2] * Vec<2>(-point.arm[1], point.arm[0]);
-    totals.friction -= point.area * (state.contact[k].traction + contact_[k].traction).dot(relative) / 2;
-  }
 }
 
 void Assembly::accept(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const

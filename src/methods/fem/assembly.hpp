@@ -89,11 +89,16 @@ public:
   /// Force of each support on the soil in this stage, N/m: the residual where it holds.
   std::vector<Vec<2>> support_forces(Index stage) const;
 
+  /// Error of the energy balance of the last evaluation as an increment from `begin`, over its work: large where an element has gone through a shape that it cannot have.
+  Real energy_error(FemState& begin, const std::vector<Real>& change, const FemLoads& loads) const;
+
   /// Accepts the last evaluation as the new state, and adds its work to the totals.
   void accept(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
 
   /// Stores the residual of the initial state, which fictitious forces balance.
   void store_initial_imbalance(const FemState& state, const FemLoads& loads);
+  /// What these forces do in a change that ends with these loads, J/m.
+  Real work_of_imbalance(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads) const;
 
 private:
   void evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/fem/cut_mesh_test.cpp
 #include "bodies/initial_stress.hpp"
+#include "bodies/rigid/rounding.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
 #include "os/error.hpp"
@@ -95,15 +96,26 @@ void end_at_once(std::vector<settings::StageSettings>& stages)
     if (ends_at_equilibrium(stage) && !stage.until.time) stage.until.time = one_increment;
 }
 
+/// Soil goes around a corner of the body where that is an arc, which the sides of elements there can follow, in increments that are shorter than it.
+void round_corners(const settings::Case& c, FemModel& model)
+{
+  constexpr Real radius = 0.25, part_of_arc = 0.5;  // of the elements at the contact; longest travel in an increment, over the radius
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  if (bed == nullptr) return;
+  const Real size = contact_size_of(c, *bed);
+  for (bodies::RigidBody<2>& rigid : model.model.rigid_bodies) {
+    rigid.shape = bodies::rounded(rigid.shape, radius * size);
+    if (const auto* profile = std::get_if<bodies::Profile<2>>(&rigid.shape))
+      model.settings.largest_step = std::min(model.settings.largest_step, part_of_arc * profile->radius / width_of<2>(rigid.shape));
+  }
+}
+
 /// Where the soil is, and what of the ground the body does not touch.
 void begin_large_deformation(FemModel& model, FemState& state)
 {
   state.was_at.fill(model.mesh.position);
   if (model.rigid == none)
     throw KeyError("fem.large_deformation: needs a rigid body in contact with the soil: remeshing is triggered by its travel");
-  if (model.flow.count > 0)
-    throw KeyError("fem.large_deformation: cannot be combined with water.drainage = \"consolidation\": use method = \"mpm\", or set "
-                   "fem.large_deformation = false");
   const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
   state.meshed_at = state.state.rigid_bodies[model.rigid];
   for (std::size_t k = 0; k < state.contact.size(); ++k) {
@@ -129,6 +141,7 @@ FemProblem build_fem(const settings::Case& c, const std::string& case_folder, co
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model.model);
   if (by_gravity) refuse_without_k0(c);
   model.settings = c.fem;
+  if (c.fem.large_deformation) round_corners(c, model);
   if (c.safety) model.patience = patience_of_trial;
   model.non_associated = flows_non_associated(model.model);
   std::vector<bodies::RigidShape<2>> shapes;

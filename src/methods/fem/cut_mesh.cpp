@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/cut_mesh.hpp"
 
+#include "mesh/end_geometry.hpp"
+
 #include "mesh/mesh_settings.hpp"
 #include "os/error.hpp"
 #include "problem/ground.hpp"
@@ -19,13 +21,23 @@ namespace fs = std::filesystem;
 struct Cuts {
   std::vector<std::string> surfaces;   // commands that draw the holes, after Surface(1)
   std::vector<Real> points;            // x of vertices that the surface y = 0 needs
-  std::vector<std::string> distances;  // from each body, as formulas of x and y
+  std::vector<std::string> distances;  // from the bodies, as formulas of x and y
 };
 
-std::array<Vec<2>, 4> corners_of(const bodies::Box<2>& box)
+std::vector<Vec<2>> corners_of(const bodies::Box<2>& box)
 {
   const auto corner = [&](int a, int b) { return Vec<2>(box.center + box.axes * Vec<2>(a * box.half[0], b * box.half[1])); };
   return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+}
+
+/// A polygon or a profile: its corners, also those of its arcs, and the middle of the rectangle around them.
+struct Cornered {
+  Vec<2> center, half;
+  std::vector<Vec<2>> corners;
+};
+const std::vector<Vec<2>>& corners_of(const Cornered& shape)
+{
+  return shape.corners;
 }
 
 // Half the width and height of the upright rectangle around a shape.
@@ -36,6 +48,11 @@ Vec<2> half_extent(const bodies::Circle<2>& circle)
 Vec<2> half_extent(const bodies::Box<2>& box)
 {
   return box.axes.cwiseAbs() * box.half;
+}
+
+Vec<2> half_extent(const Cornered& shape)
+{
+  return shape.half;
 }
 
 std::string draw(const bodies::Circle<2>& circle, std::size_t tag)
@@ -50,8 +67,34 @@ std::string draw(const bodies::Box<2>& box, std::size_t tag)
                      std::atan2(box.axes(1, 0), box.axes(0, 0)), tag);
 }
 
-using fem::distance_from;
-std::string distance_from(const bodies::Box<2>& box)
+std::string draw(const Cornered& shape, std::size_t tag)
+{
+  std::string text = "p = newp; l = newl; k = newll;\n";
+  const std::size_t n = shape.corners.size();
+  for (std::size_t k = 0; k < n; ++k) text += fmt::format("Point(p + {}) = {{{}, {}, 0}};\n", k, shape.corners[k][0], shape.corners[k][1]);
+  for (std::size_t k = 0; k < n; ++k) text += fmt::format("Line(l + {}) = {{p + {}, p + {}}};\n", k, k, (k + 1) % n);
+  return text + fmt::format("Curve Loop(k) = {{l:l + {}}};\nPlane Surface({}) = {{k}};\n", n - 1, tag);
+}
+
+std::string distance_formula(const bodies::Circle<2>& circle)
+{
+  return fmt::format("Abs(Sqrt((x - ({}))^2 + (y - ({}))^2) - {})", circle.center[0], circle.center[1], circle.radius);
+}
+/// From each side of a polygon, less the radius of its arcs.
+std::vector<std::string> distance_formulas(const bodies::Polygon<2>& core, Real radius)
+{
+  std::vector<std::string> formulas;
+  const std::vector<Vec<2>> corners = fem::corners_of(core);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
+    const Vec<2> middle = (a + b) / 2, along = (b - a).normalized();
+    formulas.push_back(fmt::format("Max(0, Sqrt((({0}) * (y - ({3})) - ({1}) * (x - ({2})))^2 + Max(0, Abs(({0}) * (x - ({2})) + ({1}) * "
+                                   "(y - ({3}))) - {4})^2) - {5})",
+                                   along[0], along[1], middle[0], middle[1], (b - a).norm() / 2, radius));
+  }
+  return formulas;
+}
+std::string distance_formula(const bodies::Box<2>& box)
 {
   const auto beyond = [&](int side) {
     return fmt::format("Max(0, Abs(({}) * (x - ({})) + ({}) * (y - ({}))) - {})^2", box.axes(0, side), box.center[0], box.axes(1, side),
@@ -60,17 +103,32 @@ std::string distance_from(const bodies::Box<2>& box)
   return fmt::format("Sqrt({} + {})", beyond(0), beyond(1));
 }
 
+template <class Shape>
+Cornered cornered(const Shape& shape)
+{
+  const std::vector<Vec<2>> corners = bodies::surface_mesh<2>(shape, Vec<2>::Zero(), Vec<2>::Zero()).points;
+  Vec<2> lower = corners.front(), upper = lower;
+  for (const Vec<2>& corner : corners) lower = lower.cwiseMin(corner), upper = upper.cwiseMax(corner);
+  return {(lower + upper) / 2, (upper - lower) / 2, corners};
+}
+
 // x of the corners that lie on the surface of the bed, to rounding.
 std::vector<Real> ends_on_surface(const bodies::Circle<2>&)
 {
   return {};
 }
-std::vector<Real> ends_on_surface(const bodies::Box<2>& box)
+template <class Shape>
+std::vector<Real> ends_on_surface(const Shape& shape)
 {
+  const std::vector<Vec<2>> corners = corners_of(shape);
+  const auto on_surface = [&](std::size_t k) { return std::abs(corners[k][1]) <= 1e-9 * shape.half.maxCoeff(); };
   std::vector<Real> ends;
-  for (const Vec<2>& corner : corners_of(box))
-    if (std::abs(corner[1]) <= 1e-9 * box.half.maxCoeff()) ends.push_back(corner[0]);
-  return ends;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    if (const std::size_t next = (k + 1) % corners.size(); on_surface(k) && on_surface(next))
+      ends.insert(ends.end(), {corners[k][0], corners[next][0]});
+  if (ends.empty()) return ends;
+  const auto [left, right] = std::minmax_element(ends.begin(), ends.end());
+  return {*left, *right};
 }
 
 /// Whether part of a shape lies in soil whose surface is not level.
@@ -94,7 +152,6 @@ void add_uneven_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const mesh::GroundL
         "at y = {:.6g} m there; for finite elements it must lie in the soil at least partly",
         name, x, circle->center[1], r, ground.height(x)));
   cuts.surfaces.push_back(draw(*circle, cuts.surfaces.size() + 2));
-  cuts.distances.push_back(distance_from(*circle));
 }
 
 template <class Shape>
@@ -105,17 +162,16 @@ void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, c
   const Real rounding = 1e-9 * half.maxCoeff();
   const std::vector<Real> ends = ends_on_surface(shape);
   const bool beside = lower[0] >= at.right || upper[0] <= at.left || upper[1] <= -bed.depth;
-  const bool on_surface = lower[1] >= -rounding && ends.size() == 2;
-  if (!beside && may_lie_above && lower[1] >= -rounding) return cuts.distances.push_back(distance_from(shape));
-  if (beside || (lower[1] >= -rounding && !on_surface))
+  const bool above = lower[1] >= -rounding, on_surface = above && ends.size() == 2;
+  if (beside || (above && !on_surface && !may_lie_above))
     throw KeyError(fmt::format("rigid.{}.center: the body reaches from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m; for finite elements it must "
-                               "lie in the soil, {:.6g} < x < {:.6g} m and {:.6g} < y < 0 m, at least partly, or be a box that lies on it",
+                               "lie in the soil, {:.6g} < x < {:.6g} m and {:.6g} < y < 0 m, at least partly, or lie on it with a flat "
+                               "bottom; in large deformations it may also lie above it",
                                name, lower[0], lower[1], upper[0], upper[1], at.left, at.right, -bed.depth));
   if (on_surface)
     std::copy_if(ends.begin(), ends.end(), std::back_inserter(cuts.points), [&](Real x) { return at.left < x && x < at.right; });
-  else
+  else if (!above)
     cuts.surfaces.push_back(draw(shape, cuts.surfaces.size() + 2));
-  cuts.distances.push_back(distance_from(shape));
 }
 
 Cuts cuts_of(const settings::Case& c, const mesh::SeabedMesh& bed)
@@ -135,11 +191,15 @@ Cuts cuts_of(const settings::Case& c, const mesh::SeabedMesh& bed)
     else if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
       add_cut(cuts, bed, name, *circle, c.fem.large_deformation);
     else if (const auto* box = std::get_if<bodies::Box<2>>(&shape))
-      add_cut(cuts, bed, name, *box, false);
+      add_cut(cuts, bed, name, *box, c.fem.large_deformation);
+    else if (const auto* polygon = std::get_if<bodies::Polygon<2>>(&shape))
+      add_cut(cuts, bed, name, cornered(*polygon), c.fem.large_deformation);
+    else if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape))
+      add_cut(cuts, bed, name, cornered(*profile), c.fem.large_deformation);
     else
-      throw KeyError(fmt::format("rigid.{}.shape: of a mesh of kind \"seabed\" only a \"circle\" or a \"box\" can be cut out; a mesh of "
-                                 "kind \"gmsh\" may have any hole",
-                                 name));
+      throw KeyError(fmt::format("rigid.{}.shape: a half-plane cannot be cut out of a mesh of kind \"seabed\": use kind \"gmsh\"", name));
+    const std::vector<std::string> distances = distances_from(shape);
+    cuts.distances.insert(cuts.distances.end(), distances.begin(), distances.end());
   }
   return cuts;
 }
@@ -263,9 +323,9 @@ void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vec
         << "Physical Curve(\"base\") = " << curves_on(at.left, at.right, -bed.depth, -bed.depth, margin)
         << "Physical Curve(\"surface\") = " << curves_on(at.left, at.right, 0, 0, margin);
 
-  std::string size = size_formula(bed);
-  for (const std::string& distance : cuts.distances) size = fmt::format("Min({}, {} + {} * {})", size, contact_size, bed.growth, distance);
-  mesh::end_geometry(out, size, path);
+  std::vector<std::string> sizes = {size_formula(bed)};
+  for (const std::string& distance : cuts.distances) sizes.push_back(fmt::format("{} + {} * {}", contact_size, bed.growth, distance));
+  mesh::end_geometry(out, sizes, path);
 }
 
 }  // namespace
@@ -280,9 +340,25 @@ void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
   }
 }
 
-std::string distance_from(const bodies::Circle<2>& circle)
+std::vector<std::string> distances_from(const bodies::RigidShape<2>& shape)
 {
-  return fmt::format("Abs(Sqrt((x - ({}))^2 + (y - ({}))^2) - {})", circle.center[0], circle.center[1], circle.radius);
+  if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape)) return {distance_formula(*circle)};
+  if (const auto* box = std::get_if<bodies::Box<2>>(&shape)) return {distance_formula(*box)};
+  if (const auto* polygon = std::get_if<bodies::Polygon<2>>(&shape)) return distance_formulas(*polygon, 0);
+  const auto& profile = std::get<bodies::Profile<2>>(shape);
+  return distance_formulas(profile.core, profile.radius);
+}
+
+std::vector<Vec<2>> corners_of(const bodies::Polygon<2>& polygon)
+{
+  std::vector<Vec<2>> corners = *polygon.corners;
+  for (Vec<2>& corner : corners) corner = polygon.center + polygon.axes * corner;
+  return corners;
+}
+
+Real contact_size_of(const settings::Case& c, const mesh::SeabedMesh& bed)
+{
+  return c.fem.contact_size.value_or(bed.near_size);
 }
 
 mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const fs::path& case_folder, const fs::path& work_folder)
@@ -295,7 +371,7 @@ mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const fs::path& case_folder
   fs::create_directories(work_folder, failure);
   if (failure) throw RunError(fmt::format("the mesh cannot be written to {}: {}", work_folder.string(), failure.message()));
   const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
-  write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), c.fem.contact_size.value_or(bed->near_size), geo);
+  write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), contact_size_of(c, *bed), geo);
   mesh::Mesh<2> mesh = mesh::mesh_by_gmsh<2>(geo, msh, "mesh");
   name_regions(mesh, *bed);
   if (const mesh::GroundLine ground = ground_of(*bed); !ground.level()) name_boundaries(mesh, *bed, ground);

@@ -149,7 +149,8 @@ FemWatch make_watch(const QuadraticMesh& mesh, const std::string& name, const Ve
 
 /// Gives the corners of elements whose water flows their unknowns, and finds where it leaves the soil: at sides of the boundary that are
 /// neither at a rigid body that is not drained, nor on the axis, nor held across by a support that is not drained, and beside drained soil.
-void make_flow(FemModel& model);
+/// The porosity is that which the soil has by now.
+void make_flow(const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2>>& poses, FemModel& model);
 
 /// Initial stress by gravity loading (InitialState::gravity_loading) on 6-node triangles: the integration points get the
 /// stress in equilibrium with gravity and the supports of the first stage for the elasticity GroundElasticity. Holes are

@@ -265,7 +265,7 @@ void fit_to_mesh(const settings::Case& c, const NodeField<Vec<2>>& was_at, const
         side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second, model.model.mesh.metric));
   fill_shapes(was_at, model);
   model.flow = {};
-  make_flow(model);
+  make_flow(was_at, poses, model);
   number_unknowns(model);
 }
 

@@ -11,13 +11,15 @@ namespace berm::fem {
 namespace {
 
 constexpr Real release_viscosity = 0.1;
-constexpr Real small_force = 0.05;      // of the largest reaction: changes by a remeshing are over this at least
-constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
-constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
-constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
-constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
-constexpr Real max_lag = 0.01;          // of what plastic flow dissipates: strength that is less behind its pressure follows no further
-constexpr int max_passes = 4;           // in which the equilibrium of an increment is found, each with the strength of the one before
+constexpr Real small_force = 0.05;       // of the largest reaction: changes by a remeshing are over this at least
+constexpr Real first_travel = 2e-4;      // of the width, in the first increment of a stage
+constexpr Real max_energy_error = 0.03;  // in large deformations, of the work of an increment
+constexpr Real short_increment = 0.01;   // over the first increment, or of the imbalance to be removed: energy is not asked for
+constexpr Real loose = 10;               // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
+constexpr Real min_growth = 5e-3;        // of the width: an increment of this travel is never too long for the pressure that it brings
+constexpr Real pressure_change = 0.02;   // of the contact force, in one increment
+constexpr Real max_lag = 0.01;           // of what plastic flow dissipates: strength that is less behind its pressure follows no further
+constexpr int max_passes = 4;            // in which the equilibrium of an increment is found, each with the strength of the one before
 constexpr Real strength_part = 0.7;  // of the way to the strength just found, at least: all of it swings from side to side in a steady drag
 constexpr Real max_lag_left = 0.8;   // a pass that leaves more of the lag is the last
 constexpr Real max_pressure_error = 5e-5;  // of an increment, over the largest pressures of the stage, root mean squares of both
@@ -93,7 +95,8 @@ bool LoadSteps::release_imbalance(FemLoads loads, Real viscosity)
     loads.initial_imbalance_factor = std::max(Real(0), state_.initial_imbalance_factor - part);
     std::vector<Real> change(model_.unknowns(), 0.);
     const IncrementEnd end = newton_->find_equilibrium(state_, loads, viscosity, change);
-    if (end.converged) {
+    if (end.converged && (part < short_increment || keeps_energy(change, loads))) {
+      imbalance_work_ += newton_->assembly().work_of_imbalance(state_, change, loads);
       accept_equilibrium(change, loads);
       part *= 1.5;
     } else if ((part /= 2) < 1e-4) {
@@ -260,7 +263,10 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
 void LoadSteps::remesh()
 {
   const Vec<2> before = state_.state.rigid_bodies[model_.rigid].reaction;
-  remesher_->remesh(model_, state_);
+  const Content old = content_of(model_, state_);
+  remeshings_.folds += remesher_->remesh(model_, state_);
+  const Content mapped = content_of(model_, state_);
+  imbalance_work_ = 0;
   newton_ = std::make_unique<Newton>(model_);
   last_dt_ = 0;
   if (!release_imbalance(loads_after(0), viscosity_of(dt_)) && !release_imbalance(loads_after(0), release_viscosity))
@@ -269,6 +275,8 @@ void LoadSteps::remesh()
   remeshings_.largest_force = std::max({remeshings_.largest_force, before.norm(), after.norm()});
   const Real scale = std::max(before.norm(), small_force * remeshings_.largest_force);
   const Real change = scale > 0 ? (after - before).norm() / scale : 0;
+  remeshings_.lost_energy += old.energy - mapped.energy - imbalance_work_;
+  remeshings_.lost_area += old.area - mapped.area;
   ++remeshings_.count;
   remeshings_.largest_change = std::max(remeshings_.largest_change, change);
   remeshings_.sum_of_changes += change;
@@ -300,6 +308,12 @@ bool LoadSteps::goes_too_far(const std::vector<Real>& change) const
   return travel > model_.settings.remeshing_travel * model_.width;
 }
 
+/// Whether an increment conserves energy: not where an element is turned inside out between its start and its end.
+bool LoadSteps::keeps_energy(const std::vector<Real>& change, const FemLoads& loads)
+{
+  return !remesher_ || newton_->assembly().energy_error(state_, change, loads) < max_energy_error;
+}
+
 IncrementEnd LoadSteps::advance()
 {
   max_overlap_ = 0;
@@ -323,8 +337,9 @@ IncrementEnd LoadSteps::advance()
         throw NoEquilibrium(fmt::format("stage \"{}\": nothing stops the rigid body at t = {:.6g} s", stage().name, state_.state.time));
       continue;
     }
+    const bool kept = !end.converged || dt < short_increment * first_dt_ || keeps_energy(change, loads);
     const bool last_resort = !accepted_above_tolerance_ && dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
-    if (end.converged || last_resort) {
+    if ((end.converged && kept) || last_resort) {
       const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[driven()].reaction;
       accept_equilibrium(change, loads);
       const Real force = newton_->assembly().contact_force();
@@ -428,6 +443,9 @@ void LoadSteps::archive(Archive& k)
     k("largest_change", remeshings_.largest_change);
     k("sum_of_changes", remeshings_.sum_of_changes);
     k("largest_force", remeshings_.largest_force);
+    k("folds", remeshings_.folds);
+    k("lost_energy", remeshings_.lost_energy);
+    k("lost_area", remeshings_.lost_area);
   }
   k("last_change", last_change_);
   if (!(relaxation_ > 0 && first_dt_ > 0 && dt_ > 0 && last_dt_ >= 0)) k.refuse("its increments have no length");

@@ -14,11 +14,14 @@ struct NoEquilibrium : RunError {
 };
 
 /// The remeshings of a run: how many there were, and how the reaction changed by mapping and the equilibrium after it, over the reaction before, but for small ones: the largest change by size, and the sum
-/// of all.
+/// of all; and what mapping and that equilibrium took from the soil.
 struct Remeshings {
   BigIndex count = 0;
   Real largest_change = 0, sum_of_changes = 0;
   Real largest_force = 0;  ///< N/m
+  BigIndex folds = 0;      ///< places at which soil folded onto soil
+  Real lost_energy = 0;    ///< J/m, elastic energy of the soil that became neither work nor plastic flow
+  Real lost_area = 0;      ///< m2, around an axis m3 per radian
 };
 
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
@@ -69,6 +72,7 @@ private:
   Real viscosity_of(Real dt) const;
   Real longest_dt() const;
   bool goes_too_far(const std::vector<Real>& change) const;
+  bool keeps_energy(const std::vector<Real>& change, const FemLoads& loads);
   Real speed_of_body() const;
   Real travel(int freedom, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;
@@ -96,6 +100,7 @@ private:
   Real largest_pressure_ = 0;              ///< Pa2, of the excess pore pressures of the stage: largest sum of their squares
   std::vector<Real> last_change_;          ///< by unknown, in it
   Real max_overlap_ = 0;                   ///< m
+  Real imbalance_work_ = 0;                ///< J/m, of fictitious forces since the last mapping
 };
 
 }  // namespace berm::fem

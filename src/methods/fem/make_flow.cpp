@@ -59,12 +59,35 @@ bool seals(const FemModel& model)
                                              [&](const auto& contact) { return contact.rigid == model.rigid && contact.drained; });
 }
 
-NodeField<char> open_nodes(const FemModel& model, const NodeField<std::uint8_t>& closed)
+/// The volume of the soil at an integration point over that at the start.
+Real volume_ratio(const FemModel& model, const NodeField<Vec<2>>& was_at, Index cell, int q)
+{
+  AtSixNodes<Vec<2>> first;
+  for (int k = 0; k < 6; ++k) first[k] = was_at[model.mesh.nodes[cell][k]];
+  ShapeAtPoint then = shape_at(first, q);
+  if (model.model.mesh.metric == mesh::Metric::axisymmetric) turn_around_axis(then, position_of(then, first));
+  return model.shape[cell][q].area / then.area;
+}
+
+/// The sides that the body keeps shut: in large deformations those whose middle touches it, since its corners are arcs that the first mesh does not have.
+std::vector<BoundarySide> sides_at_body(const FemModel& model, const bodies::Pose<2>& pose)
+{
+  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
+  if (!model.settings.large_deformation) return contact_sides(model.mesh, rigid.shape);
+  constexpr Real rounding = 1e-6;
+  std::vector<BoundarySide> sides;
+  for (const BoundarySide& side : model.contact_sides)
+    if (std::abs(surface_now(rigid, pose, model.mesh.position[side.middle]).distance) <
+        rounding * (model.mesh.position[side.to] - model.mesh.position[side.from]).norm())
+      sides.push_back(side);
+  return sides;
+}
+
+NodeField<char> open_nodes(const FemModel& model, const std::vector<BoundarySide>& shut, const NodeField<std::uint8_t>& closed)
 {
   NodeField<char> open(model.mesh.node_count(), false);
   NodeField<char> at_body(model.mesh.node_count(), false);
-  if (seals(model))
-    for (const BoundarySide& side : contact_sides(model.mesh, model.model.rigid_bodies[model.rigid].shape)) at_body[side.middle] = true;
+  for (const BoundarySide& side : shut) at_body[side.middle] = true;
   for (const BoundarySide& side : model.mesh.boundary_sides) {
     const bool on_axis = model.model.mesh.metric == mesh::Metric::axisymmetric && model.mesh.position[side.middle][0] == 0;
     if (!at_body[side.middle] && !on_axis && !closed_across(model, side, closed[side.middle])) open[side.from] = open[side.to] = true;
@@ -88,7 +111,7 @@ std::vector<std::array<Index, 2>> pressures_at_contact(const FemModel& model)
 
 }  // namespace
 
-void make_flow(FemModel& model)
+void make_flow(const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2>>& poses, FemModel& model)
 {
   const Index cells = model.mesh.cell_count();
   if (std::none_of(model.model.bodies.begin(), model.model.bodies.end(), [](const auto& body) { return body.flows(); })) return;
@@ -102,7 +125,11 @@ void make_flow(FemModel& model)
       if (Index& unknown = flow.unknown[model.mesh.nodes[cell][k]]; unknown == none) unknown = model.pressure_unknown() + flow.count++;
     for (int q = 0; q < triangle_points; ++q) {
       const material::Material material = model.soil_at(cell, q);
-      flow.water[cell][q] = water_of(material);
+      material::Hydraulics& now = (flow.water[cell][q] = water_of(material)).hydraulics;
+      if (model.settings.large_deformation) {
+        const Real porosity = now.porosity_at(volume_ratio(model, was_at, cell, q));
+        now = {now.permeability_at(porosity), porosity, now.kozeny_carman};
+      }
       flow.first_dt = std::min(flow.first_dt, diffusion_time(material, smallest_height(model.mesh.positions_of(cell))));
     }
   }
@@ -113,7 +140,9 @@ void make_flow(FemModel& model)
       if (const Index unknown = flow.unknown[node]; unknown != none) unknowns.push_back(unknown);
     std::sort(unknowns.begin(), unknowns.end());
   }
-  for (const NodeField<std::uint8_t>& closed : model.mesh.impermeable) flow.open.push_back(open_nodes(model, closed));
+  const std::vector<BoundarySide> shut =
+      seals(model) ? sides_at_body(model, poses[static_cast<std::size_t>(model.rigid)]) : std::vector<BoundarySide>{};
+  for (const NodeField<std::uint8_t>& closed : model.mesh.impermeable) flow.open.push_back(open_nodes(model, shut, closed));
 }
 
 }  // namespace berm::fem

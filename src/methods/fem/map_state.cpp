@@ -29,6 +29,15 @@ struct OldMesh {
     for (int k = 0; k < 6; ++k) sum += part[k] * field[model.mesh.nodes[point.cell][k]];
     return sum;
   }
+  /// The excess pore pressure there, Pa; 0 where no water flows.
+  Real pressure_at(const MeshPoint& point) const
+  {
+    if (!model.flow.in(point.cell)) return 0;
+    const std::array<Real, 3> part = {1 - point.at[0] - point.at[1], point.at[0], point.at[1]};
+    Real sum = 0;
+    for (int k = 0; k < 3; ++k) sum += part[k] * state.displacement[model.flow.unknown[model.mesh.nodes[point.cell][k]]];
+    return sum;
+  }
 };
 
 /// What the points of an element carry, drawn out linearly to this one; what is a single number stays within their range.
@@ -91,7 +100,8 @@ public:
   const FemContactState* nearest(const OutlinePoint& point) const
   {
     const BoundarySide& side = old_.model.mesh.boundary_sides[point.side];
-    const Index node = point.part < 0.25 ? side.from : point.part < 0.75 ? side.middle : side.to, k = point_of_[node];
+    const Index node = point.part < 0.25 ? side.from : point.part < 0.75 ? side.middle : side.to;
+    const Index k = point_of_[node] == none ? point_of_[side.middle] : point_of_[node];  // on the axis a node has no point
     return k == none ? nullptr : &old_.state.contact[static_cast<std::size_t>(k)];
   }
 
@@ -127,7 +137,31 @@ std::vector<FemContactState> map_contact(const OldMesh& old, const std::vector<c
   return mapped;
 }
 
+Real elastic_energy(const material::Elasticity& elastic, const SymTensor<2>& stress)
+{
+  const Real mean = (stress[0] + stress[1] + stress[2]) / 3, bulk = elastic.lame + 2 * elastic.shear / 3;
+  return (double_dot(stress, stress) - 3 * mean * mean) / (4 * elastic.shear) + mean * mean / (2 * bulk);
+}
+
 }  // namespace
+
+Content content_of(const FemModel& model, const FemState& state)
+{
+  Content content;
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    const AtSixNodes<Vec<2>> nodes = positions_now(model, state, cell);
+    for (int q = 0; q < triangle_points; ++q) {
+      ShapeAtPoint shape = shape_at(nodes, q);
+      if (model.model.mesh.metric == mesh::Metric::axisymmetric) turn_around_axis(shape, position_of(shape, nodes));
+      const SoilPoint& point = state.points[cell][q];
+      const material::Material soil = model.soil_at(cell, q);
+      content.area += shape.area;
+      content.energy +=
+          shape.area * elastic_energy(elasticity(soil), material::effective_stress(soil, point.stress, point.law_state.data()));
+    }
+  }
+  return content;
+}
 
 void map_state(const FemModel& old_model, const FemState& old_state, const std::vector<const OutlinePoint*>& outline,
                const settings::Case& c, FemModel& model, FemState& state)
@@ -143,8 +177,10 @@ void map_state(const FemModel& old_model, const FemState& old_state, const std::
   fit_to_mesh(c, state.place_at(Moment::start), {old_state.state.rigid_bodies.begin(), old_state.state.rigid_bodies.end()}, model);
 
   state.displacement.assign(static_cast<std::size_t>(model.unknowns()), 0.);
-  for (Index d = 0; d < model.unknowns() - model.rigid_unknown(); ++d)
+  for (Index d = 0; d < model.pressure_unknown() - model.rigid_unknown(); ++d)
     state.displacement[model.rigid_unknown() + d] = old_state.displacement[old_model.rigid_unknown() + d];
+  for (Index node = 0; model.flow.count > 0 && node < mesh.node_count(); ++node)
+    if (const Index unknown = model.flow.unknown[node]; unknown != none) state.displacement[unknown] = old.pressure_at(of_node[node]);
 
   state.points.assign(mesh.cell_count());
   for_each("map stresses", mesh.cell_count(), [&](Index cell) {

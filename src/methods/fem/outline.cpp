@@ -2,6 +2,8 @@
 // Tests: tests/unit/fem/remesher_test.cpp
 #include "fem/outline.hpp"
 
+#include "fem/cut_mesh.hpp"
+
 #include <algorithm>
 
 namespace berm::fem {
@@ -44,6 +46,12 @@ public:
       const bool bonded = model.interface.tension > 0 && now.parted == 0;
       closed_[point.node] = static_cast<char>(now.traction.dot(point.normal) > 0 || bonded);
     }
+    // A node on the axis has no contact point.
+    for (const BoundarySide& side : model.contact_sides)
+      for (const Index node : {side.from, side.to})
+        if (is_on_axis(node)) closed_[node] = closed_[side.middle];
+    const bodies::RigidShape<2> shape = placed(*rigid_, pose_);
+    if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape)) corners_ = corners_of(profile->core);
     for (const BoundarySide& side : model.mesh.boundary_sides)
       if (is_ground(model.model.mesh, side))
         for (const Index node : {side.from, side.middle, side.to}) position_[node] = put_beside_body(position_[node], closed_[node] != 0);
@@ -70,8 +78,13 @@ private:
   {
     if (rigid_ == nullptr) return x;
     const bodies::SurfacePoint<2> nearest = surface_now(*rigid_, pose_, x);
-    return closed || nearest.distance < 0 ? Vec<2>(x - nearest.distance * nearest.normal) : x;
+    if (!closed && nearest.distance >= 0) return x;
+    Vec<2> beside = x - nearest.distance * nearest.normal;
+    if (x[0] == 0 && model_.model.mesh.metric == mesh::Metric::axisymmetric) beside[0] = 0;
+    return beside;
   }
+
+  bool is_on_axis(Index node) const { return model_.model.mesh.metric == mesh::Metric::axisymmetric && model_.mesh.position[node][0] == 0; }
 
   void close_small_gaps(const std::vector<std::size_t>& sides)
   {
@@ -157,9 +170,12 @@ private:
   Real size_at(const OutlinePoint& point) const
   {
     if (!is_ground_at(point.side)) return sizes_.at(distance(point.x));
-    Real from_edge = infinity;
-    for (const Vec<2>& edge : edges_) from_edge = std::min(from_edge, (point.x - edge).norm());
-    return sizes_.of_side(distance(point.x), from_edge);
+    const auto from = [&](const std::vector<Vec<2>>& places) {
+      Real nearest = infinity;
+      for (const Vec<2>& place : places) nearest = std::min(nearest, (point.x - place).norm());
+      return nearest;
+    };
+    return sizes_.of_side(distance(point.x), from(edges_), from(corners_));
   }
 
   bool in_contact(std::size_t k) const { return closed_[side(k).from] || closed_[side(k).middle] || closed_[side(k).to]; }
@@ -201,6 +217,7 @@ private:
       loop.corners.push_back(at_length(from));
       loop.middles.push_back(middle);
       loop.boundary.push_back(is_ground_at(middle.side) && in_contact(middle.side) ? none : side(middle.side).boundary);
+      loop.free.push_back(static_cast<char>(is_ground_at(middle.side) && !in_contact(middle.side)));
       from = to;
     }
   }
@@ -212,7 +229,8 @@ private:
   const bodies::RigidBody<2>* rigid_ = nullptr;
   bodies::Pose<2> pose_;
   std::vector<Sample> samples_;
-  std::vector<Vec<2>> edges_;  ///< of the contact
+  std::vector<Vec<2>> edges_;    ///< of the contact
+  std::vector<Vec<2>> corners_;  ///< of the body
 };
 
 /// The boundary sides in their order, loop by loop.
@@ -242,11 +260,12 @@ Real area_of(const OutlineLoop& loop)
 
 }  // namespace
 
-std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes)
+std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes, int& folds)
 {
   Divider divider(model, state, sizes);
   std::vector<OutlineLoop> loops;
   for (std::vector<std::size_t>& sides : loops_of(model.mesh)) loops.push_back(divider.divide(std::move(sides)));
+  folds = close_folds(loops);
   std::stable_sort(loops.begin(), loops.end(), [](const OutlineLoop& a, const OutlineLoop& b) { return area_of(a) > area_of(b); });
   return loops;
 }

@@ -5,15 +5,20 @@
 
 namespace berm::fem {
 
-/// The size of elements in large deformations, m: `contact` up to a quarter of the body's width from its surface, growing from there to `largest`; half of it at the edges of the contact.
+/// The size of elements in large deformations, m: `contact` up to a quarter of the body's width from its surface, growing from there to `largest`; half of it at the edges of the contact, a quarter at the corners of the body.
 struct ElementSizes {
   Real contact, largest, fine;  ///< fine: m from the body
   static constexpr Real growth = 0.1;
+  static constexpr Real at_edge = 0.5, at_corner = 0.25;  ///< over `contact`
+  static constexpr Real from_there = 0.25;                ///< growth with the distance from edge or corner
 
   /// At a distance from the body.
   Real at(Real distance) const { return std::min(largest, contact + growth * std::max(Real(0), std::abs(distance) - fine)); }
-  /// Of sides of the outline, also at a distance from the nearest edge of the contact.
-  Real of_side(Real distance, Real from_edge) const { return std::min(at(distance), contact / 2 + from_edge / 4); }
+  /// Of sides of the outline, also at distances from the nearest edge of the contact and corner of the body.
+  Real of_side(Real distance, Real from_edge, Real from_corner) const
+  {
+    return std::min({at(distance), at_edge * contact + from_there * from_edge, at_corner * contact + from_there * from_corner});
+  }
 };
 
 /// A point of the outline of the soil: where it is, and on which side of the mesh at which part of it, 0 to 1.
@@ -27,10 +32,14 @@ struct OutlinePoint {
 struct OutlineLoop {
   std::vector<OutlinePoint> corners, middles;
   std::vector<Index> boundary;
+  std::vector<char> free;  ///< whether side k is ground that does not touch the body
 };
 
+/// Joins soil to soil where a loop meets itself at free sides, or comes as near as a part of a side: what lies between is taken as filled, but for a hole around the body. Gives the number of such places.
+int close_folds(std::vector<OutlineLoop>& loops);
+
 /// The outline of the soil as it now is, divided anew: its sides are parts of the curved sides of the mesh; ends of the contact, kinks and corners between boundaries stay. What touches the body lies on its
-/// exact surface, what does not lies outside of it. The first loop is the outer one.
-std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes);
+/// exact surface, what does not lies outside of it. Where soil has folded onto soil the two are one, and `folds` counts it. The first loop is the outer one.
+std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes, int& folds);
 
 }  // namespace berm::fem

@@ -4,6 +4,7 @@
 
 #include "fem/cut_mesh.hpp"
 #include "material/clay.hpp"
+#include "mesh/end_geometry.hpp"
 #include "mesh/gmsh.hpp"
 #include "os/error.hpp"
 #include "os/gmsh_program.hpp"
@@ -32,7 +33,8 @@ bool is_folding(const FemModel& model, const FemState& state)
 bool is_met_elsewhere(const FemModel& model, const FemState& state)
 {
   NodeField<char> may_meet(model.mesh.node_count(), 0);
-  for (const FemContactPoint& point : model.contact) may_meet[point.node] = 1;
+  for (const BoundarySide& side : model.contact_sides)
+    for (const Index node : {side.from, side.middle, side.to}) may_meet[node] = 1;
   const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
   for (const BoundarySide& side : model.mesh.boundary_sides)
     if (is_ground(model.model.mesh, side))
@@ -43,7 +45,7 @@ bool is_met_elsewhere(const FemModel& model, const FemState& state)
 }
 
 /// Geometry for Gmsh whose outline is divided already.
-void write_outline(const std::vector<OutlineLoop>& outline, const mesh::Mesh<2>& names, const std::string& size,
+void write_outline(const std::vector<OutlineLoop>& outline, const mesh::Mesh<2>& names, const std::vector<std::string>& sizes,
                    const std::filesystem::path& path)
 {
   std::ofstream out(path);
@@ -68,7 +70,7 @@ void write_outline(const std::vector<OutlineLoop>& outline, const mesh::Mesh<2>&
   out << fmt::format("Transfinite Curve{{1:{}}} = 2;\nPlane Surface(1) = {{{}}};\nPhysical Surface(\"soil\") = {{1}};\n", lines, all);
   for (std::size_t k = 0; k < of_boundary.size(); ++k)
     if (!of_boundary[k].empty()) out << fmt::format("Physical Curve(\"{}\") = {{{}}};\n", names.boundary_names[k], of_boundary[k]);
-  mesh::end_geometry(out, size, path);
+  mesh::end_geometry(out, sizes, path);
 }
 
 /// The boundaries in the order of the names, those without nodes, too.
@@ -102,13 +104,20 @@ std::vector<const OutlinePoint*> put_on_outline(QuadraticMesh& mesh, const std::
   return of_node;
 }
 
-/// Straightens the sides of elements that a curved one folds.
+bool is_folded(const AtSixNodes<Vec<2>>& x)
+{
+  return std::any_of(six_nodes.begin(), six_nodes.end(), [&](const Vec<2>& at) { return jacobian(x, at).determinant() <= 0; });
+}
+
+/// Straightens the sides of elements that a curved one folds, as little as is needed, since the middle of a straight side at a round body lies in the body.
 void unfold(QuadraticMesh& mesh)
 {
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    const AtSixNodes<Vec<2>> x = mesh.positions_of(cell);
-    if (std::none_of(six_nodes.begin(), six_nodes.end(), [&](const Vec<2>& at) { return jacobian(x, at).determinant() <= 0; })) continue;
-    for (int k = 0; k < 3; ++k) mesh.position[mesh.nodes[cell][3 + k]] = (x[k] + x[(k + 1) % 3]) / 2;
+    const AtSixNodes<Vec<2>> curved = mesh.positions_of(cell);
+    AtSixNodes<Vec<2>> x = curved;
+    for (Real part = 0.25; is_folded(x) && part <= 1; part += 0.25)
+      for (int k = 0; k < 3; ++k) x[3 + k] = (1 - part) * curved[3 + k] + part * (curved[k] + curved[(k + 1) % 3]) / 2;
+    for (int k = 3; k < 6; ++k) mesh.position[mesh.nodes[cell][k]] = x[k];
   }
 }
 
@@ -119,10 +128,9 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder) : case
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (bed == nullptr)
     throw KeyError("mesh.kind: fem.large_deformation needs kind = \"seabed\": its side walls and base are kept in remeshing");
-  if (c.geometry != settings::Geometry::plane_strain) throw KeyError("geometry: fem.large_deformation is for plane strain");
   for (const auto& [name, rigid] : c.rigid)
-    if (!std::holds_alternative<bodies::CircleSettings>(rigid.shape))
-      throw KeyError(fmt::format("rigid.{}.shape: fem.large_deformation supports a \"circle\" only", name));
+    if (std::holds_alternative<bodies::HalfPlaneSettings>(rigid.shape))
+      throw KeyError(fmt::format("rigid.{}.shape: fem.large_deformation needs a body of finite width", name));
   for (const auto& [name, contact] : c.contact)
     if (rules_of(contact.scheme).tied)
       throw KeyError(fmt::format(
@@ -148,8 +156,8 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder) : case
 ElementSizes Remesher::sizes_for(const FemModel& model) const
 {
   const mesh::SeabedMesh& bed = std::get<mesh::SeabedMesh>(case_.mesh);
-  return {case_.fem.contact_size.value_or(bed.near_size),
-          std::max(bed.far_size.value_or(model.width), case_.fem.contact_size.value_or(bed.near_size)), model.width / 4};
+  const Real contact = contact_size_of(case_, bed);
+  return {contact, std::max(bed.far_size.value_or(model.width), contact), model.width / 4};
 }
 
 bool Remesher::is_due(const FemModel& model, const FemState& state) const
@@ -164,13 +172,25 @@ bool Remesher::is_due(const FemModel& model, const FemState& state) const
 mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const
 {
   const ElementSizes sizes = sizes_for(model);
-  const auto circle = std::get<bodies::Circle<2>>(placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]));
+  const bodies::RigidShape<2> shape = placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]);
   const std::filesystem::path geo = folder_ / "remesh.geo", msh = folder_ / "remesh.msh";
-  write_outline(outline, model.model.mesh,
-                fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance_from(circle),
-                            sizes.fine),
-                geo);
-  run_gmsh(geo, msh, 2, GeometryBy::berm);
+  std::vector<std::string> of_elements;
+  for (const std::string& distance : distances_from(shape))
+    of_elements.push_back(
+        fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance, sizes.fine));
+  if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape))
+    for (const Vec<2>& corner : corners_of(profile->core))
+      of_elements.push_back(fmt::format("{} + {} * Sqrt((x - ({}))^2 + (y - ({}))^2)", ElementSizes::at_corner * sizes.contact,
+                                        ElementSizes::from_there, corner[0], corner[1]));
+  write_outline(outline, model.model.mesh, of_elements, geo);
+  try {
+    run_gmsh(geo, msh, 2, GeometryBy::berm);
+  } catch (const RunError& error) {
+    throw RunError(fmt::format(
+        "t = {:.6g} s: the soil could not be meshed anew: {}. Where Gmsh cannot recover an edge, smaller elements (fem.contact_size) or a "
+        "smaller fem.remeshing_travel may help",
+        state.state.time, error.what()));
+  }
   mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);
   mesh.metric = model.model.mesh.metric;
   name_regions(mesh, std::get<mesh::SeabedMesh>(case_.mesh));
@@ -178,9 +198,10 @@ mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, 
   return mesh;
 }
 
-void Remesher::remesh(FemModel& model, FemState& state) const
+int Remesher::remesh(FemModel& model, FemState& state) const
 {
-  const std::vector<OutlineLoop> outline = divide_outline(model, state, sizes_for(model));
+  int folds = 0;
+  const std::vector<OutlineLoop> outline = divide_outline(model, state, sizes_for(model), folds);
   FemModel next = model;
   next.model.mesh = make_mesh(model, state, outline);
   next.mesh = make_quadratic(next.model.mesh, case_, {});
@@ -191,6 +212,7 @@ void Remesher::remesh(FemModel& model, FemState& state) const
   if (next.rigid != none) mapped.meshed_at = mapped.state.rigid_bodies[next.rigid];
   model = std::move(next);
   state = std::move(mapped);
+  return folds;
 }
 
 }  // namespace berm::fem

@@ -19,8 +19,9 @@ public:
   /// Whether the body has travelled far enough, soil that no contact point stands for has come to it, or an element is about to fold.
   bool is_due(const FemModel& model, const FemState& state) const;
 
-  /// Puts a new mesh in the place of the old one. The state is then out of equilibrium by the error of the mapping. Throws RunError where no mesh can be made.
-  void remesh(FemModel& model, FemState& state) const;
+  /// Puts a new mesh in the place of the old one. The state is then out of equilibrium by the error of the mapping. Throws RunError where no mesh can be made. Gives the
+  /// number of places at which soil has folded onto soil.
+  int remesh(FemModel& model, FemState& state) const;
 
 private:
   mesh::Mesh<2> make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const;
@@ -34,5 +35,11 @@ private:
 /// its sides, pore pressures, and the places where the soil was. `outline`: of the new mesh, by node; null inside.
 void map_state(const FemModel& old_model, const FemState& old_state, const std::vector<const OutlinePoint*>& outline,
                const settings::Case& c, FemModel& model, FemState& state);
+
+/// What a mapping should keep: the elastic energy of the soil by its effective stress and the moduli there (J/m), and its area (m2); around an axis both per radian, of its volume.
+struct Content {
+  Real energy = 0, area = 0;
+};
+Content content_of(const FemModel& model, const FemState& state);
 
 }  // namespace berm::fem

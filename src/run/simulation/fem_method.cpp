@@ -154,8 +154,10 @@ void FemMethod::begin(bool at_start)
 void FemMethod::step()
 {
   if (trial_ && trial_->failed()) return;
+  const BigIndex folds = steps_.remeshings().folds;
   try_to([&] { last_ = steps_.advance(); });
   if (trial_ && trial_->failed()) return;
+  if (steps_.remeshings().folds > folds) io::info("t = {:.6g} s: soil has folded onto soil, and is joined to it there", state().time);
   if (!trial_) refuse_lost_soil();
   recorder_.observe_steps(steps_);
   iterations_ += last_.iterations;
@@ -224,6 +226,11 @@ run_folder::Summary::Checks FemMethod::checks() const
     checks.emplace_back("remeshings", static_cast<Real>(of.count));
     checks.emplace_back("largest_change_by_remeshing", of.largest_change);
     checks.emplace_back("mean_change_by_remeshing", of.sum_of_changes / static_cast<Real>(of.count));
+    const Real width = problem_.model.width, work = recorder_.largest_work();
+    const Real size = std::pow(width, model().mesh.metric == mesh::Metric::axisymmetric ? 3 : 2);
+    checks.emplace_back("energy_lost_by_remeshing", work > 0 ? of.lost_energy / work : 0);
+    checks.emplace_back("folds_closed_by_remeshing", static_cast<Real>(of.folds));
+    checks.emplace_back("area_lost_by_remeshing", of.lost_area / size);
   }
   if (trial_)
     for (auto& check : trial_->checks()) checks.push_back(std::move(check));

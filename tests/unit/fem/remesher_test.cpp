@@ -117,6 +117,99 @@ TEST_F(Remeshing, is_due_after_a_travel_of_the_body)
   EXPECT_TRUE(remesher.is_due(model(), state())) << "8.5 mm of 0.02 x 0.4 m";
 }
 
+/// The problem of this case, remeshed at once.
+FemProblem remeshed(settings::Case c)
+{
+  const TemporaryFolder folder;
+  c.fem.large_deformation = true;
+  c.stage = {resting(1)};
+  FemProblem problem = build_fem(c, ".", folder.path().string());
+  Remesher(c, folder.path()).remesh(problem.model, problem.state);
+  return problem;
+}
+
+// Pressures at the corners of straight sides are linear in each element, and so are those read from them; at the curved side of the pipe the linear functions of the corners are not those of space: 10 Pa of 6000.
+TEST(Remesher, keeps_a_linear_pore_pressure)
+{
+  const TemporaryFolder folder;
+  settings::Case c = bed_around(pipe_at(0.1));
+  c.fem.large_deformation = true;
+  c.fem.contact_size = 0.04;
+  c.stage = {resting(1)};
+  material::LinearElastic& soil = *c.material[0].second.get_if<material::LinearElastic>();
+  soil.water = material::PoreWater{};
+  soil.water->drainage = material::Drainage::consolidation;
+  soil.water->porosity = 0.4;
+  soil.water->permeability = 1e-6;
+  FemProblem problem = build_fem(c, ".", folder.path().string());
+  const auto pressure = [](const Vec<2>& x) { return 1e3 * x[0] - 4e3 * x[1]; };
+  const auto each = [&](const auto& visit) {
+    const FemModel& model = problem.model;
+    for (Index node = 0; node < model.mesh.node_count(); ++node)
+      if (const Index unknown = model.flow.unknown[node]; unknown != none) visit(unknown, pressure(model.mesh.position[node]));
+  };
+  each([&](Index unknown, Real p) { problem.state.displacement[unknown] = p; });
+  Remesher(c, folder.path()).remesh(problem.model, problem.state);
+  int count = 0;
+  each([&](Index unknown, Real p) {
+    EXPECT_NEAR(problem.state.displacement[unknown], p, 10);
+    ++count;
+  });
+  EXPECT_GT(count, 100);
+}
+
+TEST(Remesher, content_is_the_energy_and_area_of_the_soil)
+{
+  const TemporaryFolder folder;
+  settings::Case c = bed_around(pipe_at(0.1));
+  c.fem.large_deformation = true;
+  c.stage = {resting(1)};
+  FemProblem problem = build_fem(c, ".", folder.path().string());
+  constexpr Real p = 2e3, t = 1e3;
+  for (auto& points : problem.state.points)
+    for (SoilPoint& point : points) {
+      point.stress = {};
+      for (int k = 0; k < 3; ++k) point.stress[k] = -p;
+      point.stress[3] = t;
+    }
+  const Content content = content_of(problem.model, problem.state);
+  const material::Elasticity elastic = elasticity(problem.model.soil_at(0, 0));
+  EXPECT_NEAR(content.area, area_of(problem.model.mesh), 1e-9);
+  EXPECT_NEAR(content.energy / content.area, p * p / (2 * (elastic.lame + 2 * elastic.shear / 3)) + t * t / (2 * elastic.shear), 1e-9);
+}
+
+TEST(Remesher, goes_around_a_corner_of_the_body_in_short_sides)
+{
+  settings::Case c = bed_around(bodies::BoxSettings{{0, 0}, {0.4, 0.3}});
+  c.fem.contact_size = 0.04;
+  const FemProblem problem = remeshed(c);
+  const bodies::RigidBody<2>& box = problem.model.model.rigid_bodies.front();
+  int near_corner = 0;
+  for (const FemContactPoint& point : problem.model.contact) {
+    const Vec<2>& x = problem.model.mesh.position[point.node];
+    EXPECT_GT(surface_now(box, {}, x).distance, -1e-12);
+    near_corner += (x - Vec<2>(0.2, -0.15)).norm() < 0.02;
+  }
+  EXPECT_GE(near_corner, 5) << "40 mm along the outline in sides of 10 to 15 mm, a quarter of the elements, with their middles";
+}
+
+TEST(Remesher, keeps_nodes_on_the_axis_and_the_tip_of_a_cone)
+{
+  settings::Case c = bed_around(bodies::ProfileSettings{{0, 0.2, 0.2, 0}, {-0.3, -0.1, 0.2, 0.2}});
+  mesh::SeabedMesh& bed = std::get<mesh::SeabedMesh>(c.mesh);
+  c.geometry = settings::Geometry::axisymmetric;
+  bed.left = 0, bed.near_left = 0;
+  std::erase_if(c.support, [](const auto& support) { return support.first == "left"; });
+  const FemProblem problem = remeshed(c);
+  Real highest = -infinity;
+  int on_axis = 0;
+  for (Index node = 0; node < problem.model.mesh.node_count(); ++node)
+    if (const Vec<2>& x = problem.model.mesh.position[node]; x[0] == 0) highest = std::max(highest, x[1]), ++on_axis;
+  EXPECT_GT(on_axis, 10);
+  // An arc of radius r in a tip of half angle 45 degrees is (sqrt(2) - 1) r above the tip: soil reaches up to it where it was cut out.
+  EXPECT_NEAR(highest, -0.3, 0.005);
+}
+
 TEST(Remesher, refuses_what_it_cannot_mesh)
 {
   settings::Case boxed = block_of(elastic_soil());
@@ -124,7 +217,7 @@ TEST(Remesher, refuses_what_it_cannot_mesh)
   settings::Case apart = bed_around(pipe_at(0.1));
   fill_regions_apart(apart);
   EXPECT_THROW(Remesher(apart, "."), KeyError);
-  EXPECT_THROW(Remesher(bed_around(bodies::PolygonSettings{{-0.1, 0.1, 0}, {0, 0, 0.2}}), "."), KeyError);
+  EXPECT_THROW(Remesher(bed_around(bodies::HalfPlaneSettings{{0, 0}, {0, -1}}), "."), KeyError);
   settings::Case trial = bed_around(pipe_at(0.1));
   trial.safety.emplace();
   EXPECT_THROW(Remesher(trial, "."), KeyError);

@@ -83,7 +83,7 @@ TEST(CheckNames, are_those_that_the_methods_write)
     for (std::sregex_iterator found(text.begin(), text.end(), check), end; found != end; ++found, ++count)
       EXPECT_TRUE(is_check_or_timing((*found)[1])) << (*found)[1];
   }
-  EXPECT_EQ(count, 25) << "two of them are checks of both methods";
+  EXPECT_EQ(count, 28) << "two of them are checks of both methods";
   EXPECT_TRUE(is_check_or_timing("finished"));
 }
 

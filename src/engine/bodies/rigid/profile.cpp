@@ -2,6 +2,8 @@
 // Tests: tests/unit/bodies/rigid/shape_test.cpp
 #include "bodies/rigid/profile.hpp"
 
+#include "bodies/rigid/rounding.hpp"
+
 #include <algorithm>
 
 namespace berm::bodies {
@@ -10,28 +12,6 @@ namespace {
 Real cross_of(const Vec<2>& a, const Vec<2>& b)
 {
   return a[0] * b[1] - a[1] * b[0];
-}
-
-/// The polygon whose sides lie deeper by the radius, of corners counter-clockwise.
-std::vector<Vec<2>> core_of(const std::vector<Vec<2>>& corners, Real radius)
-{
-  const std::size_t n = corners.size();
-  std::vector<Vec<2>> core;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec<2> before = (corners[k] - corners[(k + n - 1) % n]).normalized(), behind = (corners[(k + 1) % n] - corners[k]).normalized();
-    const Vec<2> inwards = Vec<2>(-before[1] - behind[1], before[0] + behind[0]);
-    core.emplace_back(corners[k] + radius / (1 + before.dot(behind)) * inwards);
-  }
-  return core;
-}
-
-/// Whether the corners' arcs leave something of each side.
-bool leaves_sides(const std::vector<Vec<2>>& corners, const std::vector<Vec<2>>& core)
-{
-  const std::size_t n = corners.size();
-  for (std::size_t k = 0; k < n; ++k)
-    if (!((core[(k + 1) % n] - core[k]).dot(corners[(k + 1) % n] - corners[k]) > 0)) return false;
-  return true;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/rigid/rigid_body.hpp"
+#include "bodies/rigid/rounding.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -348,6 +349,25 @@ TEST(RigidShape, of_known_points)
   EXPECT_NEAR(surface_at<2>(plane, Vec<2>(7, 1)).distance, 2, 1e-15);
   EXPECT_EQ(lowest_level<2>(plane, Vec<2>::UnitY()), -1);
   EXPECT_EQ(width_of<2>(plane), 0);
+}
+
+TEST(RigidShape, rounded_has_arcs_at_its_corners_and_its_sides_where_they_were)
+{
+  const Vec<2> corner(2, 1), diagonal = Vec<2>(1, 1).normalized();
+  for (const RigidShapeSettings& sharp :
+       {RigidShapeSettings(BoxSettings{{0, 0}, {4, 2}, 0}), RigidShapeSettings(PolygonSettings{{-2, 2, 2, -2}, {-1, -1, 1, 1}}),
+        RigidShapeSettings(ProfileSettings{{0, 2, 2, 0}, {-1, -1, 1, 1}, 0.1})}) {
+    const RigidShape<2> round = rounded(make_shape<2>(sharp), 0.25);
+    EXPECT_NEAR(surface_at<2>(round, Vec<2>(1, 1.5)).distance, 0.5, 1e-15);
+    EXPECT_NEAR(surface_at<2>(round, corner).distance, 0.25 * (std::sqrt(2.) - 1), 1e-15) << "of the corner from the arc";
+    EXPECT_NEAR((surface_at<2>(round, corner).normal - diagonal).norm(), 0, 1e-14);
+    EXPECT_NEAR(width_of<2>(round), 4, 1e-15);
+    EXPECT_NEAR(lowest_level<2>(round, Vec<2>::UnitY()), -1, 1e-15);
+  }
+  EXPECT_NEAR(surface_at<2>(rounded(make_shape<2>(BoxSettings{{0, 0}, {4, 0.02}, 0}), 0.25), Vec<2>(0, 0.5)).distance, 0.49, 1e-15)
+      << "a thin plate has no room for such arcs, and keeps its thickness";
+  const RigidShape<2> rounder = make_shape<2>(ProfileSettings{{0, 2, 2, 0}, {-1, -1, 1, 1}, 0.5});
+  EXPECT_EQ(surface_at<2>(rounded(rounder, 0.25), corner).distance, surface_at<2>(rounder, corner).distance);
 }
 
 TEST(RigidShape, polygon_has_the_centroid_area_moments_and_levels_of_known_ones)
