@@ -50,8 +50,9 @@ Real Assembly::energy_error(FemState& begin, const std::vector<Real>& change, co
   const Real internal = totals.internal - before.internal, friction = totals.friction - before.friction,
              external = totals.external - before.external;
   totals = before;
-  return std::abs(internal + friction - external) / (std::abs(internal) + std::abs(external) + little_travel * model_.width * contact_force_ +
-                                                     little_energy * model_.interface.stiffness * size);
+  return std::abs(internal + friction - external) /
+         (std::abs(internal) + std::abs(external) + little_travel * model_.width * contact_force_ +
+          little_energy * model_.interface.stiffness * size);
 }
 
 Real Assembly::work_of_imbalance(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads) const
