@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/types.hpp"
+#include "input/message_text.hpp"
 #include "os/error.hpp"
 #include "os/read_file.hpp"
 
@@ -22,7 +23,8 @@ struct NumberLines {
   {
     Real value = nan;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (fault != std::errc{} || end != word.data() + word.size()) refuse(fmt::format("\"{}\" is no number", word));
+    if (fault != std::errc{} || end != word.data() + word.size())
+      refuse(fmt::format("{} is no number", input::in_quotes(std::string(word))));
     return value;
   }
 };
