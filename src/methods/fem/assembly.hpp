@@ -89,7 +89,8 @@ public:
   /// Force of each support on the soil in this stage, N/m: the residual where it holds.
   std::vector<Vec<2>> support_forces(Index stage) const;
 
-  /// Error of the energy balance of the last evaluation as an increment from `begin`, over its work: large where an element has gone through a shape that it cannot have.
+  /// Error of the energy balance of the last evaluation as an increment from `begin`, over its work and that of the contact forces between two remeshings: large where an element has gone through a shape that
+  /// it cannot have.
   Real energy_error(FemState& begin, const std::vector<Real>& change, const FemLoads& loads) const;
 
   /// Accepts the last evaluation as the new state, and adds its work to the totals.

@@ -41,8 +41,7 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
 
 Real Assembly::energy_error(FemState& begin, const std::vector<Real>& change, const FemLoads& loads) const
 {
-  // A travel of the body, and a strain of the soil beside it, whose work has no error that matters.
-  constexpr Real little_travel = 1e-6, little_energy = 1e-12;
+  constexpr Real little_energy = 1e-12;  // of a strain whose work has no error that matters
   const Real size = std::pow(model_.width, model_.model.mesh.metric == mesh::Metric::axisymmetric ? 4 : 3);
   problem::Totals<2>& totals = begin.state.ledger.totals;
   const problem::Totals<2> before = totals;
@@ -51,7 +50,7 @@ Real Assembly::energy_error(FemState& begin, const std::vector<Real>& change, co
              external = totals.external - before.external;
   totals = before;
   return std::abs(internal + friction - external) /
-         (std::abs(internal) + std::abs(external) + little_travel * model_.width * contact_force_ +
+         (std::abs(internal) + std::abs(external) + model_.settings.remeshing_travel * model_.width * contact_force_ +
           little_energy * model_.interface.stiffness * size);
 }
 
