@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/seabed.hpp"
 
-#include "mesh/end_geometry.hpp"
-
 #include "mesh/spatial_seabed.hpp"
 #include "mesh/uneven_seabed.hpp"
 #include "os/error.hpp"
@@ -263,11 +261,6 @@ Real expected_cells(const SeabedMesh& bed)
   return more * sum / (std::sqrt(3.) / 4);
 }
 
-void end_geometry(std::ofstream& out, const std::string& size, const std::filesystem::path& path)
-{
-  end_geometry(out, std::vector{size}, path);
-}
-
 void end_geometry(std::ofstream& out, const std::vector<std::string>& sizes, const std::filesystem::path& path)
 {
   const std::size_t n = sizes.size();
@@ -301,7 +294,7 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
   const Outside& outside = outsides[is_at_wall(bed)][bed.layer > 0];
   out << lines_of_bed << (is_at_wall(bed) ? lines_at_wall : lines_on_left) << (bed.layer > 0 ? lines_of_layer : "") << outside.lines
       << surfaces_of(outside);
-  end_geometry(out, size_formula(bed), path);
+  end_geometry(out, {size_formula(bed)}, path);
 }
 
 }  // namespace berm::mesh

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace berm::mesh {
 
@@ -97,9 +98,9 @@ void check(const SeabedMesh& seabed);
 /// The size of a cell, m, as a formula of x and y that Gmsh evaluates.
 std::string size_formula(const SeabedMesh& seabed);
 
-/// Ends a geometry for Gmsh, in the file at `path`: the size of a cell as a formula, and settings for well shaped triangles, the same at every run. Throws
-/// RunError where the file could not be written.
-void end_geometry(std::ofstream& out, const std::string& size, const std::filesystem::path& path);
+/// Ends a geometry for Gmsh, in the file at `path`: the size of a cell, the smallest of these formulas of x and y (m, each less than a thousand characters, which is as many as Gmsh takes), and settings for well
+/// shaped triangles, the same at every run. Throws RunError where the file could not be written.
+void end_geometry(std::ofstream& out, const std::vector<std::string>& sizes, const std::filesystem::path& path);
 
 /// Estimated number of cells; in space their exact number (mesh/spatial_seabed.hpp). In the plane the integral of 1 / (area of an equilateral triangle of the local size), and a tenth, by which
 /// those of Gmsh are smaller.

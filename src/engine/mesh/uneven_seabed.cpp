@@ -308,7 +308,7 @@ void write_uneven_geo(const SeabedMesh& bed, const std::filesystem::path& path)
 {
   std::ofstream out(path);
   out << "// A bed for a pipe that is not level, made by berm. Lengths in metres.\n" << geometry_of(bed);
-  end_geometry(out, size_formula(bed), path);
+  end_geometry(out, {size_formula(bed)}, path);
 }
 
 }  // namespace berm::mesh

@@ -3,120 +3,99 @@
 #include "fem/outline.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace berm::fem {
 namespace {
 
-Real distance(const OutlineLoop& loop, std::size_t from, std::size_t to)
+constexpr Real touching = 0.15;  // of a side: two surfaces at this distance are one
+constexpr std::size_t knot = 3;  // sides, where a tip of soil is squeezed against the body
+
+const Vec<2>& end_of(const OutlineLoop& loop, std::size_t side)
 {
-  return (loop.corners[to % loop.corners.size()].x - loop.corners[from].x).norm();
+  return loop[(side + 1) % loop.size()].corner.x;
 }
 
-Real length_of(const OutlineLoop& loop, std::size_t k)
+Real length_of(const OutlineLoop& loop, std::size_t side)
 {
-  return distance(loop, k, k + 1);
+  return (end_of(loop, side) - loop[side].corner.x).norm();
 }
 
-class FoldCloser {
-public:
-  explicit FoldCloser(std::vector<OutlineLoop>& loops) : loops_(loops) {}
+/// Whether a corner of free ground touches a side.
+bool touches(const OutlineLoop& loop, std::size_t corner, std::size_t side)
+{
+  const Vec<2>&a = loop[side].corner.x, &x = loop[corner].corner.x, along = end_of(loop, side) - a;
+  const Real part = std::clamp((x - a).dot(along) / along.squaredNorm(), Real(0), Real(1));
+  return (a + part * along - x).norm() < touching * std::min({length_of(loop, side), length_of(loop, corner), length_of(loop, corner - 1)});
+}
 
-  /// The number of folds.
-  int close()
-  {
-    int folds = 0;
-    for (std::size_t l = 0; l < loops_.size(); ++l)
-      while (close_one(l)) ++folds;
-    return folds;
-  }
+bool cross(const OutlineLoop& loop, std::size_t first, std::size_t second)
+{
+  const auto turn = [](const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) { return (b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]; };
+  const Vec<2>&a = loop[first].corner.x, &b = end_of(loop, first), &c = loop[second].corner.x, &d = end_of(loop, second);
+  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+}
 
-private:
-  static constexpr Real touching = 0.15;  // of a side: two surfaces at this distance are one
-  static constexpr std::size_t knot = 3;  // sides, where a tip of soil is squeezed against the body
+/// The sides from one to before another.
+OutlineLoop part_of(const OutlineLoop& loop, std::size_t first, std::size_t last)
+{
+  return {loop.begin() + static_cast<std::ptrdiff_t>(first), loop.begin() + static_cast<std::ptrdiff_t>(last)};
+}
 
-  /// Whether a corner of free ground touches a free side.
-  static bool touches(const OutlineLoop& loop, std::size_t corner, std::size_t side)
-  {
-    const Vec<2>&a = loop.corners[side].x, &b = loop.corners[(side + 1) % loop.corners.size()].x, &x = loop.corners[corner].x;
-    const Vec<2> along = b - a;
-    const Real part = std::clamp((x - a).dot(along) / along.squaredNorm(), Real(0), Real(1));
-    return (a + part * along - x).norm() <
-           touching * std::min({length_of(loop, side), length_of(loop, corner), length_of(loop, corner - 1)});
-  }
+/// Whether what lies between these corners is no soil.
+bool is_void(const OutlineLoop& loop, std::size_t first, std::size_t last)
+{
+  return area_within(part_of(loop, first, last + 1)) < 0;
+}
 
-  /// Whether what lies between these corners is no soil, which is on the left of a loop.
-  static bool is_void(const OutlineLoop& loop, std::size_t first, std::size_t last)
-  {
-    Real twice = 0;
-    for (std::size_t k = first; k <= last; ++k) {
-      const Vec<2> a = loop.corners[k].x - loop.corners[first].x, b = loop.corners[k < last ? k + 1 : first].x - loop.corners[first].x;
-      twice += a[0] * b[1] - a[1] * b[0];
+void straighten(OutlineLoop& loop, std::size_t side)
+{
+  loop[side].middle = loop[side].corner;
+  loop[side].middle.x = (loop[side].corner.x + end_of(loop, side)) / 2;
+}
+
+/// Makes one side from corner `first` to corner `last`. Gives what lay between, where that is a void around the body: a loop of its own.
+OutlineLoop cut(OutlineLoop& loop, std::size_t first, std::size_t last)
+{
+  OutlineLoop between = part_of(loop, first + 1, last);
+  const bool is_hole =
+      between.size() > knot && std::ranges::any_of(between, [](const OutlineSide& side) { return !side.free; }) && area_within(between) < 0;
+  // Not to a corner that is so near that the side would be short.
+  if (last + 1 < loop.size() && loop[last].free && (loop[last].corner.x - loop[first].corner.x).norm() < length_of(loop, last) / 2) ++last;
+  loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(first + 1), loop.begin() + static_cast<std::ptrdiff_t>(last));
+  straighten(loop, first);
+  if (!is_hole) return {};
+  straighten(between, between.size() - 1);
+  return between;
+}
+
+/// Corners between which a loop is to be cut.
+std::optional<std::pair<std::size_t, std::size_t>> fold_of(const OutlineLoop& loop)
+{
+  for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+    for (std::size_t j = k + 2; j + 1 < loop.size(); ++j)
+      if ((j <= k + knot || (loop[k].free && loop[j].free)) && cross(loop, k, j)) return std::pair{k, j + 1};
+    if (!loop[k - 1].free || !loop[k].free) continue;
+    for (std::size_t j = 1; j + 1 < loop.size(); ++j) {
+      if (j == k || j + 1 == k || !loop[j].free || !touches(loop, k, j)) continue;
+      const auto [first, last] = j < k ? std::pair{j, k} : std::pair{k, j + 1};
+      if (is_void(loop, first, last)) return std::pair{first, last};
     }
-    return twice < 0;
   }
-
-  static bool cross(const OutlineLoop& loop, std::size_t first, std::size_t second)
-  {
-    const auto at = [&](std::size_t k) -> const Vec<2>& { return loop.corners[k % loop.corners.size()].x; };
-    const auto turn = [](const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) { return (b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]; };
-    const Vec<2>&a = at(first), &b = at(first + 1), &c = at(second), &d = at(second + 1);
-    return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
-  }
-
-  bool close_one(std::size_t l)
-  {
-    const OutlineLoop& loop = loops_[l];
-    const std::size_t n = loop.corners.size();
-    for (std::size_t k = 1; k + 1 < n; ++k) {
-      for (std::size_t j = k + 2; j + 1 < n; ++j)
-        if ((j <= k + knot || (loop.free[k] && loop.free[j])) && cross(loop, k, j)) return cut(l, k, j + 1);
-      if (!loop.free[k - 1] || !loop.free[k]) continue;
-      for (std::size_t j = k + 1; j + 1 < n; ++j)
-        if (loop.free[j] && touches(loop, k, j) && is_void(loop, k, j + 1)) return cut(l, k, j + 1);
-      for (std::size_t j = 1; j + 1 < k; ++j)
-        if (loop.free[j] && touches(loop, k, j) && is_void(loop, j, k)) return cut(l, j, k);
-    }
-    return false;
-  }
-
-  /// Makes one side from corner `first` to corner `last` of what lies between; where that meets the body it is a loop of its own.
-  bool cut(std::size_t l, std::size_t first, std::size_t last)
-  {
-    OutlineLoop& loop = loops_[l];
-    const auto part = [&](const auto& list) {
-      return std::vector(list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last));
-    };
-    OutlineLoop between{part(loop.corners), part(loop.middles), part(loop.boundary), part(loop.free)};
-    const auto erase = [&](auto& list, std::size_t from) {
-      list.erase(list.begin() + static_cast<std::ptrdiff_t>(from), list.begin() + static_cast<std::ptrdiff_t>(last));
-    };
-    // Not to a corner that is so near that the side would be short.
-    if (last + 1 < loop.corners.size() && loop.free[last] && distance(loop, first, last) < length_of(loop, last) / 2) ++last;
-    loop.middles[first] = straight(loop, first, last);
-    erase(loop.corners, first + 1), erase(loop.middles, first + 1), erase(loop.boundary, first + 1), erase(loop.free, first + 1);
-    if (between.corners.size() <= knot + 1 || std::ranges::all_of(between.free, [](char free) { return free != 0; })) return true;
-    between.corners.erase(between.corners.begin()), between.middles.erase(between.middles.begin());
-    between.boundary.erase(between.boundary.begin()), between.free.erase(between.free.begin());
-    between.middles.back() = straight(between, between.corners.size() - 1, 0);
-    loops_.push_back(std::move(between));
-    return true;
-  }
-
-  static OutlinePoint straight(const OutlineLoop& loop, std::size_t from, std::size_t to)
-  {
-    OutlinePoint middle = loop.corners[from];
-    middle.x = (middle.x + loop.corners[to].x) / 2;
-    return middle;
-  }
-
-  std::vector<OutlineLoop>& loops_;
-};
+  return {};
+}
 
 }  // namespace
 
 int close_folds(std::vector<OutlineLoop>& loops)
 {
-  return FoldCloser(loops).close();
+  int folds = 0;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    while (const auto fold = fold_of(loops[l])) {
+      ++folds;
+      if (OutlineLoop hole = cut(loops[l], fold->first, fold->second); !hole.empty()) loops.push_back(std::move(hole));
+    }
+  return folds;
 }
 
 }  // namespace berm::fem

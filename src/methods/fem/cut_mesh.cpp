@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/cut_mesh.hpp"
 
-#include "mesh/end_geometry.hpp"
-
 #include "mesh/mesh_settings.hpp"
 #include "os/error.hpp"
 #include "problem/ground.hpp"

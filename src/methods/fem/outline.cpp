@@ -214,10 +214,8 @@ private:
     for (int k = 1; k <= count; ++k) {
       const Real to = division(k);
       const OutlinePoint middle = at_length((from + to) / 2);
-      loop.corners.push_back(at_length(from));
-      loop.middles.push_back(middle);
-      loop.boundary.push_back(is_ground_at(middle.side) && in_contact(middle.side) ? none : side(middle.side).boundary);
-      loop.free.push_back(static_cast<char>(is_ground_at(middle.side) && !in_contact(middle.side)));
+      const bool ground = is_ground_at(middle.side), contact = ground && in_contact(middle.side);
+      loop.push_back({at_length(from), middle, contact ? none : side(middle.side).boundary, ground && !contact});
       from = to;
     }
   }
@@ -248,17 +246,17 @@ std::vector<std::vector<std::size_t>> loops_of(const QuadraticMesh& mesh)
   return loops;
 }
 
-Real area_of(const OutlineLoop& loop)
+}  // namespace
+
+Real area_within(const OutlineLoop& loop)
 {
   Real twice = 0;
-  for (std::size_t k = 0; k < loop.corners.size(); ++k) {
-    const Vec<2>&a = loop.corners[k].x, &b = loop.corners[(k + 1) % loop.corners.size()].x;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec<2>&a = loop[k].corner.x, &b = loop[(k + 1) % loop.size()].corner.x;
     twice += a[0] * b[1] - a[1] * b[0];
   }
   return twice / 2;
 }
-
-}  // namespace
 
 std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes, int& folds)
 {
@@ -266,7 +264,7 @@ std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& s
   std::vector<OutlineLoop> loops;
   for (std::vector<std::size_t>& sides : loops_of(model.mesh)) loops.push_back(divider.divide(std::move(sides)));
   folds = close_folds(loops);
-  std::stable_sort(loops.begin(), loops.end(), [](const OutlineLoop& a, const OutlineLoop& b) { return area_of(a) > area_of(b); });
+  std::stable_sort(loops.begin(), loops.end(), [](const OutlineLoop& a, const OutlineLoop& b) { return area_within(a) > area_within(b); });
   return loops;
 }
 

@@ -28,12 +28,18 @@ struct OutlinePoint {
   Real part;
 };
 
-/// A closed line with the soil on its left: middle k and boundary k (BoundarySide::boundary) are those of the side from corner k to the next.
-struct OutlineLoop {
-  std::vector<OutlinePoint> corners, middles;
-  std::vector<Index> boundary;
-  std::vector<char> free;  ///< whether side k is ground that does not touch the body
+/// A side of the outline: its first corner, its middle, and its boundary (BoundarySide::boundary).
+struct OutlineSide {
+  OutlinePoint corner, middle;
+  Index boundary;
+  bool free;  ///< ground that does not touch the body
 };
+
+/// A closed line with the soil on its left; a side ends where the next begins.
+using OutlineLoop = std::vector<OutlineSide>;
+
+/// m2, of the polygon of the corners; negative around a void.
+Real area_within(const OutlineLoop& loop);
 
 /// Joins soil to soil where a loop meets itself at free sides, or comes as near as a part of a side: what lies between is taken as filled, but for a hole around the body. Gives the number of such places.
 int close_folds(std::vector<OutlineLoop>& loops);

@@ -4,7 +4,6 @@
 
 #include "fem/cut_mesh.hpp"
 #include "material/clay.hpp"
-#include "mesh/end_geometry.hpp"
 #include "mesh/gmsh.hpp"
 #include "os/error.hpp"
 #include "os/gmsh_program.hpp"
@@ -53,10 +52,10 @@ void write_outline(const std::vector<OutlineLoop>& outline, const mesh::Mesh<2>&
   std::size_t lines = 0;
   std::vector<std::string> loops, of_boundary(names.boundary_names.size());
   for (const OutlineLoop& loop : outline) {
-    const std::size_t first = lines + 1, n = loop.corners.size();
+    const std::size_t first = lines + 1, n = loop.size();
     for (std::size_t k = 0; k < n; ++k) {
-      out << fmt::format("Point({}) = {{{}, {}, 0}};\n", first + k, loop.corners[k].x[0], loop.corners[k].x[1]);
-      if (const Index boundary = loop.boundary[k]; boundary != none)
+      out << fmt::format("Point({}) = {{{}, {}, 0}};\n", first + k, loop[k].corner.x[0], loop[k].corner.x[1]);
+      if (const Index boundary = loop[k].boundary; boundary != none)
         of_boundary[static_cast<std::size_t>(boundary)] +=
             fmt::format("{}{}", of_boundary[static_cast<std::size_t>(boundary)].empty() ? "" : ", ", first + k);
     }
@@ -87,19 +86,19 @@ void order_boundaries(mesh::Mesh<2>& mesh, const std::vector<std::string>& names
 std::vector<const OutlinePoint*> put_on_outline(QuadraticMesh& mesh, const std::vector<OutlineLoop>& outline)
 {
   std::vector<const OutlinePoint*> of_node(static_cast<std::size_t>(mesh.node_count()), nullptr);
-  std::vector<const OutlinePoint*> corners, middles;
+  std::vector<const OutlineSide*> sides;
   for (const OutlineLoop& loop : outline)
-    for (std::size_t k = 0; k < loop.corners.size(); ++k) corners.push_back(&loop.corners[k]), middles.push_back(&loop.middles[k]);
+    for (const OutlineSide& side : loop) sides.push_back(&side);
   for (const BoundarySide& side : mesh.boundary_sides) {
     const Vec<2>& x = mesh.position[side.from];
-    const auto nearest = std::min_element(corners.begin(), corners.end(), [&](const OutlinePoint* a, const OutlinePoint* b) {
-      return (a->x - x).squaredNorm() < (b->x - x).squaredNorm();
-    });
-    const OutlinePoint* middle = middles[static_cast<std::size_t>(nearest - corners.begin())];
-    of_node[static_cast<std::size_t>(side.from)] = *nearest;
-    of_node[static_cast<std::size_t>(side.middle)] = middle;
-    mesh.position[side.from] = (*nearest)->x;
-    mesh.position[side.middle] = middle->x;
+    const auto& [corner, middle, boundary, free] =
+        **std::min_element(sides.begin(), sides.end(), [&](const OutlineSide* a, const OutlineSide* b) {
+          return (a->corner.x - x).squaredNorm() < (b->corner.x - x).squaredNorm();
+        });
+    of_node[static_cast<std::size_t>(side.from)] = &corner;
+    of_node[static_cast<std::size_t>(side.middle)] = &middle;
+    mesh.position[side.from] = corner.x;
+    mesh.position[side.middle] = middle.x;
   }
   return of_node;
 }

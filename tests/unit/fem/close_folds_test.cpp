@@ -12,12 +12,9 @@ OutlineLoop loop_of(const std::vector<Vec<2>>& corners, std::size_t walls)
 {
   OutlineLoop loop;
   const std::size_t n = corners.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    loop.corners.push_back({corners[k], k, 0});
-    loop.middles.push_back({(corners[k] + corners[(k + 1) % n]) / 2, k, 0.5});
-    loop.boundary.push_back(k < walls ? static_cast<Index>(k) : 3);
-    loop.free.push_back(static_cast<char>(k >= walls));
-  }
+  for (std::size_t k = 0; k < n; ++k)
+    loop.push_back(
+        {{corners[k], k, 0}, {(corners[k] + corners[(k + 1) % n]) / 2, k, 0.5}, k < walls ? static_cast<Index>(k) : 3, k >= walls});
   return loop;
 }
 
@@ -32,7 +29,7 @@ TEST(CloseFolds, leaves_ground_that_does_not_meet_itself)
 {
   std::vector<OutlineLoop> loops = {loop_of(with_ground({{8, 0}, {7, 1}, {6, 2}, {5, 1}, {4, 0}, {2, 0}}), 3)};
   EXPECT_EQ(close_folds(loops), 0);
-  EXPECT_EQ(loops.front().corners.size(), 10u);
+  EXPECT_EQ(loops.front().size(), 10u);
 }
 
 // The crest of a berm has fallen onto the ground beside it.
@@ -43,11 +40,8 @@ TEST(CloseFolds, joins_a_crest_to_the_ground_that_it_has_fallen_onto)
         loop_of(with_ground({{8, 0}, {7, 2}, {5, 2}, {3.9, crest}, {5, 1}, {6, 0.5}, {6, 0}, {5, 0}, {4, 0}, {3, 0}, {2, 0}, {1, 0}}), 3)};
     EXPECT_EQ(close_folds(loops), 1) << crest;
     ASSERT_EQ(loops.size(), 1u);
-    for (const OutlinePoint& corner : loops.front().corners)
+    for (const auto& [corner, middle, boundary, free] : loops.front())
       EXPECT_FALSE(corner.x[0] > 4.5 && corner.x[1] > -0.01 && corner.x[1] < 1.5 && corner.x[0] < 6.5) << "the pocket is filled";
-    EXPECT_EQ(loops.front().middles.size(), loops.front().corners.size());
-    EXPECT_EQ(loops.front().boundary.size(), loops.front().corners.size());
-    EXPECT_EQ(loops.front().free.size(), loops.front().corners.size());
   }
 }
 
@@ -57,17 +51,17 @@ TEST(CloseFolds, leaves_a_thin_tongue_of_soil)
   std::vector<OutlineLoop> loops = {
       loop_of(with_ground({{8, 0}, {5.05, 0}, {5.05, 1}, {5.5, 2}, {4.5, 2}, {4.95, 1}, {4.95, 0}, {2, 0}}), 3)};
   EXPECT_EQ(close_folds(loops), 0);
-  EXPECT_EQ(loops.front().corners.size(), 12u);
+  EXPECT_EQ(loops.front().size(), 12u);
 }
 
 // Sides in contact that have changed their order.
 TEST(CloseFolds, unties_a_knot_of_short_sides_in_contact)
 {
   std::vector<OutlineLoop> loops = {loop_of(with_ground({{8, 0}, {6, 0}, {5, -0.1}, {5.5, 0.05}, {5.2, -0.2}, {4, 0}, {2, 0}}), 3)};
-  for (std::size_t k = 5; k < 9; ++k) loops.front().free[k] = 0;
+  for (std::size_t k = 5; k < 9; ++k) loops.front()[k].free = false;
   EXPECT_EQ(close_folds(loops), 1);
   ASSERT_EQ(loops.size(), 1u);
-  for (const OutlinePoint& corner : loops.front().corners) EXPECT_NE(corner.x, Vec<2>(5.5, 0.05));
+  for (const auto& [corner, middle, boundary, free] : loops.front()) EXPECT_NE(corner.x, Vec<2>(5.5, 0.05));
 }
 
 // A body of which the sides from (6, -2) to (4, -2) are in contact, below flanks that have closed above it.
@@ -75,14 +69,14 @@ TEST(CloseFolds, leaves_a_hole_around_the_body)
 {
   std::vector<OutlineLoop> loops = {
       loop_of(with_ground({{7, 0}, {5.06, 0}, {6, -1}, {6, -2}, {4, -2}, {4, -1}, {4.98, 0}, {3, 0}, {2, 0}}), 3)};
-  loops.front().free[7] = 0;
+  loops.front()[7].free = false;
   EXPECT_EQ(close_folds(loops), 1);
   ASSERT_EQ(loops.size(), 2u);
-  EXPECT_EQ(std::count(loops[1].free.begin(), loops[1].free.end(), 0), 1);
+  EXPECT_EQ(std::ranges::count(loops[1], false, &OutlineSide::free), 1);
   Real lowest = 0;
-  for (const OutlinePoint& corner : loops[1].corners) lowest = std::min(lowest, corner.x[1]);
+  for (const auto& [corner, middle, boundary, free] : loops[1]) lowest = std::min(lowest, corner.x[1]);
   EXPECT_EQ(lowest, -2);
-  for (const OutlinePoint& corner : loops[0].corners) EXPECT_TRUE(corner.x[1] > -0.5 || corner.x[1] == -4);
+  for (const auto& [corner, middle, boundary, free] : loops[0]) EXPECT_TRUE(corner.x[1] > -0.5 || corner.x[1] == -4);
 }
 
 }  // namespace
