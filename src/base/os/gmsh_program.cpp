@@ -6,14 +6,21 @@
 #include "os/child_process.hpp"
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
+#include "os/interrupt.hpp"
 #include "os/read_file.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
 #include <sstream>
 #include <string>
+#include <sys/stat.h>
 #include <system_error>
+#include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace berm {
@@ -56,6 +63,15 @@ ChildProcess started(const ChildStart& start)
   }
 }
 
+/// Of a WaitingGmsh, in its folder: the pipe that brings it the next commands, the file by which it says that they are done, and its messages.
+constexpr const char *next = "next.geo", *done = "meshed", *messages = "gmsh.log";
+
+/// Gmsh reads its user's options from the folder that GMSH_HOME names; a folder without any makes meshes the same for everyone.
+std::vector<std::string> without_options(const fs::path& folder)
+{
+  return {"GMSH_HOME=" + folder.string() + "/"};
+}
+
 }  // namespace
 
 void run_gmsh(const fs::path& geo, const fs::path& msh, int dim, GeometryBy whose)
@@ -66,19 +82,68 @@ void run_gmsh(const fs::path& geo, const fs::path& msh, int dim, GeometryBy whos
   if (!fs::is_directory(folder)) throw RunError(fmt::format("gmsh: there is no folder {} for the mesh", folder.string()));
   if (!fs::is_regular_file(geo)) throw RunError(fmt::format("gmsh: there is no geometry {}", geo.string()));
   fs::remove(msh);
-  // Gmsh reads its user's options from the folder that GMSH_HOME names; a folder without any makes meshes the same for everyone.
   const std::vector<std::string> words = {
       "gmsh", fs::absolute(geo).string(), fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format", "msh41",
       "-o",   fs::absolute(msh).string()};
   ChildProcess gmsh = started({.words = whose == GeometryBy::user ? contained(words, folder.string()) : words,
                                .messages = log.string(),
-                               .environment = {"GMSH_HOME=" + folder.string() + "/"}});
+                               .environment = without_options(folder)});
   const int status = wait_unless_interrupted(gmsh, "gmsh");
   if (status == stopped_status && whose == GeometryBy::user) throw RunError(last_line(log));
   if (status > 128) throw RunError(fmt::format("gmsh was stopped by signal {} ({})", status - 128, strsignal(status - 128)));
   if (status != 0 || !fs::exists(msh))
     throw RunError(
         fmt::format("gmsh failed on {} (exit status {}); the end of {}:{}", geo.string(), status, log.string(), last_lines(log, 8)));
+}
+
+void WaitingGmsh::start()
+{
+  const fs::path geo = folder_ / "gmsh.geo", pipe = folder_ / next;
+  fs::remove(pipe);
+  if (mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR) != 0)
+    throw RunError(fmt::format("cannot make the pipe {}: {}", pipe.string(), strerror(errno)));
+  std::ofstream(geo) << "General.AbortOnError = 4;\nFor k In {1:1000000000}\n  Include \"" << next << "\";\nEndFor\n";
+  gmsh_.emplace(started({.words = {"gmsh", geo.string(), "-", "-nt", "1", "-v", "2", "-format", "msh41"},
+                         .messages = (folder_ / messages).string(),
+                         .environment = without_options(folder_)}));
+}
+
+/// Throws where the program has ended.
+void WaitingGmsh::check_alive()
+{
+  if (interrupted()) {
+    gmsh_.reset();
+    throw Interrupted("stopped while gmsh was at work");
+  }
+  if (!gmsh_->has_ended()) return;
+  const int status = gmsh_->wait();
+  gmsh_.reset();
+  throw RunError(fmt::format("gmsh failed (exit status {}); the end of its messages:{}", status, last_lines(folder_ / messages, 8)));
+}
+
+/// Writes commands into the pipe, once the program reads from it.
+void WaitingGmsh::hand_over(const std::string& commands)
+{
+  int pipe = -1;
+  while ((pipe = open((folder_ / next).c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)) < 0) {
+    check_alive();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const auto written = write(pipe, commands.data(), commands.size());  // at once, since it is shorter than a pipe
+  close(pipe);
+  if (written != static_cast<ssize_t>(commands.size())) throw RunError("gmsh took no commands");
+}
+
+void WaitingGmsh::mesh(const std::string& geo, const std::string& msh)
+{
+  fs::remove(folder_ / msh);
+  fs::remove(folder_ / done);
+  if (!gmsh_) start();
+  hand_over(fmt::format("Merge \"{}\";\nMesh 2; Save \"{}\"; Delete Model; Delete Physicals; Printf(\"\") > \"{}\";\n", geo, msh, done));
+  while (!fs::exists(folder_ / done)) {
+    check_alive();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 }  // namespace berm

@@ -184,7 +184,7 @@ template <class T>
 }
 
 /// Advances `stress` (Pa, tension positive) by an increment: elastic predictor, then the frictionless Mohr-Coulomb return to the strength at the end of the
-/// increment. Without duration the rate adds nothing.
+/// increment. Without duration the rate stays what it was.
 template <int dim, class N, class T>
 [[gnu::always_inline]] inline void update(const PreparedClayOf<N>& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
                                           T* state)
@@ -192,7 +192,7 @@ template <int dim, class N, class T>
   using Mask = decltype(T{} < T{});
   T &xi = state[0], &rate_part = state[1], &change = state[2];
   const T zero{};
-  const Real since = increment.dt > 0 ? increment.dt / law.smoothing : infinity;  // infinity also without smoothing
+  const Real since = increment.dt > 0 ? increment.dt / law.smoothing : 0;  // infinity without smoothing
   T begin = 1 + change, begin_rate{};
   const bool has_rate = any(rate_part > zero);
   if (has_rate) {
@@ -206,9 +206,8 @@ template <int dim, class N, class T>
     if (has_rate) rate_part = begin_rate, change = begin - 1.;
     return;
   }
-  const bool has_time = increment.dt > 0 && law.per_e_fold > 0;
-  const T kept = has_time ? exponential(rate_part * law.per_relative - since) : zero;
-  const Real per_x = has_time ? -std::expm1(-since) * law.per_reference / increment.dt : 0;
+  const T kept = law.per_e_fold > 0 ? exponential(rate_part * law.per_relative - since) : zero;
+  const Real per_x = law.per_e_fold > 0 && increment.dt > 0 ? -std::expm1(-since) * law.per_reference / increment.dt : 0;
   const Real weight = law.softening_length > 0 && increment.cell_size > 0 ? increment.cell_size / law.softening_length : 1;
   const T damage = law.per_shear > 0 ? exponential(-law.per_shear * xi) : zero;
   T of_flow{};

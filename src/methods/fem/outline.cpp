@@ -5,6 +5,7 @@
 #include "fem/cut_mesh.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace berm::fem {
 namespace {
@@ -236,12 +237,12 @@ std::vector<std::vector<std::size_t>> loops_of(const QuadraticMesh& mesh)
 {
   NodeField<Index> next(mesh.node_count(), none);
   for (std::size_t k = 0; k < mesh.boundary_sides.size(); ++k) next[mesh.boundary_sides[k].from] = static_cast<Index>(k);
-  std::vector<char> taken(mesh.boundary_sides.size(), 0);
   std::vector<std::vector<std::size_t>> loops;
-  for (std::size_t first = 0; first < taken.size(); ++first) {
-    if (taken[first]) continue;
-    std::vector<std::size_t>& loop = loops.emplace_back();
-    for (std::size_t k = first; !taken[k]; k = static_cast<std::size_t>(next[mesh.boundary_sides[k].to])) taken[k] = 1, loop.push_back(k);
+  for (const BoundarySide& first : mesh.boundary_sides) {
+    std::vector<std::size_t> loop;
+    for (Index node = first.from; next[node] != none; node = mesh.boundary_sides[loop.back()].to)
+      loop.push_back(static_cast<std::size_t>(std::exchange(next[node], none)));
+    if (!loop.empty()) loops.push_back(std::move(loop));
   }
   return loops;
 }

@@ -3,10 +3,8 @@
 #include "fem/remesher.hpp"
 
 #include "fem/cut_mesh.hpp"
-#include "material/clay.hpp"
 #include "mesh/gmsh.hpp"
 #include "os/error.hpp"
-#include "os/gmsh_program.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -122,7 +120,10 @@ void unfold(QuadraticMesh& mesh)
 
 }  // namespace
 
-Remesher::Remesher(const settings::Case& c, std::filesystem::path folder) : case_(c), folder_(std::move(folder))
+Remesher::Remesher(const settings::Case& c, std::filesystem::path folder)
+    : case_(c),
+      folder_(std::move(folder)),
+      gmsh_(std::make_unique<WaitingGmsh>(folder_))
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (bed == nullptr)
@@ -147,9 +148,6 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder) : case
   if (!body.region_material.empty())
     throw KeyError(
         fmt::format("body.{}.region_material: with fem.large_deformation soil leaves its region: define layers by soil_layer", name));
-  for (const auto& [material, law] : c.material)
-    if (const auto* clay = law.get_if<material::Clay>(); clay != nullptr && clay->rate_parameter > 0)
-      throw KeyError(fmt::format("material.{}.rate_parameter: cannot be combined with fem.large_deformation", material));
 }
 
 ElementSizes Remesher::sizes_for(const FemModel& model) const
@@ -172,7 +170,7 @@ mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, 
 {
   const ElementSizes sizes = sizes_for(model);
   const bodies::RigidShape<2> shape = placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]);
-  const std::filesystem::path geo = folder_ / "remesh.geo", msh = folder_ / "remesh.msh";
+  const std::string geo = "remesh.geo", msh = "remesh.msh";
   std::vector<std::string> of_elements;
   for (const std::string& distance : distances_from(shape))
     of_elements.push_back(
@@ -181,16 +179,16 @@ mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, 
     for (const Vec<2>& corner : corners_of(profile->core))
       of_elements.push_back(fmt::format("{} + {} * Sqrt((x - ({}))^2 + (y - ({}))^2)", ElementSizes::at_corner * sizes.contact,
                                         ElementSizes::from_there, corner[0], corner[1]));
-  write_outline(outline, model.model.mesh, of_elements, geo);
+  write_outline(outline, model.model.mesh, of_elements, folder_ / geo);
   try {
-    run_gmsh(geo, msh, 2, GeometryBy::berm);
+    gmsh_->mesh(geo, msh);
   } catch (const RunError& error) {
     throw RunError(fmt::format(
         "t = {:.6g} s: the soil could not be meshed anew: {}. Where Gmsh cannot recover an edge, smaller elements (fem.contact_size) or a "
         "smaller fem.remeshing_travel may help",
         state.state.time, error.what()));
   }
-  mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);
+  mesh::Mesh<2> mesh = mesh::read_msh<2>(folder_ / msh);
   mesh.metric = model.model.mesh.metric;
   name_regions(mesh, std::get<mesh::SeabedMesh>(case_.mesh));
   order_boundaries(mesh, model.model.mesh.boundary_names);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "fem/outline.hpp"
+#include "os/gmsh_program.hpp"
 
 #include <filesystem>
+#include <memory>
 
 namespace berm::fem {
 
@@ -29,6 +31,7 @@ private:
 
   settings::Case case_;
   std::filesystem::path folder_;
+  std::unique_ptr<WaitingGmsh> gmsh_;
 };
 
 /// Gives the new state what the old one has: stress and variables of the law linear in each element of the old mesh and put back onto the surface of the law, shear stress of the contact by the means of
