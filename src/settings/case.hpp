@@ -63,7 +63,7 @@ struct FemSettings {
   std::optional<Real> contact_size;  ///< m, of the elements at the rigid body; empty: that of the fine zone
   Real tolerance = 1e-3;             ///< unbalanced forces over contact forces
   bool large_deformation = false;    ///< the geometry follows the soil, and the mesh is made anew as the rigid body travels
-  Real remeshing_travel = 0.02;      ///< of the rigid body from one mesh to the next, over its width
+  Real remeshing_travel = 0.04;      ///< of the rigid body from one mesh to the next, over its width
   Real largest_step = 0.02;          ///< travel in one increment, over the width of the rigid body
   Real relaxation = 1e-6;            ///< travel over which stress beyond the strength fades, over the width of the rigid body: at most
 };

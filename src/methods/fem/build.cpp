@@ -100,9 +100,8 @@ void end_at_once(std::vector<settings::StageSettings>& stages)
 void round_corners(const settings::Case& c, FemModel& model)
 {
   constexpr Real radius = 0.25, part_of_arc = 0.5;  // of the elements at the contact; longest travel in an increment, over the radius
-  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  if (bed == nullptr) return;
-  const Real size = contact_size_of(c, *bed);
+  const Real size = contact_size_of(c);
+  if (!(size > 0)) return;
   for (bodies::RigidBody<2>& rigid : model.model.rigid_bodies) {
     rigid.shape = bodies::rounded(rigid.shape, radius * size);
     if (const auto* profile = std::get_if<bodies::Profile<2>>(&rigid.shape))
@@ -110,12 +109,11 @@ void round_corners(const settings::Case& c, FemModel& model)
   }
 }
 
-/// Where the soil is, and what of the ground the body does not touch.
+/// Where the soil is, and what of the ground a rigid body does not touch.
 void begin_large_deformation(FemModel& model, FemState& state)
 {
   state.was_at.fill(model.mesh.position);
-  if (model.rigid == none)
-    throw KeyError("fem.large_deformation: needs a rigid body in contact with the soil: remeshing is triggered by its travel");
+  if (model.rigid == none) return;
   const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
   state.meshed_at = state.state.rigid_bodies[model.rigid];
   for (std::size_t k = 0; k < state.contact.size(); ++k) {

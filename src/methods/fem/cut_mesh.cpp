@@ -354,9 +354,15 @@ std::vector<Vec<2>> corners_of(const bodies::Polygon<2>& polygon)
   return corners;
 }
 
-Real contact_size_of(const settings::Case& c, const mesh::SeabedMesh& bed)
+Real contact_size_of(const settings::Case& c)
 {
-  return c.fem.contact_size.value_or(bed.near_size);
+  if (c.fem.contact_size) return *c.fem.contact_size;
+  if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) return bed->near_size;
+  const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
+  Real size = 0;
+  for (std::size_t d = 0; box != nullptr && d < box->size.size(); ++d)
+    size = std::max(size, box->size[d] / static_cast<Real>(box->cells[d]));
+  return size;
 }
 
 mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const fs::path& case_folder, const fs::path& work_folder)
@@ -369,7 +375,7 @@ mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const fs::path& case_folder
   fs::create_directories(work_folder, failure);
   if (failure) throw RunError(fmt::format("the mesh cannot be written to {}: {}", work_folder.string(), failure.message()));
   const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
-  write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), contact_size_of(c, *bed), geo);
+  write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), contact_size_of(c), geo);
   mesh::Mesh<2> mesh = mesh::mesh_by_gmsh<2>(geo, msh, "mesh");
   name_regions(mesh, *bed);
   if (const mesh::GroundLine ground = ground_of(*bed); !ground.level()) name_boundaries(mesh, *bed, ground);

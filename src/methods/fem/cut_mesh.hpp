@@ -30,7 +30,7 @@ std::vector<std::string> distances_from(const bodies::RigidShape<2>& shape);
 /// Where the corners of a polygon lie, m.
 std::vector<Vec<2>> corners_of(const bodies::Polygon<2>& polygon);
 
-/// The size of the elements at a rigid body, m.
-Real contact_size_of(const settings::Case& c, const mesh::SeabedMesh& bed);
+/// The size of the elements at a rigid body, or of all where there is none, m; 0 where neither the case nor its mesh names one.
+Real contact_size_of(const settings::Case& c);
 
 }  // namespace berm::fem

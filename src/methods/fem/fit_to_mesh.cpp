@@ -139,7 +139,7 @@ const problem::Contact* contact_of(const FemModel& model)
 /// The sides of the ground that the body may reach before the next remeshing.
 std::vector<BoundarySide> sides_within_reach(const FemModel& model, const bodies::Pose<2>& pose)
 {
-  constexpr Real remeshings = 3;
+  constexpr Real remeshings = 2;
   const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
   const Real reach = remeshings * model.settings.remeshing_travel * width_of<2>(rigid.shape);
   const auto is_near = [&](Index node) { return surface_now(rigid, pose, model.mesh.position[node]).distance < reach; };

@@ -262,7 +262,8 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
 /// The mesh anew, and the equilibrium there: what moves the body by its displacement holds it, what moves it by a force goes on acting.
 void LoadSteps::remesh()
 {
-  const Vec<2> before = state_.state.rigid_bodies[model_.rigid].reaction;
+  const auto reaction = [&] { return model_.rigid == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[model_.rigid].reaction; };
+  const Vec<2> before = reaction();
   const Content old = content_of(model_, state_);
   remeshings_.folds += remesher_->remesh(model_, state_);
   const Content mapped = content_of(model_, state_);
@@ -271,7 +272,7 @@ void LoadSteps::remesh()
   last_dt_ = 0;
   if (!release_imbalance(loads_after(0), viscosity_of(dt_)) && !release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
-  const Vec<2>& after = state_.state.rigid_bodies[model_.rigid].reaction;
+  const Vec<2> after = reaction();
   remeshings_.largest_force = std::max({remeshings_.largest_force, before.norm(), after.norm()});
   const Real scale = std::max(before.norm(), small_force * remeshings_.largest_force);
   const Real change = scale > 0 ? (after - before).norm() / scale : 0;
@@ -288,19 +289,19 @@ Real LoadSteps::viscosity_of(Real dt) const
   return relaxation_ / first_travel * (first_dt_ / dt);
 }
 
-/// In large deformations no increment is longer than the travel asked for, nor than half of that between two meshes.
+/// In large deformations no increment is longer than the travel asked for, nor than a quarter of that between two meshes.
 Real LoadSteps::longest_dt() const
 {
   if (shortest_dt_ < first_dt_) return infinity;
   const Real longest = first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel), speed = speed_of_body();
   if (!remesher_ || !(speed > 0)) return longest;
-  return std::min(longest, std::min(model_.settings.largest_step, model_.settings.remeshing_travel / 2) * model_.width / speed);
+  return std::min(longest, std::min(model_.settings.largest_step, model_.settings.remeshing_travel / 4) * model_.width / speed);
 }
 
 /// Whether an increment takes the body, which a force may move, farther than it may go between two meshes: soil without contact points would meet it.
 bool LoadSteps::goes_too_far(const std::vector<Real>& change) const
 {
-  if (!remesher_) return false;
+  if (!remesher_ || model_.rigid == none) return false;
   const Index first = model_.rigid_unknown();
   Vec<3> end;
   for (int d = 0; d < 3; ++d) end[d] = state_.displacement[first + d] + change[first + d];

@@ -136,7 +136,7 @@ bool on_surface(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape, c
 }
 
 // The ends of sides, each once.
-std::vector<Index> corners_of(const std::vector<BoundarySide>& sides)
+std::vector<Index> ends_of(const std::vector<BoundarySide>& sides)
 {
   std::vector<Index> nodes;
   for (const BoundarySide& side : sides) nodes.insert(nodes.end(), {side.from, side.to});
@@ -200,7 +200,7 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const settings::Case& c,
   std::vector<std::pair<std::string, std::vector<Index>>> with_head;
   for (const auto& [name, support] : c.support) {
     if (!support.head || *support.head == 0) continue;
-    std::vector<Index> nodes = corners_of(maker.sides_at(fixed_boundary(mesh, name, support)));
+    std::vector<Index> nodes = ends_of(maker.sides_at(fixed_boundary(mesh, name, support)));
     with_head.emplace_back(support.boundary, nodes);
     for (const auto& [boundary, taken] : with_head)
       if (boundary != support.boundary)

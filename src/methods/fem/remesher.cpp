@@ -118,6 +118,22 @@ void unfold(QuadraticMesh& mesh)
   }
 }
 
+/// Formulas of Gmsh whose least is the size of an element.
+std::vector<std::string> size_formulas(const FemModel& model, const FemState& state, const ElementSizes& sizes)
+{
+  if (model.rigid == none) return {fmt::format("{}", sizes.contact)};
+  const bodies::RigidShape<2> shape = placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]);
+  std::vector<std::string> formulas;
+  for (const std::string& distance : distances_from(shape))
+    formulas.push_back(
+        fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance, sizes.fine));
+  if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape))
+    for (const Vec<2>& corner : corners_of(profile->core))
+      formulas.push_back(fmt::format("{} + {} * Sqrt((x - ({}))^2 + (y - ({}))^2)", ElementSizes::at_corner * sizes.contact,
+                                     ElementSizes::from_there, corner[0], corner[1]));
+  return formulas;
+}
+
 }  // namespace
 
 Remesher::Remesher(const settings::Case& c, std::filesystem::path folder)
@@ -125,9 +141,6 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder)
       folder_(std::move(folder)),
       gmsh_(std::make_unique<WaitingGmsh>(folder_))
 {
-  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  if (bed == nullptr)
-    throw KeyError("mesh.kind: fem.large_deformation needs kind = \"seabed\": its side walls and base are kept in remeshing");
   for (const auto& [name, rigid] : c.rigid)
     if (std::holds_alternative<bodies::HalfPlaneSettings>(rigid.shape))
       throw KeyError(fmt::format("rigid.{}.shape: fem.large_deformation needs a body of finite width", name));
@@ -136,30 +149,30 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder)
       throw KeyError(fmt::format(
           "contact.{}.scheme: fem.large_deformation needs a surface that can open: take adhesion_factor = 1 for a rough one", name));
   if (c.safety) throw KeyError("safety: the factor of safety is a small-strain analysis: remove fem.large_deformation");
-  if (!c.traction.empty())
-    throw KeyError(fmt::format("traction.{}: cannot be combined with fem.large_deformation", c.traction.front().first));
   if (c.body.size() != 1) throw KeyError("body: fem.large_deformation needs all soil in one [body]; define layers by soil_layer");
   const auto& [name, body] = c.body.front();
-  std::vector<std::string> needed = {"near", "bed"};
-  if (bed->layer > 0) needed.emplace_back("layer");
-  for (const std::string& region : needed)
-    if (std::ranges::find(body.regions, region) == body.regions.end())
-      throw KeyError(fmt::format("body.{}.regions: with fem.large_deformation the soil fills \"{}\", too", name, region));
   if (!body.region_material.empty())
     throw KeyError(
         fmt::format("body.{}.region_material: with fem.large_deformation soil leaves its region: define layers by soil_layer", name));
+  if (!std::holds_alternative<mesh::SeabedMesh>(c.mesh) && !c.contact.empty())
+    throw KeyError("mesh.kind: fem.large_deformation with a rigid body needs kind = \"seabed\", which is cut along the body");
+  if (std::holds_alternative<mesh::GmshFile>(c.mesh) && !c.fem.contact_size)
+    throw KeyError(
+        "fem.contact_size: is missing: with fem.large_deformation a mesh of kind \"gmsh\" is made anew with elements of this size");
 }
 
 ElementSizes Remesher::sizes_for(const FemModel& model) const
 {
-  const mesh::SeabedMesh& bed = std::get<mesh::SeabedMesh>(case_.mesh);
-  const Real contact = contact_size_of(case_, bed);
-  return {contact, std::max(bed.far_size.value_or(model.width), contact), model.width / 4};
+  const Real contact = contact_size_of(case_);
+  if (model.rigid == none) return {contact, contact, 0};
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&case_.mesh);
+  const Real far = bed == nullptr ? model.width : bed->far_size.value_or(model.width);
+  return {contact, std::max(far, contact), model.width / 4};
 }
 
 bool Remesher::is_due(const FemModel& model, const FemState& state) const
 {
-  if (model.rigid == none) return false;
+  if (model.rigid == none) return is_folding(model, state);
   constexpr Real rounding = 1e-9;
   const Real travel = distance_between(model.model.rigid_bodies[model.rigid], state.meshed_at, state.state.rigid_bodies[model.rigid]);
   if (travel >= (1 - rounding) * model.settings.remeshing_travel * model.width) return true;
@@ -169,17 +182,8 @@ bool Remesher::is_due(const FemModel& model, const FemState& state) const
 mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const
 {
   const ElementSizes sizes = sizes_for(model);
-  const bodies::RigidShape<2> shape = placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]);
   const std::string geo = "remesh.geo", msh = "remesh.msh";
-  std::vector<std::string> of_elements;
-  for (const std::string& distance : distances_from(shape))
-    of_elements.push_back(
-        fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance, sizes.fine));
-  if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape))
-    for (const Vec<2>& corner : corners_of(profile->core))
-      of_elements.push_back(fmt::format("{} + {} * Sqrt((x - ({}))^2 + (y - ({}))^2)", ElementSizes::at_corner * sizes.contact,
-                                        ElementSizes::from_there, corner[0], corner[1]));
-  write_outline(outline, model.model.mesh, of_elements, folder_ / geo);
+  write_outline(outline, model.model.mesh, size_formulas(model, state, sizes), folder_ / geo);
   try {
     gmsh_->mesh(geo, msh);
   } catch (const RunError& error) {
@@ -190,7 +194,8 @@ mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, 
   }
   mesh::Mesh<2> mesh = mesh::read_msh<2>(folder_ / msh);
   mesh.metric = model.model.mesh.metric;
-  name_regions(mesh, std::get<mesh::SeabedMesh>(case_.mesh));
+  mesh.region_names = model.model.mesh.region_names;
+  mesh.region.assign(mesh.cell_count(), model.mesh.region[0]);
   order_boundaries(mesh, model.model.mesh.boundary_names);
   return mesh;
 }
