@@ -270,7 +270,7 @@ void LoadSteps::remesh()
   imbalance_work_ = 0;
   newton_ = std::make_unique<Newton>(model_);
   last_dt_ = 0;
-  if (!release_imbalance(loads_after(0), viscosity_of(dt_)) && !release_imbalance(loads_after(0), release_viscosity))
+  if (!release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
   const Vec<2> after = reaction();
   remeshings_.largest_force = std::max({remeshings_.largest_force, before.norm(), after.norm()});
