@@ -234,9 +234,17 @@ Command add_run(CLI::App& program)
             if (!options->both && go_side_by_side(all, *options))
               return status_of(judged(run_side_by_side(all, *options, true), folders_of(all), *options));
             options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), written_folders(all));
-            const Outcome outcome = run_all(all, *options);
-            if (options->both && outcome == Outcome::done) simulation::on_first_rank([&] { write_page(folders_of(all)); });
-            return status_of(judged(outcome, folders_of(all), *options));
+            const auto compare = [&] {
+              if (options->both) simulation::on_first_rank([&] { write_page(folders_of(all)); });
+            };
+            try {
+              const Outcome outcome = run_all(all, *options);
+              if (outcome == Outcome::done) compare();
+              return status_of(judged(outcome, folders_of(all), *options));
+            } catch (const RunError&) {
+              if (std::ranges::all_of(folders_of(all), simulation::has_begun)) compare();
+              throw;
+            }
           }};
 }
 

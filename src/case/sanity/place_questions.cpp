@@ -291,21 +291,24 @@ void do_fine_cells_reach_the_ends(const Scene& s, Findings& found)
 void are_cells_small_enough(const Scene& s, Findings& found)
 {
   constexpr Real wanted = 5;
+  const bool has_elements = s.c.method == settings::Method::fem && s.c.fem.large_deformation;
   for_each_driven(s, [&](Index rigid) {
-    const Real size = s.cell_size(rigid, {}), width = s.rigids[rigid].width;
+    const Real size = has_elements && s.c.fem.contact_size ? *s.c.fem.contact_size : s.cell_size(rigid, {}), width = s.rigids[rigid].width;
     if (!(width < 0.85 * wanted * size)) return;
-    const std::string key = s.places.has("mesh.near_size") ? "mesh.near_size" : s.places.has("mesh.cells") ? "mesh.cells" : "mesh";
-    found.warn(key, fmt::format("cells at \"{}\" are {}, and it is {} wide: {:.2g} cells; at least {:g} are needed, and 20 for a good "
-                                "answer: make them {} or smaller",
-                                s.c.rigid[rigid].first, words_of(size, "m"), words_of(width, "m"), width / size, wanted,
-                                words_of(rounded_down(width / 10), "m")));
+    const std::string key = has_elements                     ? "fem.contact_size"
+                            : s.places.has("mesh.near_size") ? "mesh.near_size"
+                            : s.places.has("mesh.cells")     ? "mesh.cells"
+                                                             : "mesh";
+    found.warn(key, fmt::format("{0} at \"{1}\" are {2}, and it is {3} wide: {4:.2g} {0}; at least {5:g} are needed, and 20 for a good "
+                                "answer: make them {6} or smaller",
+                                has_elements ? "elements" : "cells", s.c.rigid[rigid].first, words_of(size, "m"), words_of(width, "m"),
+                                width / size, wanted, words_of(rounded_down(width / 10), "m")));
   });
 }
 
 void do_walls_cut_a_body(const Scene& s, Findings& found)
 {
   constexpr Real middle = 0.05;  // of its width: a wall there is a plane of symmetry
-  if (!in_space(s)) return;
   for_each_driven(s, [&](Index rigid) {
     for (const int d : axes_of_walls(s, rigid)) {
       const Span &body = s.rigids[rigid].space[d], &mesh = s.mesh[d];
@@ -327,7 +330,8 @@ void are_walls_far_enough(const Scene& s, Findings& found)
   constexpr Real clear = 0.75;  // widths
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Way& way = s.ways[k];
-    if (way.rigid == none || !s.rigids[way.rigid].bounded || !s.is_mpm() || !std::holds_alternative<mesh::SeabedMesh>(s.c.mesh)) continue;
+    if (way.rigid == none || !s.rigids[way.rigid].bounded || s.c.small_strain() || !std::holds_alternative<mesh::SeabedMesh>(s.c.mesh))
+      continue;
     const Real width = s.rigids[way.rigid].width;
     const Span along = swept(s, way, s.along), high = swept(s, way, s.up);
     const Real right = s.mesh[s.along].to - along.to;
@@ -353,7 +357,7 @@ void are_walls_far_enough(const Scene& s, Findings& found)
 
 void is_the_wall_beyond_the_plastic_zone(const Scene& s, Findings& found)
 {
-  if (!around_axis(s) || !s.is_mpm()) return;
+  if (!around_axis(s) || s.c.small_strain()) return;
   for (const Way& way : s.ways) {
     if (way.rigid == none || !s.rigids[way.rigid].bounded || !way.axis[s.up].known) continue;
     const RigidScene& rigid = s.rigids[way.rigid];

@@ -24,6 +24,7 @@ void are_cells_small_enough(const Scene& s, Findings& found);
 void is_the_body_two_cells_thick(const Scene& s, Findings& found);
 void do_fine_cells_reach_the_ends(const Scene& s, Findings& found);
 void do_walls_cut_a_body(const Scene& s, Findings& found);
+void do_elements_follow_a_breakout(const Scene& s, Findings& found);
 void are_walls_far_enough(const Scene& s, Findings& found);
 void is_the_wall_beyond_the_plastic_zone(const Scene& s, Findings& found);
 void is_the_bed_held(const Scene& s, Findings& found);

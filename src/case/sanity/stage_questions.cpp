@@ -511,4 +511,14 @@ void do_forces_press_down(const Scene& s, Findings& found)
   }
 }
 
+void do_elements_follow_a_breakout(const Scene& s, Findings& found)
+{
+  if (s.is_mpm() || s.c.small_strain()) return;
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k)
+    if (has_load_history(s.c.stage[k]) && is_by_force(s.c.stage[k]))
+      found.warn(stage_key(k, "load_history"),
+                 "finite elements have no inertia: where a load exceeds the resistance the run ends, and near it the displacement is that "
+                 "of the viscosity (fem.relaxation); take method = \"mpm\" for loads that move the body");
+}
+
 }  // namespace berm::sanity

@@ -336,12 +336,28 @@ bool Assembly::is_elastic(Real viscosity, Index cell) const
   return true;
 }
 
+/// Adds what the forces of a stress change by as the element turns and stretches, its symmetric part: with g_i the gradients of the shape functions and the Jaumann rate of the stress
+///
+///   A ((g_i . s g_j) 1/2 - (s g_j g_i^T + (s g_i g_j^T)^T + (g_i . g_j) s)/2 + (s g_i g_j^T + (s g_j g_i^T)^T)/2).
+void add_initial_stress(const ShapeAtPoint& shape, const SymTensor<2>& stress, Eigen::Matrix<Real, 12, 12>& stiffness)
+{
+  Matrix<2> s;
+  s << stress[0], stress[3], stress[3], stress[1];
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) {
+      const Vec<2>&g = shape.gradient[i], &h = shape.gradient[j];
+      const Vec<2> sg = s * g, sh = s * h;
+      const Matrix<2> turn = sh * g.transpose() + h * sg.transpose() + g.dot(h) * s, widen = sg * h.transpose() + g * sh.transpose();
+      stiffness.block<2, 2>(2 * i, 2 * j) += shape.area / 2 * (g.dot(sh) * Matrix<2>::Identity() - turn + widen);
+    }
+}
+
 void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell)
 {
-  const bool elastic = is_elastic(viscosity, cell);
-  if (elastic && elastic_[cell] != 0 && !model_.flow.in(cell)) return;
-  // Elastic soil keeps the stiffness that it had when the mesh was made: it moves little, and residuals are those of now.
-  const std::optional<MovedCell> moved = elastic ? std::nullopt : moved_cell(begin, change, cell);
+  const bool elastic = is_elastic(viscosity, cell), kept = elastic && !model_.flow.in(cell);
+  if (kept && elastic_[cell] != 0) return;
+  // Elastic soil without water keeps the stiffness that it had when the mesh was made: it moves little, and residuals are those of now.
+  const std::optional<MovedCell> moved = kept ? std::nullopt : moved_cell(begin, change, cell);
   if (moved && moved->inverted) return;
   elastic_[cell] = static_cast<char>(elastic);
   Eigen::Matrix<Real, 12, 12> stiffness = Eigen::Matrix<Real, 12, 12>::Zero();
@@ -360,6 +376,7 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
         },
         law_of_point(effective, cell, q).law);
     stiffness += b.transpose() * (shape.area * d.plane * b);
+    if (moved && model_.flow.in(cell)) add_initial_stress(shape, points_[cell][q].stress, stiffness);
     if (!(shape.per_radius > 0)) continue;
     const HoopStrain h = hoop_strain(shape), across = b.transpose() * Eigen::Vector3d(d.across);
     stiffness += shape.area * (across * h.transpose() + h * across.transpose() + d.around * h * h.transpose());

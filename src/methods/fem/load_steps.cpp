@@ -14,6 +14,8 @@ constexpr Real release_viscosity = 0.1;
 constexpr Real small_force = 0.05;       // of the largest reaction: changes by a remeshing are over this at least
 constexpr Real first_travel = 2e-4;      // of the width, in the first increment of a stage
 constexpr Real max_energy_error = 0.03;  // in large deformations, of the work of an increment
+constexpr Real past_the_end = 1 + 1e-6;  // so that rounding leaves no increment without length before the end of a stage
+constexpr Real too_far = 1.001;          // of the travel between two meshes
 constexpr Real short_increment = 0.01;   // over the first increment, or of the imbalance to be removed: energy is not asked for
 constexpr Real loose = 10;               // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
 constexpr Real min_growth = 5e-3;        // of the width: an increment of this travel is never too long for the pressure that it brings
@@ -80,7 +82,8 @@ void LoadSteps::find_first_equilibrium()
   drained.drained = true;
   for (Real& factor : drained.tractions) factor = 0;
   if ((model_.flow.count > 0 && !release_imbalance(drained, release_viscosity)) || !release_imbalance(loads, release_viscosity))
-    throw NoEquilibrium("the soil is not in equilibrium at the start: it cannot carry its weight with these stresses (k0, strength)");
+    throw NoEquilibrium(
+        "the soil is not in equilibrium at the start: it cannot carry its weight with these stresses (k0, strength, min_pressure)");
 }
 
 /// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found.
@@ -270,7 +273,9 @@ void LoadSteps::remesh()
   imbalance_work_ = 0;
   newton_ = std::make_unique<Newton>(model_);
   last_dt_ = 0;
-  if (!release_imbalance(loads_after(0), release_viscosity))
+  // Viscosity makes it sooner; in sand, whose strength follows its pressure, it leaves too much.
+  if (!(model_.non_associated && release_imbalance(loads_after(0), viscosity_of(dt_))) &&
+      !release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
   const Vec<2> after = reaction();
   remeshings_.largest_force = std::max({remeshings_.largest_force, before.norm(), after.norm()});
@@ -306,7 +311,7 @@ bool LoadSteps::goes_too_far(const std::vector<Real>& change) const
   Vec<3> end;
   for (int d = 0; d < 3; ++d) end[d] = state_.displacement[first + d] + change[first + d];
   const Real travel = distance_between<2>(model_.model.rigid_bodies[model_.rigid], state_.state.rigid_bodies[model_.rigid], pose_of(end));
-  return travel > model_.settings.remeshing_travel * model_.width;
+  return travel > too_far * model_.settings.remeshing_travel * model_.width;
 }
 
 /// Whether an increment conserves energy: not where an element is turned inside out between its start and its end.
@@ -322,7 +327,7 @@ IncrementEnd LoadSteps::advance()
   const Real largest_dt = longest_dt();
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
-    const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest);
+    const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest * (remesher_ ? past_the_end : 1));
     const FemLoads loads = loads_after(dt);
     std::vector<Real> change(model_.unknowns(), 0.);
     if (last_dt_ > 0)
@@ -352,11 +357,14 @@ IncrementEnd LoadSteps::advance()
     dt_ = dt / 2;
     relaxation_ = std::min(4 * relaxation_, model_.settings.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
-    if (dt_ < 1e-4 * first_dt_)
+    if (dt_ >= 1e-4 * first_dt_) continue;
+    if (!remesher_ || !remesher_->has_travelled(model_, state_))
       throw NoEquilibrium(fmt::format(
           "stage \"{}\": no equilibrium at t = {:.6g} s, even with an increment of {:.2g} s; the unbalanced forces stay at {:.2g} "
           "of the contact forces. A larger fem.relaxation (now {}) or a finer mesh may help",
           stage().name, state_.state.time, dt, end.unbalance, model_.settings.relaxation));
+    remesh();
+    dt_ = first_dt_;
   }
 }
 

@@ -16,8 +16,9 @@ constexpr int open_within_contact = 2;  // nodes between closed ones that count 
 constexpr Real kink = 40 * degree;      // between two sides of the ground: a corner that stays
 constexpr Real closed_distance = 1e-4;  // over the width: of points between nodes in contact
 
-/// The parabola through the three nodes of a side; on a wall it stays on the wall to the last bit.
-Vec<2> on_side(const Vec<2>& from, const Vec<2>& middle, const Vec<2>& to, Real part)
+/// The parabola through the values at the three nodes of a side; on a wall it stays on the wall to the last bit.
+template <class T>
+T on_side(const T& from, const T& middle, const T& to, Real part)
 {
   return from + (middle - from) * (4 * part * (1 - part)) + (to - from) * (part * (2 * part - 1));
 }
@@ -36,7 +37,8 @@ public:
       : model_(model),
         sizes_(sizes),
         position_(positions_with(model, state.displacement)),
-        closed_(model.mesh.node_count(), 0)
+        closed_(model.mesh.node_count(), 0),
+        overlap_(model.mesh.node_count(), 0)
   {
     if (model.rigid == none) return;
     rigid_ = &model.model.rigid_bodies[model.rigid];
@@ -46,6 +48,7 @@ public:
       const FemContactState& now = state.contact[k];
       const bool bonded = model.interface.tension > 0 && now.parted == 0;
       closed_[point.node] = static_cast<char>(now.traction.dot(point.normal) > 0 || bonded);
+      if (closed_[point.node]) overlap_[point.node] = -now.gap;
     }
     // A node on the axis has no contact point.
     for (const BoundarySide& side : model.contact_sides)
@@ -55,7 +58,8 @@ public:
     if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape)) corners_ = corners_of(profile->core);
     for (const BoundarySide& side : model.mesh.boundary_sides)
       if (is_ground(model.model.mesh, side))
-        for (const Index node : {side.from, side.middle, side.to}) position_[node] = put_beside_body(position_[node], closed_[node] != 0);
+        for (const Index node : {side.from, side.middle, side.to})
+          position_[node] = put_beside_body(position_[node], closed_[node] != 0, overlap_[node]);
   }
 
   /// `sides`: numbers of boundary sides, each of which begins where the one before ends, the first where the last ends.
@@ -75,12 +79,13 @@ private:
   bool is_ground_at(std::size_t k) const { return is_ground(model_.model.mesh, side(k)); }
   Real distance(const Vec<2>& x) const { return rigid_ == nullptr ? infinity : surface_now(*rigid_, pose_, x).distance; }
 
-  Vec<2> put_beside_body(const Vec<2>& x, bool closed) const
+  /// `overlap`: m, of what is closed: the compression of its contact spring.
+  Vec<2> put_beside_body(const Vec<2>& x, bool closed, Real overlap = 0) const
   {
     if (rigid_ == nullptr) return x;
     const bodies::SurfacePoint<2> nearest = surface_now(*rigid_, pose_, x);
     if (!closed && nearest.distance >= 0) return x;
-    Vec<2> beside = x - nearest.distance * nearest.normal;
+    Vec<2> beside = x - (nearest.distance + overlap) * nearest.normal;
     if (x[0] == 0 && model_.model.mesh.metric == mesh::Metric::axisymmetric) beside[0] = 0;
     return beside;
   }
@@ -190,8 +195,11 @@ private:
     const Real first = a.side == b.side ? a.part : 0, part = first + fraction * (b.part - first);
     OutlinePoint point{on_side(position_[side(b.side).from], position_[side(b.side).middle], position_[side(b.side).to], part), b.side,
                        part};
-    if (rigid_ != nullptr && is_ground_at(b.side))
-      point.x = put_beside_body(point.x, in_contact(b.side) && distance(point.x) < closed_distance * model_.width);
+    if (rigid_ != nullptr && is_ground_at(b.side)) {
+      const BoundarySide& of = side(b.side);
+      const Real overlap = std::max(Real(0), on_side(overlap_[of.from], overlap_[of.middle], overlap_[of.to], part));
+      point.x = put_beside_body(point.x, in_contact(b.side) && distance(point.x) < closed_distance * model_.width, overlap);
+    }
     return point;
   }
 
@@ -224,7 +232,8 @@ private:
   const FemModel& model_;
   const ElementSizes& sizes_;
   NodeField<Vec<2>> position_;
-  NodeField<char> closed_;  ///< nodes in contact
+  NodeField<char> closed_;   ///< nodes in contact
+  NodeField<Real> overlap_;  ///< m, of these: the compression of their springs; negative where tension stretches them
   const bodies::RigidBody<2>* rigid_ = nullptr;
   bodies::Pose<2> pose_;
   std::vector<Sample> samples_;

@@ -170,11 +170,16 @@ ElementSizes Remesher::sizes_for(const FemModel& model) const
   return {contact, std::max(far, contact), model.width / 4};
 }
 
+Real Remesher::travel_of_body(const FemModel& model, const FemState& state)
+{
+  return distance_between(model.model.rigid_bodies[model.rigid], state.meshed_at, state.state.rigid_bodies[model.rigid]);
+}
+
 bool Remesher::is_due(const FemModel& model, const FemState& state) const
 {
   if (model.rigid == none) return is_folding(model, state);
   constexpr Real rounding = 1e-9;
-  const Real travel = distance_between(model.model.rigid_bodies[model.rigid], state.meshed_at, state.state.rigid_bodies[model.rigid]);
+  const Real travel = travel_of_body(model, state);
   if (travel >= (1 - rounding) * model.settings.remeshing_travel * model.width) return true;
   return travel > 0 && (is_met_elsewhere(model, state) || is_folding(model, state));
 }

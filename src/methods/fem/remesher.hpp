@@ -21,11 +21,18 @@ public:
   /// Whether the body has travelled far enough, soil that no contact point stands for has come to it, or an element is about to fold.
   bool is_due(const FemModel& model, const FemState& state) const;
 
+  /// Whether the body has moved since the mesh was made.
+  static bool has_travelled(const FemModel& model, const FemState& state)
+  {
+    return model.rigid != none && travel_of_body(model, state) > 0;
+  }
+
   /// Puts a new mesh in the place of the old one. The state is then out of equilibrium by the error of the mapping. Throws RunError where no mesh can be made. Gives the
   /// number of places at which soil has folded onto soil.
   int remesh(FemModel& model, FemState& state) const;
 
 private:
+  static Real travel_of_body(const FemModel& model, const FemState& state);
   mesh::Mesh<2> make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const;
   ElementSizes sizes_for(const FemModel& model) const;
 

@@ -259,10 +259,11 @@ Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real widt
 std::string method_words(const Model& model)
 {
   const settings::Case& c = model.settings;
-  std::string words =
-      fmt::format("{}, {}. {} cells.", c.geometry == settings::Geometry::axisymmetric ? "Axisymmetric" : "Plane strain",
-                  c.method == settings::Method::mpm ? "material point method" : "small-strain finite elements around the body in place",
-                  text::count_words(model.ground.cells));
+  std::string words = fmt::format("{}, {}. {} cells.", c.geometry == settings::Geometry::axisymmetric ? "Axisymmetric" : "Plane strain",
+                                  c.method == settings::Method::mpm ? "material point method"
+                                  : c.small_strain()                ? "small-strain finite elements around the body in place"
+                                                                    : "remeshed finite elements",
+                                  text::count_words(model.ground.cells));
   const Vec<2>& gravity = model.sketch.gravity;
   if (gravity.norm() > 0) words += fmt::format(" Gravity {:.3g} g", gravity.norm() / standard_gravity);
   if (gravity[0] != 0 && gravity[1] != 0)

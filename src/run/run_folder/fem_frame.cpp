@@ -69,7 +69,6 @@ struct DrawnField {
   FieldInfo info;
   std::vector<int> first;  ///< by body: which of the numbers of a point is its first component, or none
   std::function<Real(const fem::SoilPoint&, int first, int component)> of;
-  bool positive = true;  ///< what is drawn out of a single number is cut off at 0
 };
 
 /// What the soil has of its own at the integration points, where it varies: by body, the field's place among the own values.
@@ -107,8 +106,7 @@ void add_effective_stress(const problem::Model<2>& model, std::size_t body, std:
     auto found = std::find_if(fields.begin(), fields.end(), [&](const DrawnField& field) { return field.info.name == info.name; });
     if (found == fields.end()) {
       const std::vector<int> in_no_body(model.bodies.size(), none);
-      found = fields.insert(found, info.components > 1 ? DrawnField{info, in_no_body, effective, false}
-                                                       : DrawnField{info, in_no_body, mean, false});
+      found = fields.insert(found, info.components > 1 ? DrawnField{info, in_no_body, effective} : DrawnField{info, in_no_body, mean});
     }
     found->first[body] = place;
   }
@@ -134,8 +132,7 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
       auto found = std::find_if(fields.begin(), fields.end(), [&](const DrawnField& field) { return field.info.name == info.name; });
       if (found == fields.end())
         found = fields.insert(found, {info, std::vector<int>(bodies, none),
-                                      [](const fem::SoilPoint& point, int place, int) { return point.law_state[place]; },
-                                      first != pore_pressure_index(model.bodies[b].soil.materials.front())});
+                                      [](const fem::SoilPoint& point, int place, int) { return point.law_state[place]; }});
       found->first[b] = first;
     }
     add_effective_stress(model, b, fields);
@@ -167,6 +164,7 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
   std::vector<FieldValues<Real>*> shown;
   for (const DrawnField& field : drawn) shown.push_back(&frame.field(field.info.name));
   NodeField<NodalSums> sums(mesh.node_count());
+  std::vector<char> positive(drawn.size(), 1);  // what is nowhere negative is not drawn out to be
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     Real area = 0;
     for (const fem::ShapeAtPoint& shape : model.shape[cell]) area += shape.per_radius > 0 ? shape.area * shape.per_radius : shape.area;
@@ -191,8 +189,11 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
         sum.gradient += weight * gradient[q];
         sum.gradient_since_last += weight * since_last[q];
         for (std::size_t f = 0; f < drawn.size(); ++f)
-          for (int c = 0, first = drawn[f].first[mesh.body[cell]]; first != none && c < drawn[f].info.components; ++c)
-            shown[f]->at(node, c) += weight * drawn[f].of(state.points[cell][q], first, c);
+          for (int c = 0, first = drawn[f].first[mesh.body[cell]]; first != none && c < drawn[f].info.components; ++c) {
+            const Real value = drawn[f].of(state.points[cell][q], first, c);
+            shown[f]->at(node, c) += weight * value;
+            positive[f] = positive[f] && value >= 0;
+          }
       }
     }
   }
@@ -201,7 +202,7 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
       for (int c = 0; c < drawn[f].info.components; ++c) {
         Real& value = shown[f]->at(node, c);
         value /= sums[node].area;
-        if (drawn[f].info.components == 1 && drawn[f].positive) value = std::max(Real(0), value);
+        if (drawn[f].info.components == 1 && positive[f]) value = std::max(Real(0), value);
       }
   return sums;
 }

@@ -75,7 +75,7 @@ Real reference_depth(const settings::Case& c, const problem::Ground& ground)
   };
   Real depth = c.dimension() == 2 ? lowest(bodies::to_vec<2>(c.gravity)) : lowest(bodies::to_vec<3>(c.gravity));
   if (!std::isfinite(depth)) depth = 0;
-  if (c.method == settings::Method::mpm)
+  if (!c.small_strain())
     for (const settings::StageSettings& stage : c.stage)
       if (stage.kind == settings::StageKind::push) depth = std::max(depth, stage.until.embedment.value_or(0));
   return std::max(Real(0), depth);

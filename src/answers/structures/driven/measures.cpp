@@ -348,7 +348,7 @@ TrustMeasures remeshing(const settings::Case& c)
              return fmt::format("{} at {} remeshings, {} at most", text::percent_words(value), text::count_words(run.check("remeshings")),
                                 text::percent_words(run.check("largest_change_by_remeshing")));
            },
-           "remeshing changes the contact force by {} on average: use smaller elements (fem.contact_size)", text::percent_words},
+           "remeshing changes the contact force on average by {}: use smaller elements (fem.contact_size)", text::percent_words},
           {"energy lost by remeshing, over the work", &limits::energy_by_remeshing, base::always,
            [](Run run) { return std::abs(run.check("energy_lost_by_remeshing")); },
            [](Run run, Real value) {

@@ -213,7 +213,7 @@ PublishedValues published_beside(const driven::DrivenRun& run)
 
   const auto* sand = std::get_if<SandAround>(&soil);
   const auto* clay = std::get_if<ClayAround>(&soil);
-  const bool heaves = run.settings.method == settings::Method::mpm && points.push_end.has_value();
+  const bool heaves = !run.settings.small_strain() && points.push_end.has_value();
   const Real part = base::modelled_part(run.settings);
   for (ComparedState& state : values.states) {
     state.V /= part;
