@@ -25,7 +25,8 @@ void check_rigid_contacts(Describe& d, const Case& c)
     check_name(d, path + ".rigid", contact.rigid, "rigid", names);
     check_name(d, path + ".other_rigid", contact.other_rigid, "rigid", names);
     d.check(contact.rigid != contact.other_rigid, path + ".other_rigid", "a body is in no contact with itself");
-    d.check(c.method == Method::mpm, path, "is for the material point method: in finite elements one rigid body moves");
+    d.check(c.method == Method::mpm, path,
+            "is for the material point method: in finite elements rigid bodies have no contact with each other");
     d.check(c.geometry != Geometry::axisymmetric, path,
             "is for plane strain and space: around an axis bodies do not move towards each other");
     d.check(index_of(c.body, name) == none && index_of(c.watch, name) == none && index_of(c.traction, name) == none &&

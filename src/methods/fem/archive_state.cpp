@@ -65,14 +65,12 @@ void archive_mesh(Archive& k, const settings::Case& c, FemModel& model, FemState
       k("of_points", watch.of_points);
       if (watch.cell < 0 || watch.cell >= model.mesh.cell_count()) k.refuse("it is in no element");
     });
-  k("meshed_at", state.meshed_at.displacement);
-  k("meshed_at_angle", state.meshed_at.orientation.angle);
+  for (std::size_t r = 0; r < state.meshed_at.size(); ++r)
+    k.table(fmt::format("meshed_at_{}", r), [&] { problem::archive(k, state.meshed_at[r]); });
   if (!k.reads()) return;
   for (const auto* field : {&model.mesh.position, &state.was_at[0], &state.was_at[1], &state.was_at[2]})
     if (field->size() != nodes) k.refuse("its nodes are of another mesh");
-  std::vector<bodies::Pose<2>> poses(model.model.rigid_bodies.size());
-  if (model.rigid != none) poses[static_cast<std::size_t>(model.rigid)] = state.meshed_at;
-  fit_to_mesh(c, state.place_at(Moment::start), poses, model);
+  fit_to_mesh(c, state.place_at(Moment::start), state.meshed_at, model);
   state.displacement.assign(static_cast<std::size_t>(model.unknowns()), 0.);
   state.points.assign(model.mesh.cell_count());
   state.contact.assign(model.contact.size(), {});
@@ -83,8 +81,8 @@ void archive(Archive& k, const FemModel& model, FemState& state)
 {
   static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::max_state + 2) * sizeof(Real));
   static_assert(sizeof(FemContactState) == 5 * sizeof(Real));
-  static_assert(sizeof(FemState) == sizeof(problem::State<2>) + (5 + moments) * sizeof(std::vector<Real>) + sizeof(Vec<2>) +
-                                        3 * sizeof(Real) + sizeof(bodies::Pose<2>));
+  static_assert(sizeof(FemState) ==
+                sizeof(problem::State<2>) + (6 + moments) * sizeof(std::vector<Real>) + sizeof(Vec<2>) + 3 * sizeof(Real));
   k.table("state", [&] { problem::archive(k, model.model, state.state); });
   k.fixed("displacement", state.displacement);
   archive_numbers(k, "points", state.points, [](std::array<SoilPoint, triangle_points>& of_cell, const auto& number) {

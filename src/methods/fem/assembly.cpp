@@ -394,8 +394,7 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
   contact_force_ = 0;
   for (std::size_t k = 0; k < contact_.size(); ++k) {
     const FemContactPoint& point = model_.contact[k];
-    const Index unknowns[5] = {2 * point.node, 2 * point.node + 1, model_.rigid_unknown(), model_.rigid_unknown() + 1,
-                               model_.rigid_unknown() + 2};
+    const std::array<Index, 5> unknowns = model_.unknowns_of(point);
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change[unknowns[i]];
     const ContactForce now = fem::contact_force(model_, k, begin, moved);
@@ -411,11 +410,12 @@ void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
   const NodeField<std::uint8_t>& fixed = model_.mesh.fixed[model_.model.conditions.table_of_stage[stage]];
   for (Index node = 0; node < fixed.size(); ++node)
     for (int d = 0; d < 2; ++d) prescribed_[2 * node + d] = static_cast<char>(fixed[node] >> d & 1);
-  if (model_.rigid != none)
-    for (int d = 0; d < 3; ++d) {
-      const Index unknown = model_.rigid_unknown() + d;
-      prescribed_[unknown] = static_cast<char>(!loads.rigid[d].by_force);
-      if (loads.rigid[d].by_force) residual_[unknown] -= loads.rigid[d].value;
+  for (Index contact = 0; contact < model_.contact_count(); ++contact)
+    for (Index d = 0; d < 3; ++d) {
+      const Index unknown = model_.rigid_unknown(contact) + d;
+      const FemLoads::Direction direction = loads.direction_of(contact, d);
+      prescribed_[unknown] = static_cast<char>(!direction.by_force);
+      if (direction.by_force) residual_[unknown] -= direction.value;
     }
   if (model_.flow.count == 0) return;
   const NodeField<char>& open = model_.flow.open[model_.model.conditions.table_of_stage[stage]];
@@ -467,10 +467,13 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
     for (int d = 0; d < 2; ++d) force[d] = prescribed_[2 * node + d] ? 0 : residual_[2 * node + d];
     unbalanced_ += force.norm();
   }
-  for (Index unknown = model_.rigid_unknown(); unknown < std::min(model_.rigid_unknown() + 2, model_.pressure_unknown()); ++unknown)
-    if (!prescribed_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
-  if (const FemLoads::Direction& angle = loads.rigid[2]; model_.rigid != none && angle.by_force && angle.value != 0)
-    unbalanced_ += std::abs(residual_[model_.rigid_unknown() + 2]) / model_.width;
+  for (Index contact = 0; contact < model_.contact_count(); ++contact) {
+    const Index first = model_.rigid_unknown(contact);
+    for (const Index unknown : {first, first + 1})
+      if (!prescribed_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
+    if (const FemLoads::Direction angle = loads.direction_of(contact, 2); angle.by_force && angle.value != 0)
+      unbalanced_ += std::abs(residual_[first + 2]) / model_.width;
+  }
 }
 
 void Assembly::differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity)
@@ -494,19 +497,21 @@ std::vector<Real> Assembly::matrix() const
   return matrix;
 }
 
-Vec<2> Assembly::reaction() const
+Vec<2> Assembly::reaction(Index contact) const
 {
   Vec<2> sum = Vec<2>::Zero();
-  for (std::size_t k = 0; k < contact_.size(); ++k) sum -= model_.contact[k].area * contact_[k].traction;
+  for (std::size_t k = 0; k < contact_.size(); ++k)
+    if (model_.contact[k].contact == contact) sum -= model_.contact[k].area * contact_[k].traction;
   if (model_.model.mesh.metric == mesh::Metric::axisymmetric) sum[0] = 0;  // balances itself around the axis
   return sum;
 }
 
-Real Assembly::torque() const
+Real Assembly::torque(Index contact) const
 {
   Real sum = 0;
   if (model_.model.mesh.metric == mesh::Metric::axisymmetric) return sum;
   for (std::size_t k = 0; k < contact_.size(); ++k) {
+    if (model_.contact[k].contact != contact) continue;
     const Vec<2>&arm = arms_[k], &traction = contact_[k].traction;
     sum -= model_.contact[k].area * (arm[0] * traction[1] - arm[1] * traction[0]);
   }
@@ -529,8 +534,8 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   count_work(state, change, loads);
   state.points = points_;
   state.contact = contact_;
-  for (FemContactState& point : state.contact)
-    if (parts(model_.interface, point)) point.parted = 1;
+  for (std::size_t k = 0; k < contact_.size(); ++k)
+    if (parts(model_.interfaces[model_.contact[k].contact], contact_[k])) state.contact[k].parted = 1;
   state.gravity = loads.gravity;
   state.tractions = loads.tractions;
   state.initial_imbalance_factor = loads.initial_imbalance_factor;
@@ -545,14 +550,15 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
         carried += model_.shape[cell][q].area * std::sqrt(double_dot(point.stress, point.stress));
       }
   state.overstress = carried > 0 ? over / carried : 0;
-  if (model_.rigid == none) return;
-  bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.rigid];
-  rigid.reaction = reaction();
-  rigid.torque = torque();
-  rigid.recent = bodies::RecentReaction<2>::steady(rigid.reaction, rigid.torque);
-  const Index first = model_.rigid_unknown();
-  rigid.displacement = Vec<2>(state.displacement[first], state.displacement[first + 1]);
-  rigid.orientation.angle = state.displacement[first + 2];
+  for (Index contact = 0; contact < model_.contact_count(); ++contact) {
+    bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.model.contacts[contact].rigid];
+    rigid.reaction = reaction(contact);
+    rigid.torque = torque(contact);
+    rigid.recent = bodies::RecentReaction<2>::steady(rigid.reaction, rigid.torque);
+    const Index first = model_.rigid_unknown(contact);
+    rigid.displacement = Vec<2>(state.displacement[first], state.displacement[first + 1]);
+    rigid.orientation.angle = state.displacement[first + 2];
+  }
 }
 
 void Assembly::store_initial_imbalance(const FemState& state, const FemLoads& loads)

@@ -8,7 +8,7 @@
 
 namespace berm::fem {
 
-/// Loads of an increment, and the motion of the rigid body.
+/// Loads of an increment, and the motion of the rigid body that it moves; the others are held.
 struct FemLoads {
   Vec<2> gravity = Vec<2>::Zero();    ///< m/s2
   std::vector<Real> tractions;        ///< load factor of each; none where empty
@@ -16,10 +16,14 @@ struct FemLoads {
   Real initial_imbalance_factor = 0;  ///< fraction of the initial unbalanced forces that fictitious forces still balance
   Real dt = 0;                        ///< s, duration of the increment; 0: none, so that no strain rate is defined, and no water flows
   bool drained = false;               ///< there is no excess pore pressure
+  Index moved = 0;                    ///< the contact of the body that moves
   struct Direction {
     bool by_force = false;
     Real value = 0;  ///< m (rad): prescribed movement in this increment; or N/m (N m/m): force on the body
-  } rigid[3];        ///< x, y, angle
+  } rigid[3];        ///< x, y, angle of this body
+
+  /// Of the body of any contact.
+  Direction direction_of(Index contact, Index d) const { return contact == moved ? rigid[d] : Direction{}; }
 };
 
 /// Plastic dissipation of an increment, J/m, and what it lacks to that with the law's strength at the final stresses.
@@ -83,9 +87,9 @@ public:
   /// its shear strength.
   StrengthLag strength_lag(const FemState& begin, const std::vector<Real>& change) const;
 
-  /// Force of the soil on the rigid body, N/m, and its moment about the body's centre, N m/m.
-  Vec<2> reaction() const;
-  Real torque() const;
+  /// Force of the soil on the rigid body of a contact, N/m, and its moment about the body's centre, N m/m.
+  Vec<2> reaction(Index contact = 0) const;
+  Real torque(Index contact = 0) const;
   /// Force of each support on the soil in this stage, N/m: the residual where it holds.
   std::vector<Vec<2>> support_forces(Index stage) const;
 

@@ -34,14 +34,13 @@ void refuse_without_k0(const settings::Case& c)
     if (!body.has_k0()) throw KeyError(fmt::format("body.{}.k0: is missing: {} finite elements need k0 of all bodies", name, why));
 }
 
-/// Throws KeyError where a stage moves another body than the one that meets the soil.
+/// Throws KeyError where a stage moves a body that does not meet the soil.
 void refuse_other_drives(const FemModel& model)
 {
   for (std::size_t k = 0; k < model.model.stages.size(); ++k)
-    if (model.model.driven[k] != none && model.model.driven[k] != model.rigid)
-      throw KeyError(
-          fmt::format("stage[{}].rigid: finite elements move the rigid body that a contact joins with the soil; rigid.{} has none", k,
-                      model.model.rigid_bodies[model.model.driven[k]].name));
+    if (model.model.driven[k] != none && model.contact_of(model.model.driven[k]) == none)
+      throw KeyError(fmt::format("stage[{}].rigid: finite elements move rigid bodies that a contact joins with the soil; rigid.{} has none",
+                                 k, model.model.rigid_bodies[model.model.driven[k]].name));
 }
 
 /// The first stress at the points of all elements, from k0.
@@ -74,13 +73,14 @@ void set_law_state(const FemModel& model, FemState& state)
     }
 }
 
-/// Width of the rigid body, m; of a half plane that of the soil it meets.
-Real width_at_contact(const FemModel& model)
+/// Width of the rigid body of a contact, m; of a half plane that of the soil it meets.
+Real width_at_contact(const FemModel& model, Index contact)
 {
-  const Real width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
+  const Real width = width_of<2>(model.rigid_of(contact).shape);
   if (std::isfinite(width)) return width;
   Real first = infinity, last = -infinity;
   for (const FemContactPoint& point : model.contact) {
+    if (point.contact != contact) continue;
     const Real along = model.mesh.position[point.node].dot(Vec<2>(-point.normal[1], point.normal[0]));
     first = std::min(first, along);
     last = std::max(last, along);
@@ -109,17 +109,15 @@ void round_corners(const settings::Case& c, FemModel& model)
   }
 }
 
-/// Where the soil is, and what of the ground a rigid body does not touch.
+/// Where the soil is, and what of the ground no rigid body touches.
 void begin_large_deformation(FemModel& model, FemState& state)
 {
   state.was_at.fill(model.mesh.position);
-  if (model.rigid == none) return;
-  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
-  state.meshed_at = state.state.rigid_bodies[model.rigid];
+  state.meshed_at = poses_of(state);
   for (std::size_t k = 0; k < state.contact.size(); ++k) {
     FemContactState& point = state.contact[k];
-    point.gap = surface_now(rigid, state.meshed_at, model.mesh.position[model.contact[k].node]).distance;
-    if (point.gap > 1e-9 * width_of<2>(rigid.shape)) point.parted = 1;
+    point.gap = nearest_surface(model, state.meshed_at, model.mesh.position[model.contact[k].node]).distance;
+    if (point.gap > 1e-9 * width_of<2>(model.rigid_of(model.contact[k].contact).shape)) point.parted = 1;
   }
   place_contact(model, state);
 }
@@ -146,10 +144,14 @@ FemProblem build_fem(const settings::Case& c, const std::string& case_folder, co
   for (const bodies::RigidBody<2>& rigid : model.model.rigid_bodies) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
   state.state.rigid_bodies.resize(model.model.rigid_bodies.size());
-  fit_to_mesh(c, model.mesh.position, {state.state.rigid_bodies.begin(), state.state.rigid_bodies.end()}, model);
-  model.model.main_rigid = model.rigid;
+  fit_to_mesh(c, model.mesh.position, poses_of(state), model);
   refuse_other_drives(model);
-  if (model.rigid != none) model.width = width_at_contact(model);
+  if (model.contact_count() == 0)
+    model.model.main_rigid = none;
+  else if (model.contact_of(model.model.main_rigid) == none)
+    model.model.main_rigid = model.model.contacts.front().rigid;
+  for (Index k = 0; k < model.contact_count(); ++k)
+    model.width = k == 0 ? width_at_contact(model, k) : std::min(model.width, width_at_contact(model, k));
   set_first_stress(c, model, state);
   if (by_gravity) load_by_gravity(c, model, state);
   set_law_state(model, state);

@@ -35,10 +35,10 @@ ContactForce contact_force(const FemModel& model, std::size_t point, const FemSt
   FemContactState before = begin.contact[point];
   Eigen::Matrix<Real, 2, 5> p = relative_movement(at);
   if (model.settings.large_deformation) {
-    const bool bonded = model.interface.tension > 0 && before.parted == 0;
+    const bool bonded = model.interfaces[at.contact].tension > 0 && before.parted == 0;
     if (const Real gap = before.gap - (p * moved).norm(); gap > 0 && !bonded) return apart(gap, before, at.arm);
-    const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
-    const Index first = model.rigid_unknown();
+    const bodies::RigidBody<2>& rigid = model.rigid_of(at.contact);
+    const Index first = model.rigid_unknown(at.contact);
     const Vec<3> body(begin.displacement[first], begin.displacement[first + 1], begin.displacement[first + 2]);
     const bodies::Pose<2> pose = pose_of(body + Vec<3>(moved.tail<3>()));
     const Vec<2> x = position_now(model, begin, at.node) + Vec<2>(moved.head<2>());

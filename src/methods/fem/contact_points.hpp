@@ -7,7 +7,7 @@
 
 namespace berm::fem {
 
-/// A node of the soil on the surface of the rigid body: one unilateral Coulomb constraint. The body is wished in place, so
+/// A node of the soil on the surface of a rigid body: one unilateral Coulomb constraint. The body is wished in place, so
 /// all points are closed at first.
 struct FemContactPoint {
   Index node;
@@ -16,6 +16,7 @@ struct FemContactPoint {
   Real area;          ///< m2 per metre run, share of the surface
   Real adhesion = 0;  ///< Pa, before it slides
   Real friction = 0;  ///< coefficient
+  Index contact = 0;  ///< in Model::contacts
 };
 
 /// State of a contact point.

@@ -20,10 +20,10 @@ constexpr Real enough_descent = 0.01;  // the line search ends at a slope of thi
 
 ContactStep::ContactStep(const FemModel& model) : model_(model)
 {
-  if (model.rigid == none) return;
+  if (model.contact_count() == 0) return;
   for (const FemContactPoint& point : model.contact)
     for (int d = 0; d < 2; ++d) unknowns_.push_back(2 * point.node + d);
-  for (int d = 0; d < 3; ++d) unknowns_.push_back(model.rigid_unknown() + d);
+  for (Index unknown = model.rigid_unknown(); unknown < model.pressure_unknown(); ++unknown) unknowns_.push_back(unknown);
   const auto n = static_cast<Eigen::Index>(unknowns_.size());
   prescribed_.resize(n);
   for (Vector* v : {&change_, &force_, &step_, &first_step_, &direction_, &unbalanced_}) v->resize(n);
@@ -35,8 +35,9 @@ void ContactStep::evaluate(const FemState& begin, const Vector& step, bool with_
 {
   force_.setZero();
   if (with_stiffness) stiffness_.setZero();
-  const auto rigid = static_cast<int>(unknowns_.size()) - 3;
-  for (int k = 0; k < static_cast<int>(model_.contact.size()); ++k) {
+  const auto points = static_cast<int>(model_.contact.size());
+  for (int k = 0; k < points; ++k) {
+    const int rigid = 2 * points + 3 * static_cast<int>(model_.contact[static_cast<std::size_t>(k)].contact);
     const int at[5] = {2 * k, 2 * k + 1, rigid, rigid + 1, rigid + 2};
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change_[at[i]] + step[at[i]];

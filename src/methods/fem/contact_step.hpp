@@ -18,7 +18,7 @@ class ContactStep {
 public:
   explicit ContactStep(const FemModel& model);
 
-  /// x and y of each contact point's node, then the three of the rigid body; none without contact.
+  /// x and y of each contact point's node, then the three of each rigid body; none without contact.
   const std::vector<Index>& unknowns() const { return unknowns_; }
 
   /// The step from `change` on, by unknown of the contact, replaces the load (N/m; the step itself where the unknown is

@@ -30,13 +30,11 @@ struct FemModel {
   CellField<Real> cell_size;                             ///< m, root of the element's area
   CellField<std::array<Real, triangle_points>> density;  ///< kg/m3, at the integration points, that gives the weight
   CellField<std::array<Real, triangle_points>> depth;    ///< m, of the integration points below the bed's surface at the start
-  Index rigid = none;                                    ///< the rigid body in contact with the soil
-  std::vector<FemContactPoint> contact;                  ///< in large deformations where they are at the start of the increment
+  std::vector<FemContactPoint> contact;     ///< contact by contact; in large deformations where they are at the start of the increment
   std::vector<BoundarySide> contact_sides;  ///< in large deformations: those that may come into contact before the next remeshing
-  FemInterface interface;                   ///< but for its friction and adhesion, which are those of the point
-  problem::AdhesionLaw adhesion_law;
-  Real width = 1;                             ///< m, of the rigid body, unit of the increments of travel; 1 where there is none
-  Real weight = 0;                            ///< N/m, of all soil
+  std::vector<FemInterface> interfaces;     ///< by contact, but for friction and adhesion, which are those of the point
+  Real width = 1;   ///< m, of the narrowest rigid body in contact, unit of the increments of travel; 1 where there is none
+  Real weight = 0;  ///< N/m, of all soil
   std::vector<std::vector<NodalLoad>> loads;  ///< by traction
   settings::FemSettings settings;
   bool non_associated = false;  ///< the flow of some soil is non-associated
@@ -44,8 +42,8 @@ struct FemModel {
   std::vector<FemWatch> watches;
   FlowModel flow;
 
-  // Unknowns: 2 i and 2 i + 1 are the displacements (x, y) of node i; then those of the rigid body, where there is one: three (x, y, angle); then the
-  // excess pore pressures, where water flows.
+  // Unknowns: 2 i and 2 i + 1 are the displacements (x, y) of node i; then three (x, y, angle) of the rigid body of each contact; then the excess pore
+  // pressures, where water flows.
   SparsePattern pattern;                          ///< of the soil alone
   CellField<std::array<Index, 78>> cell_entries;  ///< in the pattern, of the lower triangle of each element's 12 x 12 entries, row by row
   /// The material at an integration point of a cell, with its strength and stiffness there and the friction of such cells.
@@ -57,8 +55,32 @@ struct FemModel {
   const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }
 
   Index unknowns() const { return pressure_unknown() + flow.count; }
-  Index rigid_unknown() const { return 2 * mesh.position.size(); }
-  Index pressure_unknown() const { return rigid_unknown() + (rigid == none ? 0 : 3); }
+  Index rigid_unknown(Index contact = 0) const { return 2 * mesh.position.size() + 3 * contact; }
+  Index pressure_unknown() const { return rigid_unknown(contact_count()); }
+  /// Those that a contact point joins: of its node and of its rigid body.
+  std::array<Index, 5> unknowns_of(const FemContactPoint& point) const
+  {
+    const Index first = rigid_unknown(point.contact);
+    return {2 * point.node, 2 * point.node + 1, first, first + 1, first + 2};
+  }
+
+  Index contact_count() const { return static_cast<Index>(model.contacts.size()); }
+  /// The rigid body of a contact, of which each has another.
+  const bodies::RigidBody<2>& rigid_of(Index contact) const { return model.rigid_bodies[model.contacts[contact].rigid]; }
+  /// The contact of a rigid body with the soil, or none.
+  Index contact_of(Index rigid) const
+  {
+    for (Index contact = 0; contact < contact_count(); ++contact)
+      if (model.contacts[contact].rigid == rigid) return contact;
+    return none;
+  }
+  /// Pa/m, of the stiffest interface; 0 without contact.
+  Real contact_stiffness() const
+  {
+    Real stiffest = 0;
+    for (const FemInterface& interface : interfaces) stiffest = std::max(stiffest, interface.stiffness);
+    return stiffest;
+  }
 };
 
 /// State of the soil at an integration point.
@@ -88,7 +110,7 @@ struct FemState {
   Real overstress = 0;                 ///< overstress over stress: integrals of both over the soil at yield
   /// In large deformations, by moment: where the soil that is now at each node was then, m.
   std::array<NodeField<Vec<2>>, moments> was_at;
-  bodies::Pose<2> meshed_at;  ///< that of the rigid body when the mesh was made
+  std::vector<bodies::Pose<2>> meshed_at;  ///< in large deformations: those of the rigid bodies when the mesh was made
 
   NodeField<Vec<2>>& place_at(Moment moment) { return was_at[static_cast<std::size_t>(moment)]; }
   const NodeField<Vec<2>>& place_at(Moment moment) const { return was_at[static_cast<std::size_t>(moment)]; }
@@ -126,6 +148,21 @@ inline bodies::Pose<2> pose_of(const Vec<3>& unknowns)
 /// The point of the surface of a rigid body that is nearest to x, where the body is now.
 bodies::SurfacePoint<2> surface_now(const bodies::RigidBody<2>& rigid, const bodies::Pose<2>& pose, const Vec<2>& x);
 
+/// Where the rigid bodies are.
+inline std::vector<bodies::Pose<2>> poses_of(const FemState& state)
+{
+  return {state.state.rigid_bodies.begin(), state.state.rigid_bodies.end()};
+}
+
+/// The point of the surfaces of all rigid bodies in contact that is nearest to x, and whose contact it is: none, at an infinite distance, without contact.
+struct NearestSurface : bodies::SurfacePoint<2> {
+  Index contact = none;
+};
+NearestSurface nearest_surface(const FemModel& model, const std::vector<bodies::Pose<2>>& poses, const Vec<2>& x);
+
+/// The rigid bodies in contact where they are, by contact.
+std::vector<bodies::RigidShape<2>> shapes_in_contact(const FemModel& model, const FemState& state);
+
 /// The interface at a contact point in an increment that begins with this state.
 FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin);
 
@@ -138,7 +175,7 @@ struct FemProblem {
 /// strength; `poses`: of the rigid bodies. Throws InputError where the case does not fit the method.
 void fit_to_mesh(const settings::Case& c, const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2>>& poses, FemModel& model);
 
-/// In large deformations: puts the contact points where the nodes and the rigid body are.
+/// In large deformations: puts the contact points where the nodes and the rigid bodies are.
 void place_contact(FemModel& model, const FemState& state);
 
 /// Builds mesh, elements and initial state. Throws InputError where the case does not fit the method.

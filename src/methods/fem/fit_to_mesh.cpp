@@ -84,17 +84,18 @@ void number_unknowns(FemModel& model)
   }
 }
 
-/// Modulus of the stiffest soil that the surface of the rigid body meets, Pa: of its P-waves, in large deformations of shear, since stiff springs on a surface that turns need short increments; where regions have their own materials, the stiffest of all at these depths.
-Real stiffest_at_contact(const FemModel& model, const NodeField<Vec<2>>& was_at, Index body)
+/// Modulus of the stiffest soil that the surface of the rigid body of a contact meets, Pa: of its P-waves, in large deformations of shear, since stiff springs on a surface that turns need short increments; where regions have their own materials, the stiffest of all at these depths.
+Real stiffest_at_contact(const FemModel& model, const NodeField<Vec<2>>& was_at, Index contact)
 {
-  const settings::BodySoil& soil = model.model.bodies[body].soil;
+  const settings::BodySoil& soil = model.model.bodies[model.model.contacts[contact].body].soil;
   const auto modulus = [&](const material::Material& there) {
     return model.settings.large_deformation ? soft_contact * elasticity(there).shear : p_wave_modulus(there);
   };
   // What comes from the mudline has hardly a stiffness, and lies on stiffer soil.
-  const Real least = model.settings.large_deformation ? width_of<2>(model.model.rigid_bodies[model.rigid].shape) / 4 : -infinity;
+  const Real least = model.settings.large_deformation ? width_of<2>(model.rigid_of(contact).shape) / 4 : -infinity;
   Real stiffest = 0;
   for (const FemContactPoint& point : model.contact) {
+    if (point.contact != contact) continue;
     const Real depth = std::max(model.model.soil_depth(was_at[point.node]), least);
     stiffest = std::max(stiffest, modulus(soil.at("", depth)));
     for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, modulus(soil.at(region, depth)));
@@ -102,10 +103,9 @@ Real stiffest_at_contact(const FemModel& model, const NodeField<Vec<2>>& was_at,
   return stiffest;
 }
 
-/// The friction of each contact point, and its adhesion before it slides: beside soil at rest at its depth.
-void set_adhesion(FemModel& model, const NodeField<Vec<2>>& was_at, const problem::Contact& contact)
+/// Throws KeyError where the soil beside an interface cannot be told by its depth.
+void refuse_regions_beside(const FemModel& model, const problem::Contact& contact)
 {
-  model.adhesion_law = contact.adhesion_law;
   const settings::BodySoil& soil = model.model.bodies[contact.body].soil;
   const bool by_soil = !contact.adhesion_law.by_soil.empty();
   if ((contact.adhesion_law.factor > 0 || by_soil) && !soil.of_region.empty())
@@ -113,61 +113,102 @@ void set_adhesion(FemModel& model, const NodeField<Vec<2>>& was_at, const proble
         fmt::format("contact.{}.{}: finite elements find the soil beside the interface by its depth: give the soil by soil_layer "
                     "instead of region_material, or one friction and an adhesion in Pa",
                     contact.name, by_soil ? "soil" : "adhesion_factor"));
+}
+
+/// The friction of each contact point, and its adhesion before it slides: beside soil at rest at its depth.
+void set_adhesion(FemModel& model, const NodeField<Vec<2>>& was_at)
+{
   for (FemContactPoint& point : model.contact) {
+    const problem::Contact& contact = model.model.contacts[point.contact];
+    const settings::BodySoil& soil = model.model.bodies[contact.body].soil;
     const Real depth = model.model.soil_depth(was_at[point.node]);
     const material::Material there = soil.at("", depth);
     const Index number = soil.material_index_at("", depth);
     const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(there)), 0);
     point.adhesion = contact.adhesion_law.at(there, undisturbed.data(), 0, number);
-    point.friction = by_soil ? contact.adhesion_law.by_soil[static_cast<std::size_t>(number)].friction : contact.friction;
+    point.friction =
+        !contact.adhesion_law.by_soil.empty() ? contact.adhesion_law.by_soil[static_cast<std::size_t>(number)].friction : contact.friction;
   }
 }
 
-/// The rigid body that meets the soil; none without contact.
-const problem::Contact* contact_of(const FemModel& model)
+/// Throws KeyError where a contact is not with a rigid body of its own.
+void refuse_contacts(const FemModel& model)
 {
-  const problem::Contact* found = nullptr;
-  for (const problem::Contact& contact : model.model.contacts) {
+  for (Index k = 0; k < model.contact_count(); ++k) {
+    const problem::Contact& contact = model.model.contacts[k];
     if (contact.rigid == none)
       throw KeyError(fmt::format("contact.{}.other_body: the finite element method supports contact with a rigid body only", contact.name));
-    if (found != nullptr) throw KeyError(fmt::format("contact.{}: the finite element method supports one contact only", contact.name));
-    found = &contact;
+    if (model.contact_of(contact.rigid) != k)
+      throw KeyError(fmt::format("contact.{}.rigid: the finite element method supports one contact with each rigid body", contact.name));
+    refuse_regions_beside(model, contact);
   }
-  return found;
 }
 
-/// The sides of the ground that the body may reach before the next remeshing.
-std::vector<BoundarySide> sides_within_reach(const FemModel& model, const bodies::Pose<2>& pose)
+/// The sides of the ground that a body may reach before the next remeshing.
+std::vector<BoundarySide> sides_within_reach(const FemModel& model, const std::vector<bodies::Pose<2>>& poses)
 {
   constexpr Real remeshings = 2;
-  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
-  const Real reach = remeshings * model.settings.remeshing_travel * width_of<2>(rigid.shape);
-  const auto is_near = [&](Index node) { return surface_now(rigid, pose, model.mesh.position[node]).distance < reach; };
+  const Real reach = remeshings * model.settings.remeshing_travel;
+  const auto is_near = [&](Index node) {
+    const NearestSurface nearest = nearest_surface(model, poses, model.mesh.position[node]);
+    return nearest.distance < reach * width_of<2>(model.rigid_of(nearest.contact).shape);
+  };
   std::vector<BoundarySide> sides;
   for (const BoundarySide& side : model.mesh.boundary_sides)
     if (is_ground(model.model.mesh, side) && (is_near(side.from) || is_near(side.middle) || is_near(side.to))) sides.push_back(side);
   return sides;
 }
 
+/// The sides on the surfaces of the rigid bodies. Throws KeyError where one has none.
+std::vector<BoundarySide> sides_on_surfaces(const FemModel& model)
+{
+  std::vector<BoundarySide> all;
+  for (Index k = 0; k < model.contact_count(); ++k) {
+    const std::vector<BoundarySide> sides = contact_sides(model.mesh, model.rigid_of(k).shape);
+    if (sides.empty())
+      throw KeyError(
+          fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", model.model.contacts[k].name, model.rigid_of(k).name));
+    all.insert(all.end(), sides.begin(), sides.end());
+  }
+  return all;
+}
+
+/// The contact points of these sides, each at the body that is nearest to it.
+std::vector<FemContactPoint> contact_points_at(const FemModel& model, const std::vector<BoundarySide>& sides,
+                                               const NodeField<Vec<2>>& position, const std::vector<bodies::Pose<2>>& poses)
+{
+  std::vector<FemContactPoint> points;
+  for (Index k = 0; k < model.contact_count(); ++k)
+    for (FemContactPoint& point :
+         make_contact_points(sides, position, placed(model.rigid_of(k), poses[model.model.contacts[k].rigid]), model.model.mesh.metric)) {
+      point.contact = k;
+      if (nearest_surface(model, poses, position[point.node]).contact == k) points.push_back(point);
+    }
+  return points;
+}
+
 void make_contact(FemModel& model, const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2>>& poses)
 {
-  const problem::Contact* contact = contact_of(model);
-  if (contact == nullptr) return;
-  model.rigid = contact->rigid;
-  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[contact->rigid];
-  const mesh::Metric metric = model.model.mesh.metric;
-  const auto sides =
-      model.settings.large_deformation ? sides_within_reach(model, poses[contact->rigid]) : contact_sides(model.mesh, rigid.shape);
-  if (model.settings.large_deformation)
-    model.contact_sides = sides;
-  else if (sides.empty())
-    throw KeyError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact->name, rigid.name));
-  model.contact = make_contact_points(sides, model.mesh.position, placed(rigid, poses[contact->rigid]), metric);
-  Real length = 0;
-  for (const FemContactPoint& point : model.contact) length += section_of(metric, point.area, model.mesh.position[point.node]);
-  const Real stiffness = contact_stiffness * stiffest_at_contact(model, was_at, contact->body) * static_cast<Real>(sides.size());
-  model.interface = {0, 0, rules_of(contact->scheme).tied, length > 0 ? stiffness / length : 0, contact->tension};
-  set_adhesion(model, was_at, *contact);
+  refuse_contacts(model);
+  if (model.contact_count() == 0) return;
+  const bool large = model.settings.large_deformation;
+  model.contact_sides = large ? sides_within_reach(model, poses) : sides_on_surfaces(model);
+  model.contact = contact_points_at(model, model.contact_sides, model.mesh.position, poses);
+  model.interfaces.clear();
+  for (Index k = 0; k < model.contact_count(); ++k) {
+    const problem::Contact& contact = model.model.contacts[k];
+    NodeField<char> is_here(model.mesh.node_count(), 0);
+    Real length = 0;
+    for (const FemContactPoint& point : model.contact) {
+      if (point.contact != k) continue;
+      is_here[point.node] = 1;
+      length += section_of(model.model.mesh.metric, point.area, model.mesh.position[point.node]);
+    }
+    const auto sides = std::ranges::count_if(model.contact_sides, [&](const BoundarySide& side) { return is_here[side.middle] != 0; });
+    const Real stiffness = contact_stiffness * stiffest_at_contact(model, was_at, k) * static_cast<Real>(sides);
+    model.interfaces.push_back({0, 0, rules_of(contact.scheme).tied, length > 0 ? stiffness / length : 0, contact.tension});
+  }
+  set_adhesion(model, was_at);
 }
 
 /// Shape functions and depths of the points of all elements, and the weight of the soil.
@@ -211,9 +252,10 @@ void hold_axis(FemModel& model)
 
 FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin)
 {
-  FemInterface interface = model.interface;
-  interface.friction = model.contact[point].friction;
-  interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.contact[point].slip);
+  const FemContactPoint& at = model.contact[point];
+  FemInterface interface = model.interfaces[at.contact];
+  interface.friction = at.friction;
+  interface.adhesion = at.adhesion * model.model.contacts[at.contact].adhesion_law.part_left(begin.contact[point].slip);
   if (model.flow.count > 0)
     for (const Index unknown : model.flow.at_contact[point])
       if (unknown != none) interface.pore_pressure += begin.displacement[unknown] / 2;
@@ -227,6 +269,24 @@ bodies::SurfacePoint<2> surface_now(const bodies::RigidBody<2>& rigid, const bod
   bodies::SurfacePoint<2> surface = surface_at<2>(rigid.shape, at_first);
   surface.normal = turned * surface.normal;
   return surface;
+}
+
+NearestSurface nearest_surface(const FemModel& model, const std::vector<bodies::Pose<2>>& poses, const Vec<2>& x)
+{
+  NearestSurface nearest{{infinity, Vec<2>::Zero()}, none};
+  for (Index k = 0; k < model.contact_count(); ++k)
+    if (const bodies::SurfacePoint<2> surface = surface_now(model.rigid_of(k), poses[model.model.contacts[k].rigid], x);
+        surface.distance < nearest.distance)
+      nearest = {surface, k};
+  return nearest;
+}
+
+std::vector<bodies::RigidShape<2>> shapes_in_contact(const FemModel& model, const FemState& state)
+{
+  std::vector<bodies::RigidShape<2>> shapes;
+  for (Index k = 0; k < model.contact_count(); ++k)
+    shapes.push_back(placed(model.rigid_of(k), state.state.rigid_bodies[model.model.contacts[k].rigid]));
+  return shapes;
 }
 
 NodeField<Vec<2>> positions_with(const FemModel& model, const std::vector<Real>& displacement)
@@ -243,15 +303,16 @@ void note_places(const FemModel& model, Moment moment, const std::vector<Real>& 
 
 void place_contact(FemModel& model, const FemState& state)
 {
-  if (model.contact.empty()) return;
   const NodeField<Vec<2>> position = positions_with(model, state.displacement);
-  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
-  const bodies::Pose<2>& pose = state.state.rigid_bodies[model.rigid];
-  const std::vector<FemContactPoint> now = make_contact_points(model.contact_sides, position, placed(rigid, pose), model.model.mesh.metric);
-  for (std::size_t k = 0; k < now.size(); ++k) {
-    model.contact[k].area = now[k].area;
-    model.contact[k].arm = now[k].arm;
-    model.contact[k].normal = surface_now(rigid, pose, position[now[k].node]).normal;
+  NodeField<Real> area(model.mesh.node_count(), 0);
+  for (const FemContactPoint& point : contact_points_at(model, model.contact_sides, position, poses_of(state)))
+    area[point.node] = point.area;
+  for (FemContactPoint& point : model.contact) {
+    const bodies::RigidBody<2>& rigid = model.rigid_of(point.contact);
+    const bodies::Pose<2>& pose = state.state.rigid_bodies[model.model.contacts[point.contact].rigid];
+    point.area = area[point.node];
+    point.arm = position[point.node] - center_now(rigid, pose);
+    point.normal = surface_now(rigid, pose, position[point.node]).normal;
   }
 }
 

@@ -113,6 +113,7 @@ void LoadSteps::accept_equilibrium(const std::vector<Real>& change, const FemLoa
 {
   newton_->assembly().accept(state_, change, loads);
   if (model_.settings.large_deformation) place_contact(model_, state_);
+  if (remesher_) remesher_->refuse_meeting(model_, state_);
   for (const FemContactState& point : state_.contact) max_overlap_ = std::max(max_overlap_, -point.gap);
 }
 
@@ -207,6 +208,7 @@ FemLoads LoadSteps::loads_after(Real dt) const
   FemLoads loads = dead_loads(state_.state.time + dt);
   loads.dt = dt;
   if (driven() == none) return loads;
+  loads.moved = model_.contact_of(driven());
   const problem::StageState<2>& now = state_.state.stage;
   const Real since = state_.state.time - now.begin_time;
   for (int f = 0; f < bodies::freedoms<2>; ++f) {
@@ -223,7 +225,7 @@ Real LoadSteps::part_within_force(const IncrementEnd& end) const
   const std::optional<Real>& limit = stage().until.force;
   if (!limit || driven() == none || !end.converged) return 1;
   const Real before = resistance(model_.model, state_.state, state_.state.rigid_bodies[driven()].reaction),
-             after = resistance(model_.model, state_.state, newton_->assembly().reaction());
+             after = resistance(model_.model, state_.state, newton_->assembly().reaction(model_.contact_of(driven())));
   const Real direction = lifts(model_.model, state_.state) ? -1 : 1;
   return direction * (after - *limit) > std::abs(*limit) * 1e-4 ? std::max(0.1, (*limit - before) / (after - before)) : 1;
 }
@@ -265,8 +267,7 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
 /// The mesh anew, and the equilibrium there: what moves the body by its displacement holds it, what moves it by a force goes on acting.
 void LoadSteps::remesh()
 {
-  const auto reaction = [&] { return model_.rigid == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[model_.rigid].reaction; };
-  const Vec<2> before = reaction();
+  const std::vector<bodies::RigidState<2>> before = state_.state.rigid_bodies;
   const Content old = content_of(model_, state_);
   remeshings_.folds += remesher_->remesh(model_, state_);
   const Content mapped = content_of(model_, state_);
@@ -277,10 +278,13 @@ void LoadSteps::remesh()
   if (!(model_.non_associated && release_imbalance(loads_after(0), viscosity_of(dt_))) &&
       !release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
-  const Vec<2> after = reaction();
-  remeshings_.largest_force = std::max({remeshings_.largest_force, before.norm(), after.norm()});
-  const Real scale = std::max(before.norm(), small_force * remeshings_.largest_force);
-  const Real change = scale > 0 ? (after - before).norm() / scale : 0;
+  const std::vector<bodies::RigidState<2>>& after = state_.state.rigid_bodies;
+  Real change = 0;
+  for (std::size_t r = 0; r < after.size(); ++r)
+    remeshings_.largest_force = std::max({remeshings_.largest_force, before[r].reaction.norm(), after[r].reaction.norm()});
+  for (std::size_t r = 0; r < after.size(); ++r)
+    if (const Real scale = std::max(before[r].reaction.norm(), small_force * remeshings_.largest_force); scale > 0)
+      change = std::max(change, (after[r].reaction - before[r].reaction).norm() / scale);
   remeshings_.lost_energy += old.energy - mapped.energy - imbalance_work_;
   remeshings_.lost_area += old.area - mapped.area;
   ++remeshings_.count;
@@ -306,11 +310,11 @@ Real LoadSteps::longest_dt() const
 /// Whether an increment takes the body, which a force may move, farther than it may go between two meshes: soil without contact points would meet it.
 bool LoadSteps::goes_too_far(const std::vector<Real>& change) const
 {
-  if (!remesher_ || model_.rigid == none) return false;
-  const Index first = model_.rigid_unknown();
+  if (!remesher_ || driven() == none) return false;
+  const Index first = model_.rigid_unknown(model_.contact_of(driven()));
   Vec<3> end;
   for (int d = 0; d < 3; ++d) end[d] = state_.displacement[first + d] + change[first + d];
-  const Real travel = distance_between<2>(model_.model.rigid_bodies[model_.rigid], state_.state.rigid_bodies[model_.rigid], pose_of(end));
+  const Real travel = distance_between<2>(model_.model.rigid_bodies[driven()], state_.state.rigid_bodies[driven()], pose_of(end));
   return travel > too_far * model_.settings.remeshing_travel * model_.width;
 }
 
@@ -349,7 +353,7 @@ IncrementEnd LoadSteps::advance()
       const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[driven()].reaction;
       accept_equilibrium(change, loads);
       const Real force = newton_->assembly().contact_force();
-      accept(change, dt, end, force > 0 ? (newton_->assembly().reaction() - before).norm() / force : 0);
+      accept(change, dt, end, force > 0 ? (newton_->assembly().reaction(loads.moved) - before).norm() / force : 0);
       refuse_cavitation(model_, state_);
       if (state_.overstress > max_overstress && driven() != none) refuse_overstress();
       return end;
@@ -358,7 +362,7 @@ IncrementEnd LoadSteps::advance()
     relaxation_ = std::min(4 * relaxation_, model_.settings.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
     if (dt_ >= 1e-4 * first_dt_) continue;
-    if (!remesher_ || !remesher_->has_travelled(model_, state_))
+    if (!remesher_ || Remesher::travel_since_mesh(model_, state_) == 0)
       throw NoEquilibrium(fmt::format(
           "stage \"{}\": no equilibrium at t = {:.6g} s, even with an increment of {:.2g} s; the unbalanced forces stay at {:.2g} "
           "of the contact forces. A larger fem.relaxation (now {}) or a finer mesh may help",

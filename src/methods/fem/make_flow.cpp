@@ -51,14 +51,6 @@ bool closed_across(const FemModel& model, const BoundarySide& side, std::uint8_t
   return across >= along.squaredNorm() / 2;
 }
 
-/// Whether the rigid body keeps the water in.
-bool seals(const FemModel& model)
-{
-  const auto& contacts = model.model.contacts;
-  return model.rigid != none && std::none_of(contacts.begin(), contacts.end(),
-                                             [&](const auto& contact) { return contact.rigid == model.rigid && contact.drained; });
-}
-
 /// The volume of the soil at an integration point over that at the start.
 Real volume_ratio(const FemModel& model, const NodeField<Vec<2>>& was_at, Index cell, int q)
 {
@@ -69,17 +61,17 @@ Real volume_ratio(const FemModel& model, const NodeField<Vec<2>>& was_at, Index 
   return model.shape[cell][q].area / then.area;
 }
 
-/// The sides that the body keeps shut: in large deformations those whose middle touches it, since its corners are arcs that the first mesh does not have.
-std::vector<BoundarySide> sides_at_body(const FemModel& model, const bodies::Pose<2>& pose)
+/// The sides that rigid bodies keep shut: those whose middle touches one that does not drain; corners are arcs in large deformations, which the first mesh does not have.
+std::vector<BoundarySide> shut_sides(const FemModel& model, const std::vector<bodies::Pose<2>>& poses)
 {
-  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
-  if (!model.settings.large_deformation) return contact_sides(model.mesh, rigid.shape);
   constexpr Real rounding = 1e-6;
   std::vector<BoundarySide> sides;
-  for (const BoundarySide& side : model.contact_sides)
-    if (std::abs(surface_now(rigid, pose, model.mesh.position[side.middle]).distance) <
-        rounding * (model.mesh.position[side.to] - model.mesh.position[side.from]).norm())
+  for (const BoundarySide& side : model.contact_sides) {
+    const NearestSurface nearest = nearest_surface(model, poses, model.mesh.position[side.middle]);
+    if (!model.model.contacts[nearest.contact].drained &&
+        std::abs(nearest.distance) < rounding * (model.mesh.position[side.to] - model.mesh.position[side.from]).norm())
       sides.push_back(side);
+  }
   return sides;
 }
 
@@ -140,8 +132,7 @@ void make_flow(const NodeField<Vec<2>>& was_at, const std::vector<bodies::Pose<2
       if (const Index unknown = flow.unknown[node]; unknown != none) unknowns.push_back(unknown);
     std::sort(unknowns.begin(), unknowns.end());
   }
-  const std::vector<BoundarySide> shut =
-      seals(model) ? sides_at_body(model, poses[static_cast<std::size_t>(model.rigid)]) : std::vector<BoundarySide>{};
+  const std::vector<BoundarySide> shut = shut_sides(model, poses);
   for (const NodeField<std::uint8_t>& closed : model.mesh.impermeable) flow.open.push_back(open_nodes(model, shut, closed));
 }
 

@@ -96,13 +96,14 @@ public:
     return point.part < 0.5 ? end_[side.from] + 2 * point.part * (middle - end_[side.from])
                             : middle + (2 * point.part - 1) * (end_[side.to] - middle);
   }
-  /// That of the nearest node; null where it had none.
-  const FemContactState* nearest(const OutlinePoint& point) const
+  /// That of the nearest node in this contact; null where it had none.
+  const FemContactState* nearest(const OutlinePoint& point, Index contact) const
   {
     const BoundarySide& side = old_.model.mesh.boundary_sides[point.side];
     const Index node = point.part < 0.25 ? side.from : point.part < 0.75 ? side.middle : side.to;
     const Index k = point_of_[node] == none ? point_of_[side.middle] : point_of_[node];  // on the axis a node has no point
-    return k == none ? nullptr : &old_.state.contact[static_cast<std::size_t>(k)];
+    const bool none_here = k == none || old_.model.contact[static_cast<std::size_t>(k)].contact != contact;
+    return none_here ? nullptr : &old_.state.contact[static_cast<std::size_t>(k)];
   }
 
 private:
@@ -127,9 +128,10 @@ std::vector<FemContactState> map_contact(const OldMesh& old, const std::vector<c
   std::vector<FemContactState> mapped;
   for (const FemContactPoint& point : model.contact) {
     const OutlinePoint& there = *outline[static_cast<std::size_t>(point.node)];
-    const FemContactState* before = contact.nearest(there);
+    const FemContactState* before = contact.nearest(there, point.contact);
     FemContactState& now = mapped.emplace_back();
-    now.gap = surface_now(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid], there.x).distance;
+    now.gap =
+        surface_now(model.rigid_of(point.contact), state.state.rigid_bodies[model.model.contacts[point.contact].rigid], there.x).distance;
     now.parted = before == nullptr ? 1 : before->parted;
     now.slip = before == nullptr ? 0 : before->slip;
     now.traction = contact.shear_at(there) * Vec<2>(-point.normal[1], point.normal[0]);
@@ -174,7 +176,7 @@ void map_state(const FemModel& old_model, const FemState& old_state, const std::
     state.was_at[m].assign(mesh.node_count());
     for (Index node = 0; node < mesh.node_count(); ++node) state.was_at[m][node] = old.at(of_node[node], old_state.was_at[m]);
   }
-  fit_to_mesh(c, state.place_at(Moment::start), {old_state.state.rigid_bodies.begin(), old_state.state.rigid_bodies.end()}, model);
+  fit_to_mesh(c, state.place_at(Moment::start), poses_of(old_state), model);
 
   state.displacement.assign(static_cast<std::size_t>(model.unknowns()), 0.);
   for (Index d = 0; d < model.pressure_unknown() - model.rigid_unknown(); ++d)
@@ -191,7 +193,7 @@ void map_state(const FemModel& old_model, const FemState& old_state, const std::
       return_to_surface(model, cell, q, state.state.time, point);
     }
   });
-  if (model.rigid != none) state.contact = map_contact(old, outline, model, state);
+  state.contact = map_contact(old, outline, model, state);
   for (FemWatch& watch : model.watches) {
     Vec<2> x = Vec<2>::Zero();
     for (int k = 0; k < 6; ++k) x += watch.of_nodes[k] * old.position[old_model.mesh.nodes[watch.cell][k]];

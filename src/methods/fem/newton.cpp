@@ -26,7 +26,7 @@ Newton::Newton(const FemModel& model)
 {
   if (model.flow.count > 0) solver_.emplace<DirectSolver>(model.pattern, contact_.unknowns(), MatrixKind::indefinite);
   // Positions are rounded, and so are the gaps that follow from them.
-  if (model.settings.large_deformation) min_force_ += rounding_of_gap * model.interface.stiffness * model.width * model.width;
+  if (model.settings.large_deformation) min_force_ += rounding_of_gap * model.contact_stiffness() * model.width * model.width;
   for (const std::vector<NodalLoad>& loads : model.loads)
     for (const NodalLoad& load : loads) min_force_ += 1e-3 * load.force.norm();
   boundary::for_each_of<boundary::Head<2>>(model.model.conditions, [&](std::size_t h, const auto&, const auto& head) {
@@ -51,7 +51,7 @@ bool Newton::set_step(const FemState& begin, const FemLoads& loads, const std::v
     if (k >= model_.pressure_unknown())
       prescribed = assembly_.outside_pressure(k) - begin.displacement[k];
     else if (k >= model_.rigid_unknown())
-      prescribed = loads.rigid[k - model_.rigid_unknown()].value;
+      prescribed = loads.direction_of((k - model_.rigid_unknown()) / 3, (k - model_.rigid_unknown()) % 3).value;
     step_[k] = prescribed - change[k];
     moves_as_prescribed = moves_as_prescribed && std::abs(step_[k]) <= 1e-12 * std::abs(prescribed);
   }

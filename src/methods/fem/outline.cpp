@@ -38,15 +38,14 @@ public:
         sizes_(sizes),
         position_(positions_with(model, state.displacement)),
         closed_(model.mesh.node_count(), 0),
-        overlap_(model.mesh.node_count(), 0)
+        overlap_(model.mesh.node_count(), 0),
+        poses_(poses_of(state))
   {
-    if (model.rigid == none) return;
-    rigid_ = &model.model.rigid_bodies[model.rigid];
-    pose_ = state.state.rigid_bodies[model.rigid];
+    if (model.contact_count() == 0) return;
     for (std::size_t k = 0; k < model.contact.size(); ++k) {
       const FemContactPoint& point = model.contact[k];
       const FemContactState& now = state.contact[k];
-      const bool bonded = model.interface.tension > 0 && now.parted == 0;
+      const bool bonded = model.interfaces[point.contact].tension > 0 && now.parted == 0;
       closed_[point.node] = static_cast<char>(now.traction.dot(point.normal) > 0 || bonded);
       if (closed_[point.node]) overlap_[point.node] = -now.gap;
     }
@@ -54,8 +53,9 @@ public:
     for (const BoundarySide& side : model.contact_sides)
       for (const Index node : {side.from, side.to})
         if (is_on_axis(node)) closed_[node] = closed_[side.middle];
-    const bodies::RigidShape<2> shape = placed(*rigid_, pose_);
-    if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape)) corners_ = corners_of(profile->core);
+    for (const bodies::RigidShape<2>& shape : shapes_in_contact(model, state))
+      if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape))
+        for (const Vec<2>& corner : corners_of(profile->core)) corners_.push_back(corner);
     for (const BoundarySide& side : model.mesh.boundary_sides)
       if (is_ground(model.model.mesh, side))
         for (const Index node : {side.from, side.middle, side.to})
@@ -77,15 +77,15 @@ public:
 private:
   const BoundarySide& side(std::size_t k) const { return model_.mesh.boundary_sides[k]; }
   bool is_ground_at(std::size_t k) const { return is_ground(model_.model.mesh, side(k)); }
-  Real distance(const Vec<2>& x) const { return rigid_ == nullptr ? infinity : surface_now(*rigid_, pose_, x).distance; }
+  NearestSurface nearest(const Vec<2>& x) const { return nearest_surface(model_, poses_, x); }
+  Real distance(const Vec<2>& x) const { return nearest(x).distance; }
 
   /// `overlap`: m, of what is closed: the compression of its contact spring.
   Vec<2> put_beside_body(const Vec<2>& x, bool closed, Real overlap = 0) const
   {
-    if (rigid_ == nullptr) return x;
-    const bodies::SurfacePoint<2> nearest = surface_now(*rigid_, pose_, x);
-    if (!closed && nearest.distance >= 0) return x;
-    Vec<2> beside = x - (nearest.distance + overlap) * nearest.normal;
+    const NearestSurface surface = nearest(x);
+    if (surface.contact == none || (!closed && surface.distance >= 0)) return x;
+    Vec<2> beside = x - (surface.distance + overlap) * surface.normal;
     if (x[0] == 0 && model_.model.mesh.metric == mesh::Metric::axisymmetric) beside[0] = 0;
     return beside;
   }
@@ -158,19 +158,24 @@ private:
       if (ends_at_from || (k > 0 && stays(sides[k - 1], sides[k]))) keep(k * samples_of_side, ends_at_from);
       if (middle && from != to) keep(k * samples_of_side + samples_of_side / 2, true);
     }
-    if (edges_.empty()) note_nearest();
+    note_nearest();
     kept.push_back(samples_.back().length);
     return kept;
   }
 
-  /// Where nothing is in contact yet, what will be first.
+  /// Where nothing is in contact with a body yet, what will be first.
   void note_nearest()
   {
-    if (rigid_ == nullptr) return;
-    const auto nearest = std::min_element(samples_.begin(), samples_.end(), [&](const Sample& a, const Sample& b) {
-      return std::abs(distance(a.x)) < std::abs(distance(b.x));
-    });
-    if (std::abs(distance(nearest->x)) < sizes_.fine) edges_.push_back(nearest->x);
+    std::vector<Vec<2>> first;
+    for (Index k = 0; k < model_.contact_count(); ++k) {
+      if (std::ranges::any_of(edges_, [&](const Vec<2>& edge) { return nearest(edge).contact == k; })) continue;
+      const auto away = [&](const Sample& sample) {
+        return std::abs(surface_now(model_.rigid_of(k), poses_[model_.model.contacts[k].rigid], sample.x).distance);
+      };
+      const Sample& there = *std::ranges::min_element(samples_, {}, away);
+      if (away(there) < sizes_.fine) first.push_back(there.x);
+    }
+    edges_.insert(edges_.end(), first.begin(), first.end());
   }
 
   Real size_at(const OutlinePoint& point) const
@@ -195,9 +200,11 @@ private:
     const Real first = a.side == b.side ? a.part : 0, part = first + fraction * (b.part - first);
     OutlinePoint point{on_side(position_[side(b.side).from], position_[side(b.side).middle], position_[side(b.side).to], part), b.side,
                        part};
-    if (rigid_ != nullptr && is_ground_at(b.side)) {
+    if (is_ground_at(b.side)) {
       const BoundarySide& of = side(b.side);
-      const Real overlap = std::max(Real(0), on_side(overlap_[of.from], overlap_[of.middle], overlap_[of.to], part));
+      const std::array<Real, 3> overlaps = {overlap_[of.from], overlap_[of.middle], overlap_[of.to]};
+      const auto [least, most] = std::ranges::minmax(overlaps);
+      const Real overlap = std::clamp(on_side(overlaps[0], overlaps[1], overlaps[2], part), least, most);
       point.x = put_beside_body(point.x, in_contact(b.side) && distance(point.x) < closed_distance * model_.width, overlap);
     }
     return point;
@@ -234,11 +241,10 @@ private:
   NodeField<Vec<2>> position_;
   NodeField<char> closed_;   ///< nodes in contact
   NodeField<Real> overlap_;  ///< m, of these: the compression of their springs; negative where tension stretches them
-  const bodies::RigidBody<2>* rigid_ = nullptr;
-  bodies::Pose<2> pose_;
+  std::vector<bodies::Pose<2>> poses_;
   std::vector<Sample> samples_;
   std::vector<Vec<2>> edges_;    ///< of the contact
-  std::vector<Vec<2>> corners_;  ///< of the body
+  std::vector<Vec<2>> corners_;  ///< of the bodies
 };
 
 /// The boundary sides in their order, loop by loop.

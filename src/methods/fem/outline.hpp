@@ -5,16 +5,16 @@
 
 namespace berm::fem {
 
-/// The size of elements in large deformations, m: `contact` up to a quarter of the body's width from its surface, growing from there to `largest`; half of it at the edges of the contact, a quarter at the corners of the body.
+/// The size of elements in large deformations, m: `contact` up to a quarter of the width of the narrowest body from the surface of the nearest, growing from there to `largest`; half of it at the edges of the contact, a quarter at the corners of bodies.
 struct ElementSizes {
-  Real contact, largest, fine;  ///< fine: m from the body
+  Real contact, largest, fine;  ///< fine: m from a body
   static constexpr Real growth = 0.15;
   static constexpr Real at_edge = 0.5, at_corner = 0.25;  ///< over `contact`
   static constexpr Real from_there = 0.25;                ///< growth with the distance from edge or corner
 
-  /// At a distance from the body.
+  /// At a distance from the nearest body.
   Real at(Real distance) const { return std::min(largest, contact + growth * std::max(Real(0), std::abs(distance) - fine)); }
-  /// Of sides of the outline, also at distances from the nearest edge of the contact and corner of the body.
+  /// Of sides of the outline, also at distances from the nearest edge of the contact and corner of a body.
   Real of_side(Real distance, Real from_edge, Real from_corner) const
   {
     return std::min({at(distance), at_edge * contact + from_there * from_edge, at_corner * contact + from_there * from_corner});
@@ -32,7 +32,7 @@ struct OutlinePoint {
 struct OutlineSide {
   OutlinePoint corner, middle;
   Index boundary;
-  bool free;  ///< ground that does not touch the body
+  bool free;  ///< ground that touches no body
 };
 
 /// A closed line with the soil on its left; a side ends where the next begins.
@@ -41,11 +41,11 @@ using OutlineLoop = std::vector<OutlineSide>;
 /// m2, of the polygon of the corners; negative around a void.
 Real area_within(const OutlineLoop& loop);
 
-/// Joins soil to soil where a loop meets itself at free sides, or comes as near as a part of a side: what lies between is taken as filled, but for a hole around the body. Gives the number of such places.
+/// Joins soil to soil where a loop meets itself at free sides, or comes as near as a part of a side: what lies between is taken as filled, but for a hole around a body. Gives the number of such places.
 int close_folds(std::vector<OutlineLoop>& loops);
 
-/// The outline of the soil as it now is, divided anew: its sides are parts of the curved sides of the mesh; ends of the contact, kinks and corners between boundaries stay. What touches the body lies on its
-/// exact surface, what does not lies outside of it. Where soil has folded onto soil the two are one, and `folds` counts it. The first loop is the outer one.
+/// The outline of the soil as it now is, divided anew: its sides are parts of the curved sides of the mesh; ends of the contact, kinks and corners between boundaries stay. What touches a body lies on its
+/// exact surface, what does not lies outside of all. Where soil has folded onto soil the two are one, and `folds` counts it. The first loop is the outer one.
 std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes, int& folds);
 
 }  // namespace berm::fem

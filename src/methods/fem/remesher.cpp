@@ -26,18 +26,17 @@ bool is_folding(const FemModel& model, const FemState& state)
   return false;
 }
 
-/// Whether soil that has no contact point has come into the body.
+/// Whether soil that has no contact point has come into a body.
 bool is_met_elsewhere(const FemModel& model, const FemState& state)
 {
   NodeField<char> may_meet(model.mesh.node_count(), 0);
   for (const BoundarySide& side : model.contact_sides)
     for (const Index node : {side.from, side.middle, side.to}) may_meet[node] = 1;
-  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[model.rigid];
+  const std::vector<bodies::Pose<2>> poses = poses_of(state);
   for (const BoundarySide& side : model.mesh.boundary_sides)
     if (is_ground(model.model.mesh, side))
       for (const Index node : {side.from, side.middle, side.to})
-        if (!may_meet[node] && surface_now(rigid, state.state.rigid_bodies[model.rigid], position_now(model, state, node)).distance < 0)
-          return true;
+        if (!may_meet[node] && nearest_surface(model, poses, position_now(model, state, node)).distance < 0) return true;
   return false;
 }
 
@@ -121,16 +120,17 @@ void unfold(QuadraticMesh& mesh)
 /// Formulas of Gmsh whose least is the size of an element.
 std::vector<std::string> size_formulas(const FemModel& model, const FemState& state, const ElementSizes& sizes)
 {
-  if (model.rigid == none) return {fmt::format("{}", sizes.contact)};
-  const bodies::RigidShape<2> shape = placed(model.model.rigid_bodies[model.rigid], state.state.rigid_bodies[model.rigid]);
+  if (model.contact_count() == 0) return {fmt::format("{}", sizes.contact)};
   std::vector<std::string> formulas;
-  for (const std::string& distance : distances_from(shape))
-    formulas.push_back(
-        fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance, sizes.fine));
-  if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape))
-    for (const Vec<2>& corner : corners_of(profile->core))
-      formulas.push_back(fmt::format("{} + {} * Sqrt((x - ({}))^2 + (y - ({}))^2)", ElementSizes::at_corner * sizes.contact,
-                                     ElementSizes::from_there, corner[0], corner[1]));
+  for (const bodies::RigidShape<2>& shape : shapes_in_contact(model, state)) {
+    for (const std::string& distance : distances_from(shape))
+      formulas.push_back(
+          fmt::format("Min({}, {} + {} * Max(0, {} - {}))", sizes.largest, sizes.contact, ElementSizes::growth, distance, sizes.fine));
+    if (const auto* profile = std::get_if<bodies::Profile<2>>(&shape))
+      for (const Vec<2>& corner : corners_of(profile->core))
+        formulas.push_back(fmt::format("{} + {} * Sqrt((x - ({}))^2 + (y - ({}))^2)", ElementSizes::at_corner * sizes.contact,
+                                       ElementSizes::from_there, corner[0], corner[1]));
+  }
   return formulas;
 }
 
@@ -164,24 +164,44 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder)
 ElementSizes Remesher::sizes_for(const FemModel& model) const
 {
   const Real contact = contact_size_of(case_);
-  if (model.rigid == none) return {contact, contact, 0};
+  if (model.contact_count() == 0) return {contact, contact, 0};
   const auto* bed = std::get_if<mesh::SeabedMesh>(&case_.mesh);
   const Real far = bed == nullptr ? model.width : bed->far_size.value_or(model.width);
   return {contact, std::max(far, contact), model.width / 4};
 }
 
-Real Remesher::travel_of_body(const FemModel& model, const FemState& state)
+Real Remesher::travel_since_mesh(const FemModel& model, const FemState& state)
 {
-  return distance_between(model.model.rigid_bodies[model.rigid], state.meshed_at, state.state.rigid_bodies[model.rigid]);
+  Real travel = 0;
+  for (const problem::Contact& contact : model.model.contacts)
+    travel = std::max(travel, distance_between(model.model.rigid_bodies[contact.rigid], state.meshed_at[contact.rigid],
+                                               state.state.rigid_bodies[contact.rigid]));
+  return travel;
 }
 
 bool Remesher::is_due(const FemModel& model, const FemState& state) const
 {
-  if (model.rigid == none) return is_folding(model, state);
+  if (model.contact_count() == 0) return is_folding(model, state);
   constexpr Real rounding = 1e-9;
-  const Real travel = travel_of_body(model, state);
+  const Real travel = travel_since_mesh(model, state);
   if (travel >= (1 - rounding) * model.settings.remeshing_travel * model.width) return true;
   return travel > 0 && (is_met_elsewhere(model, state) || is_folding(model, state));
+}
+
+void Remesher::refuse_meeting(const FemModel& model, const FemState& state) const
+{
+  constexpr Real least_gap = 0.25;  // of the elements at the bodies
+  const Real reach = least_gap * contact_size_of(case_);
+  const auto& bodies = model.model.rigid_bodies;
+  for (const auto& [first, second, proximity] : model.model.apart) {
+    if (model.contact_of(first) == none || model.contact_of(second) == none) continue;
+    const auto near = proximity_points(proximity, bodies[first], state.state.rigid_bodies[first], bodies[second],
+                                       state.state.rigid_bodies[second], reach);
+    if (near.count > 0)
+      throw RunError(fmt::format("t = {:.6g} s: rigid.{} and rigid.{} meet: {:.2g} m are left between them, less than a quarter of an "
+                                 "element; finite elements have no contact of two rigid bodies, and end here",
+                                 state.state.time, bodies[first].name, bodies[second].name, near.points[0].gap));
+  }
 }
 
 mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const
@@ -216,7 +236,7 @@ int Remesher::remesh(FemModel& model, FemState& state) const
   unfold(next.mesh);
   FemState mapped = state;
   map_state(model, state, of_node, case_, next, mapped);
-  if (next.rigid != none) mapped.meshed_at = mapped.state.rigid_bodies[next.rigid];
+  mapped.meshed_at = poses_of(mapped);
   model = std::move(next);
   state = std::move(mapped);
   return folds;

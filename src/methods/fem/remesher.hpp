@@ -9,7 +9,7 @@
 
 namespace berm::fem {
 
-/// Large deformations by small ones: after each travel of the rigid body the soil that it has deformed is meshed anew, and what its points carry is mapped (remeshing and interpolation with small
+/// Large deformations by small ones: after each travel of a rigid body the soil that it has deformed is meshed anew, and what its points carry is mapped (remeshing and interpolation with small
 /// strain, RITSS, of Hu and Randolph 1998; here the increments are those of updated Lagrange).
 class Remesher {
 public:
@@ -18,21 +18,20 @@ public:
 
   const settings::Case& settings() const { return case_; }
 
-  /// Whether the body has travelled far enough, soil that no contact point stands for has come to it, or an element is about to fold.
+  /// Whether a body has travelled far enough, soil that no contact point stands for has come to it, or an element is about to fold.
   bool is_due(const FemModel& model, const FemState& state) const;
 
-  /// Whether the body has moved since the mesh was made.
-  static bool has_travelled(const FemModel& model, const FemState& state)
-  {
-    return model.rigid != none && travel_of_body(model, state) > 0;
-  }
+  /// The largest travel of a body since the mesh was made, m.
+  static Real travel_since_mesh(const FemModel& model, const FemState& state);
+
+  /// Throws RunError where two rigid bodies have come so near to each other that no elements fit between them.
+  void refuse_meeting(const FemModel& model, const FemState& state) const;
 
   /// Puts a new mesh in the place of the old one. The state is then out of equilibrium by the error of the mapping. Throws RunError where no mesh can be made. Gives the
   /// number of places at which soil has folded onto soil.
   int remesh(FemModel& model, FemState& state) const;
 
 private:
-  static Real travel_of_body(const FemModel& model, const FemState& state);
   mesh::Mesh<2> make_mesh(const FemModel& model, const FemState& state, const std::vector<OutlineLoop>& outline) const;
   ElementSizes sizes_for(const FemModel& model) const;
 

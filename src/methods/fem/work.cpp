@@ -26,13 +26,16 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
       for (int d = 0; d < 2; ++d)
         totals.external += (state.tractions[t] + loads.tractions[t]) / 2 * load.force[d] * change[2 * load.node + d];
   for (std::size_t k = 0; k < change.size(); ++k) totals.external += initial_imbalance_factor * initial_imbalance_[k] * change[k];
-  if (model_.rigid == none) return;
-  const bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.rigid];
-  const Index first = model_.rigid_unknown();
-  const Vec<2> moved(change[first], change[first + 1]), force = -(rigid.reaction + reaction()) / 2;
-  totals.external += force.dot(moved) - (rigid.torque + torque()) / 2 * change[first + 2];
+  for (Index contact = 0; contact < model_.contact_count(); ++contact) {
+    const bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.model.contacts[contact].rigid];
+    const Index first = model_.rigid_unknown(contact);
+    const Vec<2> moved(change[first], change[first + 1]), force = -(rigid.reaction + reaction(contact)) / 2;
+    totals.external += force.dot(moved) - (rigid.torque + torque(contact)) / 2 * change[first + 2];
+  }
   for (std::size_t k = 0; k < contact_.size(); ++k) {
     const FemContactPoint& point = model_.contact[k];
+    const Index first = model_.rigid_unknown(point.contact);
+    const Vec<2> moved(change[first], change[first + 1]);
     const Vec<2> relative =
         Vec<2>(change[2 * point.node], change[2 * point.node + 1]) - moved - change[first + 2] * Vec<2>(-point.arm[1], point.arm[0]);
     totals.friction -= point.area * (state.contact[k].traction + contact_[k].traction).dot(relative) / 2;
@@ -51,7 +54,7 @@ Real Assembly::energy_error(FemState& begin, const std::vector<Real>& change, co
   totals = before;
   return std::abs(internal + friction - external) /
          (std::abs(internal) + std::abs(external) + model_.settings.remeshing_travel * model_.width * contact_force_ +
-          little_energy * model_.interface.stiffness * size);
+          little_energy * model_.contact_stiffness() * size);
 }
 
 Real Assembly::work_of_imbalance(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads) const

@@ -61,7 +61,7 @@ void add_rigid_contacts(const settings::Case& c, Model<dim>& model)
     model.rigid_contacts.push_back({{first, second, *proximity}, name, std::tan(s.friction_angle), s.restitution});
     refuse_overlap_at_start<dim>(model, model.rigid_contacts.back(), path);
   }
-  if (c.method != settings::Method::mpm) return;
+  if (c.method != settings::Method::mpm && !c.fem.large_deformation) return;
   const auto touches = [&](const std::string& one, const std::string& other) {
     return std::any_of(c.rigid_contact.begin(), c.rigid_contact.end(),
                        [&](const auto& contact) { return joins(contact.second, one, other); });

@@ -9,11 +9,12 @@
 namespace berm::simulation {
 namespace {
 
-/// The sum of the effective normal forces of the contact points, N/m (around an axis per radian).
-Real effective_normal_force(const fem::FemModel& model, const fem::FemState& state)
+/// The sum of the effective normal forces of the points of a contact, N/m (around an axis per radian).
+Real effective_normal_force(const fem::FemModel& model, const fem::FemState& state, Index contact)
 {
   Real sum = 0;
   for (std::size_t k = 0; k < model.contact.size(); ++k) {
+    if (model.contact[k].contact != contact) continue;
     const Real pressure = state.contact[k].traction.dot(model.contact[k].normal);
     sum += model.contact[k].area * std::max(Real(0), pressure - fem::interface_at(model, k, state).pore_pressure);
   }
@@ -103,11 +104,17 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
 {
   const problem::State<2>& now = state.state;
   const problem::Totals<2>& t = now.ledger.totals;
-  const bool has_rigid = model.rigid != none;
-  const auto of_rigid = [&] { row_.of_main(model.model.rigid_bodies[model.rigid].name); };
+  const Index main = model.model.main_rigid;
+  const auto of_rigid = [&](Index rigid) {
+    const std::string& name = model.model.rigid_bodies[rigid].name;
+    rigid == main ? row_.of_main(name) : row_.of(name);
+  };
+  const auto observe_turn = [&](Index rigid) {
+    observe_rotation<2>(row_, now.rigid_bodies[rigid].torque, now.rigid_bodies[rigid].orientation.angle);
+  };
   row_.count_parts(model.model.parts);
   row_.begin(now.time, model.model.stages[now.stage.index].name);
-  if (has_rigid) of_rigid(), observe_rigid(model.model, now, model.rigid, now.rigid_bodies[model.rigid].reaction);
+  if (main != none) of_rigid(main), observe_rigid(model.model, now, main, now.rigid_bodies[main].reaction);
   row_.of_main("run");
   observe_energies({.kinetic = {},
                     .damping = {},
@@ -117,12 +124,10 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
                     .external = t.external,
                     .error = t.internal + t.friction - t.external});
   if (model.weight > 0) observe_out_of_balance(row_, state.unbalanced / model.weight);
-  if (has_rigid) {
-    of_rigid();
-    const bodies::RigidState<2>& rigid = now.rigid_bodies[model.rigid];
-    observe_overlap();
-    observe_rotation<2>(row_, rigid.torque, rigid.orientation.angle);
-  }
+  if (main != none) of_rigid(main), observe_overlap(), observe_turn(main);
+  for (const problem::Contact& contact : model.model.contacts)
+    if (const Index rigid = contact.rigid; rigid != main)
+      of_rigid(rigid), observe_rigid(model.model, now, rigid, now.rigid_bodies[rigid].reaction), observe_turn(rigid);
   if (model.model.driven[now.stage.index] != none && end.iterations > 0) {
     largest_unbalance_ = std::max(largest_unbalance_, end.unbalance);
     largest_overstress_ = std::max(largest_overstress_, state.overstress);
@@ -136,10 +141,9 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
   if (model.flow.count > 0) observe_consolidation(row_, now.stage);
   observe_tractions(model, state);
   observe_watches(model, state);
-  if (has_rigid && rubs_in_water(model.model, model.rigid)) {
-    of_rigid();
-    observe_effective_normal<2>(row_, effective_normal_force(model, state));
-  }
+  for (Index k = 0; k < model.contact_count(); ++k)
+    if (const Index rigid = model.model.contacts[k].rigid; rubs_in_water(model.model, rigid))
+      of_rigid(rigid), observe_effective_normal<2>(row_, effective_normal_force(model, state, k));
   for (std::size_t s = 0; s < state.support_forces.size(); ++s) {
     row_.of(model.model.conditions.reported[s]);
     observe_reaction<2>(row_, state.support_forces[s]);

@@ -32,7 +32,7 @@ Driven driven(const settings::Case& c)
   do steps.advance();
   while (!stage_ended(problem.model.model, problem.state.state));
   const problem::Totals<2>& t = problem.state.state.ledger.totals;
-  return {problem.state.state.rigid_bodies[problem.model.rigid], problem.state.state.time,
+  return {problem.state.state.rigid_bodies[problem.model.model.main_rigid], problem.state.state.time,
           (t.internal + t.friction - t.external) / t.external};
 }
 
@@ -95,7 +95,7 @@ TEST(LoadStepsDrive, holds_a_force_while_it_drags)
       steps.advance();
     while (!stage_ended(problem.model.model, problem.state.state));
   while (steps.next_stage());
-  const bodies::RigidState<2>& plate = problem.state.state.rigid_bodies[problem.model.rigid];
+  const bodies::RigidState<2>& plate = problem.state.state.rigid_bodies[problem.model.model.main_rigid];
   EXPECT_NEAR(plate.reaction[1] / V, 1, 1e-3);
   EXPECT_NEAR(plate.displacement[0], 1e-4, 1e-15);
   EXPECT_GT(V, 0);

@@ -24,10 +24,10 @@ bodies::RigidState<2> state_after(const settings::Case& c, const Look& look)
   steps.find_first_equilibrium();
   do do {
       steps.advance();
-      look(problem.state.state, problem.state.state.rigid_bodies[problem.model.rigid]);
+      look(problem.state.state, problem.state.state.rigid_bodies[problem.model.model.main_rigid]);
     } while (!stage_ended(problem.model.model, problem.state.state));
   while (steps.next_stage());
-  return problem.state.state.rigid_bodies[problem.model.rigid];
+  return problem.state.state.rigid_bodies[problem.model.model.main_rigid];
 }
 
 TEST(LoadStepsLoads, follow_the_columns_of_a_load_history_and_miss_no_turning_point)

@@ -33,7 +33,7 @@ struct Way {
   {
     to_end_of_stage([](const IncrementEnd&) {});
   }
-  const bodies::RigidState<2>& rigid() const { return problem.state.state.rigid_bodies[problem.model.rigid]; }
+  const bodies::RigidState<2>& rigid() const { return problem.state.state.rigid_bodies[problem.model.model.main_rigid]; }
   Real V() const { return rigid().reaction[1]; }
   Real energy_error() const
   {

@@ -111,9 +111,9 @@ TEST_F(Remeshing, is_due_after_a_travel_of_the_body)
 {
   const Remesher remesher(c, folder.path());
   EXPECT_FALSE(remesher.is_due(model(), state()));
-  state().state.rigid_bodies[model().rigid].displacement = {0.005, -0.005};
+  state().state.rigid_bodies[model().model.main_rigid].displacement = {0.005, -0.005};
   EXPECT_FALSE(remesher.is_due(model(), state()));
-  state().state.rigid_bodies[model().rigid].displacement = {0.006, -0.006};
+  state().state.rigid_bodies[model().model.main_rigid].displacement = {0.006, -0.006};
   EXPECT_TRUE(remesher.is_due(model(), state())) << "8.5 mm of 0.02 x 0.4 m";
 }
 
