@@ -86,9 +86,15 @@ struct Both {
 std::vector<Both> key_results_of(const Pair& pair)
 {
   const auto is_key = [](const Quantity& q) { return q.kind == run_folder::QuantityKind::answer && std::isfinite(q.value); };
+  const bool both_ended = pair.mpm->end == record::RunEnd::finished && pair.fem->end == record::RunEnd::finished;
+  // A run that stopped has its largest values and those of its end elsewhere.
+  const auto is_of_same_place = [&](const std::string& name) {
+    return both_ended || name.find("_at_w_") != std::string::npos || (name.find("_at_u_") != std::string::npos && !name.starts_with("u_"));
+  };
   std::vector<Both> both;
   for (const Quantity& q : pair.mpm->quantities)
-    if (const Quantity* other = pair.fem->quantity(q.name); is_key(q) && other != nullptr && is_key(*other) && other->unit == q.unit)
+    if (const Quantity* other = pair.fem->quantity(q.name);
+        is_key(q) && is_of_same_place(q.name) && other != nullptr && is_key(*other) && other->unit == q.unit)
       both.push_back({&q, q.value, other->value});
   return both;
 }
@@ -240,8 +246,10 @@ std::string words_on_differences(const std::vector<Both>& results)
   const std::size_t more = large.size() > max_named ? large.size() - max_named : 0;
   large.resize(large.size() - more);
   return fmt::format(
-      "The difference exceeds 10 % for {}{}. The usual causes: cells or elements too coarse at the body; a drive so fast that inertia adds "
-      "to the resistance of the material point method; noise of its forces. Halve the size of the cells and the speed, and compare again.",
+      "The difference exceeds 10 % for {}{}. The usual causes: cells or elements too coarse at the body; the contact gap of the "
+      "material point method, which makes the body larger by a part of a cell; a drive so fast that inertia adds to its resistance; noise "
+      "of its forces; softening, whose shear bands are as wide as a cell or an element. Halve the size of the cells and the speed, and "
+      "compare again.",
       text_of_list(large, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
