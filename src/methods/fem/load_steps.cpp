@@ -113,7 +113,7 @@ void LoadSteps::accept_equilibrium(const std::vector<Real>& change, const FemLoa
 {
   newton_->assembly().accept(state_, change, loads);
   if (model_.settings.large_deformation) place_contact(model_, state_);
-  if (remesher_) remesher_->refuse_meeting(model_, state_);
+  if (remesher_) remesher_->refuse_bodies_that_meet(model_, state_);
   for (const FemContactState& point : state_.contact) max_overlap_ = std::max(max_overlap_, -point.gap);
 }
 

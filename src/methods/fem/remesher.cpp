@@ -188,7 +188,7 @@ bool Remesher::is_due(const FemModel& model, const FemState& state) const
   return travel > 0 && (is_met_elsewhere(model, state) || is_folding(model, state));
 }
 
-void Remesher::refuse_meeting(const FemModel& model, const FemState& state) const
+void Remesher::refuse_bodies_that_meet(const FemModel& model, const FemState& state) const
 {
   constexpr Real least_gap = 0.25;  // of the elements at the bodies
   const Real reach = least_gap * contact_size_of(case_);

@@ -25,7 +25,7 @@ public:
   static Real travel_since_mesh(const FemModel& model, const FemState& state);
 
   /// Throws RunError where two rigid bodies have come so near to each other that no elements fit between them.
-  void refuse_meeting(const FemModel& model, const FemState& state) const;
+  void refuse_bodies_that_meet(const FemModel& model, const FemState& state) const;
 
   /// Puts a new mesh in the place of the old one. The state is then out of equilibrium by the error of the mapping. Throws RunError where no mesh can be made. Gives the
   /// number of places at which soil has folded onto soil.

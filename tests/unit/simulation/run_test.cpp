@@ -57,7 +57,8 @@ protected:
     folder_.write("fem_axisymmetric.toml", half);
     std::string large = test::small_fem_case;  // meshed anew five times; two pipes, of which the second is held at first, and then dragged
     large.replace(large.find("contact_size = "), 0, "large_deformation = true\nremeshing_travel = 0.01\n");
-    large.replace(large.find("until.displacement = \"0.4 mm\""), 29, "until.displacement = \"1.0 mm\"\nrigid = \"other\"\nvertical = \"fixed\"\n");
+    large.replace(large.find("until.displacement = \"0.4 mm\""), 29,
+                  "until.displacement = \"1.0 mm\"\nrigid = \"other\"\nvertical = \"fixed\"\n");
     large.replace(large.find("until.force = 60"), 16, "until.force = 60\nrigid = \"pipe\"");
     large += "\n[rigid.other]\nshape = \"circle\"\ncenter = [\"40 mm\", 0]\ndiameter = \"20 mm\"\nmass = 1\n"
              "[contact.other_skin]\nbody = \"clay\"\nrigid = \"other\"\nfriction_angle = 0\n";

@@ -192,7 +192,7 @@ TEST(SeveralBodies, are_refused_where_they_meet_or_cannot_be_told_apart)
   March march(c);
   for (const Real left : {0.1 * D, 0.01 * D}) {
     march.problem.state.state.rigid_bodies[0].displacement = {0.2 * D - left, 0};
-    const auto check = [&] { Remesher(c, ".").refuse_meeting(march.problem.model, march.problem.state); };
+    const auto check = [&] { Remesher(c, ".").refuse_bodies_that_meet(march.problem.model, march.problem.state); };
     if (left > 0.25 * D / 8)
       EXPECT_NO_THROW(check());
     else
