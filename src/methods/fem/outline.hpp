@@ -8,7 +8,7 @@ namespace berm::fem {
 /// The size of elements in large deformations, m: `contact` up to a quarter of the width of the narrowest body from the surface of the nearest, growing from there to `largest`; half of it at the edges of the contact, a quarter at the corners of bodies.
 struct ElementSizes {
   Real contact, largest, fine;  ///< fine: m from a body
-  static constexpr Real growth = 0.15;
+  static constexpr Real growth = 0.1;
   static constexpr Real at_edge = 0.5, at_corner = 0.25;  ///< over `contact`
   static constexpr Real from_there = 0.25;                ///< growth with the distance from edge or corner
 

@@ -111,10 +111,10 @@ TEST_F(Remeshing, is_due_after_a_travel_of_the_body)
 {
   const Remesher remesher(c, folder.path());
   EXPECT_FALSE(remesher.is_due(model(), state()));
-  state().state.rigid_bodies[model().model.main_rigid].displacement = {0.005, -0.005};
+  state().state.rigid_bodies[model().model.main_rigid].displacement = {0.01, -0.01};
   EXPECT_FALSE(remesher.is_due(model(), state()));
-  state().state.rigid_bodies[model().model.main_rigid].displacement = {0.006, -0.006};
-  EXPECT_TRUE(remesher.is_due(model(), state())) << "8.5 mm of 0.02 x 0.4 m";
+  state().state.rigid_bodies[model().model.main_rigid].displacement = {0.012, -0.012};
+  EXPECT_TRUE(remesher.is_due(model(), state())) << "17 mm of 0.04 x 0.4 m";
 }
 
 /// The problem of this case, remeshed at once, all ground near the body in contact with it.
@@ -213,8 +213,10 @@ TEST(Remesher, keeps_nodes_on_the_axis_and_the_tip_of_a_cone)
 
 TEST(Remesher, refuses_what_it_cannot_mesh)
 {
-  settings::Case boxed = block_of(elastic_soil());
-  EXPECT_THROW(Remesher(boxed, "."), KeyError);
+  EXPECT_THROW(Remesher(plate_on_block(elastic_soil()), "."), KeyError) << "not cut along the plate";
+  settings::Case of_gmsh = block_of(elastic_soil());
+  of_gmsh.mesh = mesh::GmshFile{"block.msh"};
+  EXPECT_THROW(Remesher(of_gmsh, "."), KeyError) << "no size of elements";
   settings::Case apart = bed_around(pipe_at(0.1));
   fill_regions_apart(apart);
   EXPECT_THROW(Remesher(apart, "."), KeyError);
@@ -224,12 +226,44 @@ TEST(Remesher, refuses_what_it_cannot_mesh)
   EXPECT_THROW(Remesher(trial, "."), KeyError);
 }
 
-TEST(LargeDeformation, needs_a_body_and_soil_whose_water_does_not_flow)
+// Tractions of a block act on its new sides, whose lengths have no sum but that of the top.
+TEST(Remesher, meshes_a_loaded_block_without_a_rigid_body)
 {
-  settings::Case alone = bed_around(pipe_at(0.1));
-  alone.fem.large_deformation = true;
-  alone.contact.clear();
-  EXPECT_NE(refusal_of([&] { fem_problem_of(alone); }).find("needs a rigid body in contact"), std::string::npos);
+  settings::Case c = block_of(elastic_soil());
+  boundary::TractionSettings load;
+  load.boundary = "top";
+  load.stress = {0, -1e3};
+  c.traction = {{"load", load}};
+  const FemProblem problem = remeshed(c);
+  EXPECT_NEAR(content_of(problem.model, problem.state).area, 0.5, 1e-12);
+  Vec<2> sum = Vec<2>::Zero();
+  for (const NodalLoad& one : problem.model.loads.front()) sum += one.force;
+  EXPECT_NEAR(sum[1], -1e3, 1e-9);
+  EXPECT_NEAR(sum[0], 0, 1e-9);
+}
+
+// Each contact node overlaps by what compressed the spring there: a uniform pressure stays, but for the ends of the contact, where the old sides have a pressure at one end only.
+TEST_F(Remeshing, keeps_the_pressure_of_the_contact)
+{
+  constexpr Real overlap = 1e-5;
+  const bodies::RigidBody<2>& pipe = model().model.rigid_bodies[model().model.main_rigid];
+  for (std::size_t k = 0; k < model().contact.size(); ++k) {
+    const Index node = model().contact[k].node;
+    const bodies::SurfacePoint<2> surface = surface_now(pipe, {}, model().mesh.position[node]);
+    if (std::abs(surface.distance) > 1e-3) continue;
+    const Vec<2> to = -(surface.distance + overlap) * surface.normal;
+    for (int d = 0; d < 2; ++d) state().displacement[2 * node + d] = to[d];
+    state().contact[k].gap = -overlap;
+    state().contact[k].traction = surface.normal;
+  }
+  Remesher(c, folder.path()).remesh(model(), state());
+  int kept = 0;
+  for (std::size_t k = 0; k < model().contact.size(); ++k)
+    if (model().mesh.position[model().contact[k].node][1] < 0.05) {
+      EXPECT_NEAR(state().contact[k].gap, -overlap, 1e-3 * overlap);
+      ++kept;
+    }
+  EXPECT_GT(kept, 5);
 }
 
 }  // namespace

@@ -151,6 +151,30 @@ TEST(Clay, a_softening_length_counts_plastic_strain_by_the_size_of_the_cell)
   EXPECT_NEAR(particle.state[0], 0.2 * flow, 1e-12);
 }
 
+/// A clay with everything, and random trial stresses and strains of it.
+Clay whole_clay()
+{
+  Clay law = softening_clay();
+  law.rate_parameter = 0.1;
+  law.reference_rate = reference_rate;
+  law.rate_smoothing = 50;
+  return law;
+}
+
+TEST(Clay, an_increment_without_duration_keeps_what_the_rate_adds)
+{
+  Clay law = whole_clay();
+  ClayParticle<2> particle;
+  particle.shear_by(prepare(law), 4, 1);
+  const Real rate_part = particle.state[1], strength = 1 + particle.state[2];
+  ASSERT_GT(rate_part, 0.01);
+  const SymTensor<2> stress = particle.stress;
+  update(prepare(law), particle.stress, Increment<2, Real>{}, particle.state);
+  EXPECT_NEAR(particle.state[1], rate_part, 1e-9);
+  EXPECT_NEAR(1 + particle.state[2], strength, 1e-9);
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(particle.stress[k], stress[k], 1e-6 * clay_strength) << k;
+}
+
 TEST(Clay, a_pause_gives_back_a_share_of_the_lost_strength)
 {
   Clay law = softening_clay();
@@ -163,16 +187,6 @@ TEST(Clay, a_pause_gives_back_a_share_of_the_lost_strength)
   recover(Material(law), 1, particle.state);
   EXPECT_NEAR(particle.state[0], 0, 1e-12);
   EXPECT_NEAR(particle.state[2], 0, 1e-12);
-}
-
-/// A clay with everything, and random trial stresses and strains of it.
-Clay whole_clay()
-{
-  Clay law = softening_clay();
-  law.rate_parameter = 0.1;
-  law.reference_rate = reference_rate;
-  law.rate_smoothing = 50;
-  return law;
 }
 
 template <int dim>

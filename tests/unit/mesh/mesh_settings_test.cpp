@@ -106,6 +106,39 @@ TEST(RunGmsh, tells_a_signal_from_a_failure_and_never_takes_an_old_mesh_for_a_re
   EXPECT_NE(failure_of(geo, folder / "mesh.msh").find("all is well"), std::string::npos);
 }
 
+TEST(WaitingGmsh, makes_the_meshes_of_a_program_of_its_own)
+{
+  const TemporaryFolder folder;
+  const auto geo = folder.write("square.geo", std::string(square) + "Mesh.MshFileVersion = 4.1;\n");
+  run_gmsh(geo, folder / "alone.msh", 2, GeometryBy::berm);
+  std::string finer = folder.read("square.geo");
+  for (std::size_t k = finer.find("0.3}"); k != finer.npos; k = finer.find("0.3}")) finer.replace(k, 3, "0.1");
+  folder.write("finer.geo", finer);
+  WaitingGmsh gmsh(folder.path());
+  for (const char* name : {"first.msh", "second.msh"}) {
+    gmsh.mesh("square.geo", name);
+    EXPECT_EQ(folder.read(name), folder.read("alone.msh")) << name;
+    gmsh.mesh("finer.geo", "finer.msh");
+    EXPECT_GT(folder.read("finer.msh").size(), folder.read("alone.msh").size());
+  }
+}
+
+TEST(WaitingGmsh, tells_a_failure_and_starts_anew)
+{
+  const TemporaryFolder folder;
+  folder.write("square.geo", square);
+  folder.write("broken.geo", "Point(1) = {0, 0;\n");
+  WaitingGmsh gmsh(folder.path());
+  try {
+    gmsh.mesh("broken.geo", "mesh.msh");
+    ADD_FAILURE() << "a broken geometry was meshed";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("syntax error"), std::string::npos) << error.what();
+  }
+  gmsh.mesh("square.geo", "mesh.msh");
+  EXPECT_FALSE(folder.read("mesh.msh").empty());
+}
+
 // Takes down which member each key stands for.
 class Keys : public Describe {
 public:

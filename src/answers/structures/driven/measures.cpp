@@ -62,8 +62,7 @@ inline constexpr Limit change_by_remeshing{
     "the contact force recovers in the next increment; smaller elements or a larger fem.remeshing_travel reduce the change"};
 inline constexpr Limit energy_by_remeshing{
     0.01, 0.1, Effect::balance,
-    "pipes and footings pushed into clay lose 0.2 to 0.6 % on elements of D/10; under a high pressure more is lost, though V is within 1 "
-    "%: a ball under 13 s_u 2 % (examples/remeshed_bodies), a T-bar under 34 s_u 9 % (examples/remeshed_pipe)"};
+    "pipes, balls and footings pushed into clay lose 0.1 to 0.4 % on elements of D/10 (examples/remeshed_pipe, examples/remeshed_bodies)"};
 
 }  // namespace limits
 
