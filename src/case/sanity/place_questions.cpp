@@ -309,6 +309,7 @@ void are_cells_small_enough(const Scene& s, Findings& found)
 void do_walls_cut_a_body(const Scene& s, Findings& found)
 {
   constexpr Real middle = 0.05;  // of its width: a wall there is a plane of symmetry
+  if (!in_space(s) && (s.is_mpm() || s.c.small_strain())) return;
   for_each_driven(s, [&](Index rigid) {
     for (const int d : axes_of_walls(s, rigid)) {
       const Span &body = s.rigids[rigid].space[d], &mesh = s.mesh[d];

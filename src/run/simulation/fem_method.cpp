@@ -255,19 +255,18 @@ Estimate FemMethod::estimate(const Context& context)
   return e;
 }
 
-/// By the iterations of stages without travel and of runs with it; the mesh that a case begins with has twice the elements of those that follow it.
+/// In large deformations by the travel of the body.
 Real FemMethod::time_of_stages(Real iteration) const
 {
-  constexpr Real iterations_a_stage = 300, iterations_an_increment = 6, iterations_a_mesh = 12, part_of_elements = 0.5, time_of_gmsh = 0.04;
-  if (model().stages.empty() || !problem_.model.settings.large_deformation)
-    return iterations_a_stage * static_cast<Real>(model().stages.size()) * iteration;
+  constexpr Real iterations_a_stage = 300, iterations_an_increment = 6, iterations_a_mesh = 12, time_of_gmsh = 0.04;
+  const fem::FemModel& of = problem_.model;
   Real travel = 0;
   for (const settings::StageSettings& stage : model().stages)
-    if (const Real speed = std::abs(stage.velocity.value_or(0)); speed > 0) travel += speed * expected_time(stage) / problem_.model.width;
-  const fem::FemModel& of = problem_.model;
+    if (const Real speed = std::abs(stage.velocity.value_or(0)); speed > 0) travel += speed * expected_time(stage) / of.width;
+  if (!(travel > 0) || !of.settings.large_deformation) return iterations_a_stage * static_cast<Real>(model().stages.size()) * iteration;
   const Real meshes = travel / of.settings.remeshing_travel,
              increments = travel / std::min(of.settings.largest_step, of.settings.remeshing_travel / 4);
-  return part_of_elements * iteration * (iterations_an_increment * increments + iterations_a_mesh * meshes) + time_of_gmsh * meshes;
+  return iteration * (iterations_an_increment * increments + iterations_a_mesh * meshes) + time_of_gmsh * meshes;
 }
 
 Real FemMethod::expected_wall_time()
