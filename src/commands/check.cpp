@@ -36,14 +36,15 @@ void print_other_method(simulation::RunRequest request)
   settings::Method& method = request.settings.method;
   const bool is_mpm = method == settings::Method::mpm;
   method = is_mpm ? settings::Method::fem : settings::Method::mpm;
+  const auto tell_why_not = [](const std::exception& error) { fmt::print("  not by the other method: {}\n", error.what()); };
   try {
     fmt::print("  {} about {} on one thread\n",
                is_mpm ? "by remeshed finite elements (method = \"fem\"):" : "by material points (method = \"mpm\"):",
                io::duration_text(expected_wall_time(request)));
   } catch (const RunError& error) {
-    fmt::print("  not by the other method: {}\n", error.what());
+    tell_why_not(error);
   } catch (const InputError& error) {
-    fmt::print("  not by the other method: {}\n", error.what());
+    tell_why_not(error);
   }
   fmt::print(
       "  error        of V in a push into clay (examples/remeshed_pipe): elements of D/5, D/10, D/20 0.9, 0.3, 0.3 %; cells of D/10, "

@@ -326,8 +326,7 @@ void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vec
   mesh::end_geometry(out, sizes, path);
 }
 
-}  // namespace
-
+/// Names the regions of a seabed by the centroids of cells.
 void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
 {
   mesh.region_names = {"near", "bed"};
@@ -337,6 +336,8 @@ void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
     mesh.region[cell] = fine_zone(bed).contains(x) ? 0 : bed.layer == 0 || inside_of_layer(bed).contains(x) ? 1 : 2;
   }
 }
+
+}  // namespace
 
 std::vector<std::string> distances_from(const bodies::RigidShape<2>& shape)
 {

@@ -21,9 +21,6 @@ namespace berm::fem {
 /// contact_size; RunError where making the mesh fails.
 mesh::Mesh<2> make_cut_mesh(const settings::Case& c, const std::filesystem::path& case_folder, const std::filesystem::path& work_folder);
 
-/// Names the regions of a seabed by the centroids of cells.
-void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed);
-
 /// The distance from the surface of a shape (m): the smallest of these formulas of x and y, which Gmsh evaluates.
 std::vector<std::string> distances_from(const bodies::RigidShape<2>& shape);
 

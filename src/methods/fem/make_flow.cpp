@@ -61,7 +61,8 @@ Real volume_ratio(const FemModel& model, const NodeField<Vec<2>>& was_at, Index 
   return model.shape[cell][q].area / then.area;
 }
 
-/// The sides that rigid bodies keep shut: those whose middle touches one that does not drain; corners are arcs in large deformations, which the first mesh does not have.
+/// The sides that rigid bodies keep shut: those whose middle touches one that does not drain; corners are arcs in large deformations, which the first mesh does not have. What touches overlaps by what
+/// compresses the springs of the contact.
 std::vector<BoundarySide> shut_sides(const FemModel& model, const std::vector<bodies::Pose<2>>& poses)
 {
   constexpr Real rounding = 1e-6;
@@ -69,7 +70,7 @@ std::vector<BoundarySide> shut_sides(const FemModel& model, const std::vector<bo
   for (const BoundarySide& side : model.contact_sides) {
     const NearestSurface nearest = nearest_surface(model, poses, model.mesh.position[side.middle]);
     if (!model.model.contacts[nearest.contact].drained &&
-        std::abs(nearest.distance) < rounding * (model.mesh.position[side.to] - model.mesh.position[side.from]).norm())
+        nearest.distance < rounding * (model.mesh.position[side.to] - model.mesh.position[side.from]).norm())
       sides.push_back(side);
   }
   return sides;

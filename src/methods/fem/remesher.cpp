@@ -165,8 +165,7 @@ ElementSizes Remesher::sizes_for(const FemModel& model) const
 {
   const Real contact = contact_size_of(case_);
   if (model.contact_count() == 0) return {contact, contact, 0};
-  const auto* bed = std::get_if<mesh::SeabedMesh>(&case_.mesh);
-  const Real far = bed == nullptr ? model.width : bed->far_size.value_or(model.width);
+  const Real far = std::get<mesh::SeabedMesh>(case_.mesh).far_size.value_or(model.width);
   return {contact, std::max(far, contact), model.width / 4};
 }
 

@@ -129,10 +129,9 @@ FemProblem remeshed(settings::Case c)
   return problem;
 }
 
-// Pressures at the corners of straight sides are linear in each element, and so are those read from them; at the curved side of the pipe the linear functions of the corners are not those of space: 10 Pa of 6000.
-TEST(Remesher, keeps_a_linear_pore_pressure)
+/// The bed around the pipe, its water flowing.
+settings::Case consolidating_bed()
 {
-  const TemporaryFolder folder;
   settings::Case c = bed_around(pipe_at(0.1));
   c.fem.large_deformation = true;
   c.fem.contact_size = 0.04;
@@ -142,6 +141,14 @@ TEST(Remesher, keeps_a_linear_pore_pressure)
   soil.water->drainage = material::Drainage::consolidation;
   soil.water->porosity = 0.4;
   soil.water->permeability = 1e-6;
+  return c;
+}
+
+// Pressures at the corners of straight sides are linear in each element, and so are those read from them; at the curved side of the pipe the linear functions of the corners are not those of space: 10 Pa of 6000.
+TEST(Remesher, keeps_a_linear_pore_pressure)
+{
+  const TemporaryFolder folder;
+  const settings::Case c = consolidating_bed();
   FemProblem problem = build_fem(c, ".", folder.path().string());
   const auto pressure = [](const Vec<2>& x) { return 1e3 * x[0] - 4e3 * x[1]; };
   const auto each = [&](const auto& visit) {
@@ -242,20 +249,26 @@ TEST(Remesher, meshes_a_loaded_block_without_a_rigid_body)
   EXPECT_NEAR(sum[0], 0, 1e-9);
 }
 
+/// Presses the pipe into its contact nodes by this overlap, m.
+void press(FemModel& model, FemState& state, Real overlap)
+{
+  const bodies::RigidBody<2>& pipe = model.model.rigid_bodies[model.model.main_rigid];
+  for (std::size_t k = 0; k < model.contact.size(); ++k) {
+    const Index node = model.contact[k].node;
+    const bodies::SurfacePoint<2> surface = surface_now(pipe, {}, model.mesh.position[node]);
+    if (std::abs(surface.distance) > 1e-3) continue;
+    const Vec<2> to = -(surface.distance + overlap) * surface.normal;
+    for (int d = 0; d < 2; ++d) state.displacement[2 * node + d] = to[d];
+    state.contact[k].gap = -overlap;
+    state.contact[k].traction = surface.normal;
+  }
+}
+
 // Each contact node overlaps by what compressed the spring there: a uniform pressure stays, but for the ends of the contact, where the old sides have a pressure at one end only.
 TEST_F(Remeshing, keeps_the_pressure_of_the_contact)
 {
   constexpr Real overlap = 1e-5;
-  const bodies::RigidBody<2>& pipe = model().model.rigid_bodies[model().model.main_rigid];
-  for (std::size_t k = 0; k < model().contact.size(); ++k) {
-    const Index node = model().contact[k].node;
-    const bodies::SurfacePoint<2> surface = surface_now(pipe, {}, model().mesh.position[node]);
-    if (std::abs(surface.distance) > 1e-3) continue;
-    const Vec<2> to = -(surface.distance + overlap) * surface.normal;
-    for (int d = 0; d < 2; ++d) state().displacement[2 * node + d] = to[d];
-    state().contact[k].gap = -overlap;
-    state().contact[k].traction = surface.normal;
-  }
+  press(model(), state(), overlap);
   Remesher(c, folder.path()).remesh(model(), state());
   int kept = 0;
   for (std::size_t k = 0; k < model().contact.size(); ++k)
@@ -264,6 +277,22 @@ TEST_F(Remeshing, keeps_the_pressure_of_the_contact)
       ++kept;
     }
   EXPECT_GT(kept, 5);
+}
+
+TEST(Remesher, leaves_a_body_shut_that_is_pressed_into_consolidating_soil)
+{
+  const TemporaryFolder folder;
+  const settings::Case c = consolidating_bed();
+  FemProblem problem = build_fem(c, ".", folder.path().string());
+  press(problem.model, problem.state, 1e-5);
+  Remesher(c, folder.path()).remesh(problem.model, problem.state);
+  int shut = 0;
+  for (const BoundarySide& side : problem.model.contact_sides)
+    if (problem.model.mesh.position[side.middle][1] < -0.03) {
+      EXPECT_FALSE(problem.model.flow.open[0][side.from]) << problem.model.mesh.position[side.from].transpose();
+      ++shut;
+    }
+  EXPECT_GT(shut, 5);
 }
 
 }  // namespace
