@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/page/report.hpp"
+#include "commands/report.hpp"
 
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
@@ -8,6 +8,11 @@
 #include <fmt/format.h>
 
 namespace berm::commands {
+
+void print_report(const report::ReportRequest& request)
+{
+  for (const std::filesystem::path& file : write_report(request)) fmt::print("{}\n", std::filesystem::proximate(file).string());
+}
 
 Command add_report(CLI::App& program)
 {
@@ -23,7 +28,7 @@ Command add_report(CLI::App& program)
   return {app, [request, former] {
             if (!former->empty()) throw InputError("--claims is --expected now, and names an expected.toml: docs/how_to/report.md");
             messages_to_stderr();
-            for (const std::filesystem::path& file : write_report(*request)) fmt::print("{}\n", std::filesystem::proximate(file).string());
+            print_report(*request);
             return 0;
           }};
 }

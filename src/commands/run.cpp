@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/report.hpp"
 #include "commands/side_by_side.hpp"
 #include "core/ranks.hpp"
 #include "io/folder_lock.hpp"
@@ -11,7 +12,6 @@
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "os/mesh_cache.hpp"
-#include "report/page/report.hpp"
 #include "run_folder/summary_file.hpp"
 #include "sandbox/sandbox.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -135,7 +135,7 @@ void write_page(const std::vector<std::filesystem::path>& folders)
 {
   report::ReportRequest page;
   for (const std::filesystem::path& folder : folders) page.folders.push_back(folder.string());
-  for (const std::filesystem::path& file : write_report(page)) fmt::print("{}\n", std::filesystem::proximate(file).string());
+  print_report(page);
 }
 
 std::vector<std::filesystem::path> folders_of(const std::vector<simulation::RunRequest>& all)

@@ -67,6 +67,7 @@ TEST(RunBoth, runs_a_case_by_both_methods_and_writes_one_page)
   const std::string page = place.folder.read("out/report.html");
   EXPECT_NE(page.find("finite elements, large deformations, remeshed"), std::string::npos);
   EXPECT_NE(page.find("material point method"), std::string::npos);
+  EXPECT_NE(page.find("<p id=\"reliable-method\">"), std::string::npos);
   EXPECT_NE(page.find("<h3>Two methods</h3>"), std::string::npos);
   EXPECT_NE(page.find("\"title\":\"Ground at the ends of stages\""), std::string::npos);
   const Ended again = place.berm({"run", "small.toml", "--both", "-o", "out"});

@@ -82,7 +82,7 @@ Real particles_of(const record::RunRecord& run)
   return std::isnan(count) ? 0 : count;
 }
 
-/// The order of the page: the material point method first, then by number of particles.
+/// The order of the page: the material point method first, then by number of particles. Of a case by both methods the more reliable one leads.
 bool finer(const record::RunRecord& a, const record::RunRecord& b)
 {
   if (a.settings.method != b.settings.method) return a.settings.method == settings::Method::mpm;
@@ -130,6 +130,7 @@ std::vector<record::RunRecord> read_runs(const std::vector<fs::path>& folders, s
     }
   if (runs.empty()) throw InputError("none of the run folders can be read");
   std::stable_sort(runs.begin(), runs.end(), finer);
+  lead_with_reliable_method(runs);
   tell_apart(runs);
   mark_invalid(runs);
   return runs;

@@ -17,9 +17,16 @@ struct FirstLook {
 std::string results_section(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements,
                             const FirstLook& first_look = {});
 
-/// The key results of cases that ran by the material point method and by finite elements of large deformations, side by side with their differences, and which of both
-/// is more reliable, as HTML with its heading; "" where no case ran by both. Cases are the same that differ in method, size of cells and particles per cell alone.
+/// The key results of cases that ran by the material point method and by finite elements of large deformations, side by side with their differences, as HTML with its
+/// heading; "" where no case ran by both. Cases are the same that differ in method, size of cells and particles per cell alone. Which of both methods is more reliable
+/// stands below, but for the case of the first run.
 std::string two_methods(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements);
+
+/// On which method to rely for the case of the first run, and why, as a paragraph of HTML; "" where it did not run by both.
+std::string reliable_method(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements);
+
+/// Puts the finite elements first where the case of the first run ran by both methods and they are the more reliable.
+void lead_with_reliable_method(std::vector<record::RunRecord>& runs);
 
 /// How the water drained in each stage, of the runs whose water flows, as HTML with its heading; "" where none does.
 std::string consolidation_table(const std::vector<record::RunRecord>& runs);

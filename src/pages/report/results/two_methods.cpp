@@ -6,6 +6,7 @@
 #include "material/clay.hpp"
 #include "os/text_of_list.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/base/errors_of_methods.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
@@ -22,12 +23,13 @@ using run_folder::Quantity;
 
 constexpr Real large_difference = 0.1;  // of the finite element value
 constexpr std::size_t max_named = 5;    // results in a sentence
-constexpr const char* friction = "soil with friction";
 
 /// A run by each method of one case, and what is said of their quality.
 struct Pair {
   const record::RunRecord *mpm, *fem;
   const Judgement *of_mpm, *of_fem;
+
+  bool has(const record::RunRecord& run) const { return mpm == &run || fem == &run; }
 };
 
 /// The case without what belongs to a method alone: the method and its parameters, sizes of cells, particles per cell, and what is written.
@@ -149,91 +151,124 @@ std::string table_of(const Pair& pair, const std::vector<Both>& results, const s
   return table.html();
 }
 
-/// Why the numbers of a run are not to be relied on, HTML; none where nothing bad is known of it.
-Words faults_of(const record::RunRecord& run, const Judgement& judgement)
+/// Why the numbers of a run are not to be relied on, HTML, and how much that counts.
+struct Faults {
+  enum Weight { none, bad_measure, no_answer } weight = none;
+  Words words;
+};
+
+Faults faults_of(const record::RunRecord& run, const Judgement& judgement)
 {
-  Words faults;
-  if (run.end != record::RunEnd::finished) faults.emplace_back("it has not finished");
-  if (run.summary && !run.summary->invalid.empty()) faults.emplace_back("its answer is invalid");
+  Faults faults;
+  if (run.end != record::RunEnd::finished) faults.words.emplace_back("it has not finished");
+  if (run.summary && !run.summary->invalid.empty()) faults.words.emplace_back("its answer is invalid");
+  if (!faults.words.empty()) faults.weight = Faults::no_answer;
   for (const auto& [measure, value, standing] : judgement.measures)
-    if (standing == text::Standing::bad)
-      faults.push_back(text::html_text(fmt::format("bad measure of trust: {}, {}", measure.what, measure.words(run, value))));
+    if (standing == text::Standing::bad) {
+      faults.words.push_back(text::html_text(fmt::format("bad measure of trust: {}, {}", measure.what, measure.words(run, value))));
+      faults.weight = std::max(faults.weight, Faults::bad_measure);
+    }
   return faults;
 }
 
-/// What of a soil remeshed finite elements have not been compared in with independent results (docs/decisions/0111, Left); "" of clay without softening.
-std::string not_compared(const material::Material& soil)
+/// A soil in which remeshed elements do worse than cells (docs/decisions/0113), with the reason; "" where they do not.
+std::string weakness_in(const material::Material& soil, bool dragged)
 {
   const std::optional<material::Strength> strength = strength_at_rest(soil);
-  if (!strength) return fmt::format("soil of the law {}", law_name(soil));
-  if (strength->friction_angle > 0) return friction;
+  if (!strength) return fmt::format("remeshed elements have not been compared with independent results for the law {}", law_name(soil));
+  if (strength->friction_angle > 0)
+    return "in soil with friction H of remeshed elements falls by up to 13 % at a remeshing (docs/decisions/0113). Halve the cells: in "
+           "sand with psi &lt; phi V on cells of D/20 is 14 % above D/40 (examples/mesh_study)";
   const auto* clay = soil.get_if<material::Clay>();
-  return clay != nullptr && clay->sensitivity > 1 ? "softening clay" : "";
+  return dragged && clay != nullptr && clay->sensitivity > 1
+             ? "in softening clay H of remeshed elements jumps by up to a fifth where soil folds onto soil (docs/decisions/0113)"
+             : "";
 }
 
-/// The same of a case.
+/// Why material points suit a case better than remeshed elements; none where elements do as well.
+Words weaknesses_in(const settings::Case& c)
+{
+  const bool dragged =
+      std::ranges::any_of(c.stage, [](const settings::StageSettings& stage) { return stage.kind == settings::StageKind::drag; });
+  Words list;
+  if (const std::optional<settings::BodySoil> soil = base::touched_soil(c))
+    for (const material::Material& one : soil->materials)
+      if (const std::string what = weakness_in(one, dragged); !what.empty() && std::ranges::find(list, what) == list.end())
+        list.push_back(what);
+  const auto by_recorded_forces = [](const settings::StageSettings& stage) {
+    return has_load_history(stage) && (stage.force || stage.loads.has_force());
+  };
+  if (std::ranges::any_of(c.stage, by_recorded_forces))
+    list.emplace_back("recorded forces move the body, and remeshed elements have no inertia");
+  return list;
+}
+
+/// What of a case remeshed elements have not been compared in with independent results (docs/decisions/0111 to 0113, Left).
 Words not_compared(const settings::Case& c)
 {
   using enum settings::StageKind;
   Words list;
   const std::optional<settings::BodySoil> soil = base::touched_soil(c);
-  if (soil)
-    for (const material::Material& one : soil->materials)
-      if (const std::string what = not_compared(one); !what.empty() && std::ranges::find(list, what) == list.end()) list.push_back(what);
-  if (soil && std::ranges::any_of(soil->materials, [](const material::Material& one) { return hydraulics(one).has_value(); }))
-    list.emplace_back("consolidation");
-  if (std::ranges::none_of(c.rigid, [](const auto& rigid) { return std::holds_alternative<bodies::CircleSettings>(rigid.second.shape); }))
-    list.emplace_back("bodies other than a pipe or a ball");
+  const auto softens = [](const material::Material& one) {
+    const auto* clay = one.get_if<material::Clay>();
+    return clay != nullptr && clay->sensitivity > 1;
+  };
+  if (soil && std::ranges::any_of(soil->materials, softens)) list.emplace_back("softening clay");
   if (soil && (!soil->layers.empty() || !soil->of_region.empty())) list.emplace_back("layered soil");
-  bool forth = false, back = false, lifted = false, recorded = false;
+  bool forth = false, back = false, lifted = false;
   for (const settings::StageSettings& stage : c.stage) {
     const Real velocity = stage.velocity.value_or(stage.force.value_or(0));
     if (stage.kind == drag) (velocity < 0 ? back : forth) = true;
     if (stage.kind == push && stage.velocity && velocity < 0 && !(stage.until.force && *stage.until.force > 0)) lifted = true;
-    if (!stage.load_times.empty() || !stage.loads.empty()) recorded = true;
   }
   if (forth && back) list.emplace_back("drags to and fro");
   if (lifted) list.emplace_back("uplift");
-  if (recorded) list.emplace_back("load histories");
   return list;
 }
 
-/// " Elements at the pipe in this run: D/10."; "" where that is not known.
-std::string elements_here(const record::RunRecord& run)
+/// " (here D/10)"; "" where that is not known.
+std::string size_here(const record::RunRecord& run)
 {
-  const settings::Case& c = run.settings;
-  const Real over_D = base::body_scale(c).width / base::near_cells(run).first;
-  return std::isfinite(over_D) && over_D > 0 ? fmt::format(" Elements at the {} in this run: D/{:.3g}.", base::body_word(c), over_D) : "";
+  const Real over_D = base::body_scale(run.settings).width / base::near_cells(run).first;
+  return std::isfinite(over_D) && over_D > 0 ? fmt::format(" (here D/{:.3g})", over_D) : "";
 }
 
-/// Which of both results is more reliable, and why.
-std::string verdict_on(const Pair& pair)
+std::string why_elements(const Pair& pair)
 {
+  const Words open = not_compared(pair.fem->settings);
+  return fmt::format(
+      " Their contact acts on the exact surface of the body, without inertia or noise: V of a smooth pipe pushed 0.5 D into clay is {} "
+      "above "
+      "an independent program on elements of {}{} (examples/remeshed_pipe). Material points ({}) have an error of first order in the size "
+      "of the cells at contacts and edges: {} on {}{}. They are for soil that breaks up, fast motion and three dimensions.{}",
+      errors_words(base::errors_of_remeshed_elements), sizes_words(base::errors_of_remeshed_elements), size_here(*pair.fem),
+      text::html_text(pair.mpm->name), errors_words(base::errors_of_cells), sizes_words(base::errors_of_cells), size_here(*pair.mpm),
+      open.empty() ? ""
+                   : fmt::format(" For {} remeshed elements have not been compared with independent results.", text_of_list(open, ", ")));
+}
+
+/// Which of both results to rely on, and why.
+struct Verdict {
+  enum Of { neither, mpm, fem } reliable;
+  std::string html;
+};
+
+Verdict verdict_on(const Pair& pair)
+{
+  const Faults of_mpm = faults_of(*pair.mpm, *pair.of_mpm), of_fem = faults_of(*pair.fem, *pair.of_fem);
   const std::string mpm = text::html_text(pair.mpm->name), fem = text::html_text(pair.fem->name);
-  const Words of_mpm = faults_of(*pair.mpm, *pair.of_mpm), of_fem = faults_of(*pair.fem, *pair.of_fem);
-  const auto because = [](const std::string& name, const Words& faults) {
-    return fmt::format("{}: {}.", name, text_of_list(faults, "; "));
+  const auto because = [](const std::string& name, const Faults& faults) {
+    return faults.words.empty() ? "" : fmt::format(" {}: {}.", name, text_of_list(faults.words, "; "));
   };
-  const std::string by_mpm = fmt::format("More reliable: the material point method ({}).", mpm),
-                    by_fem = fmt::format("More reliable: finite elements ({}).", fem);
-  if (!of_mpm.empty() && !of_fem.empty()) return fmt::format("Neither run is reliable. {} {}", because(mpm, of_mpm), because(fem, of_fem));
-  if (!of_mpm.empty()) return by_fem + " " + because(mpm, of_mpm);
-  if (!of_fem.empty()) return by_mpm + " " + because(fem, of_fem);
-  if (const Words open = not_compared(pair.fem->settings); !open.empty()) {
-    const bool has_friction = std::ranges::find(open, friction) != open.end();
-    return by_mpm +
-           fmt::format(" Remeshed finite elements have not been compared with independent results for {}.{}", text_of_list(open, ", "),
-                       has_friction
-                           ? " The error of the cell size remains: in sand with psi &lt; phi V on cells of D/20 is 14 % above D/40 "
-                             "(examples/mesh_study)."
-                           : "");
-  }
-  return by_fem +
-         " Contact acts on the exact surface of the body, and the error of the element size is known: in examples/remeshed_pipe (smooth "
-         "pipe "
-         "pushed 0.5 D into clay) elements of D/5, D/10 and D/20 give V 0.9, 0.3 and 0.3 % above an independent program with D/40. The "
-         "material point method converges at first order: cells of D/10, D/20 and D/40 give V 3.6, 2.5 and 1.5 % above it." +
-         elements_here(*pair.fem);
+  const std::string faults = because(mpm, of_mpm) + because(fem, of_fem),
+                    by_mpm = fmt::format("<strong>Rely on the material point method ({}).</strong>", mpm),
+                    by_fem = fmt::format("<strong>Rely on the remeshed finite elements ({}).</strong>", fem);
+  if (of_mpm.weight < of_fem.weight) return {Verdict::mpm, by_mpm + faults};
+  const Words weaknesses = weaknesses_in(pair.fem->settings);
+  if (of_fem.weight < of_mpm.weight) return {Verdict::fem, by_fem + faults + (weaknesses.empty() ? why_elements(pair) : "")};
+  if (of_fem.weight != Faults::none) return {Verdict::neither, "<strong>Neither run is reliable.</strong>" + faults};
+  if (!weaknesses.empty()) return {Verdict::mpm, by_mpm + fmt::format(" The reason: {}.", text_of_list(weaknesses, "; "))};
+  return {Verdict::fem, by_fem + why_elements(pair)};
 }
 
 /// What the size of the differences says.
@@ -263,9 +298,33 @@ std::string two_methods(const Runs& runs, const std::vector<Judgement>& judgemen
     const std::vector<Both> results = key_results_of(pair);
     if (results.empty()) continue;
     const std::string id = ++count == 1 ? "two-methods" : fmt::format("two-methods-{}", count);
-    html += table_of(pair, results, id) + fmt::format("<p>{} {}</p>\n", verdict_on(pair), words_on_differences(results));
+    const std::string verdict =
+        pair.has(runs.front()) ? "" : verdict_on(pair).html + " ";  // of the first pair it stands on top of the page
+    html += table_of(pair, results, id) + fmt::format("<p>{}{}</p>\n", verdict, words_on_differences(results));
   }
   return html.empty() ? "" : "<h3>Two methods</h3>\n" + html;
+}
+
+std::string reliable_method(const Runs& runs, const std::vector<Judgement>& judgements)
+{
+  for (const Pair& pair : pairs_of(runs, judgements))
+    if (pair.has(runs.front()))
+      return fmt::format("<p id=\"reliable-method\">{}{}</p>\n", verdict_on(pair).html,
+                         key_results_of(pair).empty() ? "" : " <a href=\"#two-methods\">Results of both and their differences</a>.");
+  return "";
+}
+
+void lead_with_reliable_method(Runs& runs)
+{
+  const auto is_mpm = [](const record::RunRecord& run) { return run.settings.method == settings::Method::mpm; };
+  if (std::ranges::all_of(runs, is_mpm) || std::ranges::none_of(runs, is_mpm)) return;
+  const std::vector<Judgement> judgements = judgements_of(runs);
+  for (const Pair& pair : pairs_of(runs, judgements))
+    if (pair.has(runs.front()) && verdict_on(pair).reliable == Verdict::fem) {
+      const auto reliable = runs.begin() + (pair.fem - runs.data());
+      std::rotate(runs.begin(), reliable, reliable + 1);
+      return;
+    }
 }
 
 }  // namespace berm::report

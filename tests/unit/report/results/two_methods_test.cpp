@@ -31,6 +31,14 @@ struct TwoRuns {
   record::RunRecord mpm = by_method(settings::Method::mpm, 1.05), fem = by_method(settings::Method::fem);
 
   std::string html() const { return two_methods({mpm, fem}, judgements_of({mpm, fem})); }
+  std::string verdict() const { return reliable_method({mpm, fem}, judgements_of({mpm, fem})); }
+  /// The name of the run with which a page begins.
+  std::string first() const
+  {
+    std::vector<record::RunRecord> runs = {mpm, fem};
+    lead_with_reliable_method(runs);
+    return runs.front().name;
+  }
 };
 
 TEST(two_methods, stand_side_by_side_with_their_differences)
@@ -102,71 +110,110 @@ TEST(two_methods, cases_have_tables_of_their_own)
   const std::string html = two_methods(all, judgements_of(all));
   EXPECT_TRUE(holds(html, "id=\"two-methods\"")) << html;
   EXPECT_TRUE(holds(html, "id=\"two-methods-2\"")) << html;
+  EXPECT_GT(html.find("Rely on"), html.find("id=\"two-methods-2\"")) << "of the first case it stands on top of the page: " << html;
 }
 
-TEST(two_methods, in_clay_finite_elements_are_more_reliable)
+TEST(two_methods, in_clay_finite_elements_are_more_reliable_and_lead)
 {
-  const std::string html = TwoRuns{}.html();
-  EXPECT_TRUE(holds(html, "More reliable: finite elements (fem). Contact acts on the exact surface")) << html;
+  const TwoRuns runs;
+  const std::string html = runs.verdict();
+  EXPECT_TRUE(
+      html.starts_with("<p id=\"reliable-method\"><strong>Rely on the remeshed finite elements (fem).</strong> Their contact acts on "
+                       "the exact surface"))
+      << html;
   EXPECT_TRUE(holds(html, "examples/remeshed_pipe")) << html;
+  EXPECT_TRUE(holds(html, "Material points (mpm) have an error of first order")) << html;
+  EXPECT_FALSE(holds(html, "not been compared")) << html;
+  EXPECT_EQ(runs.first(), "fem");
+  EXPECT_FALSE(holds(runs.html(), "Rely on")) << "it stands on top of the page";
+  const std::string answer = results_section({runs.fem, runs.mpm}, judgements_of({runs.fem, runs.mpm}));
+  EXPECT_LT(answer.find("Rely on the remeshed"), answer.find("id=\"first-look\"")) << answer;
+  EXPECT_EQ(reliable_method({runs.mpm}, judgements_of({runs.mpm})), "") << "of one method alone nothing is said";
 }
 
-/// What is said of two runs whose cases are changed alike.
-std::string of_changed(const std::function<void(settings::Case&)>& change)
+/// Two runs whose cases are changed alike.
+TwoRuns changed(const std::function<void(settings::Case&)>& change)
 {
   TwoRuns runs;
   change(runs.mpm.settings), change(runs.fem.settings);
-  return runs.html();
+  return runs;
 }
 
-TEST(two_methods, where_finite_elements_are_not_compared_the_material_point_method_is_more_reliable)
+void make_softening(settings::Case& c)
 {
-  const auto for_ = [](const std::string& what) {
-    return "More reliable: the material point method (mpm). Remeshed finite elements have not been compared with independent results for " +
-           what + ".";
+  material::Clay clay;
+  clay.undrained_strength = 1000, clay.sensitivity = 3;
+  c.material = {{"soil", clay}};
+}
+
+TEST(two_methods, where_remeshing_does_worse_the_material_point_method_is_more_reliable_and_leads)
+{
+  const auto expect_mpm = [](const TwoRuns& runs, const std::string& why) {
+    EXPECT_TRUE(holds(runs.verdict(), "<strong>Rely on the material point method (mpm).</strong> The reason: " + why)) << runs.verdict();
+    EXPECT_EQ(runs.first(), "mpm");
   };
-  const std::string sand = of_changed([](settings::Case& c) { c.material = {{"soil", MadeRun::sand_law()}}; });
-  EXPECT_TRUE(holds(sand, for_("soil with friction"))) << sand;
-  EXPECT_TRUE(holds(sand, "(examples/mesh_study)")) << sand;
-  const std::string softening = of_changed([](settings::Case& c) {
-    material::Clay clay;
-    clay.undrained_strength = 1000, clay.sensitivity = 3;
-    c.material = {{"soil", clay}};
-  });
-  EXPECT_TRUE(holds(softening, for_("softening clay"))) << softening;
-  const std::string layers = of_changed([](settings::Case& c) {
-    material::MohrCoulomb stiff = MadeRun::clay_law();
-    stiff.cohesion = 2000;
-    c.material.emplace_back("deep", stiff);
-    c.body[0].second.soil_layer.push_back({.top = 0.1, .material = "deep"});
-  });
-  EXPECT_TRUE(holds(layers, for_("layered soil"))) << layers;
-  const std::string sweeps = of_changed([](settings::Case& c) {
-    c.stage.push_back(MadeRun::stage_of("back", settings::StageKind::drag));
-    c.stage.back().velocity = -0.1;
-  });
-  EXPECT_TRUE(holds(sweeps, for_("drags to and fro"))) << sweeps;
+  expect_mpm(changed([](settings::Case& c) { c.material = {{"soil", MadeRun::sand_law()}}; }), "in soil with friction H of remeshed");
+  expect_mpm(changed(make_softening), "in softening clay H of remeshed");
+  expect_mpm(changed([](settings::Case& c) {
+               settings::StageSettings& storm = c.stage.emplace_back(MadeRun::stage_of("storm", settings::StageKind::push));
+               storm.velocity.reset(), storm.force = 100;
+               storm.load_times = {0, 1}, storm.load_factors = {0, 1};
+             }),
+             "recorded forces move the body");
+}
+
+TEST(two_methods, what_remeshed_elements_are_not_compared_in_is_said)
+{
+  const auto expect_open = [](const TwoRuns& runs, const std::string& what) {
+    EXPECT_EQ(runs.first(), "fem");
+    EXPECT_TRUE(holds(runs.verdict(), " For " + what + " remeshed elements have not been compared with independent results."))
+        << runs.verdict();
+  };
+  expect_open(changed([](settings::Case& c) {
+                make_softening(c);
+                std::erase_if(c.stage, [](const auto& stage) { return stage.kind == settings::StageKind::drag; });
+              }),
+              "softening clay");
+  expect_open(changed([](settings::Case& c) {
+                material::MohrCoulomb stiff = MadeRun::clay_law();
+                stiff.cohesion = 2000;
+                c.material.emplace_back("deep", stiff);
+                c.body[0].second.soil_layer.push_back({.top = 0.1, .material = "deep"});
+              }),
+              "layered soil");
+  expect_open(changed([](settings::Case& c) {
+                c.stage.push_back(MadeRun::stage_of("back", settings::StageKind::drag));
+                c.stage.back().velocity = -0.1;
+              }),
+              "drags to and fro");
   const auto pushed_up = [](bool to_a_force) {
-    return of_changed([to_a_force](settings::Case& c) {
+    return changed([to_a_force](settings::Case& c) {
       c.stage.push_back(MadeRun::stage_of("up", settings::StageKind::push));
       c.stage.back().velocity = -0.1;
       if (to_a_force) c.stage.back().until.force = 100;
     });
   };
-  EXPECT_TRUE(holds(pushed_up(false), for_("uplift"))) << pushed_up(false);
-  EXPECT_TRUE(holds(pushed_up(true), "More reliable: finite elements")) << "unloading is no uplift: " << pushed_up(true);
+  expect_open(pushed_up(false), "uplift");
+  EXPECT_FALSE(holds(pushed_up(true).verdict(), "uplift")) << "unloading is no uplift: " << pushed_up(true).verdict();
 }
 
 TEST(two_methods, a_run_with_a_fault_is_less_reliable_than_one_without)
 {
   TwoRuns runs;
   runs.fem.end = record::RunEnd::stopped;
-  EXPECT_TRUE(holds(runs.html(), "More reliable: the material point method (mpm). fem: it has not finished.")) << runs.html();
-  runs.mpm.summary.emplace().invalid = {"energy does not balance"};
-  EXPECT_TRUE(holds(runs.html(), "Neither run is reliable. mpm: its answer is invalid.")) << runs.html();
+  EXPECT_TRUE(holds(runs.verdict(), "Rely on the material point method (mpm).</strong> fem: it has not finished.")) << runs.verdict();
+  EXPECT_EQ(runs.first(), "mpm");
+  runs.mpm.summary.emplace().checks["energy_error"] = 0.5;
+  EXPECT_TRUE(holds(runs.verdict(), "Rely on the material point method (mpm).</strong> mpm: bad measure of trust: energy"))
+      << "a run that stopped counts less than one with a bad measure: " << runs.verdict();
+  runs.mpm.summary->invalid = {"energy does not balance"};
+  EXPECT_TRUE(holds(runs.verdict(), "Neither run is reliable.</strong> mpm: its answer is invalid")) << runs.verdict();
   TwoRuns bad;
   bad.mpm.summary.emplace().checks["energy_error"] = 0.5;
-  EXPECT_TRUE(holds(bad.html(), "More reliable: finite elements (fem). mpm: bad measure of trust: energy")) << bad.html();
+  EXPECT_TRUE(holds(bad.verdict(), "Rely on the remeshed finite elements (fem).</strong> mpm: bad measure of trust: energy"))
+      << bad.verdict();
+  EXPECT_TRUE(holds(bad.verdict(), "exact surface")) << "the reason stands there, too: " << bad.verdict();
+  EXPECT_TRUE(holds(bad.verdict(), "<a href=\"#two-methods\">")) << bad.verdict();
 }
 
 TEST(two_methods, large_differences_are_named_with_their_usual_causes)
@@ -183,7 +230,7 @@ TEST(two_methods, names_of_runs_are_text)
 {
   TwoRuns runs;
   runs.mpm.name = "<b>mpm</b>";
-  EXPECT_FALSE(holds(runs.html(), "<b>")) << runs.html();
+  EXPECT_FALSE(holds(runs.html() + runs.verdict(), "<b>")) << runs.html() << runs.verdict();
 }
 
 }  // namespace
