@@ -6,6 +6,7 @@
 #include "io/duration_text.hpp"
 #include "io/tell.hpp"
 #include "os/error.hpp"
+#include "structures/base/errors_of_methods.hpp"
 #include "structures/base/soil_words.hpp"
 
 #include <algorithm>
@@ -18,37 +19,64 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-simulation::Checked check_of(const simulation::RunRequest& request, const CaseOptions& options)
+/// What the other method for large deformations would take.
+struct OtherMethod {
+  settings::Method method;
+  Real time = nan;      ///< wall time on one thread, s; NaN where no stage says how long it takes, or it cannot run
+  std::string why_not;  ///< "" where it can run
+};
+
+OtherMethod other_method(simulation::RunRequest request)
 {
-  simulation::Context context(options.threads);
-  simulation::Checked checked = check_case(request, context);
-  if (!checked.refusals.empty()) return checked;
+  settings::Method& method = request.settings.method;
+  method = method == settings::Method::mpm ? settings::Method::fem : settings::Method::mpm;
+  OtherMethod other{method, nan, ""};
+  try {
+    other.time = expected_wall_time(request);
+  } catch (const RunError& error) {
+    other.why_not = error.what();
+  } catch (const InputError& error) {
+    other.why_not = error.what();
+  }
+  return other;
+}
+
+/// The same in words, and the errors of both methods.
+std::vector<std::string> lines_of(const OtherMethod& other)
+{
+  const char* name =
+      other.method == settings::Method::fem ? "by remeshed finite elements (method = \"fem\")" : "by material points (method = \"mpm\")";
+  return {other.why_not.empty() ? fmt::format("{}: about {} on one thread", name, io::duration_text(other.time))
+                                : fmt::format("not {}: {}", name, other.why_not),
+          fmt::format("error        of V in a push into clay (examples/remeshed_pipe): elements of {}: {}; cells of {}: {}",
+                      sizes_words(base::errors_of_remeshed_elements), errors_words(base::errors_of_remeshed_elements),
+                      sizes_words(base::errors_of_cells), errors_words(base::errors_of_cells))};
+}
+
+/// What is found of a case, with what the other method takes where it asks for large deformations.
+struct CheckedCase {
+  simulation::Checked checked;
+  std::optional<OtherMethod> other;
+};
+
+CheckedCase check_of(const simulation::RunRequest& request, const CaseOptions& options)
+{
+  CheckedCase of;
+  {
+    simulation::Context context(options.threads);  // one at a time: the other method has its own
+    of.checked = check_case(request, context);
+  }
+  simulation::Checked& checked = of.checked;
+  if (!checked.refusals.empty()) return of;
   std::vector<std::string> notes;
   for (const auto& words_of : {base::soil_words, base::k0_words, base::drainage_words})
     for (std::string& line : words_of(request.settings)) notes.push_back(std::move(line));
   checked.notes.insert(checked.notes.begin(), notes.begin(), notes.end());
-  return checked;
-}
-
-/// What the other method for large deformations would take, and the errors of both.
-void print_other_method(simulation::RunRequest request)
-{
-  settings::Method& method = request.settings.method;
-  const bool is_mpm = method == settings::Method::mpm;
-  method = is_mpm ? settings::Method::fem : settings::Method::mpm;
-  const auto tell_why_not = [](const std::exception& error) { fmt::print("  not by the other method: {}\n", error.what()); };
-  try {
-    fmt::print("  {} about {} on one thread\n",
-               is_mpm ? "by remeshed finite elements (method = \"fem\"):" : "by material points (method = \"mpm\"):",
-               io::duration_text(expected_wall_time(request)));
-  } catch (const RunError& error) {
-    tell_why_not(error);
-  } catch (const InputError& error) {
-    tell_why_not(error);
+  if (request.settings.fem.large_deformation && checked.estimate) {
+    of.other = other_method(request);
+    for (std::string& line : lines_of(*of.other)) checked.estimate->lines.push_back(std::move(line));
   }
-  fmt::print(
-      "  error        of V in a push into clay (examples/remeshed_pipe): elements of D/5, D/10, D/20 0.9, 0.3, 0.3 %; cells of D/10, "
-      "D/20, D/40 3.6, 2.5, 1.5 %\n");
+  return of;
 }
 
 void print_check(const simulation::RunRequest& request, const simulation::Checked& checked)
@@ -60,7 +88,6 @@ void print_check(const simulation::RunRequest& request, const simulation::Checke
   for (const std::string& note : checked.notes) fmt::print("  {}\n", note);
   if (checked.failure) throw input::LocatedError(*checked.failure);
   for (const std::string& line : checked.estimate->lines) fmt::print("  {}\n", line);
-  if (request.settings.fem.large_deformation) print_other_method(request);
 }
 
 Json finding(const char* level, const input::Located& what)
@@ -74,16 +101,28 @@ Json finding(const char* level, const input::Located& what)
   return found;
 }
 
-/// Not a number is null.
-Json estimate_of(const simulation::Estimate& e)
+Json errors_of(const base::ErrorsOfSizes& errors)
 {
-  return Json::object({{"cells", e.cells},
-                       {"nodes", e.nodes},
-                       {"particles", e.particles},
-                       {"memory_bytes", e.memory},
-                       {"time_s", e.time},
-                       {"disk_bytes", e.disk},
-                       {"lines", e.lines}});
+  Json all = Json::array();
+  for (const base::ErrorOfSize& error : errors) all.push_back({{"size_over_D", 1. / error.n}, {"error", error.of_V}});
+  return all;
+}
+
+/// Not a number is null.
+Json estimate_of(const simulation::Estimate& e, const std::optional<OtherMethod>& other)
+{
+  Json estimate = Json::object({{"cells", e.cells},
+                                {"nodes", e.nodes},
+                                {"particles", e.particles},
+                                {"memory_bytes", e.memory},
+                                {"time_s", e.time},
+                                {"disk_bytes", e.disk},
+                                {"lines", e.lines}});
+  if (!other) return estimate;
+  estimate["other_method"] = {{"method", other->method == settings::Method::fem ? "fem" : "mpm"}, {"time_s", other->time}};
+  if (!other->why_not.empty()) estimate["other_method"]["why_not"] = other->why_not;
+  estimate["errors"] = {{"fem", errors_of(base::errors_of_remeshed_elements)}, {"mpm", errors_of(base::errors_of_cells)}};
+  return estimate;
 }
 
 /// A case that was read, or what is wrong with its text.
@@ -120,12 +159,12 @@ Json check_as_json(const Read& of, const CaseOptions& options)
   Json findings = of.findings, estimate;
   if (of.request)
     find(findings, of.file, [&] {
-      const simulation::Checked checked = check_of(*of.request, options);
+      const auto [checked, other] = check_of(*of.request, options);
       for (const input::Located& refusal : checked.refusals) findings.push_back(finding("error", refusal));
       if (checked.failure) findings.push_back(finding("error", *checked.failure));
       for (const input::Located& warning : checked.warnings) findings.push_back(finding("warning", warning));
       for (const std::string& note : checked.notes) findings.push_back(finding("note", {.file = of.file, .message = note}));
-      if (checked.estimate) estimate = estimate_of(*checked.estimate);
+      if (checked.estimate) estimate = estimate_of(*checked.estimate, other);
     });
   return Json::object({{"file", of.file}, {"findings", findings}, {"estimate", estimate}});
 }
@@ -165,7 +204,7 @@ Command add_check(CLI::App& program)
             if (*json) return print_json(*options);
             const std::vector<simulation::RunRequest> all = requests(*options);
             options->enter_sandbox(std::any_of(all.begin(), all.end(), brings_libraries), {});
-            for (const simulation::RunRequest& request : all) print_check(request, check_of(request, *options));
+            for (const simulation::RunRequest& request : all) print_check(request, check_of(request, *options).checked);
             return 0;
           }};
 }
