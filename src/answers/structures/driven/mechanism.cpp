@@ -3,8 +3,10 @@
 
 #include "material/clay.hpp"
 #include "os/error.hpp"
+#include "run_folder/ground.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 
 namespace berm::driven {
@@ -21,20 +23,55 @@ Real volume_above(const run_folder::SavedSoil& soil, std::size_t k, Real level)
   return side * std::clamp(soil.y[k] + side / 2 - level, Real(0), side);
 }
 
-/// Height of the soil above the surface by column, counted from the pipe's centre: m.
-std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, const problem::BedSurface& surface, Real center, Real width)
+using Columns = std::map<Index, Real>;
+
+/// Height of the particles above the surface by column, counted from the pipe's centre: m.
+Columns columns_of_particles(const run_folder::SavedSoil& soil, const problem::BedSurface& surface, Real center, Real width)
 {
-  std::map<Index, Real> columns;
+  Columns columns;
   for (std::size_t k = 0; k < soil.x.size(); ++k)
     columns[static_cast<Index>(std::floor((soil.x[k] - center) / width))] += volume_above(soil, k, surface.at(soil.x[k])) / width;
   return columns;
 }
 
-/// How much higher it is now than at the start.
-std::map<Index, Real> rises(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
-                            Real center, Real width)
+/// The mean of what of a line is positive, between its ends.
+Real mean_above(Real begin, Real end)
 {
-  std::map<Index, Real> columns = columns_above(now, surface, center, width);
+  const auto [low, high] = std::minmax(begin, end);
+  if (low >= 0) return (low + high) / 2;
+  return high > 0 ? high * high / (2 * (high - low)) : 0;
+}
+
+/// The same of finite elements. What lies below an overhang of the ground, along which x falls, is taken off.
+Columns columns_of_elements(const run_folder::SavedSoil& soil, const problem::BedSurface& surface, Real center, Real width)
+{
+  Columns columns;
+  const std::vector<Index> ground = run_folder::ground_points(soil);
+  for (std::size_t k = 1; k < ground.size(); ++k) {
+    const Real x[] = {soil.x[ground[k - 1]], soil.x[ground[k]]}, y[] = {soil.y[ground[k - 1]], soil.y[ground[k]]};
+    const auto [left, right] = std::minmax(x[0], x[1]);
+    if (!(left < right)) continue;
+    const auto height_at = [&](Real at) { return y[0] + (at - x[0]) / (x[1] - x[0]) * (y[1] - y[0]) - surface.at(at); };
+    const auto column_at = [&](Real at) { return static_cast<Index>(std::floor((at - center) / width)); };
+    for (Index column = column_at(left); column <= column_at(right); ++column) {
+      const Real from = std::max(left, center + static_cast<Real>(column) * width),
+                 to = std::min(right, center + static_cast<Real>(column + 1) * width);
+      if (from < to) columns[column] += (x[1] > x[0] ? 1 : -1) * (to - from) * mean_above(height_at(from), height_at(to)) / width;
+    }
+  }
+  return columns;
+}
+
+Columns columns_above(const run_folder::SavedSoil& soil, const problem::BedSurface& surface, Real center, Real width)
+{
+  return (soil.triangles.empty() ? columns_of_particles : columns_of_elements)(soil, surface, center, width);
+}
+
+/// How much higher it is now than at the start.
+Columns rises(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface, Real center,
+              Real width)
+{
+  Columns columns = columns_above(now, surface, center, width);
   for (const auto& [column, height] : columns_above(start, surface, center, width)) columns[column] -= height;
   return columns;
 }
@@ -98,6 +135,8 @@ RemouldedClay remoulded_clay(const run_folder::SavedSoil& now, Real limit, Real 
 Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, const problem::BedSurface& surface,
                        const BodyPlace& from, const BodyPlace& to, Real diameter)
 {
+  if (before.x.size() != after.x.size() || before.triangles != after.triangles)
+    throw RunError(fmt::format("{}: its points are not those of the frame before it", after.file.string()));
   std::vector<std::size_t> close;
   std::vector<Real> growth;
   const std::vector<float>& increment = after["incremental_deviatoric_strain"];
@@ -184,7 +223,7 @@ void take_berms(Results& results, const DrivenRun& run)
 {
   if (results.drags.empty()) return;
   const BodyFrames frames(run);
-  if (frames.count() == 0 || run.settings.method != settings::Method::mpm) return;
+  if (frames.count() == 0 || run.settings.small_strain()) return;
   try {
     const run_folder::SavedSoil start = frames.soil(0);
     const Real limit = half_remoulded(run);

@@ -22,7 +22,7 @@ struct Heave {
 };
 
 /// Soil above the `surface` (m) now, less that at the `start`: columns are D/10 wide, each particle a square, so that a grain that was thrown up
-/// counts for the soil that it is.
+/// counts for the soil that it is; of finite elements what lies below the ground.
 Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
                const BodyPlace& pipe, Real diameter);
 
@@ -50,7 +50,7 @@ struct Mechanism {
 };
 
 /// Of the soil within 4 D of the pipe's axis. Strain of less than a tenth of what one point in a hundred exceeds there does not count: everywhere
-/// else the soil shakes a little.
+/// else the soil shakes a little. Throws RunError where the points are not the same.
 Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, const problem::BedSurface& surface,
                        const BodyPlace& from, const BodyPlace& to, Real diameter);
 

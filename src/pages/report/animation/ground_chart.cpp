@@ -3,11 +3,11 @@
 #include "report/animation/ground_chart.hpp"
 
 #include "os/error.hpp"
+#include "run_folder/ground.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 
 namespace berm::report {
 namespace {
@@ -17,30 +17,6 @@ using run_folder::SavedSoil;
 
 constexpr std::size_t max_outlines = 8;  // besides that of the start
 constexpr Real beside_path = 2.5;        // D, of ground that is shown
-constexpr Real on_wall = 1e-6;           // of the length of the soil
-
-/// A side of one element alone leads from a corner of it by its middle to the next.
-struct Side {
-  Index middle, end;
-};
-using Boundary = std::multimap<Index, Side>;
-
-Boundary boundary_of(const std::vector<std::array<Index, 6>>& triangles)
-{
-  std::map<std::pair<Index, Index>, std::pair<int, Index>> sides;  // how many elements have it, and its middle
-  for (const std::array<Index, 6>& t : triangles)
-    for (int k = 0; k < 3; ++k) {
-      auto& [count, middle] = sides[std::minmax({t[k], t[(k + 1) % 3]})];
-      ++count, middle = t[3 + k];
-    }
-  Boundary boundary;
-  for (const auto& [ends, side] : sides) {
-    if (side.first != 1) continue;
-    boundary.insert({ends.first, {side.second, ends.second}});
-    boundary.insert({ends.second, {side.second, ends.first}});
-  }
-  return boundary;
-}
 
 /// The last row of each stage, in the order of the stages.
 std::vector<Index> ends_of_stages(const run_folder::History& history)
@@ -87,7 +63,7 @@ const FrameFiles* frame_at(const std::vector<FrameFiles>& files, Real time)
 base::Curve outline_of(const SavedSoil& soil, const Range& shown, const std::string& name, Index row)
 {
   base::Curve curve{.name = name};
-  for (const Index k : ground_points(soil)) {
+  for (const Index k : run_folder::ground_points(soil)) {
     if (soil.x[k] < shown.from || soil.x[k] > shown.to) continue;
     curve.x.push_back(soil.x[k]), curve.y.push_back(soil.y[k]);
     curve.rows.push_back(row);
@@ -96,30 +72,6 @@ base::Curve outline_of(const SavedSoil& soil, const Range& shown, const std::str
 }
 
 }  // namespace
-
-std::vector<Index> ground_points(const SavedSoil& soil)
-{
-  if (soil.triangles.empty()) return {};
-  const auto [left, right] = std::ranges::minmax(soil.x);
-  const Real close = on_wall * (right - left);
-  const auto is_at = [&](Index point, Real wall) { return std::abs(soil.x[point] - wall) <= close; };
-  const Boundary boundary = boundary_of(soil.triangles);
-  Index at = none;
-  for (const auto& [corner, side] : boundary)
-    if (is_at(corner, left) && (at == none || soil.y[corner] > soil.y[at])) at = corner;
-  std::vector<Index> points = {at};
-  for (Index before = none; !is_at(at, right);) {
-    const auto [first, last] = boundary.equal_range(at);
-    const auto next = std::find_if(first, last, [&](const auto& entry) {
-      const Index end = entry.second.end;
-      return end != before && !(is_at(at, left) && is_at(end, left));
-    });
-    if (next == last || points.size() > 2 * boundary.size()) return {};
-    points.push_back(next->second.middle), points.push_back(next->second.end);
-    before = at, at = next->second.end;
-  }
-  return points;
-}
 
 std::optional<base::Chart> ground_chart(const record::RunRecord& run)
 {

@@ -45,22 +45,6 @@ struct RemeshedRun {
   }
 };
 
-TEST(ground, is_the_free_surface_from_wall_to_wall)
-{
-  const RemeshedRun made;
-  const run_folder::SavedSoil soil = run_folder::read_soil(made.sample.file("soil_0003.vtu"));
-  EXPECT_EQ(ground_points(soil), (std::vector<Index>{10, 11, 12, 13, 14}));
-}
-
-TEST(ground, without_elements_or_walls_has_no_points)
-{
-  run_folder::SavedSoil soil;
-  EXPECT_TRUE(ground_points(soil).empty());
-  soil.x = {0, 1, 0.5, 0.5, 0.7, 0.2, 2}, soil.y = {0, 0, 1, 0, 0.5, 0.5, 0};
-  soil.triangles = {{0, 1, 2, 3, 4, 5}};  // the last point, the rightmost, belongs to none
-  EXPECT_TRUE(ground_points(soil).empty());
-}
-
 TEST(ground, is_drawn_at_the_start_and_at_the_ends_of_stages)
 {
   RemeshedRun made;

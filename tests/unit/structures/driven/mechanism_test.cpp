@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/driven/mechanism.hpp"
 
+#include "os/error.hpp"
+
 #include <gtest/gtest.h>
 
 namespace berm::driven::this_file {
@@ -36,6 +38,60 @@ TEST(Mechanism, heave_is_the_rise_of_the_surface_on_either_side)
   EXPECT_NEAR(heave.behind, 0.1 * D, 1e-3 * D);
   EXPECT_NEAR(heave.ahead, 0.2 * D, 1e-3 * D);
   EXPECT_NEAR(heave.berm, 0.2 * D * 5 * D, 1e-2 * D * D);
+}
+
+/// Finite elements from x = -5 D to 5 D and D deep, D/20 wide; corners and middles of sides rise.
+template <class Rise>
+run_folder::SavedSoil elements(const Rise& rise)
+{
+  run_folder::SavedSoil made;
+  constexpr int columns = 200, width = 2 * columns + 1;
+  for (int row = 0; row < 3; ++row)
+    for (int k = 0; k < width; ++k) {
+      const Real x = (k - columns) * side / 2;
+      made.x.push_back(x), made.y.push_back((row / 2. - 1) * D + (row == 2 ? rise(x) : 0));
+    }
+  for (int k = 0; k < width - 1; k += 2) {
+    const auto at = [&](int column, int row) { return row * width + k + column; };
+    made.triangles.push_back({at(0, 0), at(2, 0), at(2, 2), at(1, 0), at(2, 1), at(1, 1)});
+    made.triangles.push_back({at(0, 0), at(2, 2), at(0, 2), at(1, 1), at(1, 2), at(0, 1)});
+  }
+  return made;
+}
+
+TEST(Mechanism, heave_of_finite_elements_is_that_of_their_ground)
+{
+  const run_folder::SavedSoil start = elements(flat);
+  const auto hill = [](Real x) { return std::max(0., 0.4 * D - std::abs(x - 1.05 * D)) - (x < -0.95 * D ? 0.1 * D : 0); };
+  const Heave heave = heave_of(start, elements(hill), 0, {0, 0, 0}, D);
+  EXPECT_NEAR(heave.berm, 0.16 * D * D, 1e-3 * D * D);
+  EXPECT_NEAR(heave.ahead, 0.375 * D, 1e-3 * D) << "the mean of the highest column";
+  EXPECT_NEAR(heave.behind, 0, 1e-3 * D) << "a hollow is no soil above the surface";
+  const Berm berm = berm_of(start, elements(hill), 0, {0, 0, 0}, 1, D);
+  EXPECT_NEAR(berm.height, 0.375 * D, 1e-3 * D);
+  EXPECT_NEAR(berm.distance, 1.05 * D, 1e-3 * D);
+}
+
+TEST(Mechanism, soil_below_an_overhang_of_finite_elements_does_not_count_twice)
+{
+  // One node above the surface leans over the ground ahead of it: the triangle (0.1, 0), (0.5, 0.4), (0.3, 0) D is all that has risen.
+  run_folder::SavedSoil now = elements(flat);
+  for (std::size_t k = 0; k < now.x.size(); ++k) {
+    if (now.y[k] < -side / 4) continue;
+    const Real x = now.x[k] / D;
+    if (x > 0.11 && x < 0.29) {
+      const Real s = (x - 0.1) / 0.1, along = s < 1 ? s : 2 - s, foot = s < 1 ? 0.1 : 0.3;
+      now.x[k] = (foot + along * (0.5 - foot)) * D, now.y[k] = along * 0.4 * D;
+    }
+  }
+  EXPECT_NEAR(heave_of(elements(flat), now, 0, {0, 0, 0}, D).berm, 0.04 * D * D, 1e-3 * D * D);
+}
+
+TEST(Mechanism, of_frames_with_other_points_is_refused)
+{
+  run_folder::SavedSoil after = elements(flat);
+  after.triangles.pop_back();
+  EXPECT_THROW(mechanism_of(elements(flat), after, 0, {0, 0, 0}, {0, 0, 0}, D), RunError);
 }
 
 TEST(Mechanism, a_flat_bed_has_no_heave_whatever_its_lattice)
