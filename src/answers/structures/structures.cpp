@@ -6,6 +6,7 @@
 #include "structures/depth/profile_page.hpp"
 #include "structures/driven/run_charts.hpp"
 #include "structures/lateral/shaft.hpp"
+#include "structures/other_bodies.hpp"
 #include "structures/penetration/penetration.hpp"
 #include "structures/penetration/penetrometers.hpp"
 
@@ -49,7 +50,7 @@ base::Runs runs_of(const base::Structure& structure, const std::vector<record::R
 record::RunRecord read_run(const std::filesystem::path& folder)
 {
   record::RunRecord run = record::read_run(folder);
-  if (!run.summary && run.history.rows() > 0) run.quantities = structure_of(run.settings).quantities(run, {});
+  if (!run.summary && run.history.rows() > 0) run.quantities = quantities_of(run, {});
   return run;
 }
 

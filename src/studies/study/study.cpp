@@ -12,6 +12,7 @@
 #include "os/text_of_list.hpp"
 #include "run_folder/summary.hpp"
 #include "structures/driven/known_names.hpp"
+#include "structures/other_bodies.hpp"
 #include "structures/structures.hpp"
 #include "study/estimates.hpp"
 #include "study/study_report.hpp"
@@ -88,7 +89,7 @@ settings::Case read_row(const fs::path& file, const Study& study, const StudyRow
 /// Throws InputError where a measure of a row asks for a quantity that its run cannot have, of a structure whose quantities are known before the run.
 void check_measures(const fs::path& file, const Study& study, const StudyRow& row, const settings::Case& settings)
 {
-  std::vector<std::string> known = structures::structure_of(settings).quantity_names(settings);
+  std::vector<std::string> known = structures::quantity_names_of(settings);
   if (known.empty()) return;
   for (std::string& name : run_folder::check_and_timing_names()) known.push_back(std::move(name));
   for (std::size_t k = 0; k < study.measure.size(); ++k) {

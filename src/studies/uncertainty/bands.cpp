@@ -2,6 +2,7 @@
 #include "uncertainty/bands.hpp"
 
 #include "record/travel_curve.hpp"
+#include "structures/other_bodies.hpp"
 #include "structures/structures.hpp"
 #include "text/quantity_words.hpp"
 
@@ -160,13 +161,12 @@ std::vector<Real> noise_of(const record::RunRecord& run)
 {
   std::vector<Real> noise(run.quantities.size(), 0);
   if (!base::body_scale(run).noisy) return noise;
-  const base::Structure& structure = structures::structure_of(run.settings);
   std::vector<std::vector<run_folder::Quantity>> without;
   for (int set = 0; set < sets_of_rows; ++set) {
     record::RunRecord part = run;
     part.history = thinned(run.history, set);
     part.folder.clear();  // what is seen in frames has no noise of rows
-    without.push_back(structure.quantities(part, {}));
+    without.push_back(structures::quantities_of(part, {}));
   }
   for (std::size_t k = 0; k < noise.size(); ++k) {
     Real sum = 0, squares = 0;

@@ -11,6 +11,7 @@
 #include "structures/base/still_moving.hpp"
 #include "structures/base/support_reactions.hpp"
 #include "structures/driven/displacements.hpp"
+#include "structures/other_bodies.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -90,7 +91,7 @@ simulation::Answers answers_of(simulation::EndedRun& ended)
     run.summary.emplace().text[base::region_entry] = region;
     answers.text.emplace_back(base::region_entry, region);
   }
-  run.quantities = structure.quantities(run, ended.held_forces);
+  run.quantities = structures::quantities_of(run, ended.held_forces);
   for (const auto& quantities : {base::dissipation_quantities, base::support_quantities, base::fill_quantities})
     for (run_folder::Quantity& quantity : quantities(run)) run.quantities.push_back(std::move(quantity));
   answers.quantities = run.quantities;

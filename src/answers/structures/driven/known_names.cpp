@@ -43,15 +43,15 @@ void add_names_at(base::AnswerList& list, const Rows& rows, std::span<const Real
 
 std::string without_number(const std::string& name)
 {
-  static const std::regex with_number("V_at_w_([0-9.]{1,20})D(_over_gammaD2)?");
+  static const std::regex with_number("([A-Za-z0-9_.-]*\\.)?V_at_w_([0-9.]{1,20})D(_over_gammaD2)?");
   std::smatch parts;
   if (!std::regex_match(name, parts, with_number)) return name;
-  const std::string digits = parts.str(1);
+  const std::string digits = parts.str(2);
   Real read = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), read);
   const Real number = std::round(read / push_spacing) * push_spacing;
-  const bool is_taken = number > 0 && name == name_at("V_at_w", number) + parts.str(2);
-  return is_taken ? "V_at_w_#D" + parts.str(2) : name;
+  const bool is_taken = number > 0 && name == parts.str(1) + name_at("V_at_w", number) + parts.str(3);
+  return is_taken ? parts.str(1) + "V_at_w_#D" + parts.str(3) : name;
 }
 
 std::vector<std::string> known_names(const settings::Case& c)

@@ -202,7 +202,9 @@ const DragPath& drag_or_none(const List& drags, std::size_t number)
 Stages stages_of(const settings::Case& c, const std::vector<Real>& held_forces)
 {
   Stages stages;
+  const Index main = main_rigid(c);
   for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    if (!c.stage[k].rigid.empty() && c.stage[k].rigid != c.rigid[main].first) continue;
     const std::optional<StageSettings> s = as_push_or_drag(c.stage[k]);
     const bool still = s && s->velocity && *s->velocity == 0;
     if (!s || (s->kind == StageKind::drag && still)) continue;

@@ -30,7 +30,7 @@ using Stages = std::vector<Stage>;
 /// A drag whose asked travel is at most this (over D), before an unloading after which a drag of more than twice as much comes, lays the pipe, unless roles are said.
 constexpr Real longest_lay = 0.25;
 
-/// The pushes and the drags of a case. `held_forces`: N/m by stage of the case, NaN where none is held; empty where they are not known.
+/// The pushes and the drags of the main rigid body of a case. `held_forces`: N/m by stage of the case, NaN where none is held; empty where they are not known.
 Stages stages_of(const settings::Case& c, const std::vector<Real>& held_forces = {});
 
 /// The drag whose resistance is the answer: the first of role breakout, else the first that does not lay the pipe; the last where all do. Its number among the drags of

@@ -3,8 +3,10 @@
 
 #include "os/text_of_list.hpp"
 #include "structures/base/still_moving.hpp"
+#include "structures/other_bodies.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
+#include "text/quantity_words.hpp"
 
 #include <fmt/format.h>
 
@@ -56,6 +58,20 @@ std::string words_of(const Runs& runs, const std::vector<Judgement>& judgements,
                             runs.size() == 2 ? "run" : "runs", text_of_list(names, ", "), others);
 }
 
+/// The key results of the rigid bodies that stages drive besides the main one; "" where there is none.
+std::string other_bodies(const record::RunRecord& run, const std::string& id)
+{
+  text::HtmlTable table(id, fmt::format("{}: other bodies", run.name));
+  table.columns({{"result"}, {"value", true}, {"unit"}});
+  for (const std::string& rigid : structures::other_driven_bodies(run.settings))
+    for (const run_folder::Quantity& q : run.quantities)
+      if (q.kind == run_folder::QuantityKind::answer && q.name.starts_with(rigid + '.'))
+        table.row({{fmt::format("<code>{}</code> <span class=\"quiet\">{}</span>", text::html_text(q.name), text::html_text(q.meaning))},
+                   {text::table_number(q.value), true},
+                   {q.unit == "1" ? "" : text::html_text(q.unit)}});
+  return table.empty() ? "" : table.html();
+}
+
 base::DisplayUnits units_of(const Runs& runs)
 {
   std::vector<base::ScaledRun> scaled;
@@ -74,6 +90,7 @@ std::string results_section(const Runs& runs, const std::vector<Judgement>& judg
     key += structure.key_results(of_structure, shown);
     published += structure.published_values(of_structure, shown);
   }
+  for (std::size_t k = 0; k < runs.size(); ++k) key += other_bodies(runs[k], fmt::format("other-bodies-{}", k));
   if (!key.empty()) html += "<h3>Key results</h3>\n" + key;
   html += consolidation_table(runs) + support_table(runs) + published;
   for (std::size_t k = 0; k < runs.size(); ++k) {
