@@ -13,7 +13,7 @@ struct SenselessInput {
 
   const char* name;
   const char*
-      base;  ///< bed: the coarse probe test; elements: its finite elements; box: the small case; space: that in space; cone: a cone in clay; settling: soil beside a pile; line: a lateral buckle
+      base;  ///< bed: the coarse probe test; elements: its finite elements; box: the small case; space: that in space; cone: a cone in clay; settling: soil beside a pile; line: a lateral buckle; remeshed, pipes: remeshed elements
   Answer answer;
   std::vector<std::string> says;       ///< the key, and parts of the message
   std::vector<std::string> overrides;  ///< KEY=VALUE, as for --set

@@ -96,7 +96,7 @@ void does_a_pushed_pipe_begin_at_the_surface(const Scene& s, Findings& found)
   constexpr Real rounding = 0.02, half = 0.5;  // of its width
   // Who places it in the soil on purpose takes a round part of its width.
   const auto is_round = [](Real part) { return std::abs(10 * part - std::round(10 * part)) < 1e-6; };
-  if (!s.is_mpm() || !s.ground.line.level()) return;
+  if (s.c.small_strain() || !s.ground.line.level()) return;
   std::vector<char> asked(s.rigids.size(), 0);
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Index rigid = s.ways[k].rigid;

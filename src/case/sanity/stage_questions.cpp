@@ -223,7 +223,7 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
     }
     const Real width = s.rigids[s.ways[k].rigid].width;
     constexpr Real nothing = 5e-3;  // of the width
-    if (const std::optional<Real> travel = stage.until.displacement; travel && *travel < nothing * width && s.is_mpm())
+    if (const std::optional<Real> travel = stage.until.displacement; travel && *travel < nothing * width && !s.c.small_strain())
       found.warn(
           stage_key(k, "until.displacement"),
           fmt::format(
@@ -232,7 +232,7 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
     const std::optional<Direction> drive = only_force(s, stage);
     const Real force_alone = stage.force.value_or(drive ? along_axis(stage, drive->axis).force.value_or(0) : 0);
     const bool ends_by_itself = has_load_history(stage) || stage.until.time || stage.until.force || stage.until.consolidation;
-    if (s.is_mpm() && force_alone != 0 && !ends_by_itself)
+    if (!s.c.small_strain() && force_alone != 0 && !ends_by_itself)
       found.warn(stage_key(k, "until"),
                  fmt::format("may never be reached: a force of {:.3g} {} drives, and the soil may carry it before; add until.time as well",
                              force_alone, force_unit(s.c)));
@@ -504,7 +504,7 @@ void do_forces_press_down(const Scene& s, Findings& found)
                       pull, force_unit(s.c), problem_axes[s.up]));
     const bool varies = stage.loads.drives(settings::LoadAlong::downwards);
     const bool holds = drag && stage.vertical == settings::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity && !varies;
-    if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
+    if (holds && !pressed && !s.c.small_strain() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
       found.warn(stage_key(k, "vertical"), "holds the vertical force at the start of the stage, which is 0: nothing pushed the body down "
                                            "before; push it first, or give vertical_force");
     pressed = true;

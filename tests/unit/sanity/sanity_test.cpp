@@ -5,6 +5,7 @@
 #include "samples/senseless_load_histories.hpp"
 #include "samples/senseless_meshes.hpp"
 #include "samples/senseless_pipelines.hpp"
+#include "samples/senseless_remeshed.hpp"
 #include "samples/senseless_roles.hpp"
 #include "samples/senseless_sizes.hpp"
 #include "samples/senseless_soils.hpp"
@@ -25,6 +26,8 @@ std::string base_of(const std::string& name)
   if (name == "cone") return text_of_file(examples / "cone_in_clay/case.toml");
   if (name == "settling") return text_of_file(examples / "downdrag/case.toml");
   if (name == "line") return text_of_file(examples / "lateral_buckle/case.toml");
+  if (name == "remeshed") return text_of_file(examples / "remeshed_pipe/drag.toml");
+  if (name == "pipes") return text_of_file(examples / "remeshed_pipes/case.toml");
   if (name == "space") return test::small_space_case;
   return name == "box" ? test::small_case : text_of_file(probe_test / (name == "bed" ? "case.toml" : "wip_10.toml"));
 }
@@ -145,6 +148,7 @@ std::string name_of(const testing::TestParamInfo<SenselessInput>& row)
 
 INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()), name_of);
 INSTANTIATE_TEST_SUITE_P(LoadHistories, SenselessInputs, testing::ValuesIn(test::senseless_load_histories()), name_of);
+INSTANTIATE_TEST_SUITE_P(Remeshed, SenselessInputs, testing::ValuesIn(test::senseless_remeshed()), name_of);
 INSTANTIATE_TEST_SUITE_P(Roles, SenselessInputs, testing::ValuesIn(test::senseless_roles()), name_of);
 INSTANTIATE_TEST_SUITE_P(Sizes, SenselessInputs, testing::ValuesIn(test::senseless_sizes()), name_of);
 INSTANTIATE_TEST_SUITE_P(Soils, SenselessInputs, testing::ValuesIn(test::senseless_soils()), name_of);
