@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <string>
 #include <sys/wait.h>
@@ -21,6 +22,12 @@ struct Ended {
   std::string out, err;
 };
 
+/// The variable with which a program draws its pictures; without it they are blank (blank_gnuplot.c).
+inline std::string with_pictures()
+{
+  return std::string("PATH=") + std::getenv("PATH");
+}
+
 /// The built program, started in a folder with its own environment variables beside ours; stdout and stderr go to files elsewhere.
 class Program {
 public:
@@ -32,8 +39,10 @@ public:
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     const std::string out = (streams_ / "out").string(), err = (streams_ / "err").string();
+    const std::string blank = (std::filesystem::path(BERM_PROGRAM).parent_path() / "tests/blank").string() + ":" + std::getenv("PATH");
     id_ = ::fork();
     if (id_ != 0) return;
+    ::setenv("PATH", blank.c_str(), 1);
     for (const std::string& variable : environment) {
       const auto sign = variable.find('=');
       ::setenv(variable.substr(0, sign).c_str(), variable.substr(sign + 1).c_str(), 1);

@@ -48,7 +48,7 @@ protected:
   static void TearDownTestSuite() { delete made_; }
 
   Report() { fs::copy(*made_ / "out", place_ / "out", fs::copy_options::recursive); }
-  Ended berm(const Words& arguments) const { return run_program(place_.path(), arguments); }
+  Ended berm(const Words& arguments, const Words& environment = {}) const { return run_program(place_.path(), arguments, environment); }
   std::string text(const std::string& file) const { return text_of_file(place_ / file); }
   fs::path file(const std::string& name) const { return place_ / name; }
   void cut(const std::string& name, double part) const
@@ -108,7 +108,7 @@ TEST_F(Report, passes_over_what_an_earlier_report_wrote)
 
 TEST_F(Report, draws_figures_for_print)
 {
-  ASSERT_EQ(berm({"report", "out", "--figures"}).status, 0);
+  ASSERT_EQ(berm({"report", "out", "--figures"}, {with_pictures()}).status, 0);
   for (const char* name : {"V_w", "H_u", "w_u", "H_over_V_u", "a_energies", "b_contact", "a_soil", "a_mechanism", "b_soil"})
     for (const char* ending : {".svg", ".png"})
       EXPECT_TRUE(fs::exists(file(std::string("out/report_figures/") + name + ending))) << name << ending;
@@ -253,7 +253,7 @@ TEST_F(Report, names_of_folders_run_nothing_and_are_no_markup)
 {
   const std::string name = "<touch pwned; +';system(\"touch pwned\");y='z <img src=x>\xff";
   fs::rename(file("out/a"), file("out") / name);
-  const Ended ended = berm({"report", "out", "--figures", "-o", "page.html"});
+  const Ended ended = berm({"report", "out", "--figures", "-o", "page.html"}, {with_pictures()});
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_FALSE(fs::exists(file("pwned")));
   EXPECT_FALSE(fs::exists(file("report_figures/plots/pwned")));

@@ -101,7 +101,7 @@ TEST(Pictures, are_the_same_for_every_user)
   folder.write("case.toml", test::small_case);
   folder.write(".gnuplot", "system('touch \"" + (folder / "started").string() + "\"')\nset title 'mine'\n");
   for (const char* name : {"with", "without"}) {
-    const Ended ended = run_program(folder.path(), {"run", "case.toml", "-o", name}, {"HOME=" + folder.path().string()});
+    const Ended ended = run_program(folder.path(), {"run", "case.toml", "-o", name}, {"HOME=" + folder.path().string(), with_pictures()});
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "started"));
     std::filesystem::remove(folder / ".gnuplot");

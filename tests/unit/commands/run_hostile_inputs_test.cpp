@@ -33,7 +33,7 @@ protected:
   Hostile() { std::filesystem::create_directory(place_ / "work"); }
 
   void write(const std::string& name, const std::string& text) const { place_.write("work/" + name, text); }
-  Ended berm(const Words& arguments) const { return run_program(place_ / "work", arguments); }
+  Ended berm(const Words& arguments, const Words& environment = {}) const { return run_program(place_ / "work", arguments, environment); }
 
   /// Status 2 (1: the machine is too small), one line of words that a terminal can show, and nothing written.
   void expect_refused(const std::string& text, const std::string& says, const char* command = "check", int status = 2) const
@@ -166,14 +166,14 @@ TEST_F(Hostile, words_reach_no_shell_and_no_other_folder)
   replace_all("rigid = \"pipe\"", "rigid = \"-e\"");
   text += "[watch.-persist]\nbody = \"sand\"\npoint = [0, 0]\n";
   write("-o $(touch x).toml", text);
-  const Ended ended = berm({"run", "./-o $(touch x).toml", "-o", "results", "--threads", "1"});
+  const Ended ended = berm({"run", "./-o $(touch x).toml", "-o", "results", "--threads", "1"}, {with_pictures()});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_TRUE(std::filesystem::exists(place_ / "work/results/soil.png")) << ended.err;
   EXPECT_TRUE(std::filesystem::exists(place_ / "work/results/curves.png")) << ended.err;
   expect_nothing_else({"-o $(touch x).toml", "results/"});
   for (const auto& entry : std::filesystem::recursive_directory_iterator(place_ / "work/results"))
     EXPECT_NE(entry.path().filename(), "x") << entry.path();
-  EXPECT_EQ(berm({"report", "results", "--figures"}).status, 0);
+  EXPECT_EQ(berm({"report", "results", "--figures"}, {with_pictures()}).status, 0);
   expect_nothing_else({"-o $(touch x).toml", "results/"});
 }
 
@@ -205,7 +205,7 @@ case = [{name = "..", file = "stone.toml"}, {name = "../../x", file = "stone.tom
 measure = [{name = "`touch x`", column = "stone_vy_m_s", unit = "'; system('touch x') #"}]
 figure = [{name = "..", x = "time_s", y = "stone_vy_m_s"}, {name = "-persist", x = "time_s", y = "stone_vy_m_s"}, {name = "../x", x = "time_s", y = "stone_vy_m_s"}]
 )");
-  const Ended ended = berm({"study", "study.toml", "-o", "results", "--threads", "1"});
+  const Ended ended = berm({"study", "study.toml", "-o", "results", "--threads", "1"}, {with_pictures()});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(names_in(place_ / "work/results/runs"), (Words{".._.._x/", "_../", "_/"}));
   EXPECT_EQ(names_in(place_ / "work/results"),

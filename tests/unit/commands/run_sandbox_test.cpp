@@ -291,8 +291,8 @@ TEST_F(Sandbox, of_a_case_without_programs_changes_nothing)
   folder_.write("case.toml", test::small_case);
   folder_.write("fem.toml", test::small_fem_case);
   for (const char* name : {"case.toml", "fem.toml"}) {
-    ASSERT_EQ(berm({"run", name, "-o", "without", "--force", "--threads", "1"}).status, 0);
-    const Ended ended = berm({"run", name, "-o", "with", "--force", "--threads", "1", "--sandbox"});
+    ASSERT_EQ(berm({"run", name, "-o", "without", "--force", "--threads", "1"}, {with_pictures()}).status, 0);
+    const Ended ended = berm({"run", name, "-o", "with", "--force", "--threads", "1", "--sandbox"}, {with_pictures()});
     ASSERT_EQ(ended.status, 0) << ended.err;
     for (const char* file : {"history.csv", "curves.png"})
       EXPECT_TRUE(text_of_file(folder_ / "with" / file) == text_of_file(folder_ / "without" / file)) << name << " " << file;

@@ -204,9 +204,10 @@ TEST(FootingEnvelope, of_a_rough_strip_on_clay_is_that_of_Green_and_above_that_o
 {
   const TemporaryFolder folder;
   folder.write("footing.toml", coarse_footing);
-  const Ended ended =
-      run_program(folder.path(), {"envelope", "footing.toml", "-o", "found", "--points", "2", "--turns", "1", "--threads", "2", "--travel",
-                                  "0.05", "--set", "contact.base.scheme=musl_coupled", "--set", "contact.base.adhesion=10e3"});
+  const Ended ended = run_program(folder.path(),
+                                  {"envelope", "footing.toml", "-o", "found", "--points", "2", "--turns", "1", "--threads", "2", "--travel",
+                                   "0.05", "--set", "contact.base.scheme=musl_coupled", "--set", "contact.base.adhesion=10e3"},
+                                  {with_pictures()});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const auto summary = nlohmann::json::parse(text_of_file(folder / "found/summary.json"));
   const auto value = [&](const char* name) { return summary["quantities"][name]["value"].get<Real>(); };

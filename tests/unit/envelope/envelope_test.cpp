@@ -151,7 +151,7 @@ protected:
   Ended envelope(std::vector<std::string> words) const
   {
     words.insert(words.begin(), "envelope");
-    return run_program(folder_.path(), words);
+    return run_program(folder_.path(), words, {with_pictures()});
   }
   TemporaryFolder folder_;
 };

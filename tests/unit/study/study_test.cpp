@@ -240,7 +240,8 @@ x = "w_m"
 y = "V_N_m"
 stage = ["push"]
 )toml");
-  ASSERT_EQ(study().status, 0);
+  ASSERT_EQ(study({}, {with_pictures()}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "results/V_over_w.png"));
   EXPECT_NE(result("results.csv").find("case,V(0.1 D) (N/m),run\n"), std::string::npos);
   std::istringstream lines(text_of_file(folder_ / "results/plots/V_over_w_0.dat"));
   double w = 0, V = 0;

@@ -34,10 +34,10 @@ protected:
     folder_.write("examples/" + name + "/README.md", "# A stone that falls\n\nIt obeys $v = -g t$.\n");
     folder_.write("examples/" + name + "/expected.toml", expected);
   }
-  Ended verify(Words words) const
+  Ended verify(Words words, const Words& environment = {}) const
   {
     words.insert(words.begin(), "verify");
-    return run_program(folder_.path(), words);
+    return run_program(folder_.path(), words, environment);
   }
   std::vector<std::string> made() const { return names_in(folder_ / "out/verification/fall"); }
   bool is_there(const std::string& name) const { return std::filesystem::exists(folder_ / ("out/verification/" + name)); }

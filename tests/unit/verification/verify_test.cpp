@@ -135,7 +135,7 @@ TEST_F(Verify, writes_a_book_that_needs_no_network)
                       "[[expect]]\nruns = [\"earth\", \"light\"]\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\nlimit = 0\nexact "
                       "= 1\ntolerance = 1e-6\n"
                       "source = \"-10 and -5\"\nwhy = \"round-off\"\nrequirement = \"r\"\nderived = \"d\"\n");
-  EXPECT_EQ(verify({}).status, 1);
+  EXPECT_EQ(verify({}, {with_pictures()}).status, 1);
   const std::string book = "out/verification/";
   EXPECT_EQ(names_in(folder_ / "out/verification"),
             (Words{"fall.html", "fall/", "figures/", "index.html", "requirements.html", "trust.html"}));
