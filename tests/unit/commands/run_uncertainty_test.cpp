@@ -19,7 +19,14 @@ struct Place {
   TemporaryFolder folder;
 
   Place() { folder.write("fem.toml", test::small_fem_case); }
-  Ended berm(const Words& arguments) const { return run_program(folder.path(), arguments); }
+  /// With the run of another place.
+  explicit Place(const Place& another) : Place() { fs::copy(another.folder / "run", folder / "run", fs::copy_options::recursive); }
+  /// All use the same meshes.
+  Ended berm(const Words& arguments) const
+  {
+    static const TemporaryFolder meshes;
+    return run_program(folder.path(), arguments, {"BERM_MESH_CACHE=" + meshes.path().string()});
+  }
   /// Runs the case on elements small enough for a band.
   Ended run(const Words& more) const
   {
@@ -36,14 +43,35 @@ struct Place {
   }
 };
 
+/// Two runs, made once for all tests: one with bands, and one without.
+class Uncertainty : public testing::Test {
+protected:
+  static void SetUpTestSuite()
+  {
+    with_ = new Place;
+    without_ = new Place;
+    ended_ = with_->run({"--uncertainty"});
+    ASSERT_EQ(ended_.status, 0) << ended_.err;
+    ASSERT_EQ(without_->run({}).status, 0);
+  }
+  static void TearDownTestSuite()
+  {
+    delete with_;
+    delete without_;
+  }
+
+  static Place *with_, *without_;
+  static Ended ended_;
+};
+Place *Uncertainty::with_ = nullptr, *Uncertainty::without_ = nullptr;
+Ended Uncertainty::ended_;
+
 const Words all_variants = {"cells_1.33", "cells_1.5", "cells_1.67", "cells_1.83", "cells_2", "cells_2_long_steps"};
 
-TEST(Uncertainty, puts_bands_beside_the_results_and_changes_no_byte_of_the_run)
+TEST_F(Uncertainty, puts_bands_beside_the_results_and_changes_no_byte_of_the_run)
 {
-  const Place with, without;
-  const Ended ended = with.run({"--uncertainty"});
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  ASSERT_EQ(without.run({}).status, 0);
+  const Place &with = *with_, &without = *without_;
+  const Ended& ended = ended_;
   EXPECT_EQ(text_of_file(with.folder / "run/history.csv"), text_of_file(without.folder / "run/history.csv"));
   EXPECT_NE(ended.err.find("the runs with coarser cells take about"), std::string::npos) << ended.err;
   const run_folder::Uncertainty u = with.uncertainty();
@@ -68,10 +96,9 @@ TEST(Uncertainty, puts_bands_beside_the_results_and_changes_no_byte_of_the_run)
   EXPECT_FALSE(without.uncertainty().missing.empty()) << "who did not ask has none";
 }
 
-TEST(Uncertainty, of_a_finished_run_is_found_by_resuming_it_without_what_is_there_already)
+TEST_F(Uncertainty, of_a_finished_run_is_found_by_resuming_it_without_what_is_there_already)
 {
-  const Place place;
-  ASSERT_EQ(place.run({}).status, 0);
+  const Place place(*without_);
   const std::string history = text_of_file(place.folder / "run/history.csv");
   ASSERT_EQ(place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"}).status, 0);
   const auto first = json_of(place.uncertainty());
@@ -83,10 +110,9 @@ TEST(Uncertainty, of_a_finished_run_is_found_by_resuming_it_without_what_is_ther
   EXPECT_EQ(text_of_file(place.folder / "run/history.csv"), history);
 }
 
-TEST(Uncertainty, goes_on_with_a_run_that_was_stopped_on_the_way)
+TEST_F(Uncertainty, goes_on_with_a_run_that_was_stopped_on_the_way)
 {
-  const Place place;
-  ASSERT_EQ(place.run({"--uncertainty"}).status, 0);
+  const Place place(*with_);
   const auto first = json_of(place.uncertainty());
   // As Ctrl-C leaves a variant that had no checkpoint yet: results of a part, and where its case was.
   const std::string variant = "run/uncertainty/cells_2/";
@@ -105,10 +131,9 @@ TEST(Uncertainty, goes_on_with_a_run_that_was_stopped_on_the_way)
   EXPECT_EQ(json_of(place.uncertainty())["quantities"], first["quantities"]);
 }
 
-TEST(Uncertainty, is_refused_while_another_process_has_the_run_folder)
+TEST_F(Uncertainty, is_refused_while_another_process_has_the_run_folder)
 {
-  const Place place;
-  ASSERT_EQ(place.run({}).status, 0);
+  const Place place(*without_);
   const io::FolderLock another(place.folder / "run");
   const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
   EXPECT_NE(ended.status, 0);
@@ -116,10 +141,9 @@ TEST(Uncertainty, is_refused_while_another_process_has_the_run_folder)
   EXPECT_FALSE(fs::exists(place.folder / "run/uncertainty")) << "before any of its runs begins";
 }
 
-TEST(Uncertainty, that_cannot_be_put_into_the_log_is_an_error)
+TEST_F(Uncertainty, that_cannot_be_put_into_the_log_is_an_error)
 {
-  const Place place;
-  ASSERT_EQ(place.run({"--uncertainty"}).status, 0);
+  const Place place(*with_);
   fs::remove(place.folder / "run/run.log");
   fs::create_directory(place.folder / "run/run.log");
   const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
@@ -127,20 +151,18 @@ TEST(Uncertainty, that_cannot_be_put_into_the_log_is_an_error)
   EXPECT_NE(ended.err.find("cannot write run/run.log"), std::string::npos) << ended.err;
 }
 
-TEST(Uncertainty, goes_with_the_run_that_is_replaced)
+TEST_F(Uncertainty, goes_with_the_run_that_is_replaced)
 {
-  const Place place;
-  ASSERT_EQ(place.run({"--uncertainty"}).status, 0);
+  const Place place(*with_);
   ASSERT_EQ(place.run({"--force"}).status, 0);
   EXPECT_FALSE(fs::exists(place.folder / "run/uncertainty"));
   EXPECT_EQ(place.uncertainty().missing, "nothing there");
 }
 
 // A force that the coarsest elements cannot find equilibrium for would be luck; a folder in the place of a variant that is no run's is not.
-TEST(Uncertainty, is_left_out_with_the_reason_where_one_of_its_runs_fails)
+TEST_F(Uncertainty, is_left_out_with_the_reason_where_one_of_its_runs_fails)
 {
-  const Place place;
-  ASSERT_EQ(place.run({}).status, 0);
+  const Place place(*without_);
   fs::create_directories(place.folder / "run/uncertainty/cells_1.5");
   place.folder.write("run/uncertainty/cells_1.5/notes.txt", "not of a run");
   const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
@@ -150,7 +172,7 @@ TEST(Uncertainty, is_left_out_with_the_reason_where_one_of_its_runs_fails)
   EXPECT_TRUE(place.uncertainty().quantities.empty());
 }
 
-TEST(Uncertainty, that_cannot_be_found_is_refused_before_anything_runs)
+TEST_F(Uncertainty, that_cannot_be_found_is_refused_before_anything_runs)
 {
   const Place place;
   const Ended coarse = place.berm({"run", "fem.toml", "-o", "run", "--uncertainty"});
@@ -160,7 +182,7 @@ TEST(Uncertainty, that_cannot_be_found_is_refused_before_anything_runs)
   EXPECT_FALSE(fs::exists(place.folder / "run"));
 }
 
-TEST(Uncertainty, of_material_points_holds_noise_and_speed)
+TEST_F(Uncertainty, of_material_points_holds_noise_and_speed)
 {
   const Place place;
   place.folder.write("small.toml", test::small_case);

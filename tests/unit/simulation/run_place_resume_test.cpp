@@ -58,6 +58,17 @@ protected:
   }
   static Words on(const std::string& folder, int threads = 1) { return {"run", "--resume", folder, "--threads", std::to_string(threads)}; }
 
+  /// The folder "whole" of a run that nothing stopped: a copy of one that is made once for all tests.
+  void copy_whole() const
+  {
+    static const TemporaryFolder made;
+    if (!fs::exists(made / "whole")) {
+      made.write("fine.toml", finer_case());
+      ASSERT_EQ(run_program(made.path(), first("whole")).status, 0);
+    }
+    fs::copy(made / "whole", folder_ / "whole", fs::copy_options::recursive);
+  }
+
   bool finished(const std::string& folder) const { return text(folder + "/summary.json").find("\"finished\": true") != std::string::npos; }
 
   /// Starts the program, waits until the history has grown to so many bytes or the run is finished, and signals. Gives how it ended.
@@ -95,7 +106,7 @@ protected:
 
 TEST_F(Resume, after_signals_leaves_what_an_uninterrupted_run_leaves)
 {
-  ASSERT_EQ(berm(first("whole")).status, 0);
+  copy_whole();
   const std::size_t size = history_size("whole");
   int stops = 0;
   Words arguments = first("parts");
@@ -153,7 +164,7 @@ TEST_F(Resume, is_never_from_where_the_next_step_asks_for_more_than_the_state)
 
 TEST_F(Resume, without_a_checkpoint_begins_at_the_start)
 {
-  ASSERT_EQ(berm(first("whole")).status, 0);
+  copy_whole();
   run_until(first("parts"), "parts", 100, SIGKILL);
   for (const std::string& name : checkpoints("parts")) fs::remove(folder_ / "parts/checkpoint" / name);
   folder_.write("parts/checkpoint/case_file.txt", "/nowhere\x1b[2J/fine.toml");
@@ -177,7 +188,7 @@ TEST_F(Resume, goes_on_with_the_values_that_were_set_and_without_the_case_file)
 
 TEST_F(Resume, of_a_finished_run_says_so)
 {
-  ASSERT_EQ(berm(first("whole")).status, 0);
+  copy_whole();
   const std::string log = text("whole/run.log");
   const Ended ended = berm(on("whole"));
   EXPECT_EQ(ended.status, 0);
@@ -187,7 +198,7 @@ TEST_F(Resume, of_a_finished_run_says_so)
 
 TEST_F(Resume, is_refused_before_all_that_the_run_was_given_is_in_its_folder)
 {
-  ASSERT_EQ(berm(first("whole")).status, 0);
+  copy_whole();
   fs::create_directory(folder_ / "early");
   for (const char* name : {"resolved.toml", "case.toml"}) fs::copy(folder_ / "whole" / name, folder_ / "early" / name);
   const Ended ended = berm(on("early"));
@@ -198,7 +209,7 @@ TEST_F(Resume, is_refused_before_all_that_the_run_was_given_is_in_its_folder)
 
 TEST_F(Resume, of_a_run_that_was_killed_while_it_removed_its_checkpoints_says_that_it_is_finished)
 {
-  ASSERT_EQ(berm(first("whole")).status, 0);
+  copy_whole();
   fs::create_directory(folder_ / "whole/checkpoint");
   folder_.write("whole/checkpoint/step_7.h5", "left");
   const Ended ended = berm(on("whole"));
@@ -208,7 +219,7 @@ TEST_F(Resume, of_a_run_that_was_killed_while_it_removed_its_checkpoints_says_th
 
 TEST_F(Resume, is_refused_where_a_damaged_summary_does_not_tell_whether_the_run_is_finished)
 {
-  ASSERT_EQ(berm(first("whole")).status, 0);
+  copy_whole();
   const std::string history = text("whole/history.csv");
   for (const char* damaged : {"", "[]", "5", R"({"checks": 5})", R"({"checks": {"finished": "yes"}})"}) {
     folder_.write("whole/summary.json", damaged);
@@ -253,7 +264,7 @@ TEST_F(Resume, uses_the_older_checkpoint_where_the_last_is_damaged_and_none_wher
 
 TEST_F(Resume, takes_another_report_table_which_changes_no_result)
 {
-  ASSERT_EQ(berm(first("whole")).status, 0);
+  copy_whole();
   ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 75);
   std::string resolved = text("parts/resolved.toml");
   const std::string unset = "# revision is not set";
