@@ -7,17 +7,17 @@ import re
 import shutil
 
 from mutants import judged, Told, Way
-from program import LINE, PUSHED_PIPE, ROOT, WIP_PIPE
+from program import LINE, PUSHED_PIPE, ROOT, WIP_PIPE, run_of
 
 EXAMPLES = os.path.join(ROOT, "examples")
-# Runs of a few seconds: a pipe, a line on slices, a footing, finite elements dry and wet, a body of soil alone.
+# Runs of a second or less: a pipe, a line on slices, a footing, finite elements dry and wet, a body of soil alone.
 KINDS = {
     "pipe": PUSHED_PIPE,
     "line": LINE,
-    "footing": ["run", os.path.join(EXAMPLES, "footing_envelope", "clay.toml")],
+    "footing": run_of("clay.toml", "stage.push.until.time=0.2", "stage.turn.until.time=0.2", folder=os.path.join(EXAMPLES, "footing_envelope")),
     "elements": WIP_PIPE,
-    "water": ["run", os.path.join(EXAMPLES, "pipe_consolidation", "in_place.toml")],
-    "soil": ["run", os.path.join(EXAMPLES, "bar", "case.toml")],
+    "water": run_of("in_place.toml", "mesh.near_size=40 mm", "stage.rest.until.time=0.3 s", folder=os.path.join(EXAMPLES, "pipe_consolidation")),
+    "soil": run_of("case.toml", "stage.vibration.until.time=3 s", folder=os.path.join(EXAMPLES, "bar")),
 }
 COMMANDS = (
     ["report", "{}", "-o", "page.html"],
