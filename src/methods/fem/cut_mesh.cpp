@@ -136,7 +136,7 @@ bool reaches_into(const mesh::GroundLine& ground, const bodies::Circle<2>& circl
 }
 
 void add_uneven_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const mesh::GroundLine& ground, const std::string& name,
-                    const bodies::RigidShape<2>& shape)
+                    const bodies::RigidShape<2>& shape, bool may_lie_above)
 {
   const auto* circle = std::get_if<bodies::Circle<2>>(&shape);
   if (circle == nullptr)
@@ -144,12 +144,14 @@ void add_uneven_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const mesh::GroundL
         "rigid.{}.shape: of a bed that is not level only a \"circle\" can be cut out; a mesh of kind \"gmsh\" may have any hole", name));
   const mesh::SeabedLayout at = layout_of(bed);
   const Real x = circle->center[0], base = -bed.depth + std::tan(bed.slope) * x, r = circle->radius;
-  if (x + r <= at.left || x - r >= at.right || circle->center[1] + r <= base || !reaches_into(ground, *circle))
+  const bool beside = x + r <= at.left || x - r >= at.right || circle->center[1] + r <= base, above = !reaches_into(ground, *circle);
+  if (beside || (above && !may_lie_above))
     throw KeyError(fmt::format(
         "rigid.{}.center: the body at ({:.6g}, {:.6g}) m with its radius of {:.6g} m does not reach into the soil, whose surface is "
-        "at y = {:.6g} m there; for finite elements it must lie in the soil at least partly",
+        "at y = {:.6g} m there; for finite elements it must lie in the soil at least partly; in large deformations it may also lie above "
+        "it",
         name, x, circle->center[1], r, ground.height(x)));
-  cuts.surfaces.push_back(draw(*circle, cuts.surfaces.size() + 2));
+  if (!above) cuts.surfaces.push_back(draw(*circle, cuts.surfaces.size() + 2));
 }
 
 template <class Shape>
@@ -185,7 +187,7 @@ Cuts cuts_of(const settings::Case& c, const mesh::SeabedMesh& bed)
       throw KeyError(fmt::format("fem.contact_size: {:.6g} m is less than a thousandth of the width of [rigid.{}], {:.6g} m",
                                  *c.fem.contact_size, name, width));
     if (!ground.level())
-      add_uneven_cut(cuts, bed, ground, name, shape);
+      add_uneven_cut(cuts, bed, ground, name, shape, c.fem.large_deformation);
     else if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
       add_cut(cuts, bed, name, *circle, c.fem.large_deformation);
     else if (const auto* box = std::get_if<bodies::Box<2>>(&shape))

@@ -413,7 +413,8 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
 void LoadSteps::refuse_overstress() const
 {
   throw NoEquilibrium(fmt::format(
-      "stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, in viscous flow only",
+      "stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, in viscous flow only; "
+      "finite elements have no inertia that could carry the body past a peak of the load: take a smaller load, or method = \"mpm\"",
       stage().name, state_.state.time, state_.overstress));
 }
 

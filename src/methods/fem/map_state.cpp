@@ -10,14 +10,60 @@
 namespace berm::fem {
 namespace {
 
+/// The linear shape functions of the corners.
+std::array<Real, 3> corner_parts(const Vec<2>& at)
+{
+  return {1 - at[0] - at[1], at[0], at[1]};
+}
+
+/// Total stress, Pa, tension positive, and the excess pore pressure, which is a part of it and so must be mapped in the same way; 0 where the law has none.
+struct SoilStress {
+  SymTensor<2> total;
+  Real pore_pressure = 0;
+
+  void add(Real weight, const SymTensor<2>& stress, Real pressure)
+  {
+    for (int c = 0; c < tensor_size<2>; ++c) total[c] += weight * stress[c];
+    pore_pressure += weight * pressure;
+  }
+};
+
+/// Stress at the corners: the mean of what the elements around them have there when it is drawn out linearly, by their areas.
+NodeField<SoilStress> stress_at_corners(const FemModel& model, const FemState& state)
+{
+  NodeField<SoilStress> corners(model.mesh.node_count());
+  NodeField<Real> area(model.mesh.node_count(), 0);
+  const auto area_of = [&](Index cell) { return model.shape[cell][0].area + model.shape[cell][1].area + model.shape[cell][2].area; };
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+    for (int k = 0; k < 3; ++k) area[model.mesh.nodes[cell][k]] += area_of(cell);
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    const int pressure = pore_pressure_index(model.soil_of(cell).materials.front());
+    for (int k = 0; k < 3; ++k) {
+      const Index node = model.mesh.nodes[cell][k];
+      const std::array<Real, triangle_points> weights = linear_weights(six_nodes[k]);
+      for (int q = 0; q < triangle_points; ++q) {
+        const SoilPoint& point = state.points[cell][q];
+        corners[node].add(area_of(cell) / area[node] * weights[q], point.stress, pressure == none ? 0 : point.law_state[pressure]);
+      }
+    }
+  }
+  return corners;
+}
+
 /// What is known of the old mesh where it is now.
 struct OldMesh {
   const FemModel& model;
   const FemState& state;
   NodeField<Vec<2>> position;
+  NodeField<SoilStress> corners;
   PointLocator locator;
 
-  OldMesh(const FemModel& m, const FemState& s) : model(m), state(s), position(positions_with(m, s.displacement)), locator(m.mesh, position)
+  OldMesh(const FemModel& m, const FemState& s)
+      : model(m),
+        state(s),
+        position(positions_with(m, s.displacement)),
+        corners(stress_at_corners(m, s)),
+        locator(m.mesh, position)
   {
   }
 
@@ -33,34 +79,36 @@ struct OldMesh {
   Real pressure_at(const MeshPoint& point) const
   {
     if (!model.flow.in(point.cell)) return 0;
-    const std::array<Real, 3> part = {1 - point.at[0] - point.at[1], point.at[0], point.at[1]};
+    const std::array<Real, 3> part = corner_parts(point.at);
     Real sum = 0;
     for (int k = 0; k < 3; ++k) sum += part[k] * state.displacement[model.flow.unknown[model.mesh.nodes[point.cell][k]]];
     return sum;
   }
 };
 
-/// What the points of an element carry, drawn out linearly to this one; what is a single number stays within their range.
+/// The stress between the corners, and what else the points of an element carry drawn out linearly within their range.
 SoilPoint soil_at(const OldMesh& old, const MeshPoint& there)
 {
   const std::array<Real, triangle_points> weights = linear_weights(there.at);
   const auto& points = old.state.points[there.cell];
-  SoilPoint soil;
-  for (int q = 0; q < triangle_points; ++q)
-    for (int c = 0; c < tensor_size<2>; ++c) soil.stress[c] += weights[q] * points[q].stress[c];
   const auto mean = [&](const auto& of) {
     const Real values[3] = {of(points[0]), of(points[1]), of(points[2])};
     const auto [least, most] = std::minmax({values[0], values[1], values[2]});
     return std::clamp(weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2], least, most);
   };
+  SoilPoint soil;
   soil.deviatoric_strain = mean([](const SoilPoint& point) { return point.deviatoric_strain; });
   for (std::size_t k = 0; k < soil.law_state.size(); ++k)
     soil.law_state[k] = mean([&](const SoilPoint& point) { return point.law_state[k]; });
-  // The pore pressure as the total stress, whose part it is.
-  if (const int k = pore_pressure_index(old.model.soil_of(there.cell).materials.front()); k != none) {
-    soil.law_state[k] = 0;
-    for (int q = 0; q < triangle_points; ++q) soil.law_state[k] += weights[q] * points[q].law_state[k];
+  SoilStress stress;
+  const std::array<Real, 3> part = corner_parts(there.at);
+  for (int k = 0; k < 3; ++k) {
+    const SoilStress& corner = old.corners[old.model.mesh.nodes[there.cell][k]];
+    stress.add(part[k], corner.total, corner.pore_pressure);
   }
+  soil.stress = stress.total;
+  if (const int k = pore_pressure_index(old.model.soil_of(there.cell).materials.front()); k != none)
+    soil.law_state[k] = stress.pore_pressure;
   return soil;
 }
 

@@ -40,7 +40,7 @@ private:
   std::unique_ptr<WaitingGmsh> gmsh_;
 };
 
-/// Gives the new state what the old one has: stress and variables of the law linear in each element of the old mesh and put back onto the surface of the law, shear stress of the contact by the means of
+/// Gives the new state what the old one has: stress by its means at the corners of the old mesh, variables of the law linear in each of its elements, and both put back onto the surface of the law, shear stress of the contact by the means of
 /// its sides, pore pressures, and the places where the soil was. `outline`: of the new mesh, by node; null inside.
 void map_state(const FemModel& old_model, const FemState& old_state, const std::vector<const OutlinePoint*>& outline,
                const settings::Case& c, FemModel& model, FemState& state);

@@ -266,6 +266,17 @@ TEST(CutMesh, cuts_a_pipe_out_of_a_slope_and_a_trench)
   }
 }
 
+TEST(CutMesh, leaves_a_slope_whole_below_a_pipe_above_it_in_large_deformations)
+{
+  settings::Case c = bed_around(bodies::CircleSettings{{0.5, 0.2}, 0.4});
+  bed_of(c).slope = -15 * pi / 180;
+  c.fem.large_deformation = true;
+  const mesh::Mesh<2> mesh = cut_mesh_of(c);
+  Real soil = 0;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) soil += mesh.volume(cell);
+  EXPECT_NEAR(soil, 3, 1e-9) << "m2, 3 m by 1 m";
+}
+
 TEST(CutMesh, refuses_what_it_cannot_cut_out_of_a_slope)
 {
   settings::Case c = bed_around(bodies::CircleSettings{{0.5, 0.2}, 0.4});

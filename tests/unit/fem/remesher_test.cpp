@@ -79,6 +79,21 @@ TEST_F(Remeshing, keeps_a_linear_stress_and_the_area_and_where_the_soil_was)
   EXPECT_LT(farthest, 1e-3) << "m, of displacements of up to 0.05 m on elements of 0.04 to 0.2 m";
 }
 
+// Six elements meet at a corner, so the mean of +1 and -1 there is a third or so by size.
+TEST_F(Remeshing, smooths_a_stress_that_alternates_from_element_to_element)
+{
+  for (Index cell = 0; cell < model().mesh.cell_count(); ++cell)
+    for (SoilPoint& point : state().points[cell]) {
+      point.stress = {};
+      point.stress[0] = cell % 2 == 0 ? 1e3 : -1e3;
+    }
+  Remesher(c, folder.path()).remesh(model(), state());
+  Real sum = 0;
+  for (Index cell = 0; cell < model().mesh.cell_count(); ++cell)
+    for (const SoilPoint& point : state().points[cell]) sum += point.stress[0] * point.stress[0];
+  EXPECT_LT(std::sqrt(sum / static_cast<Real>(triangle_points * model().mesh.cell_count())), 500) << "Pa, of 1000 Pa";
+}
+
 TEST_F(Remeshing, leaves_contact_on_the_circle_and_walls_and_base_where_they_are)
 {
   Remesher(c, folder.path()).remesh(model(), state());
