@@ -171,14 +171,14 @@ Faults faults_of(const record::RunRecord& run, const Judgement& judgement)
   return faults;
 }
 
-/// A soil in which remeshed elements do worse than cells (docs/decisions/0113), with the reason; "" where they do not.
+/// A soil in which remeshed elements do worse than cells, or are compared with less, with the reason; "" where they do not.
 std::string weakness_in(const material::Material& soil, bool dragged)
 {
   const std::optional<material::Strength> strength = strength_at_rest(soil);
   if (!strength) return fmt::format("remeshed elements have not been compared with independent results for the law {}", law_name(soil));
   if (strength->friction_angle > 0)
-    return "in soil with friction H of remeshed elements falls by up to 13 % at a remeshing (docs/decisions/0113). Halve the cells: in "
-           "sand with psi &lt; phi V on cells of D/20 is 14 % above D/40 (examples/mesh_study)";
+    return "in soil with friction the material point method has been compared with measurements, and remeshed elements with it alone "
+           "(examples/probe_test). Halve the cells: in sand with psi &lt; phi V on cells of D/20 is 14 % above D/40 (examples/mesh_study)";
   const auto* clay = soil.get_if<material::Clay>();
   return dragged && clay != nullptr && clay->sensitivity > 1
              ? "in softening clay H of remeshed elements jumps by up to a fifth where soil folds onto soil (docs/decisions/0113)"

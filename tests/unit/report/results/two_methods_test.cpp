@@ -152,7 +152,7 @@ TEST(two_methods, where_remeshing_does_worse_the_material_point_method_is_more_r
     EXPECT_TRUE(holds(runs.verdict(), "<strong>Rely on the material point method (mpm).</strong> The reason: " + why)) << runs.verdict();
     EXPECT_EQ(runs.first(), "mpm");
   };
-  expect_mpm(changed([](settings::Case& c) { c.material = {{"soil", MadeRun::sand_law()}}; }), "in soil with friction H of remeshed");
+  expect_mpm(changed([](settings::Case& c) { c.material = {{"soil", MadeRun::sand_law()}}; }), "in soil with friction the material point");
   expect_mpm(changed(make_softening), "in softening clay H of remeshed");
   expect_mpm(changed([](settings::Case& c) {
                settings::StageSettings& storm = c.stage.emplace_back(MadeRun::stage_of("storm", settings::StageKind::push));
