@@ -96,17 +96,31 @@ void end_at_once(std::vector<settings::StageSettings>& stages)
     if (ends_at_equilibrium(stage) && !stage.until.time) stage.until.time = one_increment;
 }
 
-/// Soil goes around a corner of the body where that is an arc, which the sides of elements there can follow, in increments that are shorter than it.
+/// Soil goes around a corner of the body where that is an arc, which the sides of elements there can follow, in increments that are shorter than it; and past a re-entrant one where the normal does not jump.
 void round_corners(const settings::Case& c, FemModel& model)
 {
-  constexpr Real radius = 0.25, part_of_arc = 0.5;  // of the elements at the contact; longest travel in an increment, over the radius
+  constexpr Real radius = 0.25, re_entrant = 0.5;  // of the elements at the contact
+  constexpr Real part_of_arc = 0.5;                // longest travel in an increment, over the radius
   const Real size = contact_size_of(c);
   if (!(size > 0)) return;
   for (bodies::RigidBody<2>& rigid : model.model.rigid_bodies) {
     rigid.shape = bodies::rounded(rigid.shape, radius * size);
+    model.fillets.push_back(bodies::fillets_of(rigid.shape, re_entrant * size));
     if (const auto* profile = std::get_if<bodies::Profile<2>>(&rigid.shape))
       model.settings.largest_step = std::min(model.settings.largest_step, part_of_arc * profile->radius / width_of<2>(rigid.shape));
   }
+}
+
+/// Puts nodes that lie in a fillet onto it: the mesh was cut along the sharp corner.
+void leave_fillets(FemModel& model)
+{
+  if (std::ranges::all_of(model.fillets, [](const auto& of_body) { return of_body.empty(); })) return;
+  const std::vector<bodies::Pose<2>> poses(model.model.rigid_bodies.size());
+  for (const BoundarySide& side : model.mesh.boundary_sides)
+    for (const Index node : {side.from, side.middle, side.to}) {
+      Vec<2>& x = model.mesh.position[node];
+      if (const NearestSurface surface = nearest_surface(model, poses, x); surface.distance < 0) x -= surface.distance * surface.normal;
+    }
 }
 
 /// Where the soil is, and what of the ground no rigid body touches.
@@ -144,6 +158,7 @@ FemProblem build_fem(const settings::Case& c, const std::string& case_folder, co
   for (const bodies::RigidBody<2>& rigid : model.model.rigid_bodies) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
   state.state.rigid_bodies.resize(model.model.rigid_bodies.size());
+  leave_fillets(model);
   fit_to_mesh(c, model.mesh.position, poses_of(state), model);
   refuse_other_drives(model);
   if (model.contact_count() == 0)

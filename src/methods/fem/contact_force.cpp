@@ -42,7 +42,7 @@ ContactForce contact_force(const FemModel& model, std::size_t point, const FemSt
     const Vec<3> body(begin.displacement[first], begin.displacement[first + 1], begin.displacement[first + 2]);
     const bodies::Pose<2> pose = pose_of(body + Vec<3>(moved.tail<3>()));
     const Vec<2> x = position_now(model, begin, at.node) + Vec<2>(moved.head<2>());
-    const bodies::SurfacePoint<2> surface = surface_now(rigid, pose, x);
+    const bodies::SurfacePoint<2> surface = surface_now(model, at.contact, pose, x);
     at.normal = surface.normal;
     at.arm = x - center_now(rigid, pose);
     p = relative_movement(at);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "bodies/rigid/rounding.hpp"
 #include "core/archive.hpp"
 #include "fem/contact_points.hpp"
 #include "fem/direct_solver.hpp"
@@ -32,7 +33,9 @@ struct FemModel {
   CellField<std::array<Real, triangle_points>> depth;    ///< m, of the integration points below the bed's surface at the start
   std::vector<FemContactPoint> contact;     ///< contact by contact; in large deformations where they are at the start of the increment
   std::vector<BoundarySide> contact_sides;  ///< in large deformations: those that may come into contact before the next remeshing
-  std::vector<FemInterface> interfaces;     ///< by contact, but for friction and adhesion, which are those of the point
+  std::vector<std::vector<bodies::Fillet>>
+      fillets;  ///< by rigid body: in large deformations the arcs of its re-entrant corners, where it is at the start
+  std::vector<FemInterface> interfaces;  ///< by contact, but for friction and adhesion, which are those of the point
   Real width = 1;   ///< m, of the narrowest rigid body in contact, unit of the increments of travel; 1 where there is none
   Real weight = 0;  ///< N/m, of all soil
   std::vector<std::vector<NodalLoad>> loads;  ///< by traction
@@ -145,8 +148,8 @@ inline bodies::Pose<2> pose_of(const Vec<3>& unknowns)
   return pose;
 }
 
-/// The point of the surface of a rigid body that is nearest to x, where the body is now.
-bodies::SurfacePoint<2> surface_now(const bodies::RigidBody<2>& rigid, const bodies::Pose<2>& pose, const Vec<2>& x);
+/// The point of the surface of the rigid body of a contact that is nearest to x, where the body is now.
+bodies::SurfacePoint<2> surface_now(const FemModel& model, Index contact, const bodies::Pose<2>& pose, const Vec<2>& x);
 
 /// Where the rigid bodies are.
 inline std::vector<bodies::Pose<2>> poses_of(const FemState& state)

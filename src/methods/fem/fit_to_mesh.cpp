@@ -262,11 +262,14 @@ FemInterface interface_at(const FemModel& model, std::size_t point, const FemSta
   return interface;
 }
 
-bodies::SurfacePoint<2> surface_now(const bodies::RigidBody<2>& rigid, const bodies::Pose<2>& pose, const Vec<2>& x)
+bodies::SurfacePoint<2> surface_now(const FemModel& model, Index contact, const bodies::Pose<2>& pose, const Vec<2>& x)
 {
+  const Index number = model.model.contacts[contact].rigid;
+  const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[number];
   const Matrix<2> turned = pose.orientation.matrix();
   const Vec<2> at_first = center_of<2>(rigid.shape) + turned.transpose() * (x - center_now(rigid, pose));
   bodies::SurfacePoint<2> surface = surface_at<2>(rigid.shape, at_first);
+  if (!model.fillets.empty()) surface = with_fillets(model.fillets[static_cast<std::size_t>(number)], surface, at_first);
   surface.normal = turned * surface.normal;
   return surface;
 }
@@ -275,7 +278,7 @@ NearestSurface nearest_surface(const FemModel& model, const std::vector<bodies::
 {
   NearestSurface nearest{{infinity, Vec<2>::Zero()}, none};
   for (Index k = 0; k < model.contact_count(); ++k)
-    if (const bodies::SurfacePoint<2> surface = surface_now(model.rigid_of(k), poses[model.model.contacts[k].rigid], x);
+    if (const bodies::SurfacePoint<2> surface = surface_now(model, k, poses[model.model.contacts[k].rigid], x);
         surface.distance < nearest.distance)
       nearest = {surface, k};
   return nearest;
@@ -312,7 +315,7 @@ void place_contact(FemModel& model, const FemState& state)
     const bodies::Pose<2>& pose = state.state.rigid_bodies[model.model.contacts[point.contact].rigid];
     point.area = area[point.node];
     point.arm = position[point.node] - center_now(rigid, pose);
-    point.normal = surface_now(rigid, pose, position[point.node]).normal;
+    point.normal = surface_now(model, point.contact, pose, position[point.node]).normal;
   }
 }
 

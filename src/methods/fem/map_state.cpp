@@ -178,8 +178,7 @@ std::vector<FemContactState> map_contact(const OldMesh& old, const std::vector<c
     const OutlinePoint& there = *outline[static_cast<std::size_t>(point.node)];
     const FemContactState* before = contact.nearest(there, point.contact);
     FemContactState& now = mapped.emplace_back();
-    now.gap =
-        surface_now(model.rigid_of(point.contact), state.state.rigid_bodies[model.model.contacts[point.contact].rigid], there.x).distance;
+    now.gap = surface_now(model, point.contact, state.state.rigid_bodies[model.model.contacts[point.contact].rigid], there.x).distance;
     now.parted = before == nullptr ? 1 : before->parted;
     now.slip = before == nullptr ? 0 : before->slip;
     now.traction = contact.shear_at(there) * Vec<2>(-point.normal[1], point.normal[0]);

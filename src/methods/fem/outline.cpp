@@ -170,7 +170,7 @@ private:
     for (Index k = 0; k < model_.contact_count(); ++k) {
       if (std::ranges::any_of(edges_, [&](const Vec<2>& edge) { return nearest(edge).contact == k; })) continue;
       const auto away = [&](const Sample& sample) {
-        return std::abs(surface_now(model_.rigid_of(k), poses_[model_.model.contacts[k].rigid], sample.x).distance);
+        return std::abs(surface_now(model_, k, poses_[model_.model.contacts[k].rigid], sample.x).distance);
       };
       const Sample& there = *std::ranges::min_element(samples_, {}, away);
       if (away(there) < sizes_.fine) first.push_back(there.x);

@@ -161,7 +161,7 @@ TEST(SeveralBodies, each_node_of_the_contact_is_of_the_nearest_body_and_keeps_it
     const FemContactPoint& point = model.contact[k];
     const Vec<2>& x = model.mesh.position[point.node];
     EXPECT_EQ(std::exchange(seen[static_cast<std::size_t>(point.node)], 1), 0);
-    const auto away = [&](Index contact) { return surface_now(model.rigid_of(contact), {}, x).distance; };
+    const auto away = [&](Index contact) { return surface_now(model, contact, {}, x).distance; };
     EXPECT_LE(away(point.contact), away(1 - point.contact));
     EXPECT_GT(away(point.contact), -1e-12);
     const Real shear = problem.state.contact[k].traction.dot(across(point.normal));

@@ -206,11 +206,10 @@ TEST(Remesher, goes_around_a_corner_of_the_body_in_short_sides)
   settings::Case c = bed_around(bodies::BoxSettings{{0, 0}, {0.4, 0.3}});
   c.fem.contact_size = 0.04;
   const FemProblem problem = remeshed(c);
-  const bodies::RigidBody<2>& box = problem.model.model.rigid_bodies.front();
   int near_corner = 0;
   for (const FemContactPoint& point : problem.model.contact) {
     const Vec<2>& x = problem.model.mesh.position[point.node];
-    EXPECT_GT(surface_now(box, {}, x).distance, -1e-12);
+    EXPECT_GT(surface_now(problem.model, 0, {}, x).distance, -1e-12);
     near_corner += (x - Vec<2>(0.2, -0.15)).norm() < 0.02;
   }
   EXPECT_GE(near_corner, 5) << "40 mm along the outline in sides of 10 to 15 mm, a quarter of the elements, with their middles";
@@ -267,10 +266,9 @@ TEST(Remesher, meshes_a_loaded_block_without_a_rigid_body)
 /// Presses the pipe into its contact nodes by this overlap, m.
 void press(FemModel& model, FemState& state, Real overlap)
 {
-  const bodies::RigidBody<2>& pipe = model.model.rigid_bodies[model.model.main_rigid];
   for (std::size_t k = 0; k < model.contact.size(); ++k) {
     const Index node = model.contact[k].node;
-    const bodies::SurfacePoint<2> surface = surface_now(pipe, {}, model.mesh.position[node]);
+    const bodies::SurfacePoint<2> surface = surface_now(model, 0, {}, model.mesh.position[node]);
     if (std::abs(surface.distance) > 1e-3) continue;
     const Vec<2> to = -(surface.distance + overlap) * surface.normal;
     for (int d = 0; d < 2; ++d) state.displacement[2 * node + d] = to[d];

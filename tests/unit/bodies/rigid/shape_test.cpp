@@ -370,6 +370,25 @@ TEST(RigidShape, rounded_has_arcs_at_its_corners_and_its_sides_where_they_were)
   EXPECT_EQ(surface_at<2>(rounded(rounder, 0.25), corner).distance, surface_at<2>(rounder, corner).distance);
 }
 
+// A step, whose re-entrant corner lies at (1, 0) between a tread along x and a riser along y.
+TEST(RigidShape, fillets_take_the_place_of_re_entrant_corners)
+{
+  const RigidShape<2> step = make_shape<2>(PolygonSettings{{-3, 3, 3, 1, 1, -3}, {-2, -2, 0, 0, 2, 2}});
+  const RigidShape<2> round = rounded(step, 0.25);
+  const std::vector<Fillet> fillets = fillets_of(round, 0.5);
+  ASSERT_EQ(fillets.size(), 1u);
+  const auto surface = [&](const Vec<2>& x) { return with_fillets(fillets, surface_at<2>(round, x), x); };
+  const Vec<2> diagonal = Vec<2>(1, 1).normalized();
+  EXPECT_NEAR(surface({1, 0}).distance, -0.5 * (std::sqrt(2.) - 1), 1e-14) << "of the sharp corner, which lies in the fillet";
+  EXPECT_NEAR((surface({1, 0}).normal - diagonal).norm(), 0, 1e-14);
+  EXPECT_NEAR(surface({1.49, 0}).normal[0], 0.02, 1e-3) << "the normal turns from side to side";
+  EXPECT_NEAR(surface({1.51, 0.01}).distance, 0.01, 1e-14);
+  EXPECT_EQ(surface({1.51, 0.01}).normal, Vec<2>(0, 1));
+  for (const Vec<2>& elsewhere : {Vec<2>(-3.1, -2.1), Vec<2>(-3.1, 0), Vec<2>(0, -2.1), Vec<2>(3, 2)})
+    EXPECT_EQ(surface(elsewhere).distance, surface_at<2>(round, elsewhere).distance);
+  EXPECT_TRUE(fillets_of(rounded(make_shape<2>(BoxSettings{{0, 0}, {4, 2}, 0}), 0.25), 0.5).empty());
+}
+
 TEST(RigidShape, polygon_has_the_centroid_area_moments_and_levels_of_known_ones)
 {
   // A box as a polygon, far from the origin and either way round.
