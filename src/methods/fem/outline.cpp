@@ -279,7 +279,8 @@ std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& s
   Divider divider(model, state, sizes);
   std::vector<OutlineLoop> loops;
   for (std::vector<std::size_t>& sides : loops_of(model.mesh)) loops.push_back(divider.divide(std::move(sides)));
-  folds = close_folds(loops);
+  folds = join_walls(loops, walls_of(model, state));
+  folds += close_folds(loops);
   std::stable_sort(loops.begin(), loops.end(), [](const OutlineLoop& a, const OutlineLoop& b) { return area_within(a) > area_within(b); });
   return loops;
 }

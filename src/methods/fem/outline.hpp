@@ -41,11 +41,26 @@ using OutlineLoop = std::vector<OutlineSide>;
 /// m2, of the polygon of the corners; negative around a void.
 Real area_within(const OutlineLoop& loop);
 
+/// A vertical boundary that holds the soil across it, or the axis, and goes on above the soil: where it is (m), whether the soil lies at larger x (1) or smaller (-1), and its boundary.
+struct Wall {
+  Real x, inwards;
+  Index boundary;
+};
+
+/// The walls of the present stage.
+std::vector<Wall> walls_of(const FemModel& model, const FemState& state);
+
+/// Whether ground has gone beyond a wall.
+bool is_beyond_wall(const FemModel& model, const FemState& state);
+
+/// Joins ground to the walls that it has come to: corners beyond a wall or at it are put onto it, and sides between two of these become sides of its boundary. What is still open below such a place stays open. Gives the number of new places.
+int join_walls(std::vector<OutlineLoop>& loops, const std::vector<Wall>& walls);
+
 /// Joins soil to soil where a loop meets itself at free sides, or comes as near as a part of a side: what lies between is taken as filled, but for a hole around a body. Gives the number of such places.
 int close_folds(std::vector<OutlineLoop>& loops);
 
 /// The outline of the soil as it now is, divided anew: its sides are parts of the curved sides of the mesh; ends of the contact, kinks and corners between boundaries stay. What touches a body lies on its
-/// exact surface, what does not lies outside of all. Where soil has folded onto soil the two are one, and `folds` counts it. The first loop is the outer one.
+/// exact surface, what does not lies outside of all. Where soil has folded onto soil the two are one, as it is with a wall that soil has come to, and `folds` counts it. The first loop is the outer one.
 std::vector<OutlineLoop> divide_outline(const FemModel& model, const FemState& state, const ElementSizes& sizes, int& folds);
 
 }  // namespace berm::fem

@@ -180,11 +180,11 @@ Real Remesher::travel_since_mesh(const FemModel& model, const FemState& state)
 
 bool Remesher::is_due(const FemModel& model, const FemState& state) const
 {
-  if (model.contact_count() == 0) return is_folding(model, state);
+  if (model.contact_count() == 0) return is_folding(model, state) || is_beyond_wall(model, state);
   constexpr Real rounding = 1e-9;
   const Real travel = travel_since_mesh(model, state);
   if (travel >= (1 - rounding) * model.settings.remeshing_travel * model.width) return true;
-  return travel > 0 && (is_met_elsewhere(model, state) || is_folding(model, state));
+  return travel > 0 && (is_met_elsewhere(model, state) || is_beyond_wall(model, state) || is_folding(model, state));
 }
 
 void Remesher::refuse_bodies_that_meet(const FemModel& model, const FemState& state) const

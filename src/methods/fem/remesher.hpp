@@ -18,7 +18,7 @@ public:
 
   const settings::Case& settings() const { return case_; }
 
-  /// Whether a body has travelled far enough, soil that no contact point stands for has come to it, or an element is about to fold.
+  /// Whether a body has travelled far enough, soil that no contact point stands for has come to it, soil has gone beyond a wall, or an element is about to fold.
   bool is_due(const FemModel& model, const FemState& state) const;
 
   /// The largest travel of a body since the mesh was made, m.
@@ -28,7 +28,7 @@ public:
   void refuse_bodies_that_meet(const FemModel& model, const FemState& state) const;
 
   /// Puts a new mesh in the place of the old one. The state is then out of equilibrium by the error of the mapping. Throws RunError where no mesh can be made. Gives the
-  /// number of places at which soil has folded onto soil.
+  /// number of places at which soil has folded onto soil or come to a wall.
   int remesh(FemModel& model, FemState& state) const;
 
 private:

@@ -158,7 +158,8 @@ void FemMethod::step()
   const BigIndex folds = steps_.remeshings().folds;
   try_to([&] { last_ = steps_.advance(); });
   if (trial_ && trial_->failed()) return;
-  if (steps_.remeshings().folds > folds) io::info("t = {:.6g} s: soil has folded onto soil, and is joined to it there", state().time);
+  if (steps_.remeshings().folds > folds)
+    io::info("t = {:.6g} s: soil has folded onto soil or come to a wall, and is joined to it there", state().time);
   if (!trial_) refuse_lost_soil();
   recorder_.observe_steps(steps_);
   iterations_ += last_.iterations;
