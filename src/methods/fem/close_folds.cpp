@@ -10,6 +10,7 @@ namespace {
 
 constexpr Real touching = 0.15;  // of a side: two surfaces at this distance are one
 constexpr std::size_t knot = 3;  // sides, where a tip of soil is squeezed against the body
+constexpr std::size_t tied = 6;  // sides at most between two that cross, of which one is in contact: fewer than go around a body
 
 const Vec<2>& end_of(const OutlineLoop& loop, std::size_t side)
 {
@@ -74,7 +75,7 @@ std::optional<std::pair<std::size_t, std::size_t>> fold_of(const OutlineLoop& lo
 {
   for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
     for (std::size_t j = k + 2; j + 1 < loop.size(); ++j)
-      if ((j <= k + knot || (loop[k].free && loop[j].free)) && cross(loop, k, j)) return std::pair{k, j + 1};
+      if ((j <= k + tied || (loop[k].free && loop[j].free)) && cross(loop, k, j)) return std::pair{k, j + 1};
     if (!loop[k - 1].free || !loop[k].free) continue;
     for (std::size_t j = 1; j + 1 < loop.size(); ++j) {
       if (j == k || j + 1 == k || !loop[j].free || !touches(loop, k, j)) continue;

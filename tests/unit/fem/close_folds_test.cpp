@@ -64,6 +64,20 @@ TEST(CloseFolds, unties_a_knot_of_short_sides_in_contact)
   for (const auto& [corner, middle, boundary, free] : loops.front()) EXPECT_NE(corner.x, Vec<2>(5.5, 0.05));
 }
 
+// A tip of soil as long as two sides, squeezed into a crease beside the edge of a body at x = 5.
+TEST(CloseFolds, unties_a_crease_beside_an_edge)
+{
+  std::vector<OutlineLoop> loops = {loop_of(
+      with_ground({{8, 2}, {5, 2}, {5.001, -1}, {6, -0.3}, {6, 1}, {5.3, 0}, {4.999, -0.99}, {5, -2.4}, {4, -2.8}, {2, -2.9}, {1, -1}}),
+      3)};
+  for (const std::size_t in_contact : {5, 10, 11, 12}) loops.front()[in_contact].free = false;
+  const std::size_t sides = loops.front().size();
+  EXPECT_EQ(close_folds(loops), 1);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_LT(loops.front().size(), sides - 2);
+  for (const auto& [corner, middle, boundary, free] : loops.front()) EXPECT_NE(corner.x, Vec<2>(6, -0.3));
+}
+
 // A body of which the sides from (6, -2) to (4, -2) are in contact, below flanks that have closed above it.
 TEST(CloseFolds, leaves_a_hole_around_the_body)
 {
