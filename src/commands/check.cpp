@@ -48,7 +48,7 @@ std::vector<std::string> lines_of(const OtherMethod& other)
       other.method == settings::Method::fem ? "by remeshed finite elements (method = \"fem\")" : "by material points (method = \"mpm\")";
   return {other.why_not.empty() ? fmt::format("{}: about {} on one thread", name, io::duration_text(other.time))
                                 : fmt::format("not {}: {}", name, other.why_not),
-          fmt::format("error        of V in a push into clay (examples/remeshed_pipe): elements of {}: {}; cells of {}: {}",
+          fmt::format("error        of V in a push into clay (examples/two_methods): elements of {}: {}; cells of {}: {}",
                       sizes_words(base::errors_of_remeshed_elements), errors_words(base::errors_of_remeshed_elements),
                       sizes_words(base::errors_of_cells), errors_words(base::errors_of_cells))};
 }

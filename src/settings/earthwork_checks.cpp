@@ -17,8 +17,9 @@ void check_earthwork(Describe& d, const Case& c, const std::string& path, const 
   const auto stage = std::find(stages.begin(), stages.end(), work.stage);
   d.check(stage != stages.end(), path + ".stage", fmt::format("there is no stage \"{}\"", work.stage), stages);
   bodies::check(d, path, work.area, c.dimension());
-  d.check(c.method == Method::mpm, path,
-          "finite elements have no stages with fills or excavations: take method = \"mpm\", or make the fill a region of the mesh, or a layer");
+  d.check(
+      c.method == Method::mpm, path,
+      "finite elements have no stages with fills or excavations: take method = \"mpm\", or make the fill a region of the mesh, or a layer");
   d.check(work.z_range.empty() || c.dimension() == 3, path + ".z_range", "is for space");
   d.check(work.z_range.empty() || (work.z_range.size() == 2 && work.z_range[0] < work.z_range[1]), path + ".z_range",
           "needs 2 numbers, the smaller one first");

@@ -119,7 +119,9 @@ void leave_fillets(FemModel& model)
   for (const BoundarySide& side : model.mesh.boundary_sides)
     for (const Index node : {side.from, side.middle, side.to}) {
       Vec<2>& x = model.mesh.position[node];
+      const bool on_axis = model.model.mesh.metric == mesh::Metric::axisymmetric && x[0] == 0;
       if (const NearestSurface surface = nearest_surface(model, poses, x); surface.distance < 0) x -= surface.distance * surface.normal;
+      if (on_axis) x[0] = 0;
     }
 }
 

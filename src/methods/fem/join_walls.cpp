@@ -136,30 +136,46 @@ int take(OutlineLoop& loop, const Wall& wall)
 std::vector<Wall> walls_of(const FemModel& model, const FemState& state)
 {
   const NodeField<std::uint8_t>& fixed = model.mesh.fixed[model.model.conditions.table_of_stage[state.state.stage.index]];
+  Real left = infinity, right = -infinity;
+  for (const Vec<2>& x : model.mesh.position) left = std::min(left, x[0]), right = std::max(right, x[0]);
   std::vector<Wall> walls;
+  std::vector<Real> tops;
   for (Index boundary = 0; boundary < static_cast<Index>(model.model.mesh.boundary_names.size()); ++boundary) {
     bool is_wall = true;
     const BoundarySide* first = nullptr;
+    Real top = -infinity;
     for (const BoundarySide& side : model.mesh.boundary_sides) {
       if (side.boundary != boundary || is_ground(model.model.mesh, side)) continue;
       if (first == nullptr) first = &side;
       const Real x = model.mesh.position[first->from][0];
-      for (const Index node : {side.from, side.to}) is_wall = is_wall && (fixed[node] & 1) != 0 && model.mesh.position[node][0] == x;
+      for (const Index node : {side.from, side.to}) {
+        is_wall = is_wall && (fixed[node] & 1) != 0 && model.mesh.position[node][0] == x;
+        top = std::max(top, model.mesh.position[node][1]);
+      }
     }
     if (first == nullptr || !is_wall) continue;
-    const Vec<2>&from = model.mesh.position[first->from], &to = model.mesh.position[first->to];
-    walls.push_back({from[0], from[1] > to[1] ? Real(1) : Real(-1), boundary});
+    const Real x = model.mesh.position[first->from][0];
+    if (x != left && x != right) continue;
+    const auto same = std::ranges::find(walls, x, &Wall::x);
+    const auto number = static_cast<std::size_t>(same - walls.begin());
+    if (same != walls.end() && tops[number] >= top) continue;
+    if (same == walls.end()) walls.emplace_back(), tops.emplace_back();
+    walls[number] = {x, x == left ? Real(1) : Real(-1), boundary};
+    tops[number] = top;
   }
   return walls;
 }
 
 bool is_beyond_wall(const FemModel& model, const FemState& state)
 {
+  NodeField<char> closed(model.mesh.node_count(), 0);
+  for (std::size_t k = 0; k < model.contact.size(); ++k)
+    closed[model.contact[k].node] = static_cast<char>(state.contact[k].traction.dot(model.contact[k].normal) > 0);
   for (const Wall& wall : walls_of(model, state))
     for (const BoundarySide& side : model.mesh.boundary_sides)
       if (is_ground(model.model.mesh, side))
         for (const Index node : {side.from, side.middle, side.to})
-          if (distance(wall, position_now(model, state, node)) < 0) return true;
+          if (!closed[node] && distance(wall, position_now(model, state, node)) < 0) return true;
   return false;
 }
 

@@ -240,13 +240,13 @@ void map_state(const FemModel& old_model, const FemState& old_state, const std::
       return_to_surface(model, cell, q, state.state.time, point);
     }
   });
+  place_contact(model, state);
   state.contact = map_contact(old, outline, model, state);
   for (FemWatch& watch : model.watches) {
     Vec<2> x = Vec<2>::Zero();
     for (int k = 0; k < 6; ++k) x += watch.of_nodes[k] * old.position[old_model.mesh.nodes[watch.cell][k]];
     watch = make_watch(mesh, watch.name, x, old_model.mesh.body[watch.cell]);
   }
-  place_contact(model, state);
 }
 
 }  // namespace berm::fem

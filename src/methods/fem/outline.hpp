@@ -41,7 +41,7 @@ using OutlineLoop = std::vector<OutlineSide>;
 /// m2, of the polygon of the corners; negative around a void.
 Real area_within(const OutlineLoop& loop);
 
-/// A vertical boundary that holds the soil across it, or the axis, and goes on above the soil: where it is (m), whether the soil lies at larger x (1) or smaller (-1), and its boundary.
+/// The left or the right end of the soil where a vertical boundary holds it across, or the axis; it goes on above the soil. Where it is (m), whether the soil lies at larger x (1) or smaller (-1), and its boundary: the highest one there.
 struct Wall {
   Real x, inwards;
   Index boundary;
@@ -50,7 +50,7 @@ struct Wall {
 /// The walls of the present stage.
 std::vector<Wall> walls_of(const FemModel& model, const FemState& state);
 
-/// Whether ground has gone beyond a wall.
+/// Whether ground that is not in contact with a body has gone beyond a wall.
 bool is_beyond_wall(const FemModel& model, const FemState& state);
 
 /// Joins ground to the walls that it has come to: corners beyond a wall or at it are put onto it, and sides between two of these become sides of its boundary. What is still open below such a place stays open. Gives the number of new places.

@@ -40,8 +40,8 @@ private:
   std::unique_ptr<WaitingGmsh> gmsh_;
 };
 
-/// Gives the new state what the old one has: stress by its means at the corners of the old mesh, variables of the law linear in each of its elements, and both put back onto the surface of the law, shear stress of the contact by the means of
-/// its sides, pore pressures, and the places where the soil was. `outline`: of the new mesh, by node; null inside.
+/// Gives the new state what the old one has. Stress is linear between its means at the corners of the old mesh, variables of the law are linear in each old element; both are put back onto the surface of the
+/// law. Shear stress of the contact goes by the means of its sides; pore pressures and places where the soil was by the shape functions. `outline`: of the new mesh, by node; null inside.
 void map_state(const FemModel& old_model, const FemState& old_state, const std::vector<const OutlinePoint*>& outline,
                const settings::Case& c, FemModel& model, FemState& state);
 

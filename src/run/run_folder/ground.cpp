@@ -45,6 +45,7 @@ std::vector<Index> ground_points(const SavedSoil& soil)
   Index at = none;
   for (const auto& [corner, side] : boundary)
     if (is_at(corner, left) && (at == none || soil.y[corner] > soil.y[at])) at = corner;
+  if (at == none) return {};
   std::vector<Index> points = {at};
   for (Index before = none; !is_at(at, right);) {
     const auto [first, last] = boundary.equal_range(at);

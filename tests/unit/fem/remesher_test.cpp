@@ -112,6 +112,17 @@ TEST_F(Remeshing, leaves_contact_on_the_circle_and_walls_and_base_where_they_are
   }
 }
 
+TEST_F(Remeshing, has_walls_at_both_ends_of_the_soil_and_is_due_where_ground_goes_beyond_one)
+{
+  const std::vector<Wall> walls = walls_of(model(), state());
+  ASSERT_EQ(walls.size(), 2u) << "the base holds the soil, too, but not at its left or right end";
+  for (const Wall& wall : walls) EXPECT_EQ(wall.inwards, wall.x == -1.4 ? 1 : -1) << wall.x;
+  EXPECT_FALSE(is_beyond_wall(model(), state()));
+  for (const BoundarySide& side : model().mesh.boundary_sides)
+    if (is_ground(model().model.mesh, side) && model().mesh.position[side.middle][0] > 1.4) state().displacement[2 * side.middle] = 1;
+  EXPECT_TRUE(is_beyond_wall(model(), state()));
+}
+
 TEST_F(Remeshing, makes_the_same_mesh_twice)
 {
   FemProblem other = problem;

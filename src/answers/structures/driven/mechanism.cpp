@@ -232,6 +232,7 @@ void take_berms(Results& results, const DrivenRun& run)
       const std::optional<std::size_t> frame = frames.last(drag.stage);
       if (stage == run.stages.end() || !frame || *frame == 0) continue;
       const run_folder::SavedSoil now = frames.soil(*frame);
+      if (!now.triangles.empty() && run_folder::ground_points(now).empty()) continue;
       const BodyPlace& place = frames.place(*frame);
       const Berm berm = berm_of(start, now, run.record.bed_surface(), place, stage->direction, run.scale.width);
       drag.berm_height = berm.height;

@@ -203,7 +203,7 @@ Words weaknesses_in(const settings::Case& c)
   return list;
 }
 
-/// What of a case remeshed elements have not been compared in with independent results (docs/decisions/0111 to 0113, Left).
+/// What of a case remeshed elements have not been compared in with independent results (docs/decisions/0111 to 0114).
 Words not_compared(const settings::Case& c)
 {
   using enum settings::StageKind;
