@@ -49,12 +49,6 @@ bool is_void(const OutlineLoop& loop, std::size_t first, std::size_t last)
   return area_within(part_of(loop, first, last + 1)) < 0;
 }
 
-void straighten(OutlineLoop& loop, std::size_t side)
-{
-  loop[side].middle = loop[side].corner;
-  loop[side].middle.x = (loop[side].corner.x + end_of(loop, side)) / 2;
-}
-
 /// Makes one side from corner `first` to corner `last`. Gives what lay between, where that is a void around the body: a loop of its own.
 OutlineLoop cut(OutlineLoop& loop, std::size_t first, std::size_t last)
 {

@@ -25,12 +25,6 @@ std::size_t behind(const OutlineLoop& loop, std::size_t k)
   return (k + 1) % loop.size();
 }
 
-void straighten(OutlineLoop& loop, std::size_t side)
-{
-  loop[side].middle = loop[side].corner;
-  loop[side].middle.x = (loop[side].corner.x + loop[behind(loop, side)].corner.x) / 2;
-}
-
 /// Makes a corner of the middle of a free side that bulges beyond the wall.
 void divide_bulges(OutlineLoop& loop, const Wall& wall)
 {
@@ -168,9 +162,7 @@ std::vector<Wall> walls_of(const FemModel& model, const FemState& state)
 
 bool is_beyond_wall(const FemModel& model, const FemState& state)
 {
-  NodeField<char> closed(model.mesh.node_count(), 0);
-  for (std::size_t k = 0; k < model.contact.size(); ++k)
-    closed[model.contact[k].node] = static_cast<char>(state.contact[k].traction.dot(model.contact[k].normal) > 0);
+  const NodeField<char> closed = nodes_in_contact(model, state);
   for (const Wall& wall : walls_of(model, state))
     for (const BoundarySide& side : model.mesh.boundary_sides)
       if (is_ground(model.model.mesh, side))

@@ -37,18 +37,13 @@ public:
       : model_(model),
         sizes_(sizes),
         position_(positions_with(model, state.displacement)),
-        closed_(model.mesh.node_count(), 0),
+        closed_(nodes_in_contact(model, state)),
         overlap_(model.mesh.node_count(), 0),
         poses_(poses_of(state))
   {
     if (model.contact_count() == 0) return;
-    for (std::size_t k = 0; k < model.contact.size(); ++k) {
-      const FemContactPoint& point = model.contact[k];
-      const FemContactState& now = state.contact[k];
-      const bool bonded = model.interfaces[point.contact].tension > 0 && now.parted == 0;
-      closed_[point.node] = static_cast<char>(now.traction.dot(point.normal) > 0 || bonded);
-      if (closed_[point.node]) overlap_[point.node] = -now.gap;
-    }
+    for (std::size_t k = 0; k < model.contact.size(); ++k)
+      if (const Index node = model.contact[k].node; closed_[node]) overlap_[node] = -state.contact[k].gap;
     // A node on the axis has no contact point.
     for (const BoundarySide& side : model.contact_sides)
       for (const Index node : {side.from, side.to})
@@ -263,6 +258,24 @@ std::vector<std::vector<std::size_t>> loops_of(const QuadraticMesh& mesh)
 }
 
 }  // namespace
+
+void straighten(OutlineLoop& loop, std::size_t side)
+{
+  loop[side].middle = loop[side].corner;
+  loop[side].middle.x = (loop[side].corner.x + loop[(side + 1) % loop.size()].corner.x) / 2;
+}
+
+NodeField<char> nodes_in_contact(const FemModel& model, const FemState& state)
+{
+  NodeField<char> closed(model.mesh.node_count(), 0);
+  for (std::size_t k = 0; k < model.contact.size(); ++k) {
+    const FemContactPoint& point = model.contact[k];
+    const FemContactState& now = state.contact[k];
+    const bool bonded = model.interfaces[point.contact].tension > 0 && now.parted == 0;
+    closed[point.node] = static_cast<char>(now.traction.dot(point.normal) > 0 || bonded);
+  }
+  return closed;
+}
 
 Real area_within(const OutlineLoop& loop)
 {

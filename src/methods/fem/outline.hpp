@@ -38,6 +38,12 @@ struct OutlineSide {
 /// A closed line with the soil on its left; a side ends where the next begins.
 using OutlineLoop = std::vector<OutlineSide>;
 
+/// Puts the middle of a side between its ends.
+void straighten(OutlineLoop& loop, std::size_t side);
+
+/// Whether each node is in contact with a rigid body: pressed onto it, or bonded.
+NodeField<char> nodes_in_contact(const FemModel& model, const FemState& state);
+
 /// m2, of the polygon of the corners; negative around a void.
 Real area_within(const OutlineLoop& loop);
 

@@ -239,7 +239,7 @@ std::string why_elements(const Pair& pair)
   return fmt::format(
       " Their contact acts on the exact surface of the body, without inertia or noise: V of a smooth pipe pushed 0.5 D into clay is {} "
       "above "
-      "an independent program on elements of {}{} (examples/remeshed_pipe). Material points ({}) have an error of first order in the size "
+      "an independent program on elements of {}{} (examples/two_methods). Material points ({}) have an error of first order in the size "
       "of the cells at contacts and edges: {} on {}{}. They are for soil that breaks up, fast motion and three dimensions.{}",
       errors_words(base::errors_of_remeshed_elements), sizes_words(base::errors_of_remeshed_elements), size_here(*pair.fem),
       text::html_text(pair.mpm->name), errors_words(base::errors_of_cells), sizes_words(base::errors_of_cells), size_here(*pair.mpm),

@@ -121,7 +121,7 @@ TEST(two_methods, in_clay_finite_elements_are_more_reliable_and_lead)
       html.starts_with("<p id=\"reliable-method\"><strong>Rely on the remeshed finite elements (fem).</strong> Their contact acts on "
                        "the exact surface"))
       << html;
-  EXPECT_TRUE(holds(html, "examples/remeshed_pipe")) << html;
+  EXPECT_TRUE(holds(html, "examples/two_methods")) << html;
   EXPECT_TRUE(holds(html, "Material points (mpm) have an error of first order")) << html;
   EXPECT_FALSE(holds(html, "not been compared")) << html;
   EXPECT_EQ(runs.first(), "fem");
