@@ -74,7 +74,6 @@ void can_the_limits_be_reached(const Scene& s, Findings& found);
 void is_the_drive_slow(const Scene& s, Findings& found);
 void is_the_load_history_slow(const Scene& s, Findings& found);
 void is_a_breakout_run_in_real_time(const Scene& s, Findings& found);
-void do_elements_follow_a_breakout(const Scene& s, Findings& found);
 void does_the_drive_begin_gently(const Scene& s, Findings& found);
 void is_there_time_for_equilibrium(const Scene& s, Findings& found);
 void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found);

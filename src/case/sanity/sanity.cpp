@@ -35,7 +35,6 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           do_slices_slide_without_jolts,
                                                           do_fine_cells_reach_the_ends,
                                                           do_walls_cut_a_body,
-                                                          do_elements_follow_a_breakout,
                                                           are_walls_far_enough,
                                                           is_the_wall_beyond_the_plastic_zone,
                                                           does_soil_fill_the_bed,

@@ -328,7 +328,7 @@ std::vector<Real> driven_H(const StageSettings& stage)
 
 void is_a_breakout_run_in_real_time(const Scene& s, Findings& found)
 {
-  if (!s.is_mpm() || s.c.geometry != settings::Geometry::plane_strain) return;
+  if (s.c.small_strain() || s.c.geometry != settings::Geometry::plane_strain) return;
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const StageSettings& stage = s.c.stage[k];
     const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
@@ -509,16 +509,6 @@ void do_forces_press_down(const Scene& s, Findings& found)
                                            "before; push it first, or give vertical_force");
     pressed = true;
   }
-}
-
-void do_elements_follow_a_breakout(const Scene& s, Findings& found)
-{
-  if (s.is_mpm() || s.c.small_strain()) return;
-  for (std::size_t k = 0; k < s.c.stage.size(); ++k)
-    if (has_load_history(s.c.stage[k]) && is_by_force(s.c.stage[k]))
-      found.warn(stage_key(k, "load_history"),
-                 "finite elements have no inertia: where a load exceeds the resistance the run ends, and near it the displacement is that "
-                 "of the viscosity (fem.relaxation); take method = \"mpm\" for loads that move the body");
 }
 
 }  // namespace berm::sanity

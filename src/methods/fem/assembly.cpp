@@ -161,7 +161,8 @@ Assembly::Assembly(const FemModel& model)
       soil_residual_(model.unknowns()),
       residual_(model.unknowns()),
       initial_imbalance_(model.unknowns(), 0.),
-      prescribed_(model.unknowns())
+      prescribed_(model.unknowns()),
+      inertia_(static_cast<std::size_t>(3 * model.contact_count()))
 {
 }
 
@@ -405,7 +406,7 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
   }
 }
 
-void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
+void Assembly::prescribe_unknowns(const std::vector<Real>& change, const FemLoads& loads, Index stage)
 {
   const NodeField<std::uint8_t>& fixed = model_.mesh.fixed[model_.model.conditions.table_of_stage[stage]];
   for (Index node = 0; node < fixed.size(); ++node)
@@ -415,7 +416,9 @@ void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
       const Index unknown = model_.rigid_unknown(contact) + d;
       const FemLoads::Direction direction = loads.direction_of(contact, d);
       prescribed_[unknown] = static_cast<char>(!direction.by_force);
-      if (direction.by_force) residual_[unknown] -= direction.value;
+      Real& inertia = inertia_[static_cast<std::size_t>(3 * contact + d)];
+      inertia = loads.dt > 0 ? direction.mass / (weight_of_end * loads.dt * loads.dt) : 0;
+      if (direction.by_force) residual_[unknown] += inertia * (change[unknown] - loads.dt * direction.velocity) - direction.value;
     }
   if (model_.flow.count == 0) return;
   const NodeField<char>& open = model_.flow.open[model_.model.conditions.table_of_stage[stage]];
@@ -456,7 +459,7 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
   for (std::size_t t = 0; t < loads.tractions.size(); ++t)
     for (const NodalLoad& load : model_.loads[t])
       for (int d = 0; d < 2; ++d) residual_[2 * load.node + d] -= loads.tractions[t] * load.force[d];
-  prescribe_unknowns(loads, begin.state.stage.index);
+  prescribe_unknowns(change, loads, begin.state.stage.index);
   add_flow();
   soil_residual_ = residual_;
   add_contact(begin, change);

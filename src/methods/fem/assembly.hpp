@@ -8,6 +8,9 @@
 
 namespace berm::fem {
 
+/// The part that the velocity at its end has in the movement of an increment with inertia, that at its start has the rest. 1/2 would be exact for a constant acceleration and would not damp, 1 is backward Euler.
+constexpr Real weight_of_end = 0.6;
+
 /// Loads of an increment, and the motion of the rigid body that it moves; the others are held.
 struct FemLoads {
   Vec<2> gravity = Vec<2>::Zero();    ///< m/s2
@@ -19,8 +22,10 @@ struct FemLoads {
   Index moved = 0;                    ///< the contact of the body that moves
   struct Direction {
     bool by_force = false;
-    Real value = 0;  ///< m (rad): prescribed movement in this increment; or N/m (N m/m): force on the body
-  } rigid[3];        ///< x, y, angle of this body
+    Real value = 0;     ///< m (rad): prescribed movement in this increment; or N/m (N m/m): force on the body
+    Real mass = 0;      ///< kg/m (kg m), that this force accelerates; 0: without inertia
+    Real velocity = 0;  ///< m/s (rad/s), at the start of the increment
+  } rigid[3];           ///< x, y, angle of this body
 
   /// Of the body of any contact.
   Direction direction_of(Index contact, Index d) const { return contact == moved ? rigid[d] : Direction{}; }
@@ -65,6 +70,8 @@ public:
   bool prescribed(Index unknown) const { return prescribed_[unknown]; }
   /// The excess pore pressure at the end of the increment of an unknown that is prescribed, Pa: that of the water outside.
   Real outside_pressure(Index unknown) const { return outside_.empty() ? 0 : outside_[unknown - model_.pressure_unknown()]; }
+  /// Derivative of the inertia force of a rigid body by its movement, N/m2 (N m/m): mass/(weight_of_end dt^2).
+  Real inertia(Index rigid_unknown) const { return inertia_[static_cast<std::size_t>(rigid_unknown - model_.rigid_unknown())]; }
   /// Sum over the nodes of the unbalanced forces' magnitudes, and over the contact points of the forces', N/m.
   Real unbalanced() const { return unbalanced_; }
   /// The unbalanced part of the water's volume.
@@ -111,7 +118,7 @@ private:
   bool is_elastic(Real viscosity, Index cell) const;
   void add_contact(const FemState& begin, const std::vector<Real>& change);
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
-  void prescribe_unknowns(const FemLoads& loads, Index stage);
+  void prescribe_unknowns(const std::vector<Real>& change, const FemLoads& loads, Index stage);
   FlowIncrement flow_increment(const FemState& begin, const std::vector<Real>& change, Index cell) const;
   SoilPoint with_effective_stress(SoilPoint point, Index cell) const;
   std::optional<MovedCell> moved_cell(const FemState& begin, const std::vector<Real>& change, Index cell) const;
@@ -141,6 +148,7 @@ private:
   std::vector<Vec<2>> arms_;  ///< m, of the contact points, at the end of the increment
   std::vector<Real> soil_residual_, residual_, initial_imbalance_;
   std::vector<char> prescribed_;
+  std::vector<Real> inertia_;  ///< by unknown of the rigid bodies
   std::vector<Real> outside_;  ///< Pa, by pressure; empty where there is no head
   Real unbalanced_ = 0, contact_force_ = 0, unbalanced_flow_ = 0;
   Real dt_ = 0;  ///< s, of what was evaluated last

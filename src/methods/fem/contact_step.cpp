@@ -84,6 +84,8 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
     change_[k] = change[unknowns_[k]];
   }
   soil_ = Eigen::Map<const RowMatrix>(soil.data(), n, n).selfadjointView<Eigen::Lower>();
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (unknowns_[k] >= model_.rigid_unknown()) soil_(k, k) += assembly.inertia(unknowns_[k]);
   Eigen::Map<Vector> load(load_and_step.data(), n);
   bool prescribed_moves = false;
   for (Eigen::Index k = 0; k < n; ++k) prescribed_moves = prescribed_moves || (prescribed_[k] && load[k] != 0);

@@ -26,7 +26,10 @@ constexpr Real strength_part = 0.7;  // of the way to the strength just found, a
 constexpr Real max_lag_left = 0.8;   // a pass that leaves more of the lag is the last
 constexpr Real max_pressure_error = 5e-5;  // of an increment, over the largest pressures of the stage, root mean squares of both
 constexpr Real min_first_dt = 1e-3;  // of an increment where no water flows; none where the body moves, whose travel limits the increments
+constexpr Real max_inertia_error = 1e-4;                       // of the movement of a body in an increment, over its width
+constexpr Real little_inertia = 0.01;                          // of the contact force: its error limits nothing
 constexpr Real max_overstress = 0.05;                          // of the stress of soil at yield
+constexpr int max_cuts = 40;                                   // of increments on one mesh: nodes that swing between two surfaces stop it
 constexpr int few_iterations = 8, few_enough_iterations = 12;  // iterations
 
 /// Throws RunError where water cavitates: the pressure of finite elements has no such limit.
@@ -59,6 +62,12 @@ Real largest_pressure(const FemModel& model, const std::vector<Real>& unknowns)
   Real largest = 0;
   for (Index k = model.pressure_unknown(); k < model.unknowns(); ++k) largest = std::max(largest, std::abs(unknowns[k]));
   return largest;
+}
+
+/// Whether these loads accelerate a mass.
+bool accelerate(const FemLoads& loads)
+{
+  return std::any_of(std::begin(loads.rigid), std::end(loads.rigid), [](const FemLoads::Direction& d) { return d.mass > 0; });
 }
 
 }  // namespace
@@ -126,6 +135,27 @@ Real LoadSteps::speed_of_body() const
     return drive.by_force ? 0 : drive.to;
   };
   return std::hypot(std::hypot(prescribed(0), prescribed(1)), prescribed(2) * model_.width / 2);
+}
+
+/// The mass (moment of inertia) that a force accelerates in this stage, kg/m (kg m). None where a motion is prescribed: the time of such a stage is a measure of travel only.
+Real LoadSteps::mass_of_body(int freedom) const
+{
+  if (!remesher_ || driven() == none || speed_of_body() > 0 || !state_.state.stage.drive[freedom].by_force) return 0;
+  const bodies::RigidBody<2>& body = model_.model.rigid_bodies[driven()];
+  return freedom < 2 ? body.mass : body.inertia;
+}
+
+/// What the movement of the body may be wrong by, over the width: half of what it differs from that without acceleration. 0 where inertia is small beside the contact force.
+Real LoadSteps::inertia_error(const std::vector<Real>& change, const FemLoads& loads) const
+{
+  Real force = 0, error = 0;
+  for (int d = 0; d < 2; ++d)
+    if (const FemLoads::Direction& direction = loads.rigid[d]; direction.mass > 0) {
+      const Real bend = change[model_.rigid_unknown(loads.moved) + d] - loads.dt * direction.velocity;
+      force = std::hypot(force, direction.mass * bend / (loads.dt * loads.dt));
+      error = std::hypot(error, bend / 2);
+    }
+  return force > little_inertia * newton_->assembly().contact_force() ? error / model_.width : 0;
 }
 
 void LoadSteps::begin()
@@ -209,12 +239,15 @@ FemLoads LoadSteps::loads_after(Real dt) const
   loads.dt = dt;
   if (driven() == none) return loads;
   loads.moved = model_.contact_of(driven());
+  const bodies::RigidState<2>& body = state_.state.rigid_bodies[driven()];
   const problem::StageState<2>& now = state_.state.stage;
   const Real since = state_.state.time - now.begin_time;
   for (int f = 0; f < bodies::freedoms<2>; ++f) {
     const bodies::Drive& drive = now.drive[f];
     loads.rigid[f] = {drive.by_force,
-                      drive.by_force ? drive_now(model_.model, stage(), drive, f, since + dt) : travel(f, since, since + dt)};
+                      drive.by_force ? drive_now(model_.model, stage(), drive, f, since + dt) : travel(f, since, since + dt),
+                      mass_of_body(f), f < 2 ? body.velocity[f] : body.angular_velocity};
+    if (loads.rigid[f].mass > 0 && dt == 0) loads.rigid[f] = {};  // held while time stands still
   }
   return loads;
 }
@@ -272,6 +305,7 @@ void LoadSteps::remesh()
   remeshings_.folds += remesher_->remesh(model_, state_);
   const Content mapped = content_of(model_, state_);
   imbalance_work_ = 0;
+  cuts_ = 0;
   newton_ = std::make_unique<Newton>(model_);
   last_dt_ = 0;
   // Viscosity makes it sooner; in sand, whose strength follows its pressure, it leaves too much.
@@ -292,10 +326,11 @@ void LoadSteps::remesh()
   remeshings_.sum_of_changes += change;
 }
 
-/// Of an increment of dt (s).
+/// Of an increment of dt (s): by the travel of a stage with a prescribed speed, or of a body that forces move faster.
 Real LoadSteps::viscosity_of(Real dt) const
 {
-  return relaxation_ / first_travel * (first_dt_ / dt);
+  const Real travel = driven() == none ? 0 : state_.state.rigid_bodies[driven()].velocity.norm() * first_dt_ / model_.width;
+  return relaxation_ / std::max(first_travel, travel) * (first_dt_ / dt);
 }
 
 /// In large deformations no increment is longer than the travel asked for, nor than a quarter of that between two meshes.
@@ -327,7 +362,7 @@ bool LoadSteps::keeps_energy(const std::vector<Real>& change, const FemLoads& lo
 IncrementEnd LoadSteps::advance()
 {
   max_overlap_ = 0;
-  if (remesher_ && remesher_->is_due(model_, state_)) remesh();
+  if (remesher_ && ((cuts_ > max_cuts && Remesher::travel_since_mesh(model_, state_) > 0) || remesher_->is_due(model_, state_))) remesh();
   const Real largest_dt = longest_dt();
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
@@ -341,7 +376,7 @@ IncrementEnd LoadSteps::advance()
       shortest *= part;
       continue;
     }
-    if (end.converged && goes_too_far(change)) {
+    if (end.converged && (goes_too_far(change) || inertia_error(change, loads) > 4 * max_inertia_error)) {
       dt_ = dt / 2;
       if (dt_ < 1e-4 * first_dt_)
         throw NoEquilibrium(fmt::format("stage \"{}\": nothing stops the rigid body at t = {:.6g} s", stage().name, state_.state.time));
@@ -353,12 +388,13 @@ IncrementEnd LoadSteps::advance()
       const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[driven()].reaction;
       accept_equilibrium(change, loads);
       const Real force = newton_->assembly().contact_force();
-      accept(change, dt, end, force > 0 ? (newton_->assembly().reaction(loads.moved) - before).norm() / force : 0);
+      accept(change, loads, end, force > 0 ? (newton_->assembly().reaction(loads.moved) - before).norm() / force : 0);
       refuse_cavitation(model_, state_);
-      if (state_.overstress > max_overstress && driven() != none) refuse_overstress();
+      if (state_.overstress > max_overstress && driven() != none && !accelerate(loads)) refuse_overstress();
       return end;
     }
     dt_ = dt / 2;
+    ++cuts_;
     relaxation_ = std::min(4 * relaxation_, model_.settings.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
     if (dt_ >= 1e-4 * first_dt_) continue;
@@ -391,9 +427,12 @@ Real LoadSteps::next_dt_of_flow(const std::vector<Real>& change, Real dt)
   return error > 0 ? dt * std::sqrt(max_pressure_error * std::sqrt(largest_pressure_ / error)) : infinity;
 }
 
-void LoadSteps::accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change)
+void LoadSteps::accept(const std::vector<Real>& change, const FemLoads& loads, const IncrementEnd& end, Real force_change)
 {
-  const Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), shortest_dt_) : infinity;
+  const Real dt = loads.dt;
+  Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), shortest_dt_) : infinity;
+  if (const Real error = inertia_error(change, loads); error > 0) longest = std::min(longest, dt * std::sqrt(max_inertia_error / error));
+  note_velocity(change, loads);
   state_.state.time += dt;
   ++state_.state.step;
   if (model_.flow.count > 0) {
@@ -410,12 +449,26 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   if (accepted_above_tolerance_) dt_ = first_dt_;
 }
 
+/// The velocity that a force gives to the mass of the body; where nothing is accelerated it is none.
+void LoadSteps::note_velocity(const std::vector<Real>& change, const FemLoads& loads)
+{
+  if (driven() == none) return;
+  bodies::RigidState<2>& body = state_.state.rigid_bodies[driven()];
+  const auto velocity = [&](int f) {
+    const Real mean = change[model_.rigid_unknown(loads.moved) + f] / loads.dt;
+    return loads.rigid[f].mass > 0 ? (mean - (1 - weight_of_end) * loads.rigid[f].velocity) / weight_of_end : 0;
+  };
+  body.velocity = Vec<2>(velocity(0), velocity(1));
+  body.angular_velocity = velocity(2);
+}
+
 void LoadSteps::refuse_overstress() const
 {
   throw NoEquilibrium(fmt::format(
       "stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, in viscous flow only; "
-      "finite elements have no inertia that could carry the body past a peak of the load: take a smaller load, or method = \"mpm\"",
-      stage().name, state_.state.time, state_.overstress));
+      "there is no inertia that could carry the body past a peak of the load: take a smaller load, {}",
+      stage().name, state_.state.time, state_.overstress,
+      remesher_ ? "or give the body a mass" : "fem.large_deformation = true and a body with a mass, or method = \"mpm\""));
 }
 
 bool LoadSteps::next_stage()
@@ -453,6 +506,7 @@ void LoadSteps::archive(Archive& k)
   k("accepted_above_tolerance", accepted_above_tolerance_);
   k("largest_pressure", largest_pressure_);
   if (remesher_) {
+    k("cuts", cuts_);
     k("remeshings", remeshings_.count);
     k("largest_change", remeshings_.largest_change);
     k("sum_of_changes", remeshings_.sum_of_changes);

@@ -30,6 +30,7 @@ struct Remeshings {
 /// converge quickly, and rises where they do not. Where the strength follows the pressure (associated()), the equilibrium of an increment is found again
 /// with a strength 0.7 of the way to that at its end, or more, until that lags by a hundredth at most (StrengthLag), and an increment in which the contact
 /// force changes by more than a fiftieth makes the next shorter. Where water flows, the error of the pressures in an increment limits the next.
+/// Where forces alone move a body in large deformations, its mass is accelerated, and the error of its movement limits the increments.
 class LoadSteps {
 public:
   /// `remesher`: where deformations are large.
@@ -74,6 +75,8 @@ private:
   bool goes_too_far(const std::vector<Real>& change) const;
   bool keeps_energy(const std::vector<Real>& change, const FemLoads& loads);
   Real speed_of_body() const;
+  Real mass_of_body(int freedom) const;
+  Real inertia_error(const std::vector<Real>& change, const FemLoads& loads) const;
   Real travel(int freedom, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;
   Real up_to_a_load(Real dt, Real since) const;
@@ -82,7 +85,8 @@ private:
   Real part_within_force(const IncrementEnd& end) const;
   IncrementEnd find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change);
   Real next_dt_of_flow(const std::vector<Real>& change, Real dt);
-  void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change);
+  void accept(const std::vector<Real>& change, const FemLoads& loads, const IncrementEnd& end, Real force_change);
+  void note_velocity(const std::vector<Real>& change, const FemLoads& loads);
   void accept_equilibrium(const std::vector<Real>& change, const FemLoads& loads);
   [[noreturn]] void refuse_overstress() const;
 
@@ -96,6 +100,7 @@ private:
   Real shortest_dt_ = 0;                   ///< s, of the increments that the error of the pressures limits
   Real last_dt_ = 0;                       ///< s, of the last increment in this stage; 0 = none
   int last_iterations_ = 0;                ///< of Newton, where the equilibrium of an increment was found the last time
+  int cuts_ = 0;                           ///< of increments since the mesh was made
   bool accepted_above_tolerance_ = false;  ///< the last increment was taken though it stayed above the tolerance
   Real largest_pressure_ = 0;              ///< Pa2, of the excess pore pressures of the stage: largest sum of their squares
   std::vector<Real> last_change_;          ///< by unknown, in it

@@ -199,7 +199,7 @@ Words weaknesses_in(const settings::Case& c)
     return has_load_history(stage) && (stage.force || stage.loads.has_force());
   };
   if (std::ranges::any_of(c.stage, by_recorded_forces))
-    list.emplace_back("recorded forces move the body, and remeshed elements have no inertia");
+    list.emplace_back("recorded forces accelerate the body, and remeshed elements leave out the mass of the soil that moves with it");
   return list;
 }
 

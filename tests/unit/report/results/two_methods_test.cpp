@@ -159,7 +159,7 @@ TEST(two_methods, where_remeshing_does_worse_the_material_point_method_is_more_r
                storm.velocity.reset(), storm.force = 100;
                storm.load_times = {0, 1}, storm.load_factors = {0, 1};
              }),
-             "recorded forces move the body");
+             "recorded forces accelerate the body");
 }
 
 TEST(two_methods, what_remeshed_elements_are_not_compared_in_is_said)
