@@ -5,6 +5,12 @@
 
 namespace berm::contact {
 
+/// Whether a side whose normal has this component along an axis counts as parallel to the axis, as a shaft: within 6 degrees.
+inline bool is_shaft(Real normal_along_axis)
+{
+  return std::abs(normal_along_axis) < 0.1;
+}
+
 /// What the contacts of a rigid body have added up to since the start: the difference of two moments is what they did between them.
 template <int dim>
 struct ContactSums {

@@ -68,7 +68,7 @@ private:
   const settings::StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
   void begin();
-  bool release_imbalance(FemLoads loads, Real viscosity);
+  bool release_imbalance(FemLoads loads, Real viscosity, Real looseness = 0);
   void remesh();
   Real viscosity_of(Real dt) const;
   Real longest_dt() const;
@@ -100,7 +100,6 @@ private:
   Real shortest_dt_ = 0;                   ///< s, of the increments that the error of the pressures limits
   Real last_dt_ = 0;                       ///< s, of the last increment in this stage; 0 = none
   int last_iterations_ = 0;                ///< of Newton, where the equilibrium of an increment was found the last time
-  int cuts_ = 0;                           ///< of increments since the mesh was made
   bool accepted_above_tolerance_ = false;  ///< the last increment was taken though it stayed above the tolerance
   Real largest_pressure_ = 0;              ///< Pa2, of the excess pore pressures of the stage: largest sum of their squares
   std::vector<Real> last_change_;          ///< by unknown, in it

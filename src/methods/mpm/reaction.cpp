@@ -10,9 +10,6 @@
 namespace berm::mpm {
 namespace {
 
-/// The part along the axis of the normal of a side that counts as parallel to it: it is within 6 degrees.
-constexpr Real parallel_to_axis = 0.1;
-
 /// What the impulses of a contact add up to.
 template <int dim>
 struct Reaction {
@@ -72,7 +69,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
     reaction.friction -= share.dot(mid_velocity - partner_velocity);
   };
   reaction.impulse = impulse;
-  if (std::abs(point.normal[1]) < parallel_to_axis) reaction.shaft = impulse[1];
+  if (contact::is_shaft(point.normal[1])) reaction.shaft = impulse[1];
   if (contact.other_body != none) {
     add(contact.body, point.nodes[0], impulse, Vec<dim>::Zero());
     add(contact.other_body, point.nodes[0], -impulse, Vec<dim>::Zero());
@@ -111,7 +108,7 @@ void add_to_slices(const problem::Model<dim>& model, problem::State<dim>& state,
     if (point.impulse.isZero()) continue;
     const Real upright = std::sqrt(std::max(Real(0), 1 - point.normal[model.axes.up] * point.normal[model.axes.up]));
     const Real height = model.axes.height(point.position) - center, half = upright * half_extent(model.mesh, point);
-    const bool of_shaft = std::abs(point.normal[model.axes.up]) < parallel_to_axis;
+    const bool of_shaft = contact::is_shaft(point.normal[model.axes.up]);
     slices.share(height - half, height + half, [&](Index slice, Real fraction) {
       if (!balanced) state.ledger.slice_impulses[rigid][slice] += fraction * point.impulse[model.axes.along];
       if (of_shaft) state.ledger.slice_shaft_impulses[rigid][slice] += fraction * model.axes.height(point.impulse);

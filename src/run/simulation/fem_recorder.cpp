@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/run_fem_test.cpp
 #include "simulation/fem_recorder.hpp"
 
+#include "contact/contact_sums.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>
@@ -68,6 +69,18 @@ void FemRecorder::observe_solution(const fem::FemState& state, const fem::Increm
   row_("strength_lag", end.lag.part(), run_folder::bare, "missing dissipation over dissipation");
 }
 
+void FemRecorder::observe_shaft_of_main(const fem::FemModel& model, const fem::FemState& state)
+{
+  const Index main = model.model.main_rigid;
+  if (model.model.mesh.metric != mesh::Metric::axisymmetric || !has_corners<2>(model.model.rigid_bodies[main].shape)) return;
+  Real sum = 0;
+  for (std::size_t k = 0; k < state.contact.size(); ++k)
+    if (const fem::FemContactPoint& point = model.contact[k];
+        model.model.contacts[point.contact].rigid == main && contact::is_shaft(point.normal[1]))
+      sum -= point.area * state.contact[k].traction[1];
+  row_("V_shaft", sum, run_folder::newtons<2>, "vertical reaction of sides parallel to the axis");
+}
+
 void FemRecorder::observe_tractions(const fem::FemModel& model, const fem::FemState& state)
 {
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
@@ -124,7 +137,7 @@ void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state
                     .external = t.external,
                     .error = t.internal + t.friction - t.external});
   if (model.weight > 0) observe_out_of_balance(row_, state.unbalanced / model.weight);
-  if (main != none) of_rigid(main), observe_overlap(), observe_turn(main);
+  if (main != none) of_rigid(main), observe_shaft_of_main(model, state), observe_overlap(), observe_turn(main);
   for (const problem::Contact& contact : model.model.contacts)
     if (const Index rigid = contact.rigid; rigid != main)
       of_rigid(rigid), observe_rigid(model.model, now, rigid, now.rigid_bodies[rigid].reaction), observe_turn(rigid);

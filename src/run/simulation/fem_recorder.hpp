@@ -38,6 +38,7 @@ public:
 
 private:
   void observe_solution(const fem::FemState& state, const fem::IncrementEnd& end);
+  void observe_shaft_of_main(const fem::FemModel& model, const fem::FemState& state);
   void observe_tractions(const fem::FemModel& model, const fem::FemState& state);
   void observe_watches(const fem::FemModel& model, const fem::FemState& state);
 
