@@ -94,9 +94,8 @@ void LoadSteps::find_first_equilibrium()
         "the soil is not in equilibrium at the start: it cannot carry its weight with these stresses (k0, strength, min_pressure)");
 }
 
-/// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found. `looseness`: unbalanced forces that are taken where it
-/// does not converge, times the tolerance.
-bool LoadSteps::release_imbalance(FemLoads loads, Real viscosity, Real looseness)
+/// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found.
+bool LoadSteps::release_imbalance(FemLoads loads, Real viscosity)
 {
   newton_->assembly().store_initial_imbalance(state_, loads);
   state_.gravity = loads.gravity;
@@ -107,8 +106,7 @@ bool LoadSteps::release_imbalance(FemLoads loads, Real viscosity, Real looseness
     loads.initial_imbalance_factor = std::max(Real(0), state_.initial_imbalance_factor - part);
     std::vector<Real> change(model_.unknowns(), 0.);
     const IncrementEnd end = newton_->find_equilibrium(state_, loads, viscosity, change);
-    const bool found = end.converged || end.unbalance <= looseness * model_.settings.tolerance;
-    if (found && (part < short_increment || keeps_energy(change, loads))) {
+    if (end.converged && (part < short_increment || keeps_energy(change, loads))) {
       imbalance_work_ += newton_->assembly().work_of_imbalance(state_, change, loads);
       accept_equilibrium(change, loads);
       part *= 1.5;
@@ -310,7 +308,7 @@ void LoadSteps::remesh()
   last_dt_ = 0;
   // Viscosity makes it sooner; in sand, whose strength follows its pressure, it leaves too much.
   if (!(model_.non_associated && release_imbalance(loads_after(0), viscosity_of(dt_))) &&
-      !release_imbalance(loads_after(0), release_viscosity) && !release_imbalance(loads_after(0), release_viscosity, loose))
+      !release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
   const std::vector<bodies::RigidState<2>>& after = state_.state.rigid_bodies;
   Real change = 0;

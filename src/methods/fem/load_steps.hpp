@@ -68,7 +68,7 @@ private:
   const settings::StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
   void begin();
-  bool release_imbalance(FemLoads loads, Real viscosity, Real looseness = 0);
+  bool release_imbalance(FemLoads loads, Real viscosity);
   void remesh();
   Real viscosity_of(Real dt) const;
   Real longest_dt() const;
