@@ -11,7 +11,6 @@ namespace berm::fem {
 namespace {
 
 constexpr Real release_viscosity = 0.1;
-constexpr Real small_force = 0.05;       // of the largest reaction: changes by a remeshing are over this at least
 constexpr Real first_travel = 2e-4;      // of the width, in the first increment of a stage
 constexpr Real max_energy_error = 0.03;  // in large deformations, of the work of an increment
 constexpr Real past_the_end = 1 + 1e-6;  // so that rounding leaves no increment without length before the end of a stage
@@ -311,17 +310,16 @@ void LoadSteps::remesh()
       !release_imbalance(loads_after(0), release_viscosity))
     throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
   const std::vector<bodies::RigidState<2>>& after = state_.state.rigid_bodies;
-  Real change = 0;
-  for (std::size_t r = 0; r < after.size(); ++r)
-    remeshings_.largest_force = std::max({remeshings_.largest_force, before[r].reaction.norm(), after[r].reaction.norm()});
-  for (std::size_t r = 0; r < after.size(); ++r)
-    if (const Real scale = std::max(before[r].reaction.norm(), small_force * remeshings_.largest_force); scale > 0)
-      change = std::max(change, (after[r].reaction - before[r].reaction).norm() / scale);
+  for (std::size_t r = 0; r < after.size(); ++r) {
+    const Real force = before[r].reaction.norm(), change = (after[r].reaction - before[r].reaction).norm();
+    remeshings_.largest_force = std::max(remeshings_.largest_force, force);
+    remeshings_.largest_change = std::max(remeshings_.largest_change, change);
+    remeshings_.sum_of_forces += force;
+    remeshings_.sum_of_changes += change;
+  }
   remeshings_.lost_energy += old.energy - mapped.energy - imbalance_work_;
   remeshings_.lost_area += old.area - mapped.area;
   ++remeshings_.count;
-  remeshings_.largest_change = std::max(remeshings_.largest_change, change);
-  remeshings_.sum_of_changes += change;
 }
 
 /// Of an increment of dt (s): by the travel of a stage with a prescribed speed, or of a body that forces move faster.
@@ -505,8 +503,9 @@ void LoadSteps::archive(Archive& k)
   if (remesher_) {
     k("remeshings", remeshings_.count);
     k("largest_change", remeshings_.largest_change);
-    k("sum_of_changes", remeshings_.sum_of_changes);
     k("largest_force", remeshings_.largest_force);
+    k("sum_of_changes", remeshings_.sum_of_changes);
+    k("sum_of_forces", remeshings_.sum_of_forces);
     k("folds", remeshings_.folds);
     k("lost_energy", remeshings_.lost_energy);
     k("lost_area", remeshings_.lost_area);

@@ -13,15 +13,17 @@ struct NoEquilibrium : RunError {
   using RunError::RunError;
 };
 
-/// The remeshings of a run: how many there were, and how the reaction changed by mapping and the equilibrium after it, over the reaction before, but for small ones: the largest change by size, and the sum
-/// of all; and what mapping and that equilibrium took from the soil.
+/// The remeshings of a run: how many there were, how the reactions of the bodies changed by mapping and the equilibrium after it, and what these took from the soil.
 struct Remeshings {
   BigIndex count = 0;
-  Real largest_change = 0, sum_of_changes = 0;
-  Real largest_force = 0;  ///< N/m
-  BigIndex folds = 0;      ///< places at which soil folded onto soil
-  Real lost_energy = 0;    ///< J/m, elastic energy of the soil that became neither work nor plastic flow
-  Real lost_area = 0;      ///< m2, around an axis m3 per radian
+  Real largest_force = 0, sum_of_forces = 0;    ///< N/m: contact forces before a remeshing
+  Real largest_change = 0, sum_of_changes = 0;  ///< N/m, of these
+  BigIndex folds = 0;                           ///< places at which soil folded onto soil
+  Real lost_energy = 0;                         ///< J/m, elastic energy of the soil that became neither work nor plastic flow
+  Real lost_area = 0;                           ///< m2, around an axis m3 per radian
+
+  Real mean_change() const { return sum_of_forces > 0 ? sum_of_changes / sum_of_forces : 0; }                ///< over the force
+  Real largest_change_over_force() const { return largest_force > 0 ? largest_change / largest_force : 0; }  ///< over the largest force
 };
 
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly

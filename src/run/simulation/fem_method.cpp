@@ -226,8 +226,8 @@ run_folder::Summary::Checks FemMethod::checks() const
                                         {"friction_work_is_loss", state().ledger.totals.friction >= 0}};
   if (const fem::Remeshings& of = steps_.remeshings(); of.count > 0) {
     checks.emplace_back("remeshings", static_cast<Real>(of.count));
-    checks.emplace_back("largest_change_by_remeshing", of.largest_change);
-    checks.emplace_back("mean_change_by_remeshing", of.sum_of_changes / static_cast<Real>(of.count));
+    checks.emplace_back("largest_change_by_remeshing", of.largest_change_over_force());
+    checks.emplace_back("mean_change_by_remeshing", of.mean_change());
     const Real width = problem_.model.width, work = recorder_.largest_work();
     const Real size = std::pow(width, model().mesh.metric == mesh::Metric::axisymmetric ? 3 : 2);
     checks.emplace_back("energy_lost_by_remeshing", work > 0 ? of.lost_energy / work : 0);

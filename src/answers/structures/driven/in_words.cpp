@@ -295,7 +295,8 @@ std::string resistance_words(const DrivenRun& run, const Resistance& resistance,
   const std::string onset = resistance.onset ? fmt::format("It begins to slide at about H = {}. ", force(*resistance.onset)) : "",
                     berm = resistance.berm ? fmt::format("; at its end it meets a berm with {}", force(*resistance.berm)) : "";
   if (!resistance.breakout && resistance.berm)
-    return resistance.residual ? fmt::format("{}There is no peak: H levels off at {}{}.", onset, force(*resistance.residual), berm)
+    return resistance.residual ? fmt::format("{}There is no peak: H is about {} near u = {}{}.", onset, force(*resistance.residual),
+                                             shown.length_text(run.scale, *resistance.residual_at), berm)
                                : fmt::format("{}There is neither a peak nor a residual{}.", onset, berm);
   if (!resistance.breakout) return fmt::format("{}There is {}.", onset, no_peak_words(resistance, end.to));
   std::string words = fmt::format("H peaks first at u = {} with {}{}", shown.length_text(run.scale, resistance.breakout->u),
