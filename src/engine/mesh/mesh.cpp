@@ -109,6 +109,10 @@ void number_cells_along_curve(Mesh<dim>& mesh)
     if (const Index here = mesh.region[order[c].second]; here != 0) region[c] = here;  // a mesh of one region needs no memory for it
   }
   mesh.region = std::move(region);
+  if (mesh.patch.size() > 0) {
+    const auto patch = mesh.patch;
+    for (Index c = 0; c < mesh.cell_count(); ++c) mesh.patch[c] = patch[order[c].second];
+  }
 }
 
 // Numbers nodes by first use. Nodes of no cell are left out.

@@ -88,6 +88,7 @@ struct Mesh {
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names;
   std::vector<std::vector<Index>> boundary_nodes;  ///< by boundary, ascending
+  CellField<Index> patch;  ///< number of the patch of each cell, for those who make them (mesh/patches.hpp); empty: found there
   Metric metric = Metric::cartesian;
   std::vector<std::string> remarks;  ///< what was changed of the file that it was read from, for who runs it
 

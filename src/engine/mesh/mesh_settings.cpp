@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/mesh_settings.hpp"
 
+#include "mesh/lattice_seabed.hpp"
 #include "mesh/spatial_seabed.hpp"
 #include "os/error.hpp"
 #include "os/gmsh_program.hpp"
@@ -20,6 +21,7 @@ Mesh<dim> make(const SeabedMesh& seabed, const fs::path&, const fs::path& work_f
   if constexpr (dim == 3) {
     return make_spatial_seabed(seabed);
   } else {
+    if (seabed.pattern == SeabedPattern::lattice) return make_lattice_seabed(seabed);
     const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
     write_geo(seabed, geo);
     return mesh_by_gmsh<dim>(geo, msh, "mesh");

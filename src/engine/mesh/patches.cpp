@@ -180,6 +180,16 @@ private:
   std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> queue_;
 };
 
+/// Those that the mesh names.
+template <int dim>
+Groups named_patches(const Mesh<dim>& mesh)
+{
+  Groups groups(mesh.cell_count());
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) groups[mesh.patch[cell]].push_back(cell);
+  std::erase_if(groups, [](const std::vector<Index>& group) { return group.empty(); });
+  return groups;
+}
+
 }  // namespace
 
 template <int dim>
@@ -187,7 +197,8 @@ Patches make_patches(const Mesh<dim>& mesh, int cells)
 {
   Patches patches(mesh.cell_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) patches[cell] = cell;
-  Groups groups = Grouping<dim>(mesh, cells).patches();
+  const bool named = mesh.patch.size() > 0 && cells == patch_cells<dim>;
+  Groups groups = named ? named_patches(mesh) : Grouping<dim>(mesh, cells).patches();
   for (std::vector<Index>& group : groups) {
     std::sort(group.begin(), group.end());
     for (std::size_t k = 0; k < group.size(); ++k) patches[group[k]] = group[(k + 1) % group.size()];

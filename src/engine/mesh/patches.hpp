@@ -26,7 +26,7 @@ template <class Visit>
 template <int dim>
 constexpr int patch_cells = dim == 2 ? 2 : 6;
 
-/// Groups the cells into disjoint patches of about `cells` that are joined by faces and lie in one region. A patch grows from the cell with the fewest
+/// The patches that the mesh names where it does and `cells` are the usual number; else groups the cells into disjoint patches of about `cells` that are joined by faces and lie in one region. A patch grows from the cell with the fewest
 /// free neighbours, each time by the neighbour that shares most corners with its cells, then by that with the fewest free neighbours. Where it does not
 /// grow to more than half of `cells`, each of its cells joins the smallest neighbouring patch. Triangles around a node where two straight lines cross stay
 /// single: they do not lock.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/seabed.hpp"
 
+#include "mesh/lattice_seabed.hpp"
 #include "mesh/spatial_seabed.hpp"
 #include "mesh/uneven_seabed.hpp"
 #include "os/error.hpp"
@@ -161,6 +162,12 @@ void describe(Describe& d, SeabedMesh& bed)
           {.meaning = "thickness of the outer layer along walls and base, and then the largest size of any cell; 0: none",
            .unit = "m",
            .range = not_negative});
+  d.choice(
+      "pattern", bed.pattern, {"unstructured", "lattice"},
+      {.meaning =
+           "triangles of the plane bed: as Gmsh lays them; or in rows, equilateral in the fine zone, the right half as the left one: for "
+           "level and sloping beds by "
+           "the material point method, whose results then scatter less (examples/mesh_study). Finite elements have a mesh of their own"});
   d.value("slope", bed.slope,
           {.meaning = "angle of the surface from the horizontal; positive rises along x, so that a drag along x is uphill. The surface "
                       "passes through y = 0 at x = 0; base and top follow the slope",
@@ -222,6 +229,8 @@ void check(const SeabedMesh& bed)
   fits(bed.near_depth <= bed.depth - bed.layer - h, "near_depth",
        fmt::format("{:.6g} m must stay above the base and its layer by near_size: at most {:.6g} m", bed.near_depth,
                    bed.depth - bed.layer - h));
+  fits(bed.pattern == SeabedPattern::unstructured || !(bed.in_space() || bed.trench || bed.step), "pattern",
+       "a lattice is a level or sloping bed in the plane, without trench or step: leave pattern out");
   check_ground(bed);
   check_across(bed);
   fits(expected_cells(bed) <= max_seabed_cells, "near_size",
@@ -246,6 +255,7 @@ std::string size_formula(const SeabedMesh& bed)
 Real expected_cells(const SeabedMesh& bed)
 {
   if (bed.in_space()) return cells_in_space(bed);
+  if (bed.pattern == SeabedPattern::lattice) return cells_in_lattice(bed);
   const SeabedLayout at = layout_of(bed);
   const FineZone fine = fine_zone_of(bed);
   std::vector<Interval> across = {{0, fine.right - fine.left}}, down = {{0, fine.upper - fine.lower}};

@@ -26,6 +26,8 @@ struct Step {
   Real face_slope = 0;  ///< rad
 };
 
+enum class SeabedPattern { unstructured, lattice };
+
 /// The mesh of a bed with free space above it, fine around the path of a pipe that starts at x = 0. The bed's surface is y = 0. In metres:
 ///
 ///     top     +-----------------------------------+  y = headroom
@@ -58,8 +60,9 @@ struct SeabedMesh {
   Real near_height = 0;
   Real growth = 0.15;
   std::optional<Real> far_size;  ///< empty: not limited
-  Real layer = 0;                ///< thickness of the layer along walls and base, and maximum size of a cell; 0: no layer
-  Real slope = 0;                ///< rad, of the surface: positive ascends along x
+  SeabedPattern pattern = SeabedPattern::unstructured;
+  Real layer = 0;  ///< thickness of the layer along walls and base, and maximum size of a cell; 0: no layer
+  Real slope = 0;  ///< rad, of the surface: positive ascends along x
   std::optional<Trench> trench = {};
   std::optional<Step> step = {};
   // In space, along z: the walls are at z = -back and width - back.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/spatial_seabed.hpp"
 
+#include "mesh/coarsening.hpp"
 #include "mesh/kuhn.hpp"
 #include "os/error.hpp"
 
@@ -19,25 +20,6 @@ void refuse_unless(bool valid, const std::string& key, const std::string& messag
 {
   if (!valid) throw KeyError(fmt::format("mesh.{}: {}", key, message));
 }
-
-/// Size of a cell by its distance from the fine zone, and the number of cells up to there.
-struct Coarsening {
-  Real first, rate, last;
-
-  Real grown() const { return rate > 0 ? (last - first) / rate : infinity; }  // distance at which cells have their last size
-  Real count(Real distance) const
-  {
-    const Real growing = std::min(distance, grown());
-    const Real cells = rate > 0 ? std::log1p(rate * growing / first) / rate : growing / first;
-    return distance > growing ? cells + (distance - growing) / last : cells;
-  }
-  Real distance(Real cells) const
-  {
-    const Real growing = std::min(cells, grown() < infinity ? count(grown()) : infinity);
-    const Real way = rate > 0 ? first / rate * std::expm1(rate * growing) : growing * first;
-    return cells > growing ? way + (cells - growing) * last : way;
-  }
-};
 
 /// The planes of the mesh along one axis: through all of `through`, which ascend, with cells as small as in the fine zone from near_from to near_to.
 std::vector<Real> planes(const std::vector<Real>& through, Real near_from, Real near_to, const Coarsening& growth)

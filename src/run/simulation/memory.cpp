@@ -79,7 +79,8 @@ RunSize min_size(const settings::Case& c)
     size.cells = squares * (dim == 3 ? 6 : crossed ? 4 : 2);
     size.nodes = points + (crossed ? squares : 0);
   } else if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
-    const Real surely = bed->in_space() ? 1 : 0.5;  // in the plane it is an estimate for a mesh that is not made yet
+    const bool by_gmsh = !bed->in_space() && bed->pattern == mesh::SeabedPattern::unstructured;
+    const Real surely = by_gmsh ? 0.5 : 1;  // it is an estimate for a mesh that is not made yet
     size.cells = surely * expected_cells(*bed);
     size.nodes = size.cells / mesh::patch_cells<dim>;
   }
@@ -149,7 +150,7 @@ Real memory_of(const RunSize& size)
 Real memory_of_gmsh(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  if (bed == nullptr || bed->in_space()) return 0;
+  if (bed == nullptr || bed->in_space() || (bed->pattern == mesh::SeabedPattern::lattice && c.method == settings::Method::mpm)) return 0;
   constexpr Real at_start = 50 * mebibyte, of_cell = 445;  // measured: docs/reliability.md
   return at_start + of_cell * expected_cells(*bed);
 }

@@ -41,6 +41,7 @@ settings::Case without_method(settings::Case c)
   c.watch.clear();
   if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     bed->near_size = bed->near_left = bed->near_right = bed->near_depth = bed->near_height = bed->growth = bed->layer = 0;
+    bed->pattern = {};
     bed->far_size.reset(), bed->near_back.reset(), bed->near_front.reset();
   }
   for (auto& [name, body] : c.body) body.particles_per_cell = 0, body.region_particles_per_cell.clear();
