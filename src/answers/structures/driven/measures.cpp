@@ -344,8 +344,8 @@ TrustMeasures remeshing(const settings::Case& c)
   return {{"mean change of the contact force at a remeshing", &limits::change_by_remeshing, base::always,
            [](Run run) { return run.check("mean_change_by_remeshing"); },
            [](Run run, Real value) {
-             return fmt::format("{} at {} remeshings; the largest is {} of the largest contact force", text::percent_words(value), text::count_words(run.check("remeshings")),
-                                text::percent_words(run.check("largest_change_by_remeshing")));
+             return fmt::format("{} at {} remeshings; the largest is {} of the largest contact force", text::percent_words(value),
+                                text::count_words(run.check("remeshings")), text::percent_words(run.check("largest_change_by_remeshing")));
            },
            "remeshing changes the contact force on average by {}: use smaller elements (fem.contact_size)", text::percent_words},
           {"energy lost by remeshing, over the work", &limits::energy_by_remeshing, base::always,
