@@ -192,7 +192,7 @@ TrustMeasure contact_gap(const std::string& body)
     return fmt::format("{:.2g} h: the {} acts up to {} larger", quantity_value(run, "gap_mean") / near_cells(run).first, body,
                        text::percent_words(larger));
   };
-  return {"mean contact gap, twice over D",
+  return {"mean contact gap on both sides, over D",
           &limits::gap,
           always,
           acts_larger,

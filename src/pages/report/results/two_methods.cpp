@@ -88,7 +88,10 @@ struct Both {
 
 std::vector<Both> key_results_of(const Pair& pair)
 {
-  const auto is_key = [](const Quantity& q) { return q.kind == run_folder::QuantityKind::answer && std::isfinite(q.value); };
+  const auto is_key = [](const Quantity& q) {
+    const bool is_ratio = q.name.find("_over_") != std::string::npos;  // H over V, whose both are in the table
+    return q.kind == run_folder::QuantityKind::answer && !is_ratio && std::isfinite(q.value);
+  };
   const bool both_ended = pair.mpm->end == record::RunEnd::finished && pair.fem->end == record::RunEnd::finished;
   // A run that stopped has its largest values and those of its end elsewhere.
   const auto is_of_same_place = [&](const std::string& name) {
