@@ -10,6 +10,7 @@ namespace {
 
 constexpr Real row_height = std::numbers::sqrt3 / 2;  // of an equilateral triangle, over its side
 constexpr Real slack = 1e-9;
+constexpr Real thinnest = 0.7;  // step beside a wall, over the equal ones
 
 /// Equal steps from 0, and steps that grow beyond them up to a wall.
 struct Steps {
@@ -35,32 +36,27 @@ Steps steps_to(Real near, Real wall, const Coarsening& growth, Real steps_a_cell
   const auto whole = [](Real count) { return static_cast<Index>(std::min(count, max_seabed_cells)); };
   Steps steps{growth.first / steps_a_cell, 0, 0, wall, growth};
   steps.equal = whole(std::ceil(std::max(Real(0), near) / steps.step - slack));
-  steps.all = steps.equal + whole(std::max(Real(1), std::round(steps_a_cell * growth.count(wall - steps.step * steps.equal))));
+  const auto left_over = [&] { return steps_a_cell * growth.count(wall - steps.step * steps.equal); };
+  if (left_over() < thinnest && steps.equal > 0) --steps.equal;
+  steps.all = steps.equal + whole(std::max(Real(1), std::round(left_over())));
   return steps;
 }
 
-/// Half sides along x to both sides of where the lattice is fixed, and rows below and above the surface.
+/// Half sides along x to both sides of x = 0, where the lattice is fixed, and rows below and above the surface.
 struct Lattice {
-  Real fixed_at;  ///< x, m
-  bool at_wall;   ///< there, the left one
+  bool half;  ///< the left wall is at x = 0
   Steps left, right, down, up;
 
-  Index half_sides() const { return (at_wall ? 0 : left.all) + right.all; }
+  Index half_sides() const { return (half ? 0 : left.all) + right.all; }
   Index rows() const { return down.all + up.all; }
 };
 
 Lattice lattice_of(const SeabedMesh& bed)
 {
   const SeabedLayout at = layout_of(bed);
-  const bool at_wall = bed.near_left == at.left;
-  const Real fixed_at = at_wall ? at.left : 0;
   const Coarsening growth{bed.near_size, bed.growth, at.far_size};
-  return {fixed_at,
-          at_wall,
-          steps_to(fixed_at - bed.near_left, fixed_at - at.left, growth, 2),
-          steps_to(bed.near_right - fixed_at, at.right - fixed_at, growth, 2),
-          steps_to(bed.near_depth, bed.depth, growth, 1 / row_height),
-          steps_to(bed.near_height, bed.headroom, growth, 1 / row_height)};
+  return {bed.near_left == 0, steps_to(-bed.near_left, -at.left, growth, 2), steps_to(bed.near_right, at.right, growth, 2),
+          steps_to(bed.near_depth, bed.depth, growth, 1 / row_height), steps_to(bed.near_height, bed.headroom, growth, 1 / row_height)};
 }
 
 /// The level side of a triangle: its row of nodes, and the column of its left end.
@@ -73,9 +69,8 @@ class Rows {
 public:
   Rows(const Lattice& lattice, const SeabedMesh& bed, Mesh<2>& mesh) : lattice_(lattice), columns_(lattice.half_sides() + 1)
   {
-    const Index middle = lattice.at_wall ? 0 : lattice.left.all;
-    for (Index k = 0; k < columns_; ++k)
-      x_.push_back(lattice.fixed_at + (k < middle ? -lattice.left.at(middle - k) : lattice.right.at(k - middle)));
+    const Index middle = lattice.half ? 0 : lattice.left.all;
+    for (Index k = 0; k < columns_; ++k) x_.push_back(k < middle ? -lattice.left.at(middle - k) : lattice.right.at(k - middle));
     for (Index row = 0; row <= lattice.rows(); ++row)
       y_.push_back(row < lattice.down.all ? -lattice.down.at(lattice.down.all - row) : lattice.up.at(row - lattice.down.all));
     for (Index row = 0; row <= lattice.rows(); ++row) {
@@ -119,7 +114,7 @@ private:
 };
 
 /// Patches that are mirror images left and right: the two triangles on one base, of one region. A triangle whose base is one of the surface or of a border of its region joins the patch of the next one of its
-/// row outwards.
+/// row outwards, and stays alone where there is none: in the middle, at the end of a region, and in one of a single row.
 class Patching {
 public:
   Patching(const Lattice& lattice, Index columns) : first_(lattice.rows() + 1, std::vector<Index>(columns, none)) {}
@@ -180,20 +175,23 @@ Mesh<2> make_lattice_seabed(const SeabedMesh& bed)
       for (std::size_t b = 0; b < mesh.boundary_nodes.size(); ++b)
         if (on[b] && rows.node(row, k) != none) mesh.boundary_nodes[b].push_back(rows.node(row, k));
     }
-  const Real near_left = lattice.at_wall ? at.left : -lattice.left.at(lattice.left.equal),
-             near_right = lattice.fixed_at + lattice.right.at(lattice.right.equal), near_base = -lattice.down.at(lattice.down.equal);
+  const bool at_left_wall = bed.near_left == at.left;
+  const Real near_left = at_left_wall ? -infinity : -lattice.left.at(lattice.left.equal),
+             near_right = lattice.right.at(lattice.right.equal), near_base = -lattice.down.at(lattice.down.equal);
+  const auto beyond = [&](Real distance) { return distance > 1e-6 * bed.near_size; };  // on both sides alike, however rounded
   const auto region_of = [&](Real x, Real y) -> Index {
     if (y > 0) return 2;
-    if (bed.layer > 0 && (y < -bed.depth + bed.layer || (x < at.left + bed.layer && !lattice.at_wall) || x > at.right - bed.layer))
-      return 3;
-    return y > near_base && x > near_left && x < near_right ? 0 : 1;
+    const bool in_layer =
+        beyond(bed.layer - bed.depth - y) || (beyond(at.left + bed.layer - x) && !at_left_wall) || beyond(x - at.right + bed.layer);
+    if (bed.layer > 0 && in_layer) return 3;
+    return beyond(y - near_base) && beyond(x - near_left) && beyond(near_right - x) ? 0 : 1;
   };
   Patching patching(lattice, rows.columns());
   for (Index row = 0; row < lattice.rows(); ++row)
     rows.for_each_triangle(row, [&](const Mesh<2>::Corners& corners, const Vec<2>& center, const Base& base) {
       mesh.nodes.push_back(corners);
       mesh.region.push_back(region_of(center[0], center[1]));
-      patching.add(mesh.region, row, base, center[0] - lattice.fixed_at);
+      patching.add(mesh.region, row, base, center[0]);
     });
   mesh.patch = std::move(patching).patches(mesh.region);
   mesh.complete();

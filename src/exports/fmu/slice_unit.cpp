@@ -52,7 +52,7 @@ void refuse_other_than_slice(const settings::Case& c)
 constexpr std::string_view dependencies =
     "libberm.so." BERM_LIBRARY_VERSION
     " of berm, of the version that wrote this unit, where the loader finds it: installed, or in a folder that "
-    "LD_LIBRARY_PATH names. Gmsh where resources/case.toml has a mesh of kind \"seabed\".\n";
+    "LD_LIBRARY_PATH names. Gmsh where resources/case.toml has a mesh of kind \"seabed\" that is no lattice.\n";
 
 }  // namespace
 

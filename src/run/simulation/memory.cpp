@@ -3,6 +3,7 @@
 
 #include "bodies/fill.hpp"
 #include "core/ranks.hpp"
+#include "mesh/lattice_seabed.hpp"
 #include "mpm/grid.hpp"
 #include "os/control_group.hpp"
 #include "os/error.hpp"
@@ -59,6 +60,13 @@ std::string words_of_memory(Real bytes)
   return bytes > 1000 * tebibyte ? "more than 1000 TiB" : fmt::format("{:.0f} MiB", bytes / mebibyte);
 }
 
+/// Whether the mesh is a lattice, which finite elements do without.
+bool is_lattice(const settings::Case& c)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  return bed != nullptr && bed->pattern == mesh::SeabedPattern::lattice && c.method == settings::Method::mpm;
+}
+
 }  // namespace
 
 std::string words_of_count(Real count, const char* of)
@@ -79,9 +87,8 @@ RunSize min_size(const settings::Case& c)
     size.cells = squares * (dim == 3 ? 6 : crossed ? 4 : 2);
     size.nodes = points + (crossed ? squares : 0);
   } else if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
-    const bool by_gmsh = !bed->in_space() && bed->pattern == mesh::SeabedPattern::unstructured;
-    const Real surely = by_gmsh ? 0.5 : 1;  // it is an estimate for a mesh that is not made yet
-    size.cells = surely * expected_cells(*bed);
+    const Real surely = bed->in_space() ? 1 : 0.5;  // in the plane it is an estimate for a mesh that is not made yet
+    size.cells = is_lattice(c) ? cells_in_lattice(*bed) : surely * expected_cells(*bed);
     size.nodes = size.cells / mesh::patch_cells<dim>;
   }
   const bool is_box = std::holds_alternative<mesh::BoxMesh>(c.mesh);
@@ -150,7 +157,7 @@ Real memory_of(const RunSize& size)
 Real memory_of_gmsh(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  if (bed == nullptr || bed->in_space() || (bed->pattern == mesh::SeabedPattern::lattice && c.method == settings::Method::mpm)) return 0;
+  if (bed == nullptr || bed->in_space() || is_lattice(c)) return 0;
   constexpr Real at_start = 50 * mebibyte, of_cell = 445;  // measured: docs/reliability.md
   return at_start + of_cell * expected_cells(*bed);
 }

@@ -25,7 +25,7 @@ void make_coarser(mesh::SeabedMesh& bed, Real times)
   if (bed.far_size) *bed.far_size *= times;
   const mesh::SeabedLayout at = layout_of(bed);
   const Real clear = bed.layer + bed.near_size;
-  bed.near_left = std::max(bed.near_left, at.left + clear);
+  if (bed.near_left > at.left) bed.near_left = std::max(bed.near_left, at.left + clear);
   bed.near_right = std::min(bed.near_right, at.right - clear);
   if (bed.in_space()) {
     const Real back = 0 - bed.back.value_or(*bed.width / 2), front = back + *bed.width;

@@ -140,6 +140,16 @@ TEST(Variants, keep_the_fine_zone_clear_of_the_walls)
   EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
 }
 
+TEST(Variants, leave_the_fine_zone_of_half_a_bed_at_its_axis)
+{
+  settings::Case c = fine();
+  bed_of(c).left = 0;
+  bed_of(c).near_left = 0;
+  const settings::Case coarse = with_coarser_cells(c, 2).first;
+  EXPECT_EQ(bed_of(coarse).near_left, 0);
+  EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
+}
+
 /// The lower end of the fine zone, above the base; the bed is one that a mesh can be made of.
 Real clear_of_the_base(settings::Case c)
 {

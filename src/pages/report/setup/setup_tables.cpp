@@ -225,6 +225,7 @@ void add_mesh(Rows& rows)
   if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     rows.length("bed: length", bed->length);
     rows.length("bed: depth", bed->depth);
+    if (bed->pattern == mesh::SeabedPattern::lattice && c.method == settings::Method::mpm) rows.add("bed: cells", "lattice");
     if (bed->slope != 0) rows.add("bed: slope along x (positive: uphill)", text::angle_words(bed->slope));
     if (bed->trench) rows.length("trench: depth", bed->trench->depth), rows.length("trench: width of its bottom", bed->trench->width);
     if (bed->trench) rows.add("trench: angle of its sides", text::angle_words(bed->trench->side_slope));
