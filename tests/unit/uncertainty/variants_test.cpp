@@ -145,7 +145,7 @@ TEST(Variants, leave_the_fine_zone_of_half_a_bed_at_its_axis)
   settings::Case c = fine();
   bed_of(c).left = 0;
   bed_of(c).near_left = 0;
-  const settings::Case coarse = with_coarser_cells(c, 2).first;
+  settings::Case coarse = with_coarser_cells(c, 2).first;
   EXPECT_EQ(bed_of(coarse).near_left, 0);
   EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
 }
