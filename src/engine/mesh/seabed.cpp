@@ -167,7 +167,7 @@ void describe(Describe& d, SeabedMesh& bed)
                        "at x = 0, wider and "
                        "higher outside of the fine zone up to the walls, for level and sloping beds: results scatter less from mesh to "
                        "mesh, with up to twice the cells in all "
-                       "(examples/mesh_study). Finite elements have a mesh of their own"});
+                       "(examples/mesh_patterns). Finite elements have a mesh of their own"});
   d.value("slope", bed.slope,
           {.meaning = "angle of the surface from the horizontal; positive rises along x, so that a drag along x is uphill. The surface "
                       "passes through y = 0 at x = 0; base and top follow the slope",
