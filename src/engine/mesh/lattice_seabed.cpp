@@ -117,14 +117,17 @@ private:
 /// row outwards, and stays alone where there is none: in the middle, at the end of a region, and in one of a single row.
 class Patching {
 public:
-  Patching(const Lattice& lattice, Index columns) : first_(lattice.rows() + 1, std::vector<Index>(columns, none)) {}
+  Patching(const Lattice& lattice, Index columns)
+      : cells_of_row_(lattice.half_sides() + 1),
+        first_(lattice.rows() + 1, std::vector<Index>(columns, none))
+  {
+  }
 
   /// The last of these cells, which were added from left to right; x from the middle.
-  void add(const CellField<Index>& region, Index row, const Base& base, Real x)
+  void add(const CellField<Index>& region, const Base& base, Real x)
   {
     const Index cell = region.size() - 1;
     patch_.push_back(cell);
-    row_.push_back(row);
     outwards_.push_back(x > 0 ? cell + 1 : x < 0 ? cell - 1 : none);
     Index& first = first_[base.row][base.column];
     if (first == none)
@@ -137,16 +140,17 @@ public:
   {
     for (Index cell = 0; cell < patch_.size(); ++cell) {
       const Index next = outwards_[cell];
-      const bool has_next = next >= 0 && next < patch_.size() && row_[next] == row_[cell];
+      const bool has_next = next >= 0 && next < patch_.size() && next / cells_of_row_ == cell / cells_of_row_;
       if (!is_pair_[cell] && has_next && is_pair_[next] && region[next] == region[cell]) patch_[cell] = patch_[next];
     }
     return std::move(patch_);
   }
 
 private:
+  Index cells_of_row_;
   std::vector<std::vector<Index>> first_;  ///< cell on a base, by row and column, or none
   CellField<Index> patch_;                 ///< the first cell of each cell's patch
-  std::vector<Index> row_, outwards_;      ///< the row of each cell, and the next one outwards, which may be of another row
+  std::vector<Index> outwards_;            ///< the next cell outwards, which at a wall is of another row
   std::vector<bool> is_pair_;
 };
 
@@ -191,7 +195,7 @@ Mesh<2> make_lattice_seabed(const SeabedMesh& bed)
     rows.for_each_triangle(row, [&](const Mesh<2>::Corners& corners, const Vec<2>& center, const Base& base) {
       mesh.nodes.push_back(corners);
       mesh.region.push_back(region_of(center[0], center[1]));
-      patching.add(mesh.region, row, base, center[0]);
+      patching.add(mesh.region, base, center[0]);
     });
   mesh.patch = std::move(patching).patches(mesh.region);
   mesh.complete();
