@@ -8,6 +8,7 @@
 #include "os/error.hpp"
 #include "structures/base/errors_of_methods.hpp"
 #include "structures/base/soil_words.hpp"
+#include "uncertainty/variants.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -53,6 +54,20 @@ std::vector<std::string> lines_of(const OtherMethod& other)
                       sizes_words(base::errors_of_cells), errors_words(base::errors_of_cells))};
 }
 
+/// What the bands of its results would take; empty where it has none.
+std::optional<std::string> line_of_bands(const settings::Case& c)
+{
+  try {
+    const uncertainty::VariantPlan plan = uncertainty::choose_variants(c);
+    const auto [finest, coarsest] = std::ranges::minmax(plan.variants, {}, &uncertainty::Variant::size);
+    return fmt::format(
+        "bands        --uncertainty: {} more runs, on cells {:.2g} to {:.2g} times as large, about {:.2g} times the work of this one",
+        plan.variants.size(), finest.size, coarsest.size, work_of(plan, c));
+  } catch (const KeyError&) {
+    return std::nullopt;
+  }
+}
+
 /// What is found of a case, with what the other method takes where it asks for large deformations.
 struct CheckedCase {
   simulation::Checked checked;
@@ -72,7 +87,9 @@ CheckedCase check_of(const simulation::RunRequest& request, const CaseOptions& o
   for (const auto& words_of : {base::soil_words, base::k0_words, base::drainage_words})
     for (std::string& line : words_of(request.settings)) notes.push_back(std::move(line));
   checked.notes.insert(checked.notes.begin(), notes.begin(), notes.end());
-  if (request.settings.fem.large_deformation && checked.estimate) {
+  if (!checked.estimate) return of;
+  if (const std::optional<std::string> line = line_of_bands(request.settings)) checked.estimate->lines.push_back(*line);
+  if (request.settings.fem.large_deformation) {
     of.other = other_method(request);
     for (std::string& line : lines_of(*of.other)) checked.estimate->lines.push_back(std::move(line));
   }

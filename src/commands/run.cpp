@@ -212,8 +212,10 @@ Command add_run(CLI::App& program)
          "folder, and write the page of both")
       ->excludes("--runner")
       ->excludes("--resume");
-  app->add_flag("--uncertainty", options->uncertainty,
-                "also run each case on coarser cells and at another speed, and give 95 % bands of its results: about as long again");
+  app->add_flag(
+      "--uncertainty", options->uncertainty,
+      "also run each case on other cells and at another speed, and give its results for cells without size with 95 % bands; berm check "
+      "says what that takes");
   app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is invalid, as its summary.json says");
   app->callback([options] {
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");

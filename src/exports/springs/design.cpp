@@ -12,6 +12,7 @@
 #include "study/estimates.hpp"
 #include "study/sample.hpp"
 #include "study/study_rows.hpp"
+#include "uncertainty/find_bands.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -120,6 +121,13 @@ std::vector<Estimate> estimates_of(const Springs& best, const std::vector<Spring
   return estimates;
 }
 
+/// Whether low and high have a number of their own: displacements are those of the best run, and V, too, with which the friction of low and high would be a quotient of
+/// quantiles.
+bool is_carried(Kind kind, const std::string& name)
+{
+  return kind != Kind::displacement && kind != Kind::ratio && name != "V";
+}
+
 /// `like`, with its forces and stiffnesses from the estimates; displacements are those of the best run, else the middle ones.
 Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& estimates)
 {
@@ -128,9 +136,7 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
   for_each_number(like, [&](const Place& place, const std::string& name, Kind kind, const std::string&, Real& number) {
     const auto found = by_key.find({place.spring, name});
     if (found == by_key.end()) return;
-    // V stays, too: with it the friction of low and high would be a quotient of quantiles.
-    const bool in_place = kind == Kind::displacement || kind == Kind::ratio || name == "V";
-    if (!in_place)
+    if (is_carried(kind, name))
       number = found->second->*which;
     else
       number = std::isnan(found->second->best) ? found->second->middle : found->second->best;
@@ -162,6 +168,46 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
   return lines;
 }
 
+/// Takes the springs of a run with bands to cells without size: forces and stiffnesses of `best` are the extrapolated ones, those of `low` and `high` the ends of their
+/// bands, at the displacements of the run. What has no band stays as computed, and has no low and high.
+void take_bands(Design& design, const record::RunRecord& run, const Selection& selection)
+{
+  const std::vector<uncertainty::VariantRecord> variants = uncertainty::variants_of(run);
+  const auto name_of = [](const std::string& spring, const std::string& name) { return spring + " " + name; };
+  const std::map<std::string, run_folder::Band> bands = uncertainty::bands_of(run, variants, [&](const record::RunRecord& one) {
+    std::map<std::string, Real> numbers;
+    const Springs springs = springs_of(one, selection);
+    for_each_number(springs, [&](const Place& place, const std::string& name, Kind kind, const std::string&, Real number) {
+      if (is_carried(kind, name) && is_usable(kind, number)) numbers[name_of(place.spring, name)] = number;
+    });
+    return numbers;
+  });
+  std::vector<std::string> without;
+  for (Estimate& e : design.estimates) {
+    const auto found = bands.find(name_of(e.spring, e.name));
+    if (found == bands.end()) continue;
+    const run_folder::Band& band = found->second;
+    if (!std::isfinite(band.half_width)) {
+      without.push_back(found->first);
+      continue;
+    }
+    e.best = band.converged, e.low = band.converged - band.half_width, e.high = band.converged + band.half_width;
+    e.size = variants.size() + 1;
+  }
+  const Springs computed = design.best;
+  for (auto [set, which, words] : {std::tuple(&design.best, &Estimate::best, "extrapolated to cells without size"),
+                                   std::tuple(&design.low.emplace(), &Estimate::low, "lower end of the 95 % band of discretisation"),
+                                   std::tuple(&design.high.emplace(), &Estimate::high, "upper end of the 95 % band of discretisation")}) {
+    *set = at(which, computed, design.estimates);
+    set->run = fmt::format("{} ({})", computed.run, words);
+  }
+  for (std::size_t k = 0; k < computed.lateral.size(); ++k) design.best.lateral[k].curve = computed.lateral[k].curve;
+  design.provenance.push_back(fmt::format(
+      "best: forces extrapolated to cells without size from {} runs; low and high: 95 % band of discretisation (berm run --uncertainty)",
+      variants.size() + 1));
+  if (!without.empty()) design.provenance.push_back("without a band, as computed: " + text_of_list(without, ", "));
+}
+
 Design design_of_run(const fs::path& folder, const Selection& selection)
 {
   const record::RunRecord run = structures::read_run(folder);
@@ -169,6 +215,11 @@ Design design_of_run(const fs::path& folder, const Selection& selection)
       .name = run.name, .provenance = {}, .best = springs_of(run, selection), .low = {}, .high = {}, .estimates = {}, .draws = {}};
   design.provenance = head_of(run);
   design.estimates = estimates_of(design.best, {});
+  if (run.summary && run.summary->uncertainty && run.summary->uncertainty->missing.empty()) try {
+      take_bands(design, run, selection);
+    } catch (const RunError& error) {
+      io::warn("{}: the springs are as computed, without bands: {}", run.name, error.what());
+    }
   return design;
 }
 

@@ -20,9 +20,9 @@ struct Estimate {
   std::string meaning;
   std::string travel;                        ///< that it was found in; of a state or a formula none
   std::string source;                        ///< "computed", or the formula
-  Real best = nan;                           ///< of the best run, or of the only one
-  Real low = nan, middle = nan, high = nan;  ///< quantiles of 5, 50 and 95 % of the sample
-  std::size_t size = 0;                      ///< runs of the sample that have this number
+  Real best = nan;                           ///< of the best run, or of the only one; of one with bands extrapolated to cells without size
+  Real low = nan, middle = nan, high = nan;  ///< quantiles of 5, 50 and 95 % of the sample; low and high of a run with bands: their ends
+  std::size_t size = 0;                      ///< runs of the sample, or of the band, that have this number
   Lognormal fit;
 };
 const char* unit_of(Kind kind);
@@ -37,8 +37,8 @@ struct Design {
   std::string name;  ///< of the run, or of the combination of a study
   std::vector<std::string>
       provenance;  ///< lines: from what, by which program; those that begin with base::invalid_line_begin say why the numbers are not to be used
-  Springs best;  ///< of the best run; of a sample without one, the middle of all numbers
-  /// Of a sample: forces at 5 and at 95 %, at the displacements of `best`.
+  Springs best;  ///< of the best run, extrapolated where it has bands; of a sample without one, the middle of all numbers
+  /// Of a sample: forces at 5 and at 95 %, of a run with bands their ends; at the displacements of `best`.
   std::optional<Springs> low, high;
   std::vector<Estimate> estimates;
   std::vector<Springs> draws;

@@ -107,6 +107,7 @@ Json json_of(const Uncertainty& uncertainty)
   for (const auto& [name, unit, band] : uncertainty.quantities) {
     Json& entry = json["quantities"][name];
     for (const auto& [key, part] : numbers_of_band) entry[key] = band.*part;
+    entry["order"] = band.order;
     entry["unit"] = unit;
     for (const auto& [key, part] : parts_of_band) entry["parts"][key] = band.*part;
   }
@@ -131,6 +132,7 @@ Uncertainty uncertainty_of(const Json& json)
   for (const auto& [name, entry] : table_of(json, "quantities").items()) {
     QuantityBand& q = uncertainty.quantities.emplace_back(QuantityBand{name, words(member_of(entry, "unit")), {}});
     for (const auto& [key, part] : numbers_of_band) q.band.*part = number(member_of(entry, key));
+    q.band.order = entry.contains("order") ? number(entry["order"]) : nan;
     for (const auto& [key, part] : parts_of_band) q.band.*part = number(member_of(member_of(entry, "parts"), key));
   }
   for (const auto& [name, why] : table_of(json, "without").items()) uncertainty.without.emplace_back(name, words(why));

@@ -12,9 +12,11 @@ namespace berm::run_folder {
 
 /// How sure a number is: the answer lies in converged +- half_width, nineteen times in twenty (docs/theory/method.md, Discretisation uncertainty). All in the unit of the number.
 struct Band {
-  Real value = 0;          ///< of the run
-  Real converged = 0;      ///< for cells without size
-  Real half_width = 0;     ///< extrapolation + sqrt(mesh^2 + noise^2 + speed^2)
+  Real value = 0;       ///< of the run
+  Real converged = 0;   ///< for cells without size
+  Real half_width = 0;  ///< extrapolation + sqrt(mesh^2 + noise^2 + speed^2)
+  Real order = std::numeric_limits<
+      Real>::quiet_NaN();  ///< of convergence, as its runs show it; NaN where scatter hides it. The extrapolation takes 1
   Real extrapolation = 0;  ///< what the converged number is uncertain by because the order of convergence is
   Real mesh = 0;           ///< and because numbers scatter from mesh to mesh
   Real noise = 0;          ///< what the run's number is uncertain by as a mean over noisy rows

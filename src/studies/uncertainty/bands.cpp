@@ -7,14 +7,15 @@
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 namespace berm::uncertainty {
 namespace {
 
 constexpr int sets_of_rows = 5;
-constexpr int curve_points = 40;  // intervals of a curve's band
+constexpr int curve_points = 40;      // intervals of a curve's band
+constexpr Real part_of_travel = 0.2;  // to either side at most, over which differences of runs are taken
+constexpr int shared_points = 4;      // to either side, whose scatter about their lines is one
 
 /// The history without every fifth row, beginning with row `first`; the ends of stages stay, which tell where they end.
 run_folder::History thinned(const run_folder::History& history, int first)
@@ -32,6 +33,26 @@ run_folder::History thinned(const run_folder::History& history, int first)
   return kept;
 }
 
+/// Standard deviation of answers from mesh to mesh on cells of D/8, as part of them (examples/mesh_patterns): root mean square over V, H and w of ten meshes. It
+/// is in proportion to the cells.
+Real scatter_at_eighth(const settings::Case& c)
+{
+  const bool clay = base::body_scale(c).strength > 0;
+  if (c.method == settings::Method::fem) return clay ? 0.003 : 0.02;
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  if (bed != nullptr && bed->pattern == mesh::SeabedPattern::lattice) return clay ? 0.016 : 0.034;
+  return clay ? 0.024 : 0.041;
+}
+
+/// The same of the finest of these runs.
+Real scatter_of_finest(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
+{
+  Real finest = 1;
+  for (const VariantRecord& variant : variants) finest = std::min(finest, variant.size);
+  const Real across = base::body_scale(run).width / (finest * base::near_cell_size(run.settings));
+  return scatter_at_eighth(run.settings) * 8 / across;
+}
+
 Real value_in(const std::vector<run_folder::Quantity>& quantities, const std::string& name)
 {
   const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == name; });
@@ -41,33 +62,100 @@ Real value_in(const std::vector<run_folder::Quantity>& quantities, const std::st
 /// Numbers of the run and of its variants, one each; NaN where one has none.
 struct Numbers {
   std::vector<SizedNumber> by_size;             ///< the run's first, at the run's speed
-  std::optional<std::pair<Real, Real>> speeds;  ///< of the coarsest cells: at the run's speed, and at the other
+  std::optional<std::pair<Real, Real>> speeds;  ///< of one size: at the run's speed, and at the other
+
+  const SizedNumber& of_run() const { return by_size.front(); }
+  const SizedNumber& finest() const { return *std::ranges::min_element(by_size, {}, &SizedNumber::size); }
 };
 
 Numbers numbers_of(Real of_run, const std::vector<VariantRecord>& variants, const std::vector<Real>& of_variants)
 {
   Numbers numbers{{{1, of_run}}, {}};
+  for (std::size_t k = 0; k < variants.size(); ++k)
+    if (variants[k].speed == 1) numbers.by_size.push_back({variants[k].size, of_variants[k]});
   for (std::size_t k = 0; k < variants.size(); ++k) {
-    if (variants[k].speed == 1)
-      numbers.by_size.push_back({variants[k].size, of_variants[k]});
-    else
-      numbers.speeds = {numbers.by_size.back().number, of_variants[k]};
+    if (variants[k].speed == 1) continue;
+    const auto same = std::ranges::find(numbers.by_size, variants[k].size, &SizedNumber::size);
+    if (same != numbers.by_size.end()) numbers.speeds = {same->number, of_variants[k]};
   }
   return numbers;
 }
 
-run_folder::Band band_of(const Numbers& numbers, Real noise)
+/// The band of numbers, whose differences are taken where they have little noise: `smooth` are the same over the travel of a cell.
+run_folder::Band band_of(const Numbers& numbers, const Numbers& smooth, const Estimate& estimate, Real noise)
 {
-  const Estimate estimate = extrapolate(numbers.by_size);
   run_folder::Band band;
-  band.value = numbers.by_size.front().number;
-  band.converged = estimate.converged;
+  band.value = numbers.of_run().number;
+  band.converged = estimate.converged + numbers.finest().number - smooth.finest().number;
+  band.order = estimate.order;
   band.extrapolation = estimate.extrapolation;
   band.mesh = estimate.mesh;
   band.noise = noise;
-  band.speed = numbers.speeds ? std::abs(numbers.speeds->second - numbers.speeds->first) : 0;
+  band.speed = smooth.speeds ? std::abs(smooth.speeds->second - smooth.speeds->first) : 0;
   band.half_width = half_width(band.extrapolation, band.mesh, band.noise, band.speed);
   return band;
+}
+
+bool is_whole(const Numbers& numbers)
+{
+  return std::ranges::all_of(numbers.by_size, [](const SizedNumber& each) { return std::isfinite(each.number); }) &&
+         (!numbers.speeds || std::isfinite(numbers.speeds->first + numbers.speeds->second));
+}
+
+/// The same with numbers that have a known scatter, as part of the finest; the smooth ones only where all runs have them.
+run_folder::Band band_of(const Numbers& numbers, const Numbers& smooth, Real known_scatter, Real noise)
+{
+  const Numbers& compared = is_whole(smooth) ? smooth : numbers;
+  return band_of(numbers, compared, extrapolate(compared.by_size, known_scatter * std::abs(numbers.finest().number)), noise);
+}
+
+/// The travel over which differences of runs are taken, to either side: V of a push goes up in steps, about where the chord of a pipe comes to the next nodes, H and w
+/// of a drag waver as cells go by.
+struct Smoothing {
+  Real push, drag;  ///< m
+};
+
+/// A quarter of the largest cell in a push, which its steps are less apart than, and half of it in a drag.
+Smoothing smoothing_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
+{
+  Real largest = 1;
+  for (const VariantRecord& variant : variants) largest = std::max(largest, variant.size);
+  const Real cell = largest * base::near_cell_size(run.settings);
+  return {cell / 4, cell / 2};
+}
+
+/// The run with V of its pushes, and H, V and w of its drags, freed from what cells make on the way; its quantities are those of that, without what is seen in frames.
+record::RunRecord smoothed(record::RunRecord run, const Smoothing& smoothing)
+{
+  run.folder.clear();
+  run_folder::History& history = run.history;
+  const auto values_of = [&](const char* label) -> std::vector<Real>& {
+    const auto column = std::ranges::find(history.columns, label, &run_folder::Column::label);
+    return history.values[static_cast<std::size_t>(column - history.columns.begin())];
+  };
+  for (Index first = 0, last = 0; first < history.rows(); first = last) {
+    while (last < history.rows() && history.stage[last] == history.stage[first]) ++last;
+    const auto stage = std::ranges::find(run.settings.stage, history.stage[first], &settings::StageSettings::name);
+    if (stage == run.settings.stage.end() || !drives(stage->kind)) continue;
+    const bool push = stage->kind == settings::StageKind::push;
+    const char* along = push ? "w" : "u";
+    if (!history.has_label(along)) continue;
+    std::vector<Real> travel;
+    for (Index k = first; k < last; ++k) travel.push_back(std::abs(values_of(along)[k] - values_of(along)[first]));
+    for (const char* label : {"H", "V", "w"}) {
+      if (!history.has_label(label) || (push && label == std::string("w"))) continue;
+      std::vector<Real>& values = values_of(label);
+      const record::TravelCurve curve(travel, {values.begin() + first, values.begin() + last});
+      if (curve.empty()) continue;
+      const Real half = std::min(push ? smoothing.push : smoothing.drag, part_of_travel * (curve.end() - curve.begin()));
+      for (Index k = first; k < last; ++k) {
+        const Real s = travel[k - first], room = std::min(s - curve.begin(), curve.end() - s);
+        if (const Real value = curve.at(s, std::min(half, room)); std::isfinite(value)) values[k] = value;
+      }
+    }
+  }
+  run.quantities = structures::quantities_of(run, {});
+  return run;
 }
 
 /// A curve that has a band: at travel s it stands at x = begin + direction s.
@@ -92,24 +180,53 @@ BandedCurves banded(const base::Charts& charts)
   return curves;
 }
 
+/// Root of the mean square of the scatter around point k; NaN has no part in it.
+Real shared_scatter(const std::vector<Estimate>& along, std::size_t k)
+{
+  Real squares = 0;
+  int found = 0;
+  for (std::size_t other = k - std::min<std::size_t>(k, shared_points); other < along.size() && other <= k + shared_points; ++other) {
+    if (std::isnan(along[other].scatter)) continue;
+    squares += along[other].scatter * along[other].scatter;
+    ++found;
+  }
+  return found == 0 ? nan : std::sqrt(squares / found);
+}
+
+/// What the runs have at travel s of a curve, averaged over `half` to either side.
+Numbers numbers_at(const BandedCurve& curve, const std::vector<VariantRecord>& variants, const std::vector<const BandedCurve*>& of_variants,
+                   Real s, Real half, Real step)
+{
+  std::vector<Real> numbers;
+  // A run ends at the limit of its stage but for a step of its own.
+  for (const BandedCurve* variant : of_variants) {
+    const record::TravelCurve& values = variant->values;
+    numbers.push_back(values.at(s > values.end() && s < values.end() + 0.1 * step ? values.end() : s, half));
+  }
+  return numbers_of(curve.values.at(s, half), variants, numbers);
+}
+
 /// The band of a curve of the run, which each variant has at the same place; it ends where one of them does.
 run_folder::CurveBand band_of(const BandedCurve& curve, const std::vector<VariantRecord>& variants,
-                              const std::vector<const BandedCurve*>& of_variants, Real averaging)
+                              const std::vector<const BandedCurve*>& of_variants, Real averaging, const Smoothing& smoothing,
+                              Real known_scatter)
 {
   run_folder::CurveBand band{curve.chart, {}, {}, {}};
   const Real begin = curve.values.begin(), end = curve.values.end(), step = (end - begin) / curve_points;
-  const Real half = std::max(averaging, step);
+  const Real half = std::max(averaging, step), wide = std::max(half, curve.chart == "V_w" ? smoothing.push : smoothing.drag);
+  std::vector<Numbers> along, smooth;
+  std::vector<Estimate> estimates;
   for (int k = 0; k <= curve_points; ++k) {
     const Real s = k == curve_points ? end : begin + k * step;
-    std::vector<Real> numbers;
-    // A run ends at the limit of its stage but for a step of its own.
-    for (const BandedCurve* variant : of_variants) {
-      const record::TravelCurve& values = variant->values;
-      numbers.push_back(values.at(s > values.end() && s < values.end() + 0.1 * step ? values.end() : s, half));
-    }
-    // The rows' noise is in the scatter from mesh to mesh.
-    const run_folder::Band at = band_of(numbers_of(curve.values.at(s, half), variants, numbers), 0);
+    along.push_back(numbers_at(curve, variants, of_variants, s, half, step));
+    smooth.push_back(numbers_at(curve, variants, of_variants, s, std::max(half, std::min({wide, s - begin, end - s})), step));
+    estimates.push_back(extrapolate(smooth.back().by_size, 0));
     band.x.push_back(curve.begin + curve.direction * s);
+  }
+  for (std::size_t k = 0; k < along.size(); ++k) {
+    const Real known = std::max(known_scatter * std::abs(along[k].finest().number), shared_scatter(estimates, k));
+    // The rows' noise is in the scatter from mesh to mesh.
+    const run_folder::Band at = band_of(along[k], smooth[k], extrapolate(smooth[k].by_size, known), 0);
     band.low.push_back(at.converged - at.half_width);
     band.high.push_back(at.converged + at.half_width);
   }
@@ -126,9 +243,11 @@ std::string name_of(const BandedCurves& curves, std::size_t which)
   return before == 0 ? "curve " + chart : fmt::format("curve {} of drag {}", chart, before + 1);
 }
 
-void add_curve_bands(run_folder::Uncertainty& found, const record::RunRecord& run, const std::vector<VariantRecord>& variants,
-                     const base::Structure& structure)
+void add_curve_bands(run_folder::Uncertainty& found, const record::RunRecord& run, const std::vector<VariantRecord>& variants)
 {
+  const base::Structure& structure = structures::structure_of(run.settings);
+  const Smoothing smoothing = smoothing_of(run, variants);
+  const Real known_scatter = scatter_of_finest(run, variants);
   std::vector<BandedCurves> of_variants;
   for (const VariantRecord& variant : variants) of_variants.push_back(banded(structure.charts(variant.run)));
   const BandedCurves of_run = banded(structure.charts(run));
@@ -141,17 +260,17 @@ void add_curve_bands(run_folder::Uncertainty& found, const record::RunRecord& ru
       else
         break;
     if (same.size() == variants.size())
-      found.curves.push_back(band_of(of_run[k], variants, same, averaging_half(base::body_scale(run))));
+      found.curves.push_back(band_of(of_run[k], variants, same, averaging_half(base::body_scale(run)), smoothing, known_scatter));
     else
       found.without.emplace_back(name_of(of_run, k), fmt::format("{} has no such curve", variants[same.size()].run.name));
   }
 }
 
-/// Why a number has no band: `of_variants` are those of the runs with coarser cells.
-std::string reason_without(const std::vector<VariantRecord>& variants, const std::vector<Real>& of_variants, Real noise)
+/// Why a number has no band.
+std::string reason_without(const std::vector<VariantRecord>& variants, const std::string& name, Real noise)
 {
-  for (std::size_t k = 0; k < of_variants.size(); ++k)
-    if (!std::isfinite(of_variants[k])) return fmt::format("{} has no such number", variants[k].run.name);
+  for (const VariantRecord& variant : variants)
+    if (!std::isfinite(value_in(variant.run.quantities, name))) return fmt::format("{} has no such number", variant.run.name);
   return std::isnan(noise) ? "noise: no value without every fifth row of the history" : "too few runs of different cells to fit a line";
 }
 
@@ -184,24 +303,58 @@ std::vector<Real> noise_of(const record::RunRecord& run)
   return noise;
 }
 
+std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants,
+                                                 const NumbersOfRun& numbers_of_run, const std::map<std::string, Real>& noise)
+{
+  const Smoothing smoothing = smoothing_of(run, variants);
+  const Real scatter = scatter_of_finest(run, variants);
+  using Numbered = std::map<std::string, Real>;
+  std::vector<Numbered> as_they_are, smooth;
+  for (const VariantRecord& variant : variants) {
+    as_they_are.push_back(numbers_of_run(variant.run));
+    smooth.push_back(numbers_of_run(smoothed(variant.run, smoothing)));
+  }
+  const auto value = [](const Numbered& numbers, const std::string& name) {
+    const auto found = numbers.find(name);
+    return found == numbers.end() ? nan : found->second;
+  };
+  const auto all_of = [&](const std::string& name, const Numbered& of_run, const std::vector<Numbered>& of_variants) {
+    std::vector<Real> numbers;
+    for (const Numbered& of_variant : of_variants) numbers.push_back(value(of_variant, name));
+    return numbers_of(value(of_run, name), variants, numbers);
+  };
+  const Numbered of_run = numbers_of_run(run), smooth_of_run = numbers_of_run(smoothed(run, smoothing));
+  std::map<std::string, run_folder::Band> bands;
+  for (const auto& [name, number] : of_run) {
+    const auto found = noise.find(name);
+    const Real of_rows = found == noise.end() ? 0 : found->second;
+    bands[name] = band_of(all_of(name, of_run, as_they_are), all_of(name, smooth_of_run, smooth), scatter, of_rows);
+  }
+  return bands;
+}
+
 run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
 {
-  const base::Structure& structure = structures::structure_of(run.settings);
+  const auto numbers_of_run = [](const record::RunRecord& one) {
+    std::map<std::string, Real> numbers;
+    for (const run_folder::Quantity& q : one.quantities)
+      if (q.kind == run_folder::QuantityKind::answer && std::isfinite(q.value)) numbers[q.name] = q.value;
+    return numbers;
+  };
+  const std::vector<Real> noise_of_rows = noise_of(run);
+  std::map<std::string, Real> noise;
+  for (std::size_t k = 0; k < noise_of_rows.size(); ++k) noise[run.quantities[k].name] = noise_of_rows[k];
+  const std::map<std::string, run_folder::Band> bands = bands_of(run, variants, numbers_of_run, noise);
   run_folder::Uncertainty found;
-  const std::vector<Real> noise = noise_of(run);
-  for (std::size_t k = 0; k < run.quantities.size(); ++k) {
-    const run_folder::Quantity& q = run.quantities[k];
-    if (q.kind != run_folder::QuantityKind::answer || !std::isfinite(q.value)) continue;
-    std::vector<Real> numbers;
-    for (const VariantRecord& variant : variants) numbers.push_back(value_in(variant.run.quantities, q.name));
-    const run_folder::Band band = band_of(numbers_of(q.value, variants, numbers), noise[k]);
-    if (std::isfinite(band.half_width)) {
-      found.quantities.push_back({q.name, q.unit, band});
-      continue;
-    }
-    found.without.emplace_back(q.name, reason_without(variants, numbers, noise[k]));
+  for (const run_folder::Quantity& q : run.quantities) {
+    const auto band = bands.find(q.name);
+    if (band == bands.end()) continue;
+    if (std::isfinite(band->second.half_width))
+      found.quantities.push_back({q.name, q.unit, band->second});
+    else
+      found.without.emplace_back(q.name, reason_without(variants, q.name, noise[q.name]));
   }
-  add_curve_bands(found, run, variants, structure);
+  add_curve_bands(found, run, variants);
   return found;
 }
 
@@ -217,8 +370,9 @@ run_folder::Grains grains_of(const record::RunRecord& run, const std::vector<Var
   const auto without = std::find_if(variants.begin(), variants.end(), [&](const VariantRecord& variant) {
     return !variant.d50 && variant.speed == 1 && variant.size == grains.size;
   });
+  const record::RunRecord& reference = without == variants.end() ? run : without->run;
   for (const run_folder::Quantity& q : run.quantities) {
-    const Real number = value_in(without->run.quantities, q.name);
+    const Real number = value_in(reference.quantities, q.name);
     if (q.kind != run_folder::QuantityKind::answer || !std::isfinite(q.value) || !std::isfinite(number)) continue;
     grains.numbers.push_back({q.name, q.unit, number, {}});
     for (const VariantRecord* variant : with) grains.numbers.back().with.push_back(value_in(variant->run.quantities, q.name));
@@ -263,19 +417,22 @@ std::string words_of(const run_folder::Grains& grains)
 
 std::string words_of(const run_folder::Uncertainty& u, settings::Method method)
 {
-  Real largest = 1, time = 0;
-  for (const run_folder::BandRun& run : u.runs) largest = std::max(largest, run.size), time += run.wall_s;
-  std::string table = fmt::format("uncertainty: {} runs with cells up to {:.3g} times as large, {:.3g} s of one thread in total\n",
-                                  u.runs.size(), largest, time);
-  table += fmt::format("{:<24}{:>12}{:>24}{:>6}{:>16}{:>10}{:>10}{:>12}\n", "", "this run", "converged", "", "extrapolation", "mesh",
-                       "noise", method == settings::Method::fem ? "increments" : "speed");
+  Real finest = 1, largest = 1, time = 0;
+  for (const run_folder::BandRun& run : u.runs)
+    finest = std::min(finest, run.size), largest = std::max(largest, run.size), time += run.wall_s;
+  std::string table = fmt::format("uncertainty: {} more runs, on cells {:.3g} to {:.3g} times as large, {:.3g} s of one thread in total\n",
+                                  u.runs.size(), finest, largest, time);
+  table += fmt::format("{:<24}{:>12}{:>24}{:>6}{:>8}{:>16}{:>10}{:>10}{:>12}\n", "", "this run", "converged", "", "order", "extrapolation",
+                       "mesh", "noise", method == settings::Method::fem ? "increments" : "speed");
   for (const auto& [name, unit, band] : u.quantities) {
     const auto& [per_si, shown] = shown_unit(unit);
-    table += fmt::format("{:<24}{:>12}{:>24} {:<5}{:>16}{:>10}{:>10}{:>12}\n", name, part(band.value, per_si),
+    table += fmt::format("{:<24}{:>12}{:>24} {:<5}{:>8}{:>16}{:>10}{:>10}{:>12}\n", name, part(band.value, per_si),
                          text::with_half_width(band.converged * per_si, band.half_width * per_si, "+-"), shown,
-                         part(band.extrapolation, per_si), part(band.mesh, per_si), part(band.noise, per_si), part(band.speed, per_si));
+                         std::isnan(band.order) ? "-" : fmt::format("{:.1f}", band.order), part(band.extrapolation, per_si),
+                         part(band.mesh, per_si), part(band.noise, per_si), part(band.speed, per_si));
   }
-  table += "converged +- half width of the 95 % band: extrapolation + sqrt(mesh^2 + noise^2 + speed^2)\n";
+  table += "converged +- half width of the 95 % band: extrapolation + sqrt(mesh^2 + noise^2 + speed^2)\n"
+           "order of convergence: -, where it is hidden by the scatter from mesh to mesh; the extrapolation takes 1\n";
   for (const std::string& why : u.left_out) table += fmt::format("not in the bands: {}\n", why);
   for (const auto& [name, why] : u.without) table += fmt::format("without a band: {}: {}\n", name, why);
   if (!u.grains.numbers.empty()) table += words_of(u.grains);
@@ -287,20 +444,37 @@ namespace {
 /// The order of convergence is near 1 and not known well: from about 3/4, for which the way to size 0 is half as long again, to 3/2, for which it is half as long.
 constexpr Real uncertain_part = 0.5;
 
-}  // namespace
+/// Student's t for 95 % of a deviation that ten meshes tell.
+constexpr Real student = 2.262;
 
-Real student_95(int degrees_of_freedom)
+/// The order p at which |f - f0| grows as size^p through three numbers, finest first; NaN where the differences are within what meshes of these sizes differ by, the
+/// deviation being `scatter` of the finest, or do not have one sign.
+Real order_of(std::vector<SizedNumber> numbers, Real scatter)
 {
-  constexpr std::array quantiles = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
-  if (degrees_of_freedom < 1) return nan;
-  return quantiles[static_cast<std::size_t>(std::min<int>(degrees_of_freedom, quantiles.size())) - 1];
+  std::ranges::sort(numbers, {}, &SizedNumber::size);
+  const auto &a = numbers.front(), &b = numbers[1], &c = numbers.back();
+  const Real first = b.number - a.number, second = c.number - b.number;
+  if (!(std::abs(first) > scatter * std::hypot(1, b.size / a.size)) || !(first * second > 0)) return nan;
+  const auto ratio = [&](Real p) { return (std::pow(c.size, p) - std::pow(b.size, p)) / (std::pow(b.size, p) - std::pow(a.size, p)); };
+  Real low = 0.1, high = 4;
+  if (ratio(low) > second / first || ratio(high) < second / first) return nan;
+  for (int k = 0; k < 50; ++k) {
+    const Real middle = (low + high) / 2;
+    (ratio(middle) < second / first ? low : high) = middle;
+  }
+  return low;
 }
 
-Estimate extrapolate(const std::vector<SizedNumber>& numbers)
+}  // namespace
+
+Estimate extrapolate(const std::vector<SizedNumber>& numbers, Real known_scatter)
 {
+  const int more = static_cast<int>(numbers.size()) - 2;
+  if (more < 1) return {nan, nan, nan, nan, nan};
+  const Real finest = std::ranges::min(numbers, {}, &SizedNumber::size).size;
   Real weights = 0, mean_size = 0, mean = 0;
   for (const auto& [size, number] : numbers) {
-    const Real weight = 1 / (size * size);
+    const Real weight = std::pow(finest / size, 2);
     weights += weight;
     mean_size += weight * size;
     mean += weight * number;
@@ -309,17 +483,17 @@ Estimate extrapolate(const std::vector<SizedNumber>& numbers)
   mean /= weights;
   Real along = 0, product = 0;
   for (const auto& [size, number] : numbers) {
-    const Real weight = 1 / (size * size);
+    const Real weight = std::pow(finest / size, 2);
     along += weight * (size - mean_size) * (size - mean_size);
     product += weight * (size - mean_size) * (number - mean);
   }
-  const int more = static_cast<int>(numbers.size()) - 2;
-  if (more < 1 || !(along > 0)) return {nan, nan, nan};
+  if (!(along > 0)) return {nan, nan, nan, nan, nan};
   const Real slope = product / along, converged = mean - slope * mean_size;
   Real squares = 0;
-  for (const auto& [size, number] : numbers) squares += std::pow((number - converged - slope * size) / size, 2);
-  const Real deviation = std::sqrt(squares / more * (1 / weights + mean_size * mean_size / along));
-  return {converged, uncertain_part * std::abs(slope), student_95(more) * deviation};
+  for (const auto& [size, number] : numbers) squares += std::pow((number - converged - slope * size) * finest / size, 2);
+  const Real own = std::sqrt(squares / more), scatter = std::max(known_scatter, own);
+  return {converged, order_of(numbers, scatter), uncertain_part * std::abs(slope) * finest,
+          student * scatter * std::sqrt(1 / weights + mean_size * mean_size / along), own};
 }
 
 Real half_width(Real extrapolation, Real mesh, Real noise, Real speed)

@@ -6,6 +6,8 @@
 #include "run_folder/uncertainty.hpp"
 #include "settings/case.hpp"
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -18,9 +20,16 @@ struct VariantRecord {
   std::optional<Real> d50 = {};  ///< as in Variant
 };
 
-/// The bands of all answers of a run's structure and of its curves, from the run and those with coarser cells; at another speed than 1 only one of the size of the
-/// coarsest, and none with grains. A number or curve that a coarser run has not, and a number that noise makes or hides, have no band, and `without` says so.
+/// The bands of all answers of a run's structure and of its curves, from the run and those with other cells; at another speed than 1 only one, of a size that another
+/// run or the run itself has, and none with grains. A number or curve that one of them has not, and a number that noise makes or hides, have no band, and `without` says so.
 run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants);
+
+/// Numbers of a run, by name: of its record alone, which may have other rows than its folder, or none.
+using NumbersOfRun = std::function<std::map<std::string, Real>(const record::RunRecord&)>;
+
+/// The bands of such numbers; the half width is NaN where one of the variants has no such number. `noise`: of rows, 0 where it names none.
+std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants,
+                                                 const NumbersOfRun& numbers_of_run, const std::map<std::string, Real>& noise = {});
 
 /// All answers of a run's structure with grains beside those without, of runs on cells of one size. `variants` are all that were run.
 run_folder::Grains grains_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants);
@@ -34,23 +43,23 @@ std::string words_of(const run_folder::Uncertainty& uncertainty, settings::Metho
 
 /// A number that a run with other cells gave.
 struct SizedNumber {
-  Real size;  ///< of its cells, over that of the finest run
+  Real size;  ///< of its cells, over those of the run
   Real number;
 };
 
 /// What numbers of several sizes of cells tell of the number for cells without size.
 struct Estimate {
   Real converged;      ///< where the line comes to size 0
-  Real extrapolation;  ///< half of the way from the line at size 1 to there
+  Real order;          ///< of convergence, through the finest, the second and the coarsest; NaN where scatter hides it
+  Real extrapolation;  ///< half of the way from the line at the finest size to there
   Real mesh;           ///< 95 % of Student's distribution for `converged` as a constant of the fitted line
+  Real scatter;        ///< standard deviation of the finest number about the line, of these numbers alone
 };
 
-/// The least-squares line number = converged + slope size, each weighted by 1 / size^2: numbers scatter from mesh to mesh in proportion to the cells. Needs three
-/// numbers of two sizes at least; NaN where one of them is NaN. Source: docs/theory/method.md, Discretisation uncertainty.
-Estimate extrapolate(const std::vector<SizedNumber>& numbers);
-
-/// The half width of a band of 95 % in standard deviations that were found from so many numbers more than were fitted.
-Real student_95(int degrees_of_freedom);
+/// The least-squares line number = converged + slope size, each weighted by 1 / size^2: numbers scatter from mesh to mesh in proportion to the cells. Their standard
+/// deviation is `known_scatter` at the finest size, or that about the line where it is larger. Needs three numbers of two sizes at least; NaN where one of them is NaN.
+/// Source: docs/theory/method.md, Discretisation uncertainty.
+Estimate extrapolate(const std::vector<SizedNumber>& numbers, Real known_scatter);
 
 /// The part of converged +- half_width that comes from all: what the extrapolation is uncertain by stands, for it is no accident; the others are independent.
 Real half_width(Real extrapolation, Real mesh, Real noise, Real speed);

@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
 #include "jobs/batch.hpp"
+#include "os/error.hpp"
 #include "structures/structures.hpp"
 #include "uncertainty/bands.hpp"
 #include "uncertainty/variants.hpp"
@@ -43,7 +44,7 @@ jobs::Batch run_variants(const VariantPlan& plan, const fs::path& folder, int at
   }
   batch.before = [&](const std::vector<jobs::Job>& there, const std::vector<jobs::Job>& to_run) {
     const auto resumed = std::ranges::count_if(to_run, &jobs::Job::resume);
-    io::tell("uncertainty: {} runs with coarser cells{}{}\n", plan.variants.size(),
+    io::tell("uncertainty: {} runs with other cells{}{}\n", plan.variants.size(),
              there.empty() ? "" : fmt::format(", of which {} have their result already", there.size()),
              resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
   };
@@ -59,12 +60,19 @@ std::string failure_of(const jobs::Batch& batch)
   return fmt::format("the run {} failed: {}", batch.names[failed - batch.ends.begin()], failed->reason);
 }
 
+/// Those with grains or those without.
+std::vector<VariantRecord> read_variants(const VariantPlan& plan, const fs::path& folder, bool with_grains)
+{
+  std::vector<VariantRecord> variants;
+  for (const Variant& variant : plan.variants)
+    if (variant.d50.has_value() == with_grains)
+      variants.push_back({variant.size, variant.speed, structures::read_run(folder / variant.name), variant.d50});
+  return variants;
+}
+
 run_folder::Uncertainty bands_from(const VariantPlan& plan, const fs::path& folder, const record::RunRecord& run)
 {
-  std::vector<VariantRecord> variants, with_grain_size;
-  for (const Variant& variant : plan.variants)
-    (variant.d50 ? with_grain_size : variants)
-        .push_back({variant.size, variant.speed, structures::read_run(folder / variant.name), variant.d50});
+  std::vector<VariantRecord> variants = read_variants(plan, folder, false), with_grain_size = read_variants(plan, folder, true);
   run_folder::Uncertainty found = bands_of(run, variants);
   variants.insert(variants.end(), with_grain_size.begin(), with_grain_size.end());
   found.grains = grains_of(run, variants);
@@ -88,6 +96,14 @@ void append_to_log(const fs::path& run_folder, const std::string& words)
 
 }  // namespace
 
+std::vector<VariantRecord> variants_of(const record::RunRecord& run)
+{
+  const fs::path folder = run.folder / variants_folder;
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) throw RunError(fmt::format("{}, with the runs of its bands, is not there", folder.string()));
+  return read_variants(choose_variants(run.settings), folder, false);
+}
+
 void try_to_plan(const simulation::RunRequest& request)
 {
   const VariantPlan plan = plan_of(request);
@@ -99,7 +115,7 @@ void try_to_plan(const simulation::RunRequest& request)
           fmt::format("{}: --uncertainty: with cells {:.3g} times as large: {}", request.case_file.string(), variant.size, error.what()));
     }
   }
-  io::tell("uncertainty: the runs with coarser cells take about {:.1f} times the work of the run itself\n",
+  io::tell("uncertainty: {} more runs, which take about {:.1f} times the work of the run itself\n", plan.variants.size(),
            work_of(plan, request.settings));
 }
 

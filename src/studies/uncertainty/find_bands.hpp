@@ -3,6 +3,7 @@
 
 #include "jobs/outcome.hpp"
 #include "simulation/simulate.hpp"
+#include "uncertainty/bands.hpp"
 
 namespace berm::uncertainty {
 
@@ -16,5 +17,8 @@ void try_to_plan(const simulation::RunRequest& request);
 /// summary.json, curves.png, run.log and the standard output. Where one fails or Ctrl-C stops it there is no band, and summary.json and stderr say why. The run folder is locked
 /// all the while. Unfinished where Ctrl-C stopped it. Throws InputError and RunError.
 jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once);
+
+/// The runs that the bands of a run were made of, without those with grains, read from its folder. Throws RunError where one is not there.
+std::vector<VariantRecord> variants_of(const record::RunRecord& run);
 
 }  // namespace berm::uncertainty

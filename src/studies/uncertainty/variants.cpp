@@ -12,13 +12,16 @@
 namespace berm::uncertainty {
 namespace {
 
-constexpr int count = 5;                        // coarser runs
-constexpr Real least_ratio = 1.4, ratio = 2.2;  // of the cells of the least coarse, and of the coarsest
-constexpr Real cells_across = 5;                // the driven body at least: fewer tell nothing (examples/mesh_study)
-constexpr Real least_coarsest = 1.6;            // ratio, below which the runs differ by less than meshes do
-constexpr Real grains[] = {0.1e-3, 0.5e-3};     // m, d50 of fine sand, and of medium to coarse sand
+constexpr Real cells_across = 5;      // the driven body at least: fewer tell nothing (examples/mesh_study)
+constexpr Real coarse_across = 6.4;   // in the plane, where coarser ones are off the line of the others (examples/mesh_patterns)
+constexpr Real resolved_across = 16;  // with which the case is fine enough to be the finest of its runs
+constexpr Real finer = 0.5;           // the finest run of a case that is not
+constexpr Real coarsest_of_finest = 3, coarsest_of_halved = 1.5;  // over the cells of the case
+constexpr Real least_coarsest = 1.6;         // of a case that is the finest, below which the runs differ by less than meshes do
+constexpr Real least_growth = 1.25;          // from the case to the coarsest run, below which a run between them and the finest tells more
+constexpr Real grains[] = {0.1e-3, 0.5e-3};  // m, d50 of fine sand, and of medium to coarse sand
 
-void make_coarser(mesh::SeabedMesh& bed, Real times)
+void scale_cells(mesh::SeabedMesh& bed, Real times)
 {
   bed.near_size *= times;
   bed.growth *= times;
@@ -40,7 +43,7 @@ void make_coarser(mesh::SeabedMesh& bed, Real times)
 }
 
 /// Gives the ratio that whole cells came to.
-Real make_coarser(mesh::BoxMesh& box, Real times)
+Real scale_cells(mesh::BoxMesh& box, Real times)
 {
   Real product = 1;
   for (Real& cells : box.cells) {
@@ -88,6 +91,11 @@ std::optional<settings::Case> with_grain_size(settings::Case c, Real d50)
   return changed ? std::optional(std::move(c)) : std::nullopt;
 }
 
+std::string name_of_size(Real size)
+{
+  return fmt::format("cells_{:.3g}", size);
+}
+
 /// How much coarser cells may be until they are as large as the layer along walls and base.
 Real largest_in_layer(const settings::Case& c)
 {
@@ -95,41 +103,91 @@ Real largest_in_layer(const settings::Case& c)
   return bed != nullptr && bed->layer > 0 ? bed->layer / bed->near_size : infinity;
 }
 
-/// How much coarser the coarsest cells may be. Throws KeyError.
-Real coarsest_of(const settings::Case& c)
+/// Refuses a case of which no bands can be made, whatever its cells are. Throws KeyError.
+void check_kind(const settings::Case& c)
 {
   if (!base::drives_a_body(c))
     throw KeyError("stage: --uncertainty needs a push or a drag of a body with a width: there are no key results without");
   if (std::holds_alternative<mesh::GmshFile>(c.mesh))
     throw KeyError(
-        "mesh.file: --uncertainty makes all cells coarser, which it cannot do with a mesh from a file; let berm make the mesh (mesh.kind = "
-        "\"seabed\" or \"box\"), or compare meshes of your own with berm study");
-  const Real width = base::body_scale(c).width, size = base::near_cell_size(c);
-  const Real coarsest = std::min({ratio, width / (cells_across * size), largest_in_layer(c)});
-  if (largest_in_layer(c) < least_coarsest)
+        "mesh.file: --uncertainty changes the size of all cells, which it cannot do with a mesh from a file; let berm make the mesh "
+        "(mesh.kind = \"seabed\" or \"box\"), or compare meshes of your own with berm study");
+}
+
+/// How many cells the driven body is wide.
+Real cells_across_body(const settings::Case& c)
+{
+  return base::body_scale(c).width / base::near_cell_size(c);
+}
+
+/// Refuses a case whose coarsest run would have fewer than five cells across the body, `ratio` times as large as its own. Throws KeyError.
+void check_cells(const settings::Case& c, Real ratio)
+{
+  constexpr Real rounding = 1e-9;
+  const Real width = base::body_scale(c).width, across = cells_across_body(c);
+  if (across >= cells_across * ratio * (1 - rounding)) return;
+  throw KeyError(
+      fmt::format("{}: {}, and the driven body is only {:.2g} cells wide: make them {:.3g} m or smaller, so that {:g} coarse ones remain",
+                  c.method == settings::Method::fem && c.fem.contact_size ? "fem.contact_size"
+                  : std::holds_alternative<mesh::BoxMesh>(c.mesh)         ? "mesh.cells"
+                                                                          : "mesh.near_size",
+                  ratio > 1 ? fmt::format("--uncertainty makes cells {:g} times as large at least", ratio)
+                            : "--uncertainty needs cells that see the body",
+                  across, width / (cells_across * ratio), cells_across));
+}
+
+/// Sizes of the runs beside that of the case, over its cells: the finest first.
+struct Sizes {
+  std::vector<Real> all;
+  Real repeated;  ///< of the run at another speed
+};
+
+/// A case in the plane or around an axis that does not see its body well is joined by one of half the cells; others are the finest of their runs. Throws KeyError.
+Sizes sizes_of(const settings::Case& c)
+{
+  check_kind(c);
+  const Real across = cells_across_body(c), in_layer = largest_in_layer(c);
+  const auto at_most = [&](Real ratio) {
+    return std::min({ratio, across / (c.dimension() == 2 ? coarse_across : cells_across), in_layer});
+  };
+  if (c.dimension() == 2 && across < resolved_across) {
+    check_cells(c, 1);
+    const Real coarsest = at_most(coarsest_of_halved);
+    if (coarsest < least_growth) return {{finer, std::sqrt(finer)}, 1};
+    return {{finer, coarsest}, coarsest};
+  }
+  if (in_layer < least_coarsest)
     throw KeyError(fmt::format(
         "mesh.layer: --uncertainty makes cells {:g} times as large at least, and the layer along walls and base must not be thinner than a "
         "cell of the fine zone: make it {:.3g} m or thicker, near_size smaller, or leave it out",
         least_coarsest, least_coarsest * std::get<mesh::SeabedMesh>(c.mesh).near_size));
-  constexpr Real rounding = 1e-9;
-  if (!(coarsest >= least_coarsest * (1 - rounding)))
-    throw KeyError(fmt::format(
-        "{}: --uncertainty makes cells {:g} times as large at least, and the driven body is only {:.2g} cells wide: make them {:.3g} m or "
-        "smaller, so that {:g} coarse ones remain",
-        c.method == settings::Method::fem && c.fem.contact_size ? "fem.contact_size"
-        : std::holds_alternative<mesh::BoxMesh>(c.mesh)         ? "mesh.cells"
-                                                                : "mesh.near_size",
-        least_coarsest, width / size, width / (cells_across * least_coarsest), cells_across));
-  return std::max(coarsest, least_coarsest);
+  check_cells(c, least_coarsest);
+  const Real coarsest = std::max(at_most(coarsest_of_finest), least_coarsest);
+  return {{std::max(std::sqrt(coarsest), coarsest / std::sqrt(Real(2))), coarsest}, coarsest};
+}
+
+/// The case with its drives at another pace on cells of that size; of finite elements with longer increments. Empty where its soil knows speed.
+std::optional<Variant> at_another_pace(const settings::Case& c, Real size)
+{
+  const std::string name = name_of_size(size);
+  if (c.method == settings::Method::fem) {
+    settings::Case longer = c;
+    longer.fem.largest_step *= 2;
+    if (c.fem.large_deformation) longer.fem.remeshing_travel = std::min(Real(1), 2 * longer.fem.remeshing_travel);  // limits them, too
+    longer.fem.relaxation *= 4;  // its error grows with the root (examples/wip_pipe): this doubles it
+    return Variant{name + "_long_steps", size, 2, std::move(longer)};
+  }
+  if (knows_speed(c)) return std::nullopt;
+  return Variant{name + "_fast", size, 2, at_twice_the_speed(c)};
 }
 
 }  // namespace
 
-std::pair<settings::Case, Real> with_coarser_cells(settings::Case c, Real times)
+std::pair<settings::Case, Real> with_other_cells(settings::Case c, Real times)
 {
   Real size = times;
-  if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) make_coarser(*bed, times);
-  if (auto* box = std::get_if<mesh::BoxMesh>(&c.mesh)) size = make_coarser(*box, times);
+  if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) scale_cells(*bed, times);
+  if (auto* box = std::get_if<mesh::BoxMesh>(&c.mesh)) size = scale_cells(*box, times);
   if (c.fem.contact_size) *c.fem.contact_size *= size;
   for (auto& [name, body] : c.body) {
     if (body.block) body.block->spacing *= size;
@@ -150,31 +208,24 @@ settings::Case at_twice_the_speed(settings::Case c)
 
 VariantPlan choose_variants(const settings::Case& c)
 {
-  const Real coarsest = coarsest_of(c), finest = 1 + (coarsest - 1) * (least_ratio - 1) / (ratio - 1);
+  const Sizes sizes = sizes_of(c);
   VariantPlan plan;
-  for (int k = 0; k < count; ++k) {
-    auto [settings, size] = with_coarser_cells(c, finest + (coarsest - finest) * k / (count - 1));
-    const bool same = !plan.variants.empty() && std::abs(plan.variants.back().size - size) < 1e-9;
-    if (same || !(size > 1))
-      throw KeyError(fmt::format(
-          "mesh.cells: --uncertainty cuts the box into fewer cells, {} times, and here are too few to be different: make more", count));
-    plan.variants.push_back({fmt::format("cells_{:.3g}", size), size, 1, std::move(settings)});
+  for (const Real wanted : sizes.all) {
+    auto [settings, size] = with_other_cells(c, wanted);
+    const auto same = [size = size](const Variant& other) { return std::abs(other.size - size) < 1e-9; };
+    if (std::ranges::any_of(plan.variants, same) || size == 1)
+      throw KeyError("mesh.cells: --uncertainty cuts the box into other numbers of cells, and here are too few to be different: make more");
+    plan.variants.push_back({name_of_size(size), size, 1, std::move(settings)});
   }
-  const Variant last = plan.variants.back();
-  if (c.method == settings::Method::fem) {
-    settings::Case longer = last.settings;
-    longer.fem.largest_step *= 2;
-    if (c.fem.large_deformation) longer.fem.remeshing_travel = std::min(Real(1), 2 * longer.fem.remeshing_travel);  // limits them, too
-    longer.fem.relaxation *= 4;  // its error grows with the root (examples/wip_pipe): this doubles it
-    plan.variants.push_back({last.name + "_long_steps", last.size, 2, std::move(longer)});
-  } else if (knows_speed(c)) {
+  const auto& [settings, size] = sizes.repeated == 1 ? std::pair(with_other_cells(c, 1).first, Real(1))
+                                                     : std::pair(plan.variants.back().settings, plan.variants.back().size);
+  if (std::optional<Variant> other = at_another_pace(settings, size))
+    plan.variants.push_back(*std::move(other));
+  else
     plan.left_out.emplace_back("speed: the strength of the soil depends on it");
-  } else {
-    plan.variants.push_back({last.name + "_fast", last.size, 2, at_twice_the_speed(last.settings)});
-  }
   for (const Real d50 : grains)
-    if (std::optional<settings::Case> settings = with_grain_size(last.settings, d50))
-      plan.variants.push_back({fmt::format("{}_d50_{:g}_mm", last.name, 1000 * d50), last.size, 1, *std::move(settings), d50});
+    if (std::optional<settings::Case> with = with_grain_size(settings, d50))
+      plan.variants.push_back({fmt::format("{}_d50_{:g}_mm", name_of_size(size), 1000 * d50), size, 1, *std::move(with), d50});
   return plan;
 }
 

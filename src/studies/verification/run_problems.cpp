@@ -11,6 +11,7 @@
 #include "os/interrupt.hpp"
 #include "run_folder/build.hpp"
 #include "simulation/simulate.hpp"
+#include "uncertainty/variants.hpp"
 #include "verification/remaining.hpp"
 
 #include <algorithm>
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 using Kind = jobs::JobEnd::Kind;
 
 constexpr Real time_of_fast = 5;  // s, of fast problems and of element tests
-constexpr Real with_bands = 2;    // over the time of the run alone
 
 bool holds(const jobs::Job& job)
 {
@@ -35,9 +35,9 @@ bool holds(const jobs::Job& job)
 Real estimate_of(const jobs::Job& job)
 {
   try {
-    const Real run = simulation::expected_wall_time(
-        {.settings = input::read_case(job.case_file, job.set), .case_file = job.case_file, .folder = job.folder});
-    return job.uncertainty ? with_bands * run : run;
+    const settings::Case c = input::read_case(job.case_file, job.set);
+    const Real run = simulation::expected_wall_time({.settings = c, .case_file = job.case_file, .folder = job.folder});
+    return job.uncertainty ? run * (1 + work_of(uncertainty::choose_variants(c), c)) : run;
   } catch (const std::exception&) {
     return nan;
   }

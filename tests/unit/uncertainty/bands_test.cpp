@@ -8,7 +8,7 @@
 namespace berm::uncertainty::this_file {
 namespace {
 
-constexpr Real sizes[] = {1.4, 1.6, 1.8, 2, 2.2};
+constexpr Real sizes[] = {2.1, 3};
 
 /// A run whose V and H are so much larger than 4e5 w and 3e4 u.
 record::RunRecord made(Real factor, const std::string& name = "made")
@@ -25,7 +25,7 @@ std::vector<VariantRecord> first_order()
 {
   std::vector<VariantRecord> variants;
   for (const Real size : sizes) variants.push_back({size, 1, made(1 + 0.1 * size)});
-  variants.push_back({2.2, 2, made((1 + 0.1 * 2.2) * 1.01)});
+  variants.push_back({3, 2, made((1 + 0.1 * 3) * 1.01)});
   return variants;
 }
 
@@ -37,10 +37,11 @@ TEST(Bands, of_answers_of_first_order_are_those_of_the_line)
   EXPECT_NEAR(V->value, 1.1 * 800, 0.1);
   EXPECT_NEAR(V->converged, 800, 0.1);
   EXPECT_NEAR(V->extrapolation, 40, 0.1);
-  EXPECT_NEAR(V->mesh, 0, 0.1);
-  EXPECT_NEAR(V->speed, 0.01 * 1.22 * 800, 0.1);
+  EXPECT_GT(V->mesh, 0) << "what meshes are known to scatter by";
+  EXPECT_NEAR(V->order, 1, 0.01);
+  EXPECT_NEAR(V->speed, 0.01 * 1.3 * 800, 0.1);
   EXPECT_NEAR(V->noise, 0, 0.1) << "straight curves have none";
-  EXPECT_NEAR(V->half_width, V->extrapolation + V->speed, 0.2);
+  EXPECT_NEAR(V->half_width, V->extrapolation + std::hypot(V->mesh, V->speed), 0.2);
 }
 
 TEST(Bands, are_there_for_answers_alone)
@@ -68,7 +69,7 @@ TEST(Bands, leave_out_what_a_coarser_run_has_not_and_say_which)
   MadeRun run;
   run.name = "short";
   run.dragged = 0.005;
-  variants[2].run = run.record();
+  variants[1].run = run.record();
   const run_folder::Uncertainty u = bands_of(made(1.1), variants);
   EXPECT_EQ(u.find("H_at_u_0.4D"), nullptr);
   EXPECT_NE(u.find("H_at_u_0.2D"), nullptr);
@@ -90,7 +91,7 @@ TEST(Bands, leave_out_curves_that_a_coarser_run_has_not_and_say_which)
   MadeRun run;
   run.name = "pushed alone";
   run.dragged = 0;
-  variants[2].run = run.record();
+  variants[1].run = run.record();
   const run_folder::Uncertainty u = bands_of(made(1.1), variants);
   ASSERT_EQ(u.curves.size(), 1u);
   EXPECT_EQ(u.curves[0].chart, "V_w");

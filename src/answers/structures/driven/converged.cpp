@@ -74,10 +74,11 @@ std::string converged_notes(const DrivenRuns& runs)
 {
   std::string notes;
   if (some_have_bands(runs))
-    notes += text::html_paragraph("Converged: extrapolated to zero cell size from this run and coarser ones, with the half width of a 95 % "
-                                  "confidence band for this soil law and this case. The band covers the effects of cell size, mesh, noise "
-                                  "and speed, not those of the soil law or its parameters.",
-                                  "quiet");
+    notes += text::html_paragraph(
+        "Converged: extrapolated to zero cell size from this run and others of finer or coarser cells, with the half width of a 95 % "
+        "confidence band for this soil law and this case. The band covers the effects of cell size, mesh, noise "
+        "and speed, not those of the soil law or its parameters.",
+        "quiet");
   for (const DrivenRun& run : runs)
     if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->grains.numbers.empty())
       notes +=
