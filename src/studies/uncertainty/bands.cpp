@@ -4,7 +4,7 @@
 #include "record/travel_curve.hpp"
 #include "structures/other_bodies.hpp"
 #include "structures/structures.hpp"
-#include "text/quantity_words.hpp"
+#include "uncertainty/bands_estimate.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -378,127 +378,6 @@ run_folder::Grains grains_of(const record::RunRecord& run, const std::vector<Var
     for (const VariantRecord* variant : with) grains.numbers.back().with.push_back(value_in(variant->run.quantities, q.name));
   }
   return grains;
-}
-
-namespace {
-
-/// Forces as they are, lengths in mm.
-struct ShownUnit {
-  Real per_si;
-  std::string name;
-};
-
-ShownUnit shown_unit(const std::string& unit)
-{
-  return unit == "m" ? ShownUnit{1000, "mm"} : ShownUnit{1, unit == "1" ? "" : unit};
-}
-
-std::string part(Real number, Real per_si)
-{
-  return text::short_number(number * per_si);
-}
-
-std::string words_of(const run_folder::Grains& grains)
-{
-  std::string table =
-      fmt::format("the sand has no d50, so the width of its shear bands is set by the cells; on cells {:.3g} times as large:\n{:<24}{:>12}",
-                  grains.size, "", "no d50");
-  for (const Real d50 : grains.d50) table += fmt::format("{:>14}", fmt::format("d50 {:g} mm", 1000 * d50));
-  for (const auto& [name, unit, without, with] : grains.numbers) {
-    const auto& [per_si, shown] = shown_unit(unit);
-    table += fmt::format("\n{:<24}{:>12}", name, part(without, per_si));
-    for (const Real number : with) table += fmt::format("{:>14}", part(number, per_si));
-    table += " " + shown;
-  }
-  return table + "\ngive the d50 of the sand, and the band is that of its own result\n";
-}
-
-}  // namespace
-
-std::string words_of(const run_folder::Uncertainty& u, settings::Method method)
-{
-  Real finest = 1, largest = 1, time = 0;
-  for (const run_folder::BandRun& run : u.runs)
-    finest = std::min(finest, run.size), largest = std::max(largest, run.size), time += run.wall_s;
-  std::string table = fmt::format("uncertainty: {} more runs, on cells {:.3g} to {:.3g} times as large, {:.3g} s of one thread in total\n",
-                                  u.runs.size(), finest, largest, time);
-  table += fmt::format("{:<24}{:>12}{:>24}{:>6}{:>8}{:>16}{:>10}{:>10}{:>12}\n", "", "this run", "converged", "", "order", "extrapolation",
-                       "mesh", "noise", method == settings::Method::fem ? "increments" : "speed");
-  for (const auto& [name, unit, band] : u.quantities) {
-    const auto& [per_si, shown] = shown_unit(unit);
-    table += fmt::format("{:<24}{:>12}{:>24} {:<5}{:>8}{:>16}{:>10}{:>10}{:>12}\n", name, part(band.value, per_si),
-                         text::with_half_width(band.converged * per_si, band.half_width * per_si, "+-"), shown,
-                         std::isnan(band.order) ? "-" : fmt::format("{:.1f}", band.order), part(band.extrapolation, per_si),
-                         part(band.mesh, per_si), part(band.noise, per_si), part(band.speed, per_si));
-  }
-  table += "converged +- half width of the 95 % band: extrapolation + sqrt(mesh^2 + noise^2 + speed^2)\n"
-           "order of convergence: -, where it is hidden by the scatter from mesh to mesh; the extrapolation takes 1\n";
-  for (const std::string& why : u.left_out) table += fmt::format("not in the bands: {}\n", why);
-  for (const auto& [name, why] : u.without) table += fmt::format("without a band: {}: {}\n", name, why);
-  if (!u.grains.numbers.empty()) table += words_of(u.grains);
-  return table;
-}
-
-namespace {
-
-/// The order of convergence is near 1 and not known well: from about 3/4, for which the way to size 0 is half as long again, to 3/2, for which it is half as long.
-constexpr Real uncertain_part = 0.5;
-
-/// Student's t for 95 % of a deviation that ten meshes tell.
-constexpr Real student = 2.262;
-
-/// The order p at which |f - f0| grows as size^p through three numbers, finest first; NaN where the differences are within what meshes of these sizes differ by, the
-/// deviation being `scatter` of the finest, or do not have one sign.
-Real order_of(std::vector<SizedNumber> numbers, Real scatter)
-{
-  std::ranges::sort(numbers, {}, &SizedNumber::size);
-  const auto &a = numbers.front(), &b = numbers[1], &c = numbers.back();
-  const Real first = b.number - a.number, second = c.number - b.number;
-  if (!(std::abs(first) > scatter * std::hypot(1, b.size / a.size)) || !(first * second > 0)) return nan;
-  const auto ratio = [&](Real p) { return (std::pow(c.size, p) - std::pow(b.size, p)) / (std::pow(b.size, p) - std::pow(a.size, p)); };
-  Real low = 0.1, high = 4;
-  if (ratio(low) > second / first || ratio(high) < second / first) return nan;
-  for (int k = 0; k < 50; ++k) {
-    const Real middle = (low + high) / 2;
-    (ratio(middle) < second / first ? low : high) = middle;
-  }
-  return low;
-}
-
-}  // namespace
-
-Estimate extrapolate(const std::vector<SizedNumber>& numbers, Real known_scatter)
-{
-  const int more = static_cast<int>(numbers.size()) - 2;
-  if (more < 1) return {nan, nan, nan, nan, nan};
-  const Real finest = std::ranges::min(numbers, {}, &SizedNumber::size).size;
-  Real weights = 0, mean_size = 0, mean = 0;
-  for (const auto& [size, number] : numbers) {
-    const Real weight = std::pow(finest / size, 2);
-    weights += weight;
-    mean_size += weight * size;
-    mean += weight * number;
-  }
-  mean_size /= weights;
-  mean /= weights;
-  Real along = 0, product = 0;
-  for (const auto& [size, number] : numbers) {
-    const Real weight = std::pow(finest / size, 2);
-    along += weight * (size - mean_size) * (size - mean_size);
-    product += weight * (size - mean_size) * (number - mean);
-  }
-  if (!(along > 0)) return {nan, nan, nan, nan, nan};
-  const Real slope = product / along, converged = mean - slope * mean_size;
-  Real squares = 0;
-  for (const auto& [size, number] : numbers) squares += std::pow((number - converged - slope * size) * finest / size, 2);
-  const Real own = std::sqrt(squares / more), scatter = std::max(known_scatter, own);
-  return {converged, order_of(numbers, scatter), uncertain_part * std::abs(slope) * finest,
-          student * scatter * std::sqrt(1 / weights + mean_size * mean_size / along), own};
-}
-
-Real half_width(Real extrapolation, Real mesh, Real noise, Real speed)
-{
-  return extrapolation + std::sqrt(mesh * mesh + noise * noise + speed * speed);
 }
 
 }  // namespace berm::uncertainty

@@ -3,6 +3,7 @@
 
 #include "io/duration_text.hpp"
 #include "io/tell.hpp"
+#include "verification/book_html.hpp"
 #include "verification/book_index.hpp"
 #include "verification/requirements.hpp"
 #include "verification/run_problems.hpp"
@@ -45,12 +46,13 @@ std::vector<ExamplePage> pages_of(const std::vector<Example>& examples, const st
 
 void print_numbers(const std::vector<ExamplePage>& pages)
 {
-  std::vector<Row> rows = {{"problem", "quantity", "exact", "berm", "error", "tolerance", "verdict", "source"}};
+  std::vector<Row> rows = {{"problem", "quantity", "exact", "berm", "error", "tolerance", "verdict", "time", "source"}};
   for (const ExamplePage& page : pages)
     for (std::size_t k = 0; k < page.findings.size(); ++k) {
       const ExpectationResult& f = page.findings[k];
+      const ProblemResult* result = result_of(page, page.example.expectations[k].run);
       rows.push_back({f.problem, f.what, f.exact, f.berm, f.error, f.tolerance, word_of(f.verdict),
-                      f.reason.empty() ? page.example.expectations[k].source : f.reason});
+                      result == nullptr ? "" : time_of(*result), f.reason.empty() ? page.example.expectations[k].source : f.reason});
     }
   print(rows);
 }

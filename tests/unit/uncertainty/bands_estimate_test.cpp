@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "uncertainty/bands.hpp"
+#include "uncertainty/bands_estimate.hpp"
 
 #include <gtest/gtest.h>
 

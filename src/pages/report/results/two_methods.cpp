@@ -77,13 +77,37 @@ std::vector<Pair> pairs_of(const Runs& runs, const std::vector<Judgement>& judge
   return pairs;
 }
 
+/// A result of a run: extrapolated to cells without size where the run has bands, else as it is.
+struct Value {
+  Real value;
+  Real half_width = nan;  ///< of its band; NaN without one
+
+  Value(const record::RunRecord& run, const Quantity& q) : value(q.value)
+  {
+    const run_folder::Band* band = run.summary && run.summary->uncertainty ? run.summary->uncertainty->find(q.name) : nullptr;
+    if (band != nullptr) value = band->converged, half_width = band->half_width;
+  }
+  bool has_band() const { return !std::isnan(half_width); }
+  std::string words(Real unit) const
+  {
+    return has_band() ? text::with_half_width(value / unit, half_width / unit) : text::table_number(value / unit);
+  }
+};
+
 /// A key result of both.
 struct Both {
   const Quantity* name;  ///< that of the material point run
-  Real mpm, fem;
+  Value mpm, fem;
 
   /// Over the finite element value; NaN where that is 0.
-  Real difference() const { return fem == 0 ? nan : (mpm - fem) / std::abs(fem); }
+  Real difference() const { return fem.value == 0 ? nan : (mpm.value - fem.value) / std::abs(fem.value); }
+  bool has_band() const { return mpm.has_band() || fem.has_band(); }
+  /// Whether the bands of both meet, or the value of one is within the band of the other.
+  bool agree() const
+  {
+    const auto half = [](const Value& value) { return value.has_band() ? value.half_width : 0; };
+    return std::abs(mpm.value - fem.value) <= half(mpm) + half(fem);
+  }
 };
 
 std::vector<Both> key_results_of(const Pair& pair)
@@ -101,7 +125,7 @@ std::vector<Both> key_results_of(const Pair& pair)
   for (const Quantity& q : pair.mpm->quantities)
     if (const Quantity* other = pair.fem->quantity(q.name);
         is_key(q) && is_of_same_place(q.name) && other != nullptr && is_key(*other) && other->unit == q.unit)
-      both.push_back({&q, q.value, other->value});
+      both.push_back({&q, {*pair.mpm, q}, {*pair.fem, *other}});
   return both;
 }
 
@@ -135,22 +159,29 @@ std::string table_of(const Pair& pair, const std::vector<Both>& results, const s
 {
   std::map<std::string, Real> largest;
   for (const Both& result : results)
-    largest[result.name->unit] = std::max({largest[result.name->unit], std::abs(result.mpm), std::abs(result.fem)});
-  text::HtmlTable table(id, "Key results by both methods; difference in per cent of the finite element value");
-  table.columns({{"result"},
-                 {"unit"},
-                 {fmt::format("material point method ({})", text::html_text(pair.mpm->name)), true},
-                 {fmt::format("finite elements ({})", text::html_text(pair.fem->name)), true},
-                 {"difference, %", true}});
+    largest[result.name->unit] = std::max({largest[result.name->unit], std::abs(result.mpm.value), std::abs(result.fem.value)});
+  const bool bands = std::ranges::any_of(results, &Both::has_band);
+  text::HtmlTable table(id, fmt::format("Key results by both methods{}; difference in per cent of the finite element value",
+                                        bands ? ", extrapolated to cells without size where there is a band" : ""));
+  std::vector<text::HtmlCell> columns = {{"result"},
+                                         {"unit"},
+                                         {fmt::format("material point method ({})", text::html_text(pair.mpm->name)), true},
+                                         {fmt::format("finite elements ({})", text::html_text(pair.fem->name)), true},
+                                         {"difference, %", true}};
+  if (bands) columns.push_back({"within the bands"});
+  table.columns(std::move(columns));
   for (const Both& result : results) {
     const auto [size, unit] = shown_unit(result.name->unit, largest.at(result.name->unit));
     const Real difference = result.difference();
-    table.row({{fmt::format("{} <span class=\"quiet\">{}</span>", name_html(*result.name), text::html_text(result.name->meaning))},
-               {text::html_text(unit)},
-               {text::table_number(result.mpm / size), true},
-               {text::table_number(result.fem / size), true},
-               {std::isnan(difference) ? text::no_number : signed_percent(difference), true}},
-              std::abs(difference) > large_difference ? "differs" : "");
+    std::vector<text::HtmlCell> row = {
+        {fmt::format("{} <span class=\"quiet\">{}</span>", name_html(*result.name), text::html_text(result.name->meaning))},
+        {text::html_text(unit)},
+        {result.mpm.words(size), true},
+        {result.fem.words(size), true},
+        {std::isnan(difference) ? text::no_number : signed_percent(difference), true}};
+    if (bands) row.push_back({!result.has_band() ? "" : result.agree() ? "yes" : "no"});
+    const bool differs = result.has_band() ? !result.agree() : std::abs(difference) > large_difference;
+    table.row(std::move(row), differs ? "differs" : "");
   }
   return table.html();
 }
@@ -278,18 +309,26 @@ Verdict verdict_on(const Pair& pair)
 /// What the size of the differences says.
 std::string words_on_differences(const std::vector<Both>& results)
 {
+  const auto with_band = std::ranges::count_if(results, &Both::has_band);
+  const auto agree = std::ranges::count_if(results, [](const Both& result) { return result.has_band() && result.agree(); });
+  const std::string in_bands =
+      with_band == 0 ? ""
+                     : fmt::format("{} of {} results with a band agree within {}. ", agree, with_band, with_band == 1 ? "it" : "theirs");
   Words large;
   for (const Both& result : results)
     if (std::abs(result.difference()) > large_difference) large.push_back(name_html(*result.name));
-  if (large.empty()) return "No difference exceeds 10 %.";
+  if (large.empty()) return in_bands + "No difference exceeds 10 %.";
   const std::size_t more = large.size() > max_named ? large.size() - max_named : 0;
   large.resize(large.size() - more);
-  return fmt::format(
-      "The difference exceeds 10 % for {}{}. The usual causes: cells or elements too coarse at the body; the contact gap of the "
-      "material point method, which makes the body larger by a part of a cell; a drive so fast that inertia adds to its resistance; noise "
-      "of its forces; softening, whose shear bands are as wide as a cell or an element. Halve the size of the cells and the speed, and "
-      "compare again.",
-      text_of_list(large, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+  return in_bands +
+         fmt::format(
+             "The difference exceeds 10 % for {}{}. The usual causes: cells or elements too coarse at the body; the contact gap of the "
+             "material point method, which makes the body larger by a part of a cell; a drive so fast that inertia adds to its resistance; "
+             "noise "
+             "of its forces; softening, whose shear bands are as wide as a cell or an element. Halve the size of the cells and the speed, "
+             "and "
+             "compare again.",
+             text_of_list(large, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 }  // namespace

@@ -58,6 +58,24 @@ TEST(two_methods, stand_side_by_side_with_their_differences)
   EXPECT_TRUE(holds(results_section({runs.mpm, runs.fem}, judgements_of({runs.mpm, runs.fem})), html));
 }
 
+// V is 5 % larger by material points: at 0.05 D 0.42 beside 0.40 kN/m.
+TEST(two_methods, with_bands_are_compared_at_size_0_and_within_them)
+{
+  TwoRuns runs;
+  run_folder::Band band;
+  band.converged = 408, band.half_width = 12;
+  runs.mpm.summary.emplace().uncertainty.emplace().quantities = {{"V_at_w_0.05D", "N/m", band}};
+  std::string html = runs.html();
+  EXPECT_TRUE(holds(html, "within the bands")) << html;
+  EXPECT_TRUE(holds(html, "0.408 ± 0.012</td><td class=\"number\">0.4000</td><td class=\"number\">+2.0</td><td>yes</td>")) << html;
+  EXPECT_TRUE(holds(html, "1 of 1 results with a band agree within it.")) << html;
+  runs.mpm.summary->uncertainty->quantities[0].band.half_width = 6;
+  EXPECT_TRUE(holds(runs.html(), "<td>no</td>")) << runs.html();
+  band.converged = 402, band.half_width = 3;
+  runs.fem.summary.emplace().uncertainty.emplace().quantities = {{"V_at_w_0.05D", "N/m", band}};
+  EXPECT_TRUE(holds(runs.html(), "<td>yes</td>")) << "bands of both meet: " << runs.html();
+}
+
 TEST(two_methods, are_those_of_one_case)
 {
   TwoRuns runs;
