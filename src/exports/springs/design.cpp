@@ -175,10 +175,12 @@ void take_bands(Design& design, const record::RunRecord& run, const Selection& s
   const std::vector<uncertainty::VariantRecord> variants = uncertainty::variants_of(run);
   const auto name_of = [](const std::string& spring, const std::string& name) { return spring + " " + name; };
   const std::map<std::string, run_folder::Band> bands = uncertainty::bands_of(run, variants, [&](const record::RunRecord& one) {
-    std::map<std::string, Real> numbers;
+    std::map<std::string, uncertainty::RunNumber> numbers;
     const Springs springs = springs_of(one, selection);
     for_each_number(springs, [&](const Place& place, const std::string& name, Kind kind, const std::string&, Real number) {
-      if (is_carried(kind, name) && is_usable(kind, number)) numbers[name_of(place.spring, name)] = number;
+      if (is_carried(kind, name) && is_usable(kind, number))
+        numbers[name_of(place.spring, name)] = {number, place.spring.starts_with("lateral") ? uncertainty::Scatters::as_in_drags
+                                                                                            : uncertainty::Scatters::as_in_pushes};
     });
     return numbers;
   });

@@ -33,24 +33,30 @@ run_folder::History thinned(const run_folder::History& history, int first)
   return kept;
 }
 
-/// Standard deviation of answers from mesh to mesh on cells of D/8, as part of them (examples/mesh_patterns): root mean square over V, H and w of ten meshes. It
-/// is in proportion to the cells.
-Real scatter_at_eighth(const settings::Case& c)
+/// Standard deviations of ten meshes of D/8 (examples/mesh_patterns), as parts of the number.
+struct MeshScatter {
+  Real in_pushes;  ///< of V
+  Real in_drags;   ///< root mean square of H and w
+};
+
+MeshScatter scatter_at_eighth(const settings::Case& c)
 {
   const bool clay = base::body_scale(c).strength > 0;
-  if (c.method == settings::Method::fem) return clay ? 0.003 : 0.02;
+  if (c.method == settings::Method::fem) return clay ? MeshScatter{0.003, 0.003} : MeshScatter{0.02, 0.02};
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  if (bed != nullptr && bed->pattern == mesh::SeabedPattern::lattice) return clay ? 0.016 : 0.034;
-  return clay ? 0.024 : 0.041;
+  if (bed != nullptr && bed->pattern == mesh::SeabedPattern::lattice) return clay ? MeshScatter{0.011, 0.018} : MeshScatter{0.055, 0.014};
+  return clay ? MeshScatter{0.02, 0.026} : MeshScatter{0.057, 0.03};
 }
 
-/// The same of the finest of these runs.
-Real scatter_of_finest(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
+/// The same of the finest of these runs, as a part of the number: it is in proportion to the cells.
+Real scatter_of_finest(const record::RunRecord& run, const std::vector<VariantRecord>& variants, Scatters scatters)
 {
+  if (scatters == Scatters::not_at_all) return 0;
   Real finest = 1;
   for (const VariantRecord& variant : variants) finest = std::min(finest, variant.size);
   const Real across = base::body_scale(run).width / (finest * base::near_cell_size(run.settings));
-  return scatter_at_eighth(run.settings) * 8 / across;
+  const MeshScatter scatter = scatter_at_eighth(run.settings);
+  return (scatters == Scatters::as_in_pushes ? scatter.in_pushes : scatter.in_drags) * 8 / across;
 }
 
 Real value_in(const std::vector<run_folder::Quantity>& quantities, const std::string& name)
@@ -247,7 +253,6 @@ void add_curve_bands(run_folder::Uncertainty& found, const record::RunRecord& ru
 {
   const base::Structure& structure = structures::structure_of(run.settings);
   const Smoothing smoothing = smoothing_of(run, variants);
-  const Real known_scatter = scatter_of_finest(run, variants);
   std::vector<BandedCurves> of_variants;
   for (const VariantRecord& variant : variants) of_variants.push_back(banded(structure.charts(variant.run)));
   const BandedCurves of_run = banded(structure.charts(run));
@@ -260,7 +265,9 @@ void add_curve_bands(run_folder::Uncertainty& found, const record::RunRecord& ru
       else
         break;
     if (same.size() == variants.size())
-      found.curves.push_back(band_of(of_run[k], variants, same, averaging_half(base::body_scale(run)), smoothing, known_scatter));
+      found.curves.push_back(
+          band_of(of_run[k], variants, same, averaging_half(base::body_scale(run)), smoothing,
+                  scatter_of_finest(run, variants, of_run[k].chart == "V_w" ? Scatters::as_in_pushes : Scatters::as_in_drags)));
     else
       found.without.emplace_back(name_of(of_run, k), fmt::format("{} has no such curve", variants[same.size()].run.name));
   }
@@ -307,8 +314,7 @@ std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, c
                                                  const NumbersOfRun& numbers_of_run, const std::map<std::string, Real>& noise)
 {
   const Smoothing smoothing = smoothing_of(run, variants);
-  const Real scatter = scatter_of_finest(run, variants);
-  using Numbered = std::map<std::string, Real>;
+  using Numbered = std::map<std::string, RunNumber>;
   std::vector<Numbered> as_they_are, smooth;
   for (const VariantRecord& variant : variants) {
     as_they_are.push_back(numbers_of_run(variant.run));
@@ -316,7 +322,7 @@ std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, c
   }
   const auto value = [](const Numbered& numbers, const std::string& name) {
     const auto found = numbers.find(name);
-    return found == numbers.end() ? nan : found->second;
+    return found == numbers.end() ? nan : found->second.value;
   };
   const auto all_of = [&](const std::string& name, const Numbered& of_run, const std::vector<Numbered>& of_variants) {
     std::vector<Real> numbers;
@@ -328,17 +334,24 @@ std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, c
   for (const auto& [name, number] : of_run) {
     const auto found = noise.find(name);
     const Real of_rows = found == noise.end() ? 0 : found->second;
-    bands[name] = band_of(all_of(name, of_run, as_they_are), all_of(name, smooth_of_run, smooth), scatter, of_rows);
+    bands[name] = band_of(all_of(name, of_run, as_they_are), all_of(name, smooth_of_run, smooth),
+                          scatter_of_finest(run, variants, number.scatters), of_rows);
   }
   return bands;
 }
 
 run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
 {
-  const auto numbers_of_run = [](const record::RunRecord& one) {
-    std::map<std::string, Real> numbers;
+  const auto scatters = [](const settings::Case& c, const run_folder::Quantity& q) {
+    const auto stage = std::ranges::find(c.stage, q.of, &settings::StageSettings::name);
+    if (stage == c.stage.end() || stage->kind != settings::StageKind::drag) return Scatters::as_in_pushes;
+    return q.name.find("V_") != std::string::npos && q.name.find("H_over") == std::string::npos ? Scatters::not_at_all
+                                                                                                : Scatters::as_in_drags;
+  };
+  const auto numbers_of_run = [&](const record::RunRecord& one) {
+    std::map<std::string, RunNumber> numbers;
     for (const run_folder::Quantity& q : one.quantities)
-      if (q.kind == run_folder::QuantityKind::answer && std::isfinite(q.value)) numbers[q.name] = q.value;
+      if (q.kind == run_folder::QuantityKind::answer && std::isfinite(q.value)) numbers[q.name] = {q.value, scatters(one.settings, q)};
     return numbers;
   };
   const std::vector<Real> noise_of_rows = noise_of(run);

@@ -24,8 +24,15 @@ struct VariantRecord {
 /// run or the run itself has, and none with grains. A number or curve that one of them has not, and a number that noise makes or hides, have no band, and `without` says so.
 run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants);
 
+/// What a number scatters as from mesh to mesh: those of pushes and lifts, those of drags, and forces that the input holds, which do not.
+enum class Scatters { as_in_pushes, as_in_drags, not_at_all };
+struct RunNumber {
+  Real value;
+  Scatters scatters;
+};
+
 /// Numbers of a run, by name: of its record alone, which may have other rows than its folder, or none.
-using NumbersOfRun = std::function<std::map<std::string, Real>(const record::RunRecord&)>;
+using NumbersOfRun = std::function<std::map<std::string, RunNumber>(const record::RunRecord&)>;
 
 /// The bands of such numbers; the half width is NaN where one of the variants has no such number. `noise`: of rows, 0 where it names none.
 std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants,
