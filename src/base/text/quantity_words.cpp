@@ -130,7 +130,8 @@ std::string short_number(Real value)
 std::string with_half_width(Real value, Real half_width, const char* sign)
 {
   if (!std::isfinite(value) || !std::isfinite(half_width)) return no_number;
-  if (half_width == 0) return fmt::format("{} {} 0", short_number(value), sign);
+  constexpr Real shown = 5e-5;  // of the value
+  if (half_width <= shown * std::abs(value)) return fmt::format("{} {} 0", table_number(value), sign);
   const Real power = std::floor(std::log10(half_width));
   const bool two = half_width < 2.95 * std::pow(10, power);
   const int decimals = static_cast<int>(two ? 1 - power : -power);

@@ -132,7 +132,8 @@ TEST(answer, a_number_with_its_half_width_has_as_many_decimals_as_this)
   EXPECT_EQ(text::with_half_width(0.7149, 0.1182), "0.71 ± 0.12");
   EXPECT_EQ(text::with_half_width(25650.3, 291.7), "25650 ± 290");
   EXPECT_EQ(text::with_half_width(25650.3, 412.0, "+-"), "25700 +- 400");
-  EXPECT_EQ(text::with_half_width(20, 0), "20 ± 0");
+  EXPECT_EQ(text::with_half_width(20, 0), "20.00 ± 0");
+  EXPECT_EQ(text::with_half_width(2.499994, 0.000006), "2.500 ± 0");
   EXPECT_EQ(text::with_half_width(std::nan(""), 1), "–");
 }
 
@@ -156,6 +157,23 @@ TEST(answer, clay_is_measured_by_its_strength)
   EXPECT_TRUE(holds(html, "V/(D s<sub>u</sub>)"));
   EXPECT_FALSE(holds(html, "V/(γ′ D²)"));
   EXPECT_TRUE(holds(html, "40 D s<sub>u</sub>")) << html;  // 800 N/m over 0.02 m x 1 kPa
+}
+
+// Cells of D/10.
+TEST(answer, a_single_run_of_a_pipe_in_clay_tells_the_error_of_its_cells)
+{
+  MadeRun made;
+  made.law = MadeRun::clay_law();
+  record::RunRecord run = made.record();
+  std::get<mesh::SeabedMesh>(run.settings.mesh).near_size = 0.002;
+  const std::string error_of_cells = "on cells of D/10 V of a push into clay is some 3.7 % above its value for cells without size";
+  EXPECT_TRUE(holds(answer_of({run}), error_of_cells)) << answer_of({run});
+  record::RunRecord with_bands = run, by_elements = run;
+  with_bands.summary.emplace().uncertainty.emplace();
+  EXPECT_FALSE(holds(answer_of({with_bands}), error_of_cells));
+  by_elements.settings.method = settings::Method::fem;
+  EXPECT_FALSE(holds(answer_of({by_elements}), error_of_cells));
+  EXPECT_FALSE(holds(answer_of({MadeRun{}.record()}), "of a push into clay")) << "sand";
 }
 
 TEST(answer, a_value_out_of_range_is_marked)
