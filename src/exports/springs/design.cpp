@@ -173,29 +173,39 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
 void take_bands(Design& design, const record::RunRecord& run, const Selection& selection)
 {
   const std::vector<uncertainty::VariantRecord> variants = uncertainty::variants_of(run);
-  const auto name_of = [](const std::string& spring, const std::string& name) { return spring + " " + name; };
+  // A peak at breakout is another number than the largest H.
+  const auto name_of = [](const std::string& spring, const std::string& name, const std::string& meaning) {
+    return fmt::format("{} {} ({})", spring, name, meaning);
+  };
   const std::map<std::string, run_folder::Band> bands = uncertainty::bands_of(run, variants, [&](const record::RunRecord& one) {
     std::map<std::string, uncertainty::RunNumber> numbers;
     const Springs springs = springs_of(one, selection);
-    for_each_number(springs, [&](const Place& place, const std::string& name, Kind kind, const std::string&, Real number) {
+    for_each_number(springs, [&](const Place& place, const std::string& name, Kind kind, const std::string& meaning, Real number) {
       if (is_carried(kind, name) && is_usable(kind, number))
-        numbers[name_of(place.spring, name)] = {number, place.spring.starts_with("lateral") ? uncertainty::Scatters::as_in_drags
-                                                                                            : uncertainty::Scatters::as_in_pushes};
+        numbers[name_of(place.spring, name, meaning)] = {number, place.spring.starts_with("lateral") ? uncertainty::Scatters::as_in_drags
+                                                                                                     : uncertainty::Scatters::as_in_pushes};
     });
     return numbers;
   });
   std::vector<std::string> without;
   for (Estimate& e : design.estimates) {
-    const auto found = bands.find(name_of(e.spring, e.name));
+    const auto found = bands.find(name_of(e.spring, e.name, e.meaning));
     if (found == bands.end()) continue;
     const run_folder::Band& band = found->second;
     if (!std::isfinite(band.half_width)) {
-      without.push_back(found->first);
+      without.push_back(e.spring + " " + e.name);
       continue;
     }
     e.best = band.converged, e.low = band.converged - band.half_width, e.high = band.converged + band.half_width;
     e.size = variants.size() + 1;
   }
+  const auto is_point = [](const Estimate& e) { return e.spring == "vertical" && e.name.starts_with("V_at_w_"); };
+  const auto has_band = [](const Estimate& e) { return !std::isnan(e.low); };
+  if (std::ranges::none_of(design.estimates, has_band)) return;
+  // One curve is not of two kinds of points.
+  if (std::ranges::any_of(design.estimates, [&](const Estimate& e) { return is_point(e) && has_band(e); }))
+    for (Estimate& e : design.estimates)
+      if (is_point(e) && !has_band(e)) e.best = nan;
   const Springs computed = design.best;
   for (auto [set, which, words] : {std::tuple(&design.best, &Estimate::best, "extrapolated to cells without size"),
                                    std::tuple(&design.low.emplace(), &Estimate::low, "lower end of the 95 % band of discretisation"),

@@ -24,12 +24,14 @@ bool is_hydrotest(std::string name)
   return name.find("hydro") != std::string::npos || name.find("flood") != std::string::npos;
 }
 
-/// Of all estimates of a design, coefficients of friction: low, best and high, and by which of them a distribution is to be fitted.
+/// Coefficients of friction: the best, and of a sample low and high, with those by which a distribution is to be fitted. The ends of a band of discretisation are none of
+/// the soil's.
 template <class Coefficient>
 Words coefficients_of(const Design& design, const Coefficient& coefficient)
 {
-  const Real low = design.low ? coefficient(*design.low) : nan, best = coefficient(design.best),
-             high = design.high ? coefficient(*design.high) : nan;
+  const bool sample = !design.draws.empty() && design.low && design.high;
+  const Real low = sample ? coefficient(*design.low) : nan, best = coefficient(design.best),
+             high = sample ? coefficient(*design.high) : nan;
   const bool all = std::isfinite(low) && std::isfinite(best) && std::isfinite(high);
   return {shown(low), shown(best), shown(high), all ? "LE_BE_HE" : ""};
 }

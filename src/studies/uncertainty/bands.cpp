@@ -2,6 +2,7 @@
 #include "uncertainty/bands.hpp"
 
 #include "record/travel_curve.hpp"
+#include "structures/driven/path.hpp"
 #include "structures/other_bodies.hpp"
 #include "structures/structures.hpp"
 #include "uncertainty/bands_estimate.hpp"
@@ -108,9 +109,10 @@ bool is_whole(const Numbers& numbers)
          (!numbers.speeds || std::isfinite(numbers.speeds->first + numbers.speeds->second));
 }
 
-/// The same with numbers that have a known scatter, as part of the finest; the smooth ones only where all runs have them.
+/// The same with numbers that have a known scatter, as part of the finest; the smooth ones only where all runs have them. NaN where a run has no such number.
 run_folder::Band band_of(const Numbers& numbers, const Numbers& smooth, Real known_scatter, Real noise)
 {
+  if (!is_whole(numbers)) return {.value = numbers.of_run().number, .converged = nan, .half_width = nan, .noise = noise};
   const Numbers& compared = is_whole(smooth) ? smooth : numbers;
   return band_of(numbers, compared, extrapolate(compared.by_size, known_scatter * std::abs(numbers.finest().number)), noise);
 }
@@ -130,6 +132,25 @@ Smoothing smoothing_of(const record::RunRecord& run, const std::vector<VariantRe
   return {cell / 4, cell / 2};
 }
 
+/// The numbers of a stage along its travel, averaged over `half` to either side and less near its ends; as they are where the travel goes back.
+std::vector<Real> smoothed(const std::vector<Real>& travel, const std::vector<Real>& values, Real half)
+{
+  Real farthest = 0;
+  for (const Real s : travel) {
+    farthest = std::max(farthest, s);
+    if (!(s >= farthest - half)) return values;
+  }
+  const record::TravelCurve curve(travel, values);
+  if (curve.travel().size() < 3) return values;
+  half = std::min(half, part_of_travel * (curve.end() - curve.begin()));
+  std::vector<Real> smooth = values;
+  for (std::size_t k = 0; k < travel.size(); ++k) {
+    const Real room = std::min(travel[k] - curve.begin(), curve.end() - travel[k]);
+    if (const Real value = curve.at(travel[k], std::min(half, room)); std::isfinite(value)) smooth[k] = value;
+  }
+  return smooth;
+}
+
 /// The run with V of its pushes, and H, V and w of its drags, freed from what cells make on the way; its quantities are those of that, without what is seen in frames.
 record::RunRecord smoothed(record::RunRecord run, const Smoothing& smoothing)
 {
@@ -139,25 +160,22 @@ record::RunRecord smoothed(record::RunRecord run, const Smoothing& smoothing)
     const auto column = std::ranges::find(history.columns, label, &run_folder::Column::label);
     return history.values[static_cast<std::size_t>(column - history.columns.begin())];
   };
+  const Index main = settings::main_rigid(run.settings);
   for (Index first = 0, last = 0; first < history.rows(); first = last) {
     while (last < history.rows() && history.stage[last] == history.stage[first]) ++last;
     const auto stage = std::ranges::find(run.settings.stage, history.stage[first], &settings::StageSettings::name);
-    if (stage == run.settings.stage.end() || !drives(stage->kind)) continue;
-    const bool push = stage->kind == settings::StageKind::push;
+    if (stage == run.settings.stage.end()) continue;
+    const bool push = stage->kind == settings::StageKind::push, drag = stage->kind == settings::StageKind::drag;
+    const bool of_main = stage->rigid.empty() || (main != none && stage->rigid == run.settings.rigid[main].first);
     const char* along = push ? "w" : "u";
-    if (!history.has_label(along)) continue;
+    if ((!push && !drag) || !of_main || !history.has_label(along)) continue;
     std::vector<Real> travel;
     for (Index k = first; k < last; ++k) travel.push_back(std::abs(values_of(along)[k] - values_of(along)[first]));
     for (const char* label : {"H", "V", "w"}) {
       if (!history.has_label(label) || (push && label == std::string("w"))) continue;
       std::vector<Real>& values = values_of(label);
-      const record::TravelCurve curve(travel, {values.begin() + first, values.begin() + last});
-      if (curve.empty()) continue;
-      const Real half = std::min(push ? smoothing.push : smoothing.drag, part_of_travel * (curve.end() - curve.begin()));
-      for (Index k = first; k < last; ++k) {
-        const Real s = travel[k - first], room = std::min(s - curve.begin(), curve.end() - s);
-        if (const Real value = curve.at(s, std::min(half, room)); std::isfinite(value)) values[k] = value;
-      }
+      const std::vector<Real> rows(values.begin() + first, values.begin() + last);
+      std::ranges::copy(smoothed(travel, rows, push ? smoothing.push : smoothing.drag), values.begin() + first);
     }
   }
   run.quantities = structures::quantities_of(run, {});
@@ -283,35 +301,37 @@ std::string reason_without(const std::vector<VariantRecord>& variants, const std
 
 }  // namespace
 
-std::vector<Real> noise_of(const record::RunRecord& run)
+std::map<std::string, Real> noise_of(const record::RunRecord& run, const NumbersOfRun& numbers_of_run)
 {
-  std::vector<Real> noise(run.quantities.size(), 0);
+  std::map<std::string, Real> noise;
   if (!base::body_scale(run).noisy) return noise;
-  std::vector<std::vector<run_folder::Quantity>> without;
+  std::vector<std::map<std::string, RunNumber>> without;
   for (int set = 0; set < sets_of_rows; ++set) {
     record::RunRecord part = run;
     part.history = thinned(run.history, set);
     part.folder.clear();  // what is seen in frames has no noise of rows
-    without.push_back(structures::quantities_of(part, {}));
+    part.quantities = structures::quantities_of(part, {});
+    without.push_back(numbers_of_run(part));
   }
-  for (std::size_t k = 0; k < noise.size(); ++k) {
+  for (const auto& [name, number] : numbers_of_run(run)) {
     Real sum = 0, squares = 0;
     int found_in = 0;
-    for (const auto& quantities : without) {
-      const Real value = value_in(quantities, run.quantities[k].name);
-      found_in += std::isnan(value) ? 0 : 1;
-      sum += value;
-      squares += value * value;
+    for (const auto& numbers : without) {
+      const auto found = numbers.find(name);
+      if (found == numbers.end()) continue;
+      ++found_in;
+      sum += found->second.value;
+      squares += found->second.value * found->second.value;
     }
     if (found_in == 0) continue;  // not of the rows
-    const Real spread = squares - sum * sum / sets_of_rows;
-    noise[k] = std::isnan(spread) ? nan : 2 * std::sqrt(std::max(Real(0), spread) * (sets_of_rows - 1) / sets_of_rows);
+    const Real spread = std::max(Real(0), squares - sum * sum / sets_of_rows);
+    noise[name] = found_in < sets_of_rows ? nan : 2 * std::sqrt(spread * (sets_of_rows - 1) / sets_of_rows);
   }
   return noise;
 }
 
 std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants,
-                                                 const NumbersOfRun& numbers_of_run, const std::map<std::string, Real>& noise)
+                                                 const NumbersOfRun& numbers_of_run)
 {
   const Smoothing smoothing = smoothing_of(run, variants);
   using Numbered = std::map<std::string, RunNumber>;
@@ -330,6 +350,10 @@ std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, c
     return numbers_of(value(of_run, name), variants, numbers);
   };
   const Numbered of_run = numbers_of_run(run), smooth_of_run = numbers_of_run(smoothed(run, smoothing));
+  const VariantRecord* finest = nullptr;
+  for (const VariantRecord& variant : variants)
+    if (variant.size < (finest == nullptr ? 1 : finest->size)) finest = &variant;
+  const std::map<std::string, Real> noise = noise_of(finest == nullptr ? run : finest->run, numbers_of_run);
   std::map<std::string, run_folder::Band> bands;
   for (const auto& [name, number] : of_run) {
     const auto found = noise.find(name);
@@ -342,22 +366,20 @@ std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, c
 
 run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
 {
-  const auto scatters = [](const settings::Case& c, const run_folder::Quantity& q) {
-    const auto stage = std::ranges::find(c.stage, q.of, &settings::StageSettings::name);
-    if (stage == c.stage.end() || stage->kind != settings::StageKind::drag) return Scatters::as_in_pushes;
-    return q.name.find("V_") != std::string::npos && q.name.find("H_over") == std::string::npos ? Scatters::not_at_all
-                                                                                                : Scatters::as_in_drags;
+  const driven::Stages stages = driven::stages_of(run.settings);
+  const auto scatters = [&](const run_folder::Quantity& q) {
+    const auto stage = std::ranges::find(stages, q.of, &driven::Stage::name);
+    const bool drag = stage != stages.end() && stage->kind == settings::StageKind::drag;
+    const bool held = drag && stage->holds_V && (q.name.ends_with("V_in_drag") || q.name.ends_with("V_end_of_drag"));
+    return held ? Scatters::not_at_all : drag || q.unit == "m" ? Scatters::as_in_drags : Scatters::as_in_pushes;
   };
   const auto numbers_of_run = [&](const record::RunRecord& one) {
     std::map<std::string, RunNumber> numbers;
     for (const run_folder::Quantity& q : one.quantities)
-      if (q.kind == run_folder::QuantityKind::answer && std::isfinite(q.value)) numbers[q.name] = {q.value, scatters(one.settings, q)};
+      if (q.kind == run_folder::QuantityKind::answer && std::isfinite(q.value)) numbers[q.name] = {q.value, scatters(q)};
     return numbers;
   };
-  const std::vector<Real> noise_of_rows = noise_of(run);
-  std::map<std::string, Real> noise;
-  for (std::size_t k = 0; k < noise_of_rows.size(); ++k) noise[run.quantities[k].name] = noise_of_rows[k];
-  const std::map<std::string, run_folder::Band> bands = bands_of(run, variants, numbers_of_run, noise);
+  const std::map<std::string, run_folder::Band> bands = bands_of(run, variants, numbers_of_run);
   run_folder::Uncertainty found;
   for (const run_folder::Quantity& q : run.quantities) {
     const auto band = bands.find(q.name);
@@ -365,7 +387,7 @@ run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector
     if (std::isfinite(band->second.half_width))
       found.quantities.push_back({q.name, q.unit, band->second});
     else
-      found.without.emplace_back(q.name, reason_without(variants, q.name, noise[q.name]));
+      found.without.emplace_back(q.name, reason_without(variants, q.name, band->second.noise));
   }
   add_curve_bands(found, run, variants);
   return found;

@@ -34,16 +34,17 @@ struct RunNumber {
 /// Numbers of a run, by name: of its record alone, which may have other rows than its folder, or none.
 using NumbersOfRun = std::function<std::map<std::string, RunNumber>(const record::RunRecord&)>;
 
-/// The bands of such numbers; the half width is NaN where one of the variants has no such number. `noise`: of rows, 0 where it names none.
+/// The bands of such numbers; the half width is NaN where one of the variants has no such number.
 std::map<std::string, run_folder::Band> bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants,
-                                                 const NumbersOfRun& numbers_of_run, const std::map<std::string, Real>& noise = {});
+                                                 const NumbersOfRun& numbers_of_run);
 
 /// All answers of a run's structure with grains beside those without, of runs on cells of one size. `variants` are all that were run.
 run_folder::Grains grains_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants);
 
-/// What a run's numbers are uncertain by as means over noisy rows, at 95 %, in the order of its quantities: twice the standard error of the jackknife over five sets of
-/// rows, each every fifth row. 0 for methods without noise and for numbers that are not of the rows; NaN where a number is found without some of the rows and not without others.
-std::vector<Real> noise_of(const record::RunRecord& run);
+/// What the numbers of a run are uncertain by as means over noisy rows, at 95 %: twice the standard error of the jackknife over five sets of
+/// rows, each every fifth row. None for methods without noise and for numbers that are not of the rows; NaN where a number is found without some of the rows and not without
+/// others.
+std::map<std::string, Real> noise_of(const record::RunRecord& run, const NumbersOfRun& numbers_of_run);
 
 /// The bands as a table for people: the run's number, the converged one with its half width, and the parts of that; below it what has no band, and why.
 std::string words_of(const run_folder::Uncertainty& uncertainty, settings::Method method);

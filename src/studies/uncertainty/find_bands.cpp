@@ -99,9 +99,11 @@ void append_to_log(const fs::path& run_folder, const std::string& words)
 std::vector<VariantRecord> variants_of(const record::RunRecord& run)
 {
   const fs::path folder = run.folder / variants_folder;
-  std::error_code error;
-  if (!fs::is_directory(folder, error)) throw RunError(fmt::format("{}, with the runs of its bands, is not there", folder.string()));
-  return read_variants(choose_variants(run.settings), folder, false);
+  try {
+    return read_variants(choose_variants(run.settings), folder, false);
+  } catch (const InputError& error) {
+    throw RunError(fmt::format("the runs of its bands are not all in {}: {}", folder.string(), error.what()));
+  }
 }
 
 void try_to_plan(const simulation::RunRequest& request)

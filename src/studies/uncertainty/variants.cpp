@@ -19,6 +19,7 @@ constexpr Real finer = 0.5;           // the finest run of a case that is not
 constexpr Real coarsest_of_finest = 3, coarsest_of_halved = 1.5;  // over the cells of the case
 constexpr Real least_coarsest = 1.6;         // of a case that is the finest, below which the runs differ by less than meshes do
 constexpr Real least_growth = 1.25;          // from the case to the coarsest run, below which a run between them and the finest tells more
+constexpr Real rounding = 1e-9;              // of D/8, which is D/7.9999... in some units
 constexpr Real grains[] = {0.1e-3, 0.5e-3};  // m, d50 of fine sand, and of medium to coarse sand
 
 void scale_cells(mesh::SeabedMesh& bed, Real times)
@@ -123,7 +124,6 @@ Real cells_across_body(const settings::Case& c)
 /// Refuses a case whose coarsest run would have fewer than five cells across the body, `ratio` times as large as its own. Throws KeyError.
 void check_cells(const settings::Case& c, Real ratio)
 {
-  constexpr Real rounding = 1e-9;
   const Real width = base::body_scale(c).width, across = cells_across_body(c);
   if (across >= cells_across * ratio * (1 - rounding)) return;
   throw KeyError(
@@ -150,10 +150,10 @@ Sizes sizes_of(const settings::Case& c)
   const auto at_most = [&](Real ratio) {
     return std::min({ratio, across / (c.dimension() == 2 ? coarse_across : cells_across), in_layer});
   };
-  if (c.dimension() == 2 && across < resolved_across) {
+  if (c.dimension() == 2 && across < resolved_across * (1 - rounding)) {
     check_cells(c, 1);
     const Real coarsest = at_most(coarsest_of_halved);
-    if (coarsest < least_growth) return {{finer, std::sqrt(finer)}, 1};
+    if (coarsest < least_growth * (1 - rounding)) return {{finer, std::sqrt(finer)}, 1};
     return {{finer, coarsest}, coarsest};
   }
   if (in_layer < least_coarsest)

@@ -177,7 +177,7 @@ TEST_F(Uncertainty, is_in_the_springs_that_are_exported)
   EXPECT_NEAR(best, band->converged, 1e-6 * best);
   EXPECT_NEAR(high - low, 2 * band->half_width, 1e-6 * best);
   EXPECT_NE(text_of_file(place.folder / "springs/curves.csv").find("lateral drag,low,"), std::string::npos);
-  fs::remove_all(place.folder / "run/uncertainty");
+  fs::remove_all(place.folder / "run/uncertainty/cells_1.5");
   const Ended without = place.berm({"export", "run", "-o", "computed"});
   EXPECT_EQ(without.status, 0);
   EXPECT_NE(without.err.find("the springs are as computed, without bands"), std::string::npos) << without.err;

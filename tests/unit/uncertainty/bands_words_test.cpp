@@ -16,8 +16,8 @@ TEST(Words, tell_the_number_the_converged_one_and_what_it_is_uncertain_by)
   u.left_out = {"speed: the strength of the soil depends on it"};
   const std::string words = words_of(u, settings::Method::mpm);
   for (const char* part :
-       {"2 more runs, on cells 0.5 to 1.5 times as large, 40 s", " 1.1 ", " - ", "808", "720 +- 60 N/m", "2.000 +- 0 mm", " 5.5\n", "speed\n",
-        "not in the bands: speed: the strength", "without a band: H_residual: cells_2.2 has no such number"})
+       {"2 more runs, on cells 0.5 to 1.5 times as large, 40 s", " 1.1 ", " - ", "808", "720 +- 60 N/m", "2.000 +- 0 mm", " 5.5\n",
+        "speed\n", "not in the bands: speed: the strength", "without a band: H_residual: cells_2.2 has no such number"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " is not in\n" << words;
   EXPECT_NE(words_of(u, settings::Method::fem).find("increments\n"), std::string::npos);
 }

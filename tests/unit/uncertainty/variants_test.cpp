@@ -77,6 +77,12 @@ TEST(Variants, of_a_coarse_case_are_one_of_half_the_cells_and_one_of_coarser_one
   EXPECT_EQ(names_of(on_cells(10)), (Names{"cells_0.5", "cells_1.5", "cells_1.5_long_steps"}));
   EXPECT_EQ(names_of(on_cells(8)), (Names{"cells_0.5", "cells_1.25", "cells_1.25_long_steps"})) << "not coarser than D/6.4";
   EXPECT_EQ(names_of(on_cells(6)), (Names{"cells_0.5", "cells_0.707", "cells_1_long_steps"})) << "where none can be coarser, one between";
+  for (const Real D : {0.35, 0.7, 1.1}) {  // where D over D/8 is not 8 to the last digit
+    settings::Case other = fine();
+    other.rigid.at(0).second.shape = bodies::CircleSettings{{0, 1}, D};
+    bed_of(other).near_size = *other.fem.contact_size = D / 8;
+    EXPECT_EQ(names_of(other), (Names{"cells_0.5", "cells_1.25", "cells_1.25_long_steps"})) << D;
+  }
   settings::Case c = on_cells(4);
   EXPECT_EQ(refusal_of(c).find("fem.contact_size: "), 0u) << refusal_of(c);
   EXPECT_NE(refusal_of(c).find("make them 0.2 m or smaller"), std::string::npos) << refusal_of(c);

@@ -57,7 +57,8 @@ std::string error_of_cells_note(const DrivenRun& run)
   const bool known = run.settings.method == settings::Method::mpm && run.settings.geometry == settings::Geometry::plane_strain &&
                      run.scale.strength > 0 && base::circle_of(run.settings) && !path_of(run.history, run.stages).push.rows.empty();
   const Real cell = base::near_cells(run.record).first / run.scale.width;
-  if (!known || uncertainty_of(run) != nullptr || !(cell > 0)) return "";
+  const run_folder::Uncertainty* bands = uncertainty_of(run);
+  if (!known || (bands != nullptr && !bands->quantities.empty()) || !(cell > 0)) return "";
   const base::ErrorOfSize& coarse = base::errors_of_cells.front();
   return text::html_paragraph(
       fmt::format(
