@@ -214,7 +214,7 @@ Command add_run(CLI::App& program)
       ->excludes("--resume");
   app->add_flag(
       "--uncertainty", options->uncertainty,
-      "also run each case on other cells and at another speed, and give its results for cells without size with 95 % bands; berm check "
+      "also run each case on other cells and at another speed, and give its results at zero cell size with 95 % bands; berm check "
       "says what that takes");
   app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is invalid, as its summary.json says");
   app->callback([options] {

@@ -168,7 +168,7 @@ std::vector<std::string> provenance_of(const record::RunRecord& run)
   return lines;
 }
 
-/// Takes the springs of a run with bands to cells without size: forces and stiffnesses of `best` are the extrapolated ones, those of `low` and `high` the ends of their
+/// Takes the springs of a run with bands to zero cell size: forces and stiffnesses of `best` are the extrapolated ones, those of `low` and `high` the ends of their
 /// bands, at the displacements of the run. What has no band stays as computed, and has no low and high.
 void take_bands(Design& design, const record::RunRecord& run, const Selection& selection)
 {
@@ -207,7 +207,7 @@ void take_bands(Design& design, const record::RunRecord& run, const Selection& s
     for (Estimate& e : design.estimates)
       if (is_point(e) && !has_band(e)) e.best = nan;
   const Springs computed = design.best;
-  for (auto [set, which, words] : {std::tuple(&design.best, &Estimate::best, "extrapolated to cells without size"),
+  for (auto [set, which, words] : {std::tuple(&design.best, &Estimate::best, "extrapolated to zero cell size"),
                                    std::tuple(&design.low.emplace(), &Estimate::low, "lower end of the 95 % band of discretisation"),
                                    std::tuple(&design.high.emplace(), &Estimate::high, "upper end of the 95 % band of discretisation")}) {
     *set = at(which, computed, design.estimates);
@@ -215,7 +215,7 @@ void take_bands(Design& design, const record::RunRecord& run, const Selection& s
   }
   for (std::size_t k = 0; k < computed.lateral.size(); ++k) design.best.lateral[k].curve = computed.lateral[k].curve;
   design.provenance.push_back(fmt::format(
-      "best: forces extrapolated to cells without size from {} runs; low and high: 95 % band of discretisation (berm run --uncertainty)",
+      "best: forces extrapolated to zero cell size from {} runs; low and high: 95 % band of discretisation (berm run --uncertainty)",
       variants.size() + 1));
   if (!without.empty()) design.provenance.push_back("without a band, as computed: " + text_of_list(without, ", "));
 }

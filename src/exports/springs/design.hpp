@@ -20,7 +20,7 @@ struct Estimate {
   std::string meaning;
   std::string travel;                        ///< that it was found in; of a state or a formula none
   std::string source;                        ///< "computed", or the formula
-  Real best = nan;                           ///< of the best run, or of the only one; of one with bands extrapolated to cells without size
+  Real best = nan;                           ///< of the best run, or of the only one; of one with bands extrapolated to zero cell size
   Real low = nan, middle = nan, high = nan;  ///< quantiles of 5, 50 and 95 % of the sample; low and high of a run with bands: their ends
   std::size_t size = 0;                      ///< runs of the sample, or of the band, that have this number
   Lognormal fit;

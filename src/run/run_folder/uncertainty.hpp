@@ -13,7 +13,7 @@ namespace berm::run_folder {
 /// How sure a number is: the answer lies in converged +- half_width, nineteen times in twenty (docs/theory/method.md, Discretisation uncertainty). All in the unit of the number.
 struct Band {
   Real value = 0;       ///< of the run
-  Real converged = 0;   ///< for cells without size
+  Real converged = 0;   ///< at zero cell size
   Real half_width = 0;  ///< extrapolation + sqrt(mesh^2 + noise^2 + speed^2)
   Real order = std::numeric_limits<
       Real>::quiet_NaN();  ///< of convergence, as its runs show it; NaN where scatter hides it. The extrapolation takes 1

@@ -13,7 +13,7 @@ struct SizedNumber {
   Real number;
 };
 
-/// What numbers of several sizes of cells tell of the number for cells without size.
+/// What numbers of several sizes of cells tell of the number at zero cell size.
 struct Estimate {
   Real converged;      ///< where the line comes to size 0
   Real order;          ///< of convergence, through the finest, the second and the coarsest; NaN where scatter hides it

@@ -159,14 +159,14 @@ TEST_F(Uncertainty, goes_with_the_run_that_is_replaced)
   EXPECT_EQ(place.uncertainty().missing, "nothing there");
 }
 
-// The springs of its runs, carried to cells without size: their peak is the largest H of the drag.
+// The springs of its runs, carried to zero cell size: their peak is the largest H of the drag.
 TEST_F(Uncertainty, is_in_the_springs_that_are_exported)
 {
   const Place place(*with_);
   const Ended ended = place.berm({"export", "run", "-o", "springs"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::string springs = text_of_file(place.folder / "springs/springs.csv");
-  EXPECT_NE(springs.find("best: forces extrapolated to cells without size from 4 runs"), std::string::npos) << springs;
+  EXPECT_NE(springs.find("best: forces extrapolated to zero cell size from 4 runs"), std::string::npos) << springs;
   const run_folder::Uncertainty u = place.uncertainty();
   const run_folder::Band* band = u.find("H_max");
   ASSERT_NE(band, nullptr);

@@ -16,7 +16,7 @@ constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 Uncertainty sample()
 {
   Uncertainty u;
-  u.quantities = {{"V_at_w_0.1D", "N/m", {808.25, 715.5, 61.125, 46, 14, 1, 5.5}}};
+  u.quantities = {{"V_at_w_0.1D", "N/m", {808.25, 715.5, 61.125, 1.25, 46, 14, 1, 5.5}}};
   u.curves = {{"V_w", {0, 0.001}, {nan, 1.5}, {nan, 2.5}}};
   u.runs = {{"cells_1.4", 1.4, 1, 12.5}};
   u.without = {{"H_residual", "cells_2 has no such number"}};
@@ -49,10 +49,18 @@ TEST(Uncertainty, comes_back_from_the_summary_as_it_was)
   const Band band = *read->find("V_at_w_0.1D");
   EXPECT_EQ(band.converged, 715.5);
   EXPECT_EQ(band.half_width, 61.125);
+  EXPECT_EQ(band.order, 1.25);
   EXPECT_EQ(band.speed, 5.5);
   EXPECT_TRUE(std::isnan(read->curves.at(0).low.at(0)));
   EXPECT_EQ(read->find("H_max"), nullptr);
   EXPECT_EQ(read->grains.numbers.at(0).with.at(0), 690.5);
+}
+
+TEST(Uncertainty, of_an_earlier_version_has_no_order)
+{
+  auto json = json_of(sample());
+  json["quantities"]["V_at_w_0.1D"].erase("order");
+  EXPECT_TRUE(std::isnan(uncertainty_of(json).find("V_at_w_0.1D")->order));
 }
 
 TEST(Uncertainty, leaves_the_rest_of_the_summary_as_it_was)

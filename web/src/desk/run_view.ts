@@ -107,7 +107,7 @@ export class RunView implements Place {
       ...(now.status === "finished" ? [
         button("Export springs …", "Springs for pipeline programs (berm export)", () => (location.hash = `#/export?path=${encodeURIComponent(this.path)}`)),
         button("Low, best, high …", "Vary uncertain parameters (berm study)", () => (location.hash = `#/vary?path=${encodeURIComponent(this.path)}`)),
-        button("Uncertainty", "Also runs on other cells and at another speed (berm run --uncertainty), and extrapolates to cells without size; the check of the case says how long it takes", () => void this.uncertainty())] : []),
+        button("Uncertainty", "Also runs on other cells and at another speed (berm run --uncertainty), and extrapolates to zero cell size; the check of the case says how long it takes", () => void this.uncertainty())] : []),
       ...(now.case.endsWith(".toml") ? [button("Case of this run", "Open the case as this run has it", () => (location.hash = `#/case?path=${encodeURIComponent(`${this.path}/case.toml`)}`))] : []),
     ];
   }

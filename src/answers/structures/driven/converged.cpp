@@ -51,7 +51,7 @@ std::string grains_table(const DrivenRun& run, const run_folder::Grains& grains)
   return table.html();
 }
 
-/// How far a pipe pushed into clay by the material point method is from cells without size, where no run of the page tells; "" elsewhere.
+/// How far a pipe pushed into clay by the material point method is from zero cell size, where no run of the page tells; "" elsewhere.
 std::string error_of_cells_note(const DrivenRun& run)
 {
   const bool known = run.settings.method == settings::Method::mpm && run.settings.geometry == settings::Geometry::plane_strain &&
@@ -61,10 +61,9 @@ std::string error_of_cells_note(const DrivenRun& run)
   if (!known || (bands != nullptr && !bands->quantities.empty()) || !(cell > 0)) return "";
   const base::ErrorOfSize& coarse = base::errors_of_cells.front();
   return text::html_paragraph(
-      fmt::format(
-          "{}: on cells of D/{:.3g} V of a push into clay is some {:.2g} % above its value for cells without size, and the embedment "
-          "under a given V too small (first order in the cells, examples/two_methods). berm run --uncertainty extrapolates both.",
-          run.name, 1 / cell, 100 * coarse.of_V * coarse.n * cell),
+      fmt::format("{}: on cells of D/{:.3g} V of a push into clay is some {:.2g} % above its value at zero cell size, and the embedment "
+                  "under a given V too small (first order in the cells, examples/two_methods). berm run --uncertainty extrapolates both.",
+                  run.name, 1 / cell, 100 * coarse.of_V * coarse.n * cell),
       "quiet");
 }
 

@@ -77,7 +77,7 @@ std::vector<Pair> pairs_of(const Runs& runs, const std::vector<Judgement>& judge
   return pairs;
 }
 
-/// A result of a run: extrapolated to cells without size where the run has bands, else as it is.
+/// A result of a run: extrapolated to zero cell size where the run has bands, else as it is.
 struct Value {
   Real value;
   Real half_width = nan;  ///< of its band; NaN without one
@@ -162,7 +162,7 @@ std::string table_of(const Pair& pair, const std::vector<Both>& results, const s
     largest[result.name->unit] = std::max({largest[result.name->unit], std::abs(result.mpm.value), std::abs(result.fem.value)});
   const bool bands = std::ranges::any_of(results, &Both::has_band);
   text::HtmlTable table(id, fmt::format("Key results by both methods{}; difference in per cent of the finite element value",
-                                        bands ? ", extrapolated to cells without size where there is a band" : ""));
+                                        bands ? ", extrapolated to zero cell size where there is a band" : ""));
   std::vector<text::HtmlCell> columns = {{"result"},
                                          {"unit"},
                                          {fmt::format("material point method ({})", text::html_text(pair.mpm->name)), true},

@@ -166,7 +166,7 @@ TEST(answer, a_single_run_of_a_pipe_in_clay_tells_the_error_of_its_cells)
   made.law = MadeRun::clay_law();
   record::RunRecord run = made.record();
   std::get<mesh::SeabedMesh>(run.settings.mesh).near_size = 0.002;
-  const std::string error_of_cells = "on cells of D/10 V of a push into clay is some 3.7 % above its value for cells without size";
+  const std::string error_of_cells = "on cells of D/10 V of a push into clay is some 3.7 % above its value at zero cell size";
   EXPECT_TRUE(holds(answer_of({run}), error_of_cells)) << answer_of({run});
   record::RunRecord with_bands = run, by_elements = run;
   run_folder::Uncertainty& bands = with_bands.summary.emplace().uncertainty.emplace();
