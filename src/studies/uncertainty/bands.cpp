@@ -103,6 +103,14 @@ run_folder::Band band_of(const Numbers& numbers, const Numbers& smooth, const Es
   return band;
 }
 
+/// Whether all runs have one number: it is of the input, as where a body lies at the start, and cells do not make it scatter.
+bool is_shared(const Numbers& numbers)
+{
+  constexpr Real rounding = 1e-5;
+  const auto [least, largest] = std::ranges::minmax(numbers.by_size, {}, &SizedNumber::number);
+  return largest.number - least.number <= rounding * std::abs(largest.number);
+}
+
 bool is_whole(const Numbers& numbers)
 {
   return std::ranges::all_of(numbers.by_size, [](const SizedNumber& each) { return std::isfinite(each.number); }) &&
@@ -114,7 +122,8 @@ run_folder::Band band_of(const Numbers& numbers, const Numbers& smooth, Real kno
 {
   if (!is_whole(numbers)) return {.value = numbers.of_run().number, .converged = nan, .half_width = nan, .noise = noise};
   const Numbers& compared = is_whole(smooth) ? smooth : numbers;
-  return band_of(numbers, compared, extrapolate(compared.by_size, known_scatter * std::abs(numbers.finest().number)), noise);
+  const Real known = is_shared(numbers) ? 0 : known_scatter * std::abs(numbers.finest().number);
+  return band_of(numbers, compared, extrapolate(compared.by_size, known), noise);
 }
 
 /// The travel over which differences of runs are taken, to either side: V of a push goes up in steps, about where the chord of a pipe comes to the next nodes, H and w

@@ -94,6 +94,15 @@ TEST(Bands, need_the_number_itself_in_every_run)
   EXPECT_TRUE(std::isnan(bands.at("plateau").half_width));
 }
 
+// Where a pipe lies at the start is 1.5 m in all runs, whatever their cells are.
+TEST(Bands, of_a_number_that_all_runs_share_have_no_width)
+{
+  const auto number = [](const record::RunRecord&) { return std::map<std::string, RunNumber>{{"w_begin", {1.5, Scatters::as_in_drags}}}; };
+  const run_folder::Band band = bands_of(made(1.1), {{2.1, 1, made(1.21)}, {3, 1, made(1.3)}}, number).at("w_begin");
+  EXPECT_NEAR(band.converged, 1.5, 1e-12);
+  EXPECT_NEAR(band.half_width, 0, 1e-12);
+}
+
 /// A drag out and back, as a storm makes it: H against the motion, twice as large on the way back.
 record::RunRecord out_and_back(Real factor)
 {
