@@ -64,6 +64,7 @@ void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found);
 void what_inertia_do_layers_get(const Scene& s, Findings& found);
 void is_all_soil_used(const Scene& s, Findings& found);
 void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found);
+void does_pressure_shake_the_clay(const Scene& s, Findings& found);
 void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found);
 void is_tension_that_of_clay(const Scene& s, Findings& found);
 void may_the_sand_rest(const Scene& s, Findings& found);

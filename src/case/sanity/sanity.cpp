@@ -58,6 +58,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           what_inertia_do_layers_get,
                                                           is_all_soil_used,
                                                           does_the_soil_bear_its_initial_stress,
+                                                          does_pressure_shake_the_clay,
                                                           is_the_interface_weaker_than_the_soil,
                                                           is_tension_that_of_clay,
                                                           may_the_sand_rest,

@@ -362,6 +362,51 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
 
 namespace {
 
+/// m, from the surface of a body's soil to the deepest place that a rigid body takes in a stage.
+Real deepest(const Scene& s, const Way& way, Index b)
+{
+  const Span taken = swept(s, way, s.up), &soil = s.bodies[b].space[s.up];
+  return std::clamp(s.up_sign > 0 ? soil.to - taken.from : taken.to - soil.from, Real(0), s.depth_of(b));
+}
+
+/// Mean stress of a body's soil at rest, Pa, compression positive.
+Real pressure_at_rest(const Scene& s, Index b, Real depth)
+{
+  const bodies::BodySettings& body = s.c.body[b].second;
+  if (body.initial_stress.size() == 3) return -(body.initial_stress[0] + body.initial_stress[1] + body.initial_stress[2]) / 3;
+  const Real vertical = s.weight_above(b, depth);
+  return body.has_k0() ? vertical * (1 + 2 * *body.k0_at(depth, vertical)) / 3 : 0;
+}
+
+}  // namespace
+
+void does_pressure_shake_the_clay(const Scene& s, Findings& found)
+{
+  constexpr Real most = 15, loss = 0.002;  // of the strength; of the resistance, by each strength (examples/lateral_pile)
+  if (!s.is_mpm()) return;
+  for (const Way& way : s.ways) {
+    const Index b = way.rigid == none ? none : s.touched_by(way.rigid);
+    if (b == none || !s.rigids[way.rigid].bounded || !may_meet_soil(s, way)) continue;
+    const Real depth = deepest(s, way, b), pressure = pressure_at_rest(s, b, depth);
+    const material::Material soil = s.material_at(b, depth);
+    const std::optional<Real> strength = yields(soil) ? settings::strength_under(soil, depth, 0) : std::nullopt;
+    if (!strength || !(*strength > 0) || !(pressure > most * *strength)) continue;
+    if (*settings::strength_under(soil, depth, pressure) > *strength * (1 + rounding)) continue;  // it grows with pressure
+    const Real over = pressure / *strength;
+    found.warn(
+        fmt::format("body.{}.{}", s.c.body[b].first, s.c.body[b].second.has_k0() ? "k0" : "initial_stress"),
+        fmt::format(
+            "puts the clay at the rigid body under {:.2g} times its strength: particles that go from one cell to the next there jolt "
+            "the soil in proportion, and a slow drive loses about {:.2g} % of its resistance on cells of any size "
+            "(docs/how_to/what_will_catch_you.md); take method = \"fem\", or about 8 times the strength where the pressure only "
+            "keeps the clay at the body",
+            over, 100 * loss * over));
+    return;
+  }
+}
+
+namespace {
+
 /// Of a body of several materials: friction beside each of them, which has to be less than its own.
 void ask_of_each_soil(const Scene& s, const std::string& name, const contact::ContactSettings& contact, Findings& found)
 {
