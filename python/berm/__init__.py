@@ -18,6 +18,7 @@ from typing import Any
 from .curves import Drag, Push
 from .element import element
 from .errors import InputError, RunError, Stopped
+from .fit import Fit, fit
 from .frames import Field, Frame
 from .history import Column, History
 from .macro_element import macro_element
@@ -33,6 +34,7 @@ __all__ = [
     "Drag",
     "Estimate",
     "Field",
+    "Fit",
     "Frame",
     "History",
     "InputError",
@@ -48,6 +50,7 @@ __all__ = [
     "element",
     "export",
     "find_program",
+    "fit",
     "fmu",
     "include_folder",
     "macro_element",

@@ -5,6 +5,7 @@
 #include "expectations/expectation.hpp"
 #include "input/catalogue.hpp"
 #include "input/structure_words.hpp"
+#include "soil_fit/fit_settings.hpp"
 #include "study/study_settings.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ struct Schema {
 
 constexpr Schema schemas[] = {{"case", "A case of berm", input::case_catalogue},
                               {"element", "Element tests of berm", element::element_catalogue},
+                              {"fit", "A fit of berm", soil_fit::fit_catalogue},
                               {"study", "A study of berm", study::study_catalogue},
                               {"expected", "Numbers that runs of berm are expected to give", expectations::expected_catalogue}};
 
@@ -31,10 +33,13 @@ int print_schema(const std::string& of)
 
 int print_list(bool markdown)
 {
-  input::Listed of_elements = element::element_catalogue();
-  std::erase_if(of_elements.children, [](const input::Listed& entry) { return entry.key == "material"; });  // listed with the case
+  const auto without_material = [](input::Listed all) {  // it is listed with the case
+    std::erase_if(all.children, [](const input::Listed& entry) { return entry.key == "material"; });
+    return all;
+  };
   const std::vector<input::OtherInput> others = {
-      {"Element tests, the input of berm element (beside the materials, as in a case)", of_elements}};
+      {"Element tests, the input of berm element (beside the materials, as in a case)", without_material(element::element_catalogue())},
+      {"Fits, the input of berm fit (beside the material, as in a case)", without_material(soil_fit::fit_catalogue())}};
   const input::Listed of_case = input::case_catalogue();
   fmt::print("{}", markdown ? input::parameter_page(of_case, others) : input::parameter_table(of_case, others));
   return 0;
@@ -49,11 +54,11 @@ Command add_params(CLI::App& program)
     std::string schema_of;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* app = program.add_subcommand("params", "list all parameters of a case, and of element tests");
+  CLI::App* app = program.add_subcommand("params", "list all parameters of a case, of element tests and of fits");
   CLI::Option* markdown = app->add_flag("--markdown", options->markdown, "as Markdown");
   app->add_option("--json-schema", options->schema_of,
-                  "as JSON Schema (draft 4), for editors: of a case, element tests, a study, or expected.toml")
-      ->check(one_of({"case", "element", "study", "expected"}))
+                  "as JSON Schema (draft 4), for editors: of a case, element tests, a fit, a study, or expected.toml")
+      ->check(one_of({"case", "element", "fit", "study", "expected"}))
       ->excludes(markdown);
   return {app, [options] { return options->schema_of.empty() ? print_list(options->markdown) : print_schema(options->schema_of); }};
 }

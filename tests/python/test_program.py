@@ -218,6 +218,39 @@ strain_path = [0.1]
     assert np.isclose(rows["shear"]["tau_Pa"].max(), 5000, rtol=1e-6), "s_u of a material without friction is its cohesion"
 
 
+def test_a_fit_gives_the_keys_that_the_tests_tell(tmp_path: Path) -> None:
+    (tmp_path / "box.csv").write_text("shear_strain (%),tau (kPa)\n0,0\n0.1,1\n0.5,4.6\n1,5.1\n5,5\n10,4.9\n")
+    case = tmp_path / "fit.toml"
+    case.write_text(
+        """[material.clay]
+law = "mohr_coulomb"
+density = "1000 kg/m^3"
+young_modulus = "2 MPa"
+poisson_ratio = 0.45
+cohesion = "8 kPa"
+friction_angle = 0
+[[free]]
+key = "cohesion"
+from = "1 kPa"
+to = "20 kPa"
+[[measured]]
+name = "box"
+file = "box.csv"
+kind = "simple_shear"
+drained = false
+vertical_stress = "20 kPa"
+k0 = 1
+"""
+    )
+    found = berm.fit(case, tmp_path / "out")
+    assert np.isclose(found.values["cohesion"], 5000, rtol=0.03), "the mean of the three rows that yield"
+    assert 0 < found.errors["cohesion"] < 1000
+    assert found.doubts == []
+    assert "[material.clay]" in found.material
+    with pytest.raises(berm.InputError, match="--force"):
+        berm.fit(case, tmp_path / "out")
+
+
 def test_the_header_of_laws_is_found() -> None:
     assert (berm.include_folder() / "berm" / "law.h").is_file()
 

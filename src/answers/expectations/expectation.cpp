@@ -65,8 +65,8 @@ void check_band(Describe& d, const std::string& path, const Expectation& e, cons
 void check_element(Describe& d, const std::string& path, const Expectation& e, const Expectations& all)
 {
   const bool of_tests =
-      std::any_of(all.run.begin(), all.run.end(), [&](const auto& run) { return run.first == e.run && run.second.element; });
-  d.check(!of_tests || e.observable.column.empty(), path + ".column", "a run with element = true has quantities alone");
+      std::any_of(all.run.begin(), all.run.end(), [&](const auto& run) { return run.first == e.run && !run.second.is_run(); });
+  d.check(!of_tests || e.observable.column.empty(), path + ".column", "a run with element = true or fit = true has quantities alone");
 }
 
 /// A number of which nobody says what it is for, and where it is from, proves nothing.
@@ -124,6 +124,7 @@ void describe(Describe& d, VerificationRun& run)
   d.value("case", run.case_file, {.meaning = "case file in the example's folder"});
   d.value("set", run.set, {.meaning = "parameters changed for this run, each KEY=VALUE as for --set"});
   d.value("element", run.element, {.meaning = "whether the case is an input of element tests (berm element)"});
+  d.value("fit", run.fit, {.meaning = "whether the case is an input of berm fit"});
   d.value("uncertainty", run.uncertainty, {.meaning = "whether the bands of its results are found, too (berm run --uncertainty)"});
   d.value("fast", run.fast, {.meaning = "whether the run takes a few seconds and belongs to the tests"});
   d.value("long", run.is_long, {.meaning = "whether the run takes ten minutes or more and is left out of the whole book"});
@@ -188,7 +189,8 @@ void describe(Describe& d, Expectations& all)
   const std::vector<std::string> names = names_of(all.run);
   for (const auto& [name, run] : all.run) d.check(!run.fast || !run.is_long, "run." + name + ".long", "the run is fast");
   for (const auto& [name, run] : all.run)
-    d.check(!run.element || !run.uncertainty, "run." + name + ".uncertainty", "element tests have no bands");
+    d.check(run.is_run() || !run.uncertainty, "run." + name + ".uncertainty", "element tests and fits have no bands");
+  for (const auto& [name, run] : all.run) d.check(!run.element || !run.fit, "run." + name + ".fit", "the run has element = true");
   std::vector<std::string> needed;
   for (std::size_t k = 0; k < all.expect.size(); ++k) {
     const std::string path = fmt::format("expect[{}]", k);

@@ -16,7 +16,10 @@ struct VerificationRun {
   bool fast = false;                    ///< a few seconds: part of the tests
   bool is_long = false;                 ///< ten minutes or more: only where it is asked for
   bool element = false;                 ///< element tests (berm element) instead of a run
+  bool fit = false;                     ///< a soil fitted to tests (berm fit) instead of a run
   bool uncertainty = false;             ///< run with the bands of its results
+
+  bool is_run() const { return !element && !fit; }
 };
 
 /// Instead of a tolerance: whether the band of a quantity holds exact, or meets the bounds.

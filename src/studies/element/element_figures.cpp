@@ -146,12 +146,13 @@ plot::Figure pore_pressure(const Records& records)
 
 plot::Figure compression(const Records& records)
 {
+  const bool isotropic = std::holds_alternative<Isotropic>(records.front()->settings.kind);
   plot::Figure figure = figure_of(
       records, "compression curve",
       [](const TestRecord&, const TestRow& row) { return vertical_stress(row) > 0 ? kilo * vertical_stress(row) : nan; },
-      [](const TestRecord&, const TestRow& row) { return -percent * row.strain[1]; });
-  figure.x_label = "vertical stress (kPa)";
-  figure.y_label = "axial strain (%)";
+      [isotropic](const TestRecord&, const TestRow& row) { return percent * (isotropic ? volumetric_strain(row) : -row.strain[1]); });
+  figure.x_label = isotropic ? "mean stress p' (kPa)" : "vertical stress (kPa)";
+  figure.y_label = isotropic ? "volumetric strain (%)" : "axial strain (%)";
   figure.more = "set key below font ',11'\nset autoscale x\nset logscale x\nset yrange [*:*] reverse\n";
   for (plot::FigureCurve& curve : figure.curves)
     for (std::size_t k = 0; k < curve.x.size(); ++k)
@@ -193,10 +194,10 @@ std::vector<std::string> draw_figures(const std::vector<TestRecord>& records, co
     Records all;
     for (const TestRecord& record : records)
       if (record.settings.kind.index() == kind && record.rows.size() > 1) all.push_back(&record);
-    const bool oedometer = !all.empty() && std::holds_alternative<Oedometer>(all.front()->settings.kind);
-    draw(all, oedometer ? "compression" : "stress_strain", oedometer ? compression : stress_strain);
+    const bool compresses = !all.empty() && is_compression(all.front()->settings.kind);
+    draw(all, compresses ? "compression" : "stress_strain", compresses ? compression : stress_strain);
     draw(chosen(all, shows_effective_stress), "stress_path", stress_path);
-    if (oedometer) continue;
+    if (compresses) continue;
     draw(chosen(all, [](const TestRecord& record) { return drained(record.settings.kind); }), "volume", volume);
     draw(chosen(all, [](const TestRecord& record) { return !drained(record.settings.kind) && shows_effective_stress(record); }),
          "pore_pressure", pore_pressure);

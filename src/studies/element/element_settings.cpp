@@ -75,10 +75,20 @@ void describe(Describe& d, Oedometer& kind)
            .range = not_negative});
 }
 
+void describe(Describe& d, Isotropic& kind)
+{
+  describe(d, kind.start);
+  d.value("stress_path", kind.stress_path,
+          {.meaning = "mean effective stresses that are reached in turn, compression positive",
+           .unit = "Pa",
+           .range = not_negative,
+           .required = true});
+}
+
 void describe(Describe& d, TestSettings& test)
 {
   d.value("name", test.name, {.meaning = "name of the test: its folder, and its rows in tables", .required = true});
-  d.one_of("kind", test.kind, {Triaxial::word, Biaxial::word, SimpleShear::word, Oedometer::word},
+  d.one_of("kind", test.kind, {Triaxial::word, Biaxial::word, SimpleShear::word, Isotropic::word, Oedometer::word},
            {.meaning = "which test; biaxial is axial compression or extension in plane strain", .required = true});
   d.value("material", test.material, {.meaning = "material of the specimen", .required = true});
   d.value("depth", test.depth,
@@ -124,10 +134,11 @@ bool is_folder_name(const std::string& name)
   return !name.empty() && std::all_of(name.begin(), name.end(), fits);
 }
 
-void check_start(Describe& d, const std::string& path, const StartStress& start)
+void check_start(Describe& d, const std::string& path, const StartStress& start, bool isotropic)
 {
   d.check(start.confining_stress.has_value() || start.vertical_stress.has_value(), path,
           "needs the stress at the start: confining_stress, or vertical_stress and k0");
+  d.check(!isotropic || start.confining_stress, path, "begins at the same stress in all directions: confining_stress");
   d.check(!start.confining_stress || !start.vertical_stress, path + ".vertical_stress", "cannot be combined with confining_stress");
   d.check(!start.confining_stress || !start.k0, path + ".k0",
           "cannot be combined with confining_stress, which is the same in all directions");
@@ -150,14 +161,14 @@ void check_strength(Describe& d, const std::string& path, const StartStress& sta
 
 void check_path(Describe& d, const std::string& path, const TestSettings& test)
 {
-  const auto* oedometer = std::get_if<Oedometer>(&test.kind);
-  const bool by_stress = oedometer != nullptr && !oedometer->stress_path.empty();
+  const bool by_stress = !stress_path_of(test.kind).empty();
   d.check(by_stress || !test.strain_path.empty(), path,
-          oedometer != nullptr ? "needs strain_path = [...] or stress_path = [...]" : "needs strain_path = [...], the strains to reach");
+          std::holds_alternative<Oedometer>(test.kind) ? "needs strain_path = [...] or stress_path = [...]"
+                                                       : "needs strain_path = [...], the strains to reach");
   d.check(!by_stress || test.strain_path.empty(), path + ".strain_path", "cannot be combined with stress_path");
-  const std::vector<Real>& points = by_stress ? oedometer->stress_path : test.strain_path;
+  const std::vector<Real>& points = by_stress ? stress_path_of(test.kind) : test.strain_path;
   const std::string key = path + (by_stress ? ".stress_path" : ".strain_path");
-  Real before = by_stress ? oedometer->start.vertical() : 0;
+  Real before = by_stress ? start_of(test.kind).vertical() : 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     d.check(points[k] != before, fmt::format("{}[{}]", key, k), "is the present state of the specimen");
     before = points[k];
@@ -171,7 +182,7 @@ void check_test(Describe& d, const std::string& path, const TestSettings& test, 
   d.check(is_folder_name(test.name), path + ".name", "allowed are letters, digits, _ and -");
   const material::Material* material = material_named(c, test.material);
   d.check(material != nullptr, path + ".material", "there is no such material", names_of(c));
-  check_start(d, path, start_of(test.kind));
+  check_start(d, path, start_of(test.kind), std::holds_alternative<Isotropic>(test.kind));
   check_path(d, path, test);
   if (reconsolidated(test.kind)) {
     d.check(!drained(test.kind), path + ".reconsolidated", "is of an undrained test: drained = false");
@@ -183,7 +194,7 @@ void check_test(Describe& d, const std::string& path, const TestSettings& test, 
   }
   if (material == nullptr) return;  // of a visitor that does not throw
   check_strength(d, path, start_of(test.kind), material::at_depth(*material, test.depth, start_of(test.kind).vertical()));
-  d.check(!drained(test.kind) || std::holds_alternative<Oedometer>(test.kind) || !knows_total_stress_alone(*material), path + ".drained",
+  d.check(!drained(test.kind) || is_compression(test.kind) || !knows_total_stress_alone(*material), path + ".drained",
           fmt::format("{} has an undrained strength, and cannot be drained: drained = false", test.material));
 }
 
@@ -205,11 +216,6 @@ void describe_materials(Describe& d, Materials& materials)
 }
 
 }  // namespace
-
-/// The materials of a case, without the rest.
-struct MaterialsOfCase {
-  Materials material;
-};
 
 void describe(Describe& d, MaterialsOfCase& c)
 {
@@ -246,6 +252,28 @@ const char* kind_word(const TestKind& kind)
 const StartStress& start_of(const TestKind& kind)
 {
   return std::visit([](const auto& k) -> const StartStress& { return k.start; }, kind);
+}
+
+const std::vector<Real>& stress_path_of(const TestKind& kind)
+{
+  static const std::vector<Real> by_strains;
+  if (const auto* oedometer = std::get_if<Oedometer>(&kind)) return oedometer->stress_path;
+  if (const auto* isotropic = std::get_if<Isotropic>(&kind)) return isotropic->stress_path;
+  return by_strains;
+}
+
+Real sense(const TestKind& kind)
+{
+  const auto extends = [](const auto& k) {
+    if constexpr (requires { k.direction; }) return k.direction == Direction::extension;
+    return false;
+  };
+  return std::visit(extends, kind) ? -1 : 1;
+}
+
+bool is_compression(const TestKind& kind)
+{
+  return std::holds_alternative<Oedometer>(kind) || std::holds_alternative<Isotropic>(kind);
 }
 
 bool drained(const TestKind& kind)

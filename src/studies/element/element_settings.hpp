@@ -46,6 +46,13 @@ struct SimpleShear {
   bool drained = true;
 };
 
+/// The same stress in all directions, drained; by mean stresses.
+struct Isotropic {
+  static constexpr const char* word = "isotropic";
+  StartStress start;
+  std::vector<Real> stress_path;  ///< Pa, compression positive
+};
+
 /// No horizontal strain, drained; by vertical strains, or by vertical stresses.
 struct Oedometer {
   static constexpr const char* word = "oedometer";
@@ -53,7 +60,7 @@ struct Oedometer {
   std::vector<Real> stress_path;  ///< Pa, compression positive; empty: strain_path
 };
 
-using TestKind = std::variant<Triaxial, Biaxial, SimpleShear, Oedometer>;
+using TestKind = std::variant<Triaxial, Biaxial, SimpleShear, Isotropic, Oedometer>;
 
 /// A laboratory test of one specimen.
 struct TestSettings {
@@ -82,10 +89,31 @@ void describe(Describe& d, TestSettings& test);
 /// All parameters, then what must fit together.
 void describe(Describe& d, ElementCase& c);
 
+/// The materials of an input, without the rest.
+struct MaterialsOfCase {
+  std::vector<std::pair<std::string, material::Material>> material;
+};
+void describe(Describe& d, MaterialsOfCase& c);
+
+void describe(Describe& d, Triaxial& kind);
+void describe(Describe& d, Biaxial& kind);
+void describe(Describe& d, SimpleShear& kind);
+void describe(Describe& d, Oedometer& kind);
+void describe(Describe& d, Isotropic& kind);
+
 /// The word of a kind in the input: "triaxial".
 const char* kind_word(const TestKind& kind);
 
 const StartStress& start_of(const TestKind& kind);
+
+/// The stresses that a test reaches in turn, Pa, compression positive; empty where it goes by strains.
+const std::vector<Real>& stress_path_of(const TestKind& kind);
+
+/// 1, in extension -1: of an axial strain, compression positive, over one in the direction of the test.
+Real sense(const TestKind& kind);
+
+/// Whether the specimen is only compressed, without failing: oedometer and isotropic tests.
+bool is_compression(const TestKind& kind);
 
 /// Whether water can leave the specimen.
 bool drained(const TestKind& kind);

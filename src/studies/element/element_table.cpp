@@ -96,7 +96,7 @@ std::string words_of_kind(const TestRecord& record)
 {
   std::string words = kind_word(record.settings.kind);
   std::replace(words.begin(), words.end(), '_', ' ');
-  if (!std::holds_alternative<Oedometer>(record.settings.kind)) words += drained(record.settings.kind) ? ", drained" : ", undrained";
+  if (!is_compression(record.settings.kind)) words += drained(record.settings.kind) ? ", drained" : ", undrained";
   return shows_effective_stress(record) ? words : words + ", total stress";
 }
 

@@ -156,12 +156,19 @@ std::vector<KeyResult> shear_results(const TestRecord& record)
   return all;
 }
 
+/// The last row of the way to the first entry of the path.
+std::size_t end_of_first_leg(const TestRecord& record)
+{
+  std::size_t n = 1;
+  while (n + 1 < record.rows.size() && record.rows[n + 1].leg == 0) ++n;
+  return n;
+}
+
 std::vector<KeyResult> oedometer_results(const TestRecord& record)
 {
   const TestSettings& settings = record.settings;
   const TestRow& last = record.rows.back();
-  std::size_t n = 1;
-  while (n + 1 < record.rows.size() && record.rows[n + 1].leg == 0) ++n;
+  const std::size_t n = end_of_first_leg(record);
   return {
       stress("vertical_stress_end", vertical_stress(last), "vertical stress, end", "vertical stress at the end"),
       strain("axial_strain_end", driven_strain(settings, last), "axial strain, end", "axial strain at the end"),
@@ -169,6 +176,20 @@ std::vector<KeyResult> oedometer_results(const TestRecord& record)
       modulus("E_oed", slope(settings, record.rows[n - 1], record.rows[n]), "E_oed, first loading",
               "oedometer modulus over the last step to the first entry of the path"),
       ratio("k0_end", lateral_stress(last) / vertical_stress(last), "K0, end", "horizontal over vertical stress at the end")};
+}
+
+std::vector<KeyResult> isotropic_results(const TestRecord& record)
+{
+  const TestRow& last = record.rows.back();
+  const std::size_t n = end_of_first_leg(record);
+  const auto bulk_modulus = [&](std::size_t to) {
+    const TestRow &a = record.rows[to - 1], &b = record.rows[to];
+    return (mean_stress(b) - mean_stress(a)) / (volumetric_strain(b) - volumetric_strain(a));
+  };
+  return {stress("mean_stress_end", mean_stress(last), "mean stress, end", "mean effective stress at the end"),
+          strain("volumetric_strain_end", volumetric_strain(last), "volumetric strain, end", "volumetric strain at the end"),
+          modulus("K_initial", bulk_modulus(1), "K, initial", "bulk modulus over the first step"),
+          modulus("K", bulk_modulus(n), "K, first loading", "bulk modulus over the last step to the first entry of the path")};
 }
 
 }  // namespace
@@ -187,6 +208,7 @@ std::vector<KeyResult> key_results(const TestRecord& record)
 {
   if (record.rows.size() < 2) return {};
   if (std::holds_alternative<SimpleShear>(record.settings.kind)) return shear_results(record);
+  if (std::holds_alternative<Isotropic>(record.settings.kind)) return isotropic_results(record);
   return std::holds_alternative<Oedometer>(record.settings.kind) ? oedometer_results(record) : axial_results(record);
 }
 

@@ -10,6 +10,9 @@
 
 namespace berm::element {
 
+/// Components of a specimen's tensors.
+enum Component { lateral, vertical, out_of_plane, shear };
+
 /// A piece of soil of uniform stress: what a law makes of strains. Tensors as in the engine: tension positive, y upwards.
 class Specimen {
 public:

@@ -89,12 +89,12 @@ settings::Case with_whole_paths(settings::Case settings, const fs::path& case_fi
 
 std::vector<std::string> words_of(const Job& job)
 {
-  std::vector<std::string> words = {job.element ? "element" : "run"};
+  std::vector<std::string> words = {job.element ? "element" : job.fit ? "fit" : "run"};
   if (job.resume)
     words.insert(words.end(), {"--resume", job.folder.string()});
   else
     words.insert(words.end(), {job.case_file.string(), "-o", job.folder.string(), "--force"});
-  if (!job.element) words.insert(words.end(), {"--threads", std::to_string(job.threads)});
+  if (job.is_run()) words.insert(words.end(), {"--threads", std::to_string(job.threads)});
   if (job.uncertainty) words.emplace_back("--uncertainty");
   if (!job.resume)
     for (const std::string& set : job.set) words.insert(words.end(), {"--set", set});
@@ -135,7 +135,7 @@ bool has_ended_with_result(const Job& job)
 
 bool goes_on(const Job& job)
 {
-  if (job.element || !is_under_way(job)) return false;
+  if (!job.is_run() || !is_under_way(job)) return false;
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
   const settings::Case settings = input::read_case(job.case_file, job.set);
   if (summary && !run_folder::by_this_build(*summary, settings.method)) return false;

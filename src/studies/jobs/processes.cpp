@@ -55,7 +55,7 @@ JobEnd end_of(const Job& job, int status, bool stopped)
 int most_threads_of(const Job& job)
 {
   try {
-    return job.element ? 1 : threads_worth(input::read_case(job.case_file, job.set));
+    return !job.is_run() ? 1 : threads_worth(input::read_case(job.case_file, job.set));
   } catch (const InputError&) {
     return 1;
   }
@@ -77,7 +77,7 @@ public:
       if (is_in_use(number)) continue;
       order_.erase(order_.begin() + static_cast<std::ptrdiff_t>(k--));
       Job job = jobs_[number];
-      if (waited_.count(number) > 0 && !job.element) {
+      if (waited_.count(number) > 0 && job.is_run()) {
         if (has_result(job)) {
           ended_(number, end_of(job, status_of(Outcome::done), false));
           continue;

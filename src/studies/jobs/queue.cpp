@@ -125,7 +125,7 @@ std::optional<JobEnd> Queue::end_of(std::size_t job) const
   const Job& of = jobs_[job];
   std::error_code error;
   if (fs::exists(messages_of(of), error) || !fs::exists(of.folder / "summary.json", error)) return std::nullopt;
-  if (of.element || has_result(of)) return JobEnd{JobEnd::Kind::finished, ""};
+  if (!of.is_run() || has_result(of)) return JobEnd{JobEnd::Kind::finished, ""};
   return JobEnd{JobEnd::Kind::failed, "ended well, but its folder has no result of this case by this build of berm: which berm ran it?"};
 }
 

@@ -64,7 +64,10 @@ std::string findings_html(const ExamplePage& page, const std::string& run, const
 
 std::string command_of(const ExamplePage& page, const VerificationRun& run)
 {
-  std::string command = (run.element ? "berm element " : "berm run ") + (page.example.folder / run.case_file).lexically_normal().string();
+  std::string command = (run.element ? "berm element "
+                         : run.fit   ? "berm fit "
+                                     : "berm run ") +
+                        (page.example.folder / run.case_file).lexically_normal().string();
   for (const std::string& set : run.set)
     command += set.find('\'') == std::string::npos ? fmt::format(" --set '{}'", set) : fmt::format(" --set \"{}\"", set);
   return command;
@@ -77,7 +80,7 @@ std::vector<std::string> pictures_in(const fs::path& folder, const VerificationR
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (run.element ? name.ends_with(".png") : name == "curves.png" || name == "soil.png") names.push_back(name);
+    if (!run.is_run() ? name.ends_with(".png") : name == "curves.png" || name == "soil.png") names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -11,6 +11,7 @@
 #include "os/interrupt.hpp"
 #include "run_folder/build.hpp"
 #include "simulation/simulate.hpp"
+#include "soil_fit/fit_settings.hpp"
 #include "uncertainty/variants.hpp"
 #include "verification/remaining.hpp"
 
@@ -24,10 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = jobs::JobEnd::Kind;
 
-constexpr Real time_of_fast = 5;  // s, of fast problems and of element tests
+constexpr Real time_of_fast = 5;  // s, of fast problems, element tests and fits
 
 bool holds(const jobs::Job& job)
 {
+  if (job.fit) return false;  // its tests may be others
   return job.element ? element::has_result(element::read_element_case(job.case_file, job.set), job.folder) : jobs::has_result(job);
 }
 
@@ -132,15 +134,17 @@ std::vector<jobs::Job> jobs_of(const std::vector<Example>& examples, const fs::p
     for (const auto& [name, run] : example.runs) {
       const fs::path file = example.folder / run.case_file;
       try {
-        if (run.element)
+        if (run.fit)
+          soil_fit::read_fit_case(file, run.set);
+        else if (run.element)
           element::read_element_case(file, run.set);
         else
           input::read_case(file, run.set);
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: run.{}: {}", (example.folder / "expected.toml").string(), name, error.what()));
       }
-      jobs.push_back(
-          {file, run.set, output / example.name / name, run.fast || run.element ? time_of_fast : nan, run.uncertainty, run.element});
+      jobs.push_back({file, run.set, output / example.name / name, run.fast || !run.is_run() ? time_of_fast : nan, run.uncertainty,
+                      run.element, run.fit});
     }
   return jobs;
 }

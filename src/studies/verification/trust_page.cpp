@@ -80,7 +80,7 @@ std::vector<TrustQuestion> trust_questions(const std::vector<ExamplePage>& pages
   for (const ExamplePage& page : pages)
     for (std::size_t k = 0; k < page.results.size(); ++k) {
       const auto& [name, run] = page.example.runs[k];
-      if (run.element || page.results[k].end.kind != jobs::JobEnd::Kind::finished) continue;
+      if (!run.is_run() || page.results[k].end.kind != jobs::JobEnd::Kind::finished) continue;
       const record::RunRecord record = structures::read_run(page.results[k].folder);
       const Index farthest = farthest_off(page, name, record);
       if (farthest == none) continue;

@@ -66,7 +66,7 @@ export class RunsView implements Place {
     this.element.append(
       make("h2", "", "Runs"), make("div", "bar", this.compare, this.export_all, this.note, make("label", "", this.parts, " also runs of studies, envelopes and factors of safety")),
       make("table", "list", make("thead", "", make("tr", "", ...["", "run", "case", "status", "", "left", ""].map((word) => make("th", "", word)))), this.table),
-      make("h2", "", "Studies, envelopes, factors of safety, element tests"),
+      make("h2", "", "Studies, envelopes, factors of safety, element tests, fits"),
       make("table", "list", make("thead", "", make("tr", "", ...["", "results", "status", "last message", ""].map((word) => make("th", "", word)))), this.jobs));
     this.show_choice();
     this.pulse = new Pulse(1500, () => this.look());

@@ -132,7 +132,7 @@ export class StartView implements Place {
     const recent = runs.filter(({ path }) => !is_part(path)).slice(-8).reverse();
     return [
       make("div", "folders", ...up, ...folders.filter((each) => each !== "out").map((each) => folder(each, `${each.split("/").pop()}/`))),
-      ...files("Cases", cases), ...files("Studies", studies), ...files("Element tests", tests),
+      ...files("Cases", cases), ...files("Studies", studies), ...files("Element tests and fits", tests),
       ...(recent.length > 0 ? [make("h3", "", "Runs"), make("ul", "files", ...recent.map((each) => make("li", "", link("run", each.path, each.path), status_badge(each.status), make("span", "quiet", each.case))))] : []),
       ...(cases.length + studies.length + tests.length + recent.length === 0 ? [make("p", "quiet", "No cases yet: choose a kind below.")] : []),
     ];

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "io/atomic_file.hpp"
+#include "io/tell.hpp"
+#include "os/error.hpp"
+#include "soil_fit/fit_report.hpp"
+#include "soil_fit/usual_fit.hpp"
+#include "user_law/load.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+
+namespace berm::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FitOptions {
+  CaseOptions common;
+  std::vector<std::string> words;
+  soil_fit::UsualFit usual;
+};
+
+/// The input and its text: a file, or what the words LAW TESTS.csv stand for.
+std::pair<soil_fit::FitCase, std::string> input_of(FitOptions& options, const fs::path& folder)
+{
+  const std::string& first = options.words.front();
+  if (fs::path(first).extension() == ".toml") {
+    if (options.words.size() > 1) throw InputError("one input FILE.toml, or a law and its tests: LAW TESTS.csv");
+    return {soil_fit::read_fit_case(first, options.common.overrides), io::read_text_file(first)};
+  }
+  options.usual.law = first;
+  options.usual.files.assign(options.words.begin() + 1, options.words.end());
+  if (options.usual.files.empty()) throw InputError(fmt::format("what is {} to be fitted to? berm fit {} TESTS.csv", first, first));
+  const std::string text = soil_fit::usual_fit(options.usual);
+  return {soil_fit::read_fit_text((folder / "case.toml").string(), text, fs::current_path(), options.common.overrides), text};
+}
+
+int fit(FitOptions& options)
+{
+  messages_to_stderr();
+  const fs::path folder = !options.common.output.empty() ? fs::path(options.common.output) : default_folder(options.words.back());
+  if (soil_fit::holds_results(folder) && !options.common.force)
+    throw InputError(
+        fmt::format("{} holds the results of a fit: replace them with --force, or name another folder with -o", folder.string()));
+  const auto begin = std::chrono::steady_clock::now();
+  soil_fit::FitResults results;
+  std::tie(results.settings, results.input) = input_of(options, folder);
+  options.common.enter_sandbox(user_law::names_library(results.settings.material), {folder});
+  const std::vector<soil_fit::MeasuredTest> tests = soil_fit::read_measured(results.settings);
+  results.soil = soil_fit::fit_soil(results.settings, tests);
+  results.wall_s = std::chrono::duration<Real>(std::chrono::steady_clock::now() - begin).count();
+  soil_fit::write_results(results, folder);
+  fmt::print("{}", soil_fit::words_of_results(results));
+  io::tell("the page is {}\n", (folder / "fit.html").string());
+  return 0;
+}
+
+}  // namespace
+
+Command add_fit(CLI::App& program)
+{
+  const auto options = std::make_shared<FitOptions>();
+  CLI::App* app = program.add_subcommand("fit", "parameters of a soil from measured tests, with their standard errors");
+  app->add_option("INPUT", options->words, "an input FILE.toml; or a law and its tests, LAW TESTS.csv..., with usual numbers and bounds")
+      ->required();
+  app->add_option("--set", options->common.overrides, "KEY=VALUE: replace or add a value of the input")->allow_extra_args(false);
+  app->add_option("--kind", options->usual.kind, "of LAW TESTS.csv: which tests these are (default: triaxial)")
+      ->check(CLI::IsMember({"triaxial", "biaxial", "simple_shear", "oedometer", "isotropic"}));
+  app->add_flag("--undrained", options->usual.undrained, "of LAW TESTS.csv: the tests are undrained");
+  app->add_flag("--extension", options->usual.extends, "of LAW TESTS.csv: the tests are in extension");
+  app->add_option("--k0", options->usual.k0,
+                  "of LAW TESTS.csv: horizontal over vertical stress at the start of an oedometer or simple shear test");
+  app->add_option("-o,--output", options->common.output,
+                  "folder for the results (default: out/FOLDER/NAME of the input or of the last file)");
+  app->add_flag("--force", options->common.force, "replace the results of an earlier fit in the folder");
+  options->common.take_sandbox(*app);
+  return {app, [options] { return fit(*options); }};
+}
+
+}  // namespace berm::commands

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/soil_fit/measured_test.cpp
+#include "soil_fit/fit_settings.hpp"
+
+#include "input/message_text.hpp"
+#include "input/override.hpp"
+#include "input/read_case.hpp"
+#include "input/reader.hpp"
+#include "input/units.hpp"
+#include "os/error.hpp"
+#include "soil_fit/measured.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::soil_fit {
+
+void describe(Describe& d, FreeKey& free)
+{
+  d.value("key", free.key, {.meaning = "key of the material that is looked for, such as friction_angle", .required = true});
+  d.value("from", free.from, {.meaning = "its least value", .required = true, .any_unit = &free.unit});
+  d.value("to", free.to, {.meaning = "its greatest value", .required = true, .any_unit = &free.unit});
+}
+
+void describe(Describe& d, MeasuredFile& measured)
+{
+  d.value("name", measured.name, {.meaning = "name, for messages; where the file has one test, that of the test", .required = true});
+  d.value("file", measured.file, {.meaning = "CSV file with headings, seen from this file's folder", .required = true});
+  using namespace element;
+  d.one_of("kind", measured.kind, {Triaxial::word, Biaxial::word, SimpleShear::word, Isotropic::word, Oedometer::word},
+           {.meaning =
+                "which test, with the keys of [[test]] of berm element but its paths; the stress at the start, where it is left out, is "
+                "that of the first row",
+            .required = true});
+  d.value("test", measured.test, {.meaning = "heading of the column that names the tests; absent: the file is one test"});
+  d.value("tests", measured.tests, {.meaning = "names of the tests that are taken; absent: all of the file"});
+  d.value("held_out", measured.held_out, {.meaning = "names of tests that are computed with the fitted soil and not fitted"});
+  d.value("columns", measured.columns,
+          {.meaning = "heading of the column, with its unit, by what it holds: {q = \"dev (kPa)\"}; what is not named is looked for under "
+                      "its own name, such as q (kPa) or q_kPa"});
+  d.value("specimen", measured.specimen,
+          {.meaning = "keys of the material that each specimen has of its own, by the heading of their column, whose first row counts: "
+                      "{void_ratio = \"e\"}"});
+  d.value("weight", measured.weight, {.meaning = "weight of each test of the file in the sum of squares", .range = positive});
+  d.value("largest_strain", measured.largest_strain,
+          {.meaning = "rows beyond this strain from the start are not compared: beyond the peak, bands belong to the specimen",
+           .range = positive});
+  d.value(
+      "strain_rate", measured.strain_rate,
+      {.meaning = "rate of the axial strain (simple_shear: of the shear strain); absent: so slow that the strength does not depend on it",
+       .unit = "1/s",
+       .range = positive});
+}
+
+void describe(Describe& d, FitCase& c)
+{
+  d.value("title", c.title, {.meaning = "title of the page"});
+  d.named_tables("material", c.material, {.meaning = "the soil; the values of its free keys are where the search begins"});
+  d.array("free", c.free, {.meaning = "keys of the soil that are looked for", .required = true});
+  d.array("measured", c.measured, {.meaning = "measured tests", .required = true});
+  d.value("starts", c.starts,
+          {.meaning = "number of searches: from the material as it is, and from other places within the bounds", .range = {1, 100}});
+  d.value("largest_step", c.largest_step,
+          {.meaning = "largest strain of a step that is computed between two measured rows", .range = {1e-6, 0.01}});
+  d.check(c.material.size() == 1, "material",
+          fmt::format("one table [material.NAME] is needed, the soil that is fitted; there are {}", c.material.size()));
+  for (const auto& [name, material] : c.material) check(d, "material." + name, material);
+  for (std::size_t k = 0; k < c.free.size(); ++k) {
+    const std::string path = fmt::format("free[{}]", k);
+    d.check(c.free[k].from < c.free[k].to, path + ".to", "is not more than from");
+    for (std::size_t before = 0; before < k; ++before) d.check(c.free[before].key != c.free[k].key, path + ".key", "is free already");
+  }
+  const std::vector<std::string> readings = reading_words();
+  for (std::size_t k = 0; k < c.measured.size(); ++k) {
+    const std::string path = fmt::format("measured[{}]", k);
+    for (const auto& [word, heading] : c.measured[k].columns)
+      d.check(std::find(readings.begin(), readings.end(), word) != readings.end(), path + ".columns." + word, "is not a quantity of a test",
+              readings);
+    for (std::size_t before = 0; before < k; ++before)
+      d.check(c.measured[before].name != c.measured[k].name, path + ".name", "is the name of measured tests before it");
+    for (const auto& [key, heading] : c.measured[k].specimen)
+      d.check(std::none_of(c.free.begin(), c.free.end(), [&, &own = key](const FreeKey& free) { return free.key == own; }),
+              path + ".specimen." + key, "is free, too: leave out one of the two");
+    if (c.material.size() == 1)
+      d.check(!element::drained(c.measured[k].kind) || element::is_compression(c.measured[k].kind) ||
+                  !element::knows_total_stress_alone(c.material[0].second),
+              path + ".drained", fmt::format("{} has an undrained strength, and cannot be drained", c.material[0].first));
+  }
+}
+
+namespace {
+
+/// The value of a node as an override takes it.
+void set(input::Document& document, const std::string& material, const std::string& key, Real value)
+{
+  input::apply_override(document, fmt::format("material.{}.{}={:.17g}", material, key, value));
+}
+
+FitCase case_of(input::Document document, const std::filesystem::path& folder, const std::vector<std::string>& overrides)
+{
+  for (const std::string& override : overrides) input::apply_override(document, override);
+  FitCase c;
+  c.document = document;
+  c.folder = folder;
+  std::erase_if(c.document.root.items, [](const input::Node& item) { return item.key != "material"; });
+  read(document, c);
+  input::find_libraries(c.material, folder);
+  for (const FreeKey& free : c.free) {
+    const Real start = value_in(c, free);
+    if (start < free.from || start > free.to)
+      throw InputError(fmt::format("{}: free.{}: the material has {}, which is not within its bounds, {} to {}", document.file, free.key,
+                                   input::quantity(start, free.unit), input::quantity(free.from, free.unit),
+                                   input::quantity(free.to, free.unit)));
+  }
+  return c;
+}
+
+}  // namespace
+
+FitCase read_fit_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+  return case_of(input::parse_file(file), file.parent_path(), overrides);
+}
+
+FitCase read_fit_text(const std::string& file, const std::string& text, const std::filesystem::path& folder,
+                      const std::vector<std::string>& overrides)
+{
+  return case_of(input::parse_text(file, text), folder, overrides);
+}
+
+material::Material material_with(const FitCase& c, const Values& values)
+{
+  input::Document document = c.document;
+  for (const auto& [key, value] : values) set(document, c.material_name(), key, value);
+  element::MaterialsOfCase materials;
+  read(document, materials);
+  input::find_libraries(materials.material, c.folder);
+  return materials.material.front().second;
+}
+
+Real value_in(const FitCase& c, const FreeKey& free)
+{
+  const std::string path = "material." + c.material_name() + "." + free.key;
+  const input::Found found = input::follow(c.document.root, path);
+  const auto wrong = [&](const std::string& what) { return InputError(fmt::format("{}: free.{}: {}", c.document.file, free.key, what)); };
+  if (!found.whole) {
+    std::vector<std::string> keys;
+    for (const input::Node& item : input::follow(c.document.root, "material." + c.material_name()).node->items) keys.push_back(item.key);
+    throw wrong(fmt::format("[material.{}] has no such key, whose value is where the search begins{}", c.material_name(),
+                            input::suggestion(free.key, keys)));
+  }
+  if (found.node->kind == input::Node::Kind::number) return found.node->number;
+  if (found.node->kind == input::Node::Kind::whole) return static_cast<Real>(found.node->whole);
+  if (found.node->kind != input::Node::Kind::text || !input::is_quantity(found.node->text))
+    throw wrong("is not a number of [material." + c.material_name() + "]");
+  const input::SiQuantity value = input::to_si(found.node->text);
+  if (!input::same_dimension(value.unit, free.unit.empty() ? "1" : free.unit))
+    throw wrong(fmt::format("its bounds need the dimension of the material's {}", input::in_quotes(found.node->text)));
+  return value.value;
+}
+
+input::Listed fit_catalogue()
+{
+  return input::catalogue_of<FitCase>();
+}
+
+}  // namespace berm::soil_fit

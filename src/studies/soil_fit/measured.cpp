@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "soil_fit/measured.hpp"
+
+#include "soil_fit/laboratory_table.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::soil_fit {
+namespace {
+
+using element::TestKind;
+
+/// What a laboratory's table has of one test.
+struct Columns {
+  const MeasuredFile& file;
+  const LaboratoryTable& table;
+  const std::vector<std::size_t>& rows;
+
+  bool has(Reading reading) const { return table.has(reading); }
+  /// NaN where the row has no number.
+  Real at(Reading reading, std::size_t row) const { return table.has(reading) ? table.value(reading, rows[row]) : nan; }
+  /// Natural strain from the first row.
+  Real strain(Reading reading, std::size_t row) const { return natural(at(reading, row)) - natural(at(reading, 0)); }
+  static Real natural(Real engineering) { return -std::log(1 - engineering); }
+  /// From the strain of the volume, or from the void ratio.
+  bool has_volume() const { return has(Reading::volumetric_strain) || has(Reading::void_ratio); }
+  Real volumetric_strain(std::size_t row) const
+  {
+    if (has(Reading::volumetric_strain)) return strain(Reading::volumetric_strain, row);
+    return std::log((1 + at(Reading::void_ratio, 0)) / (1 + at(Reading::void_ratio, row)));
+  }
+
+  Real lateral(std::size_t row) const
+  {
+    if (has(Reading::lateral_stress)) return at(Reading::lateral_stress, row);
+    if (std::holds_alternative<element::Triaxial>(file.kind) && has(Reading::p) && has(Reading::q))
+      return at(Reading::p, row) - at(Reading::q, row) / 3;
+    return element::start_of(file.kind).horizontal();
+  }
+  Real q(std::size_t row) const { return has(Reading::q) ? at(Reading::q, row) : (at(Reading::stress_ratio, row) - 1) * lateral(row); }
+
+  [[noreturn]] void refuse(std::size_t row, const std::string& what) const { table.refuse(rows[row], what); }
+};
+
+/// Whether columns tell the lateral stress of each row.
+bool knows_lateral(const Columns& of)
+{
+  return of.has(Reading::lateral_stress) ||
+         (std::holds_alternative<element::Triaxial>(of.file.kind) && of.has(Reading::p) && of.has(Reading::q));
+}
+
+/// The columns that a kind of test needs, each as alternatives.
+std::vector<std::vector<Reading>> needed(const MeasuredFile& file)
+{
+  using enum Reading;
+  const bool undrained = !element::drained(file.kind);
+  if (std::holds_alternative<element::SimpleShear>(file.kind)) return {{shear_strain}, {tau}};
+  if (std::holds_alternative<element::Oedometer>(file.kind)) return {{vertical_stress}, {axial_strain, void_ratio}};
+  if (std::holds_alternative<element::Isotropic>(file.kind)) return {{p}, {volumetric_strain, void_ratio}};
+  if (undrained) return {{axial_strain}, {q}};
+  return {{axial_strain}, {q, stress_ratio}};
+}
+
+/// Sets the stress at the start from the first row where the input leaves it to the file.
+void take_start(const Columns& of, element::TestSettings& settings)
+{
+  element::StartStress start = element::start_of(settings.kind);
+  if (start.confining_stress || start.vertical_stress) return;
+  Real vertical = nan, lateral = nan;
+  if (std::holds_alternative<element::Isotropic>(settings.kind)) {
+    vertical = lateral = of.at(Reading::p, 0);
+  } else if (std::holds_alternative<element::Oedometer>(settings.kind) || std::holds_alternative<element::SimpleShear>(settings.kind)) {
+    vertical = of.at(Reading::vertical_stress, 0);
+    lateral = of.has(Reading::lateral_stress) ? of.at(Reading::lateral_stress, 0) : start.k0.value_or(nan) * vertical;
+  } else if (knows_lateral(of)) {
+    lateral = of.lateral(0);
+    vertical = lateral + of.q(0);
+  }
+  if (!std::isfinite(vertical) || !std::isfinite(lateral))
+    of.refuse(0, fmt::format("the stress at the start is not known: give confining_stress, or vertical_stress and k0, of measured.{}",
+                             of.file.name));
+  start.vertical_stress = vertical;
+  start.k0 = vertical > 0 ? lateral / vertical : 1;
+  std::visit([&](auto& kind) { kind.start = start; }, settings.kind);
+}
+
+constexpr Real least_stress = 100, most_stress = 1e8, most_strain = 1;  // Pa, Pa, bare: beyond, the unit is another
+
+void check_numbers(const Columns& of)
+{
+  const auto extreme = [&](Reading reading) {
+    std::size_t row = 0;
+    for (std::size_t k = 0; k < of.rows.size(); ++k)
+      if (const Real x = of.at(reading, k); std::isfinite(x) && !(std::abs(x) <= std::abs(of.at(reading, row)))) row = k;
+    return row;
+  };
+  for (const Reading reading : {Reading::axial_strain, Reading::shear_strain, Reading::volumetric_strain}) {
+    if (!of.has(reading)) continue;
+    const std::size_t row = extreme(reading);
+    const Real x = of.at(reading, row);
+    const std::string name = of.table.words_of(reading);
+    if (std::abs(x) >= most_strain && reading != Reading::shear_strain)
+      of.refuse(row, fmt::format("{} is {:.4g}, which no specimen strains by: is its unit %?", name, x));
+    if (x < 0 && reading != Reading::volumetric_strain)
+      of.refuse(row,
+                fmt::format("{} goes to {:.4g}: compression is positive, and in a test with direction = \"extension\" extension", name, x));
+  }
+  for (const Reading reading : {Reading::q, Reading::p, Reading::vertical_stress, Reading::lateral_stress, Reading::tau}) {
+    if (!of.has(reading)) continue;
+    const std::size_t row = extreme(reading);
+    const Real x = of.at(reading, row);
+    const std::string name = of.table.words_of(reading);
+    const bool may_be_negative = reading == Reading::tau || (reading == Reading::q && element::sense(of.file.kind) < 0);
+    if (x < 0 && !may_be_negative)
+      of.refuse(row, fmt::format("{} goes to {:.4g} Pa: stresses are effective, and compression is positive", name, x));
+    if (x > 0 && reading == Reading::q && element::sense(of.file.kind) < 0)
+      of.refuse(row, fmt::format("{} goes to {:.4g} Pa: in extension q, vertical less lateral stress, is negative", name, x));
+    if (std::abs(x) < least_stress || std::abs(x) > most_stress)
+      of.refuse(row,
+                fmt::format("{} is {:.4g} Pa at most, which is not a stress of a test of soil: is its unit right?", name, std::abs(x)));
+  }
+  if (!of.has(Reading::volumetric_strain) || !of.has(Reading::void_ratio)) return;
+  const std::size_t row = extreme(Reading::volumetric_strain);
+  const Real by_strain = of.strain(Reading::volumetric_strain, row),
+             by_void_ratio = std::log((1 + of.at(Reading::void_ratio, 0)) / (1 + of.at(Reading::void_ratio, row)));
+  constexpr Real round_off = 1e-3;
+  if (by_strain * by_void_ratio < 0 && std::abs(by_strain) > round_off && std::abs(by_void_ratio) > round_off)
+    of.refuse(row, fmt::format("{} and {} have opposite signs: compression is positive, and makes the void ratio smaller",
+                               of.table.words_of(Reading::volumetric_strain), of.table.words_of(Reading::void_ratio)));
+}
+
+std::vector<Compared> compared_of(const Columns& of, bool total_stress)
+{
+  using enum Compared;
+  const bool undrained = !element::drained(of.file.kind), triaxial = std::holds_alternative<element::Triaxial>(of.file.kind);
+  if (std::holds_alternative<element::Oedometer>(of.file.kind)) return {axial_strain};
+  if (std::holds_alternative<element::Isotropic>(of.file.kind)) return {volumetric_strain};
+  const bool shears = std::holds_alternative<element::SimpleShear>(of.file.kind);
+  std::vector<Compared> all = {shears ? tau : q};
+  if (!undrained && of.has_volume()) all.push_back(volumetric_strain);
+  if (!undrained || total_stress) return all;
+  if (shears && of.has(Reading::vertical_stress)) all.push_back(vertical_stress);
+  if (triaxial && (of.has(Reading::p) || of.has(Reading::excess_pore_pressure))) all.push_back(p);
+  return all;
+}
+
+Real measured_value(const Columns& of, Compared what, std::size_t row)
+{
+  switch (what) {
+  case Compared::q:
+    return of.q(row);
+  case Compared::tau:
+    return of.at(Reading::tau, row);
+  case Compared::vertical_stress:
+    return of.at(Reading::vertical_stress, row);
+  case Compared::volumetric_strain:
+    return of.volumetric_strain(row);
+  case Compared::axial_strain:
+    return of.has(Reading::axial_strain) ? of.strain(Reading::axial_strain, row) : of.volumetric_strain(row);
+  case Compared::p:
+    break;
+  }
+  if (of.has(Reading::p)) return of.at(Reading::p, row);
+  const element::StartStress& start = element::start_of(of.file.kind);
+  const Real p_at_start = (start.vertical() + 2 * start.horizontal()) / 3;
+  return p_at_start + (of.at(Reading::q, row) - of.at(Reading::q, 0)) / 3 -
+         (of.at(Reading::excess_pore_pressure, row) - of.at(Reading::excess_pore_pressure, 0));
+}
+
+/// The rows of a test; of one by its stress without those that a laboratory calls unloaded, where laws have no state.
+std::vector<std::size_t> loaded_rows(const MeasuredFile& file, const LaboratoryTable& table, const std::vector<std::size_t>& rows)
+{
+  if (!element::is_compression(file.kind)) return rows;
+  const Reading driving = std::holds_alternative<element::Isotropic>(file.kind) ? Reading::p : Reading::vertical_stress;
+  std::vector<std::size_t> loaded;
+  for (const std::size_t row : rows)
+    if (!(table.value(driving, row) < least_stress)) loaded.push_back(row);
+  if (loaded.empty())
+    table.refuse(rows.front(), fmt::format("no row of the test has a stress above {:.0f} Pa: is its unit right?", least_stress));
+  return loaded;
+}
+
+MeasuredTest test_of(const Columns& all, const std::string& name, const FitCase& c)
+{
+  check_numbers(all);
+  MeasuredTest test;
+  test.name = name;
+  test.settings.name = name;
+  test.settings.material = c.material_name();
+  test.settings.strain_rate = all.file.strain_rate;
+  test.settings.kind = all.file.kind;
+  take_start(all, test.settings);
+  MeasuredFile with_start = all.file;
+  with_start.kind = test.settings.kind;
+  const Columns of{with_start, all.table, all.rows};
+  test.weight = all.file.weight;
+  test.held_out = std::find(all.file.held_out.begin(), all.file.held_out.end(), name) != all.file.held_out.end();
+  for (const auto& [key, heading] : all.file.specimen) test.specimen[key] = all.table.first_of(heading, all.rows.front());
+  for (const Compared what : compared_of(of, element::knows_total_stress_alone(c.material.front().second)))
+    test.curves.push_back({what, {}});
+  if (auto* oedometer = std::get_if<element::Oedometer>(&test.settings.kind)) oedometer->stress_path = {0};
+  const bool shears = std::holds_alternative<element::SimpleShear>(test.settings.kind);
+  const bool holds =
+      element::drained(test.settings.kind) && !test.by_stress() && (shears ? of.has(Reading::vertical_stress) : knows_lateral(of));
+  const Reading driving = std::holds_alternative<element::Isotropic>(test.settings.kind) ? Reading::p : Reading::vertical_stress;
+  for (std::size_t row = 0; row < all.rows.size(); ++row) {
+    const Real driven = test.by_stress() ? of.at(driving, row)
+                        : shears         ? of.at(Reading::shear_strain, row) - of.at(Reading::shear_strain, 0)
+                                         : of.strain(Reading::axial_strain, row);
+    const Real held = !holds ? nan : shears ? of.at(Reading::vertical_stress, row) : of.lateral(row);
+    if (!std::isfinite(driven) || (holds && !std::isfinite(held))) {
+      if (row == 0) of.refuse(row, "the first row of a test needs all its columns");
+      continue;
+    }
+    if (!test.by_stress() && std::abs(driven) > all.file.largest_strain) continue;
+    test.driven.push_back(driven);
+    if (holds) test.held.push_back(held);
+    for (MeasuredCurve& curve : test.curves) curve.values.push_back(measured_value(of, curve.what, row));
+  }
+  if (test.rows() < 2) of.refuse(0, fmt::format("{} has no second row to compare", name));
+  return test;
+}
+
+}  // namespace
+
+const char* name_of(Compared what)
+{
+  constexpr const char* names[] = {"q", "tau", "p'", "vertical stress", "volumetric strain", "axial strain"};
+  return names[static_cast<int>(what)];
+}
+
+bool is_strain(Compared what)
+{
+  return what == Compared::volumetric_strain || what == Compared::axial_strain;
+}
+
+Real engineering_strain(Real natural)
+{
+  return 1 - std::exp(-natural);
+}
+
+std::vector<MeasuredTest> read_measured(const FitCase& c)
+{
+  std::vector<MeasuredTest> tests;
+  for (const MeasuredFile& file : c.measured) {
+    const LaboratoryTable table(c.folder / file.file, file);
+    for (const auto& alternatives : needed(file)) table.need(alternatives);
+    for (const auto& [name, rows] : table.tests()) {
+      if (!file.tests.empty() && std::find(file.tests.begin(), file.tests.end(), name) == file.tests.end()) continue;
+      for (const MeasuredTest& other : tests)
+        if (other.name == name) table.refuse(rows.front(), fmt::format("{} is the name of another test", name));
+      const std::vector<std::size_t> loaded = loaded_rows(file, table, rows);
+      tests.push_back(test_of({file, table, loaded}, name, c));
+    }
+    for (const auto* names : {&file.tests, &file.held_out})
+      for (const std::string& name : *names) table.need_test(name);
+  }
+  if (std::all_of(tests.begin(), tests.end(), [](const MeasuredTest& test) { return test.held_out; }))
+    throw InputError(fmt::format("{}: measured: no test is left to fit", c.document.file));
+  return tests;
+}
+
+}  // namespace berm::soil_fit

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/soil_fit/measured_test.cpp
+#pragma once
+
+#include "soil_fit/fit_settings.hpp"
+
+namespace berm::soil_fit {
+
+/// What is compared between a test and the law. Compression is positive; SI.
+enum class Compared { q, tau, p, vertical_stress, volumetric_strain, axial_strain };
+
+/// "q", "volumetric strain".
+const char* name_of(Compared what);
+bool is_strain(Compared what);
+
+/// What a test was found to do, over its rows.
+struct MeasuredCurve {
+  Compared what;
+  std::vector<Real> values;  ///< NaN where it was not measured
+};
+
+/// A test in a file. Strains are natural and from its first row on.
+struct MeasuredTest {
+  std::string name;
+  element::TestSettings settings;  ///< without a path
+  Values specimen;                 ///< keys of the material of this specimen alone
+  bool held_out = false;
+  Real weight = 1;
+  std::vector<Real> driven;  ///< strain in the direction of the test; of a test by its stress that stress, Pa
+  std::vector<Real> held;    ///< stress that the device held, Pa; empty: that of the start
+  std::vector<MeasuredCurve> curves;
+
+  std::size_t rows() const { return driven.size(); }
+  bool by_stress() const { return element::is_compression(settings.kind); }
+};
+
+/// The words of what a column can hold, as the keys of measured.columns.
+std::vector<std::string> reading_words();
+
+/// The tests of all files. Throws InputError with file and line where a file is wrong, and where numbers cannot be those of such a test.
+std::vector<MeasuredTest> read_measured(const FitCase& c);
+
+/// A natural strain as the length that was lost over that at the start.
+Real engineering_strain(Real natural);
+
+}  // namespace berm::soil_fit

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "soil_fit/fit_soil.hpp"
+#include "soil_fit/simulate.hpp"
+
+namespace berm::soil_fit {
+
+/// A law with values that are known, and a fit that begins elsewhere.
+struct SampleLaw {
+  const char *name, *keys, *free;
+  Values truth;
+};
+
+inline const std::vector<SampleLaw>& sample_laws()
+{
+  static const std::vector<SampleLaw> all = {
+      {"mohr_coulomb",
+       "law = \"mohr_coulomb\"\ndensity = 1000\nyoung_modulus = \"30 MPa\"\npoisson_ratio = 0.3\nfriction_angle = \"30 "
+       "deg\"\ndilation_angle = \"2 deg\"\n",
+       "[[free]]\nkey = \"young_modulus\"\nfrom = \"1 MPa\"\nto = \"100 MPa\"\n[[free]]\nkey = \"friction_angle\"\nfrom = \"20 deg\"\nto = "
+       "\"45 "
+       "deg\"\n[[free]]\nkey = \"dilation_angle\"\nfrom = \"0 deg\"\nto = \"15 deg\"\n",
+       {{"young_modulus", 18e6}, {"friction_angle", 36 * pi / 180}, {"dilation_angle", 6 * pi / 180}}},
+      {"modified_cam_clay",
+       "law = \"modified_cam_clay\"\ndensity = 1000\ncritical_friction_angle = \"22 deg\"\ncompression_index = 0.2\nswelling_index = "
+       "0.05\nvoid_ratio = 1.1\noverconsolidation_ratio = 1.3\npoisson_ratio = 0.25\nmax_pressure = \"2 MPa\"\n",
+       "[[free]]\nkey = \"critical_friction_angle\"\nfrom = \"15 deg\"\nto = \"35 deg\"\n[[free]]\nkey = \"compression_index\"\nfrom = "
+       "0.06\nto = 0.4\n[[free]]\nkey = \"swelling_index\"\nfrom = 0.005\nto = 0.055\n",
+       {{"critical_friction_angle", 25 * pi / 180}, {"compression_index", 0.14}, {"swelling_index", 0.02}}},
+      {"norsand",
+       "law = \"norsand\"\ndensity = 1000\ncritical_friction_angle = \"31 deg\"\ncritical_void_ratio = 0.9\ncritical_line_slope = "
+       "0.03\nvolumetric_coupling = 0.3\ndilatancy = 3\nhardening_modulus = 100\nvoid_ratio = 0.72\nrigidity = 300\npoisson_ratio = "
+       "0.2\nmax_pressure = \"2 MPa\"\n",
+       "[[free]]\nkey = \"critical_friction_angle\"\nfrom = \"28 deg\"\nto = \"36 deg\"\n[[free]]\nkey = \"critical_void_ratio\"\nfrom = "
+       "0.8\nto = 1.1\n[[free]]\nkey = \"dilatancy\"\nfrom = 1.5\nto = 6\n[[free]]\nkey = \"hardening_modulus\"\nfrom = 30\nto = 400\n",
+       {{"critical_friction_angle", 33 * pi / 180}, {"critical_void_ratio", 0.95}, {"dilatancy", 3.8}, {"hardening_modulus", 160}}}};
+  return all;
+}
+
+/// A fit of a law to drained triaxial tests, whose numbers are still to be computed (with_numbers).
+inline FitCase fit_of(const SampleLaw& law)
+{
+  return read_fit_text("case.toml",
+                       std::string("starts = 1\nlargest_step = 0.002\n[material.soil]\n") + law.keys + law.free +
+                           "[[measured]]\nname = \"none\"\nfile = \"none.csv\"\nkind = \"triaxial\"\ndrained = true\n",
+                       ".");
+}
+
+/// A drained triaxial test to 12 % of strain, with the numbers that the law has with the values of the truth.
+inline MeasuredTest test_from(const FitCase& c, const SampleLaw& law, Real confining_stress)
+{
+  MeasuredTest test;
+  test.name = "test_" + std::to_string(static_cast<int>(confining_stress / 1e3));
+  test.settings.name = test.name;
+  test.settings.kind = element::Triaxial{{.confining_stress = confining_stress}};
+  for (int row = 0; row <= 40; ++row) test.driven.push_back(0.003 * row);
+  test.curves = {{Compared::q, {}}, {Compared::volumetric_strain, {}}};
+  for (MeasuredCurve& curve : test.curves) curve.values.assign(test.rows(), 0);
+  const auto values = simulate(test, material::drained(material_with(c, law.truth)), c.largest_step);
+  for (std::size_t k = 0; k < test.curves.size(); ++k) test.curves[k].values = values[k];
+  return test;
+}
+
+}  // namespace berm::soil_fit
