@@ -15,9 +15,9 @@ from .run import default_folder
 
 @dataclass(frozen=True)
 class Fit:
-    """What came of a fit. values and errors: in SI units, by key of the material; an error is NaN where the key ended at a bound or is not told.
-    correlation: by pairs of keys. misfit: root of the mean square of computed less measured, over the largest of each curve. doubts: what the
-    tests do not tell. material: TOML to paste into a case."""
+    """What came of a fit. values and errors: in SI units, by key of the material; an error is NaN where the key ended at a bound or is
+    not told. correlation: by pairs of keys. misfit: root of the mean square of computed less measured, over the largest of each curve.
+    doubts: what the tests do not tell. material: TOML to paste into a case."""
 
     folder: Path
     values: dict[str, float]
@@ -31,8 +31,8 @@ class Fit:
 def fit(
     file: PathLike, folder: PathLike | None = None, *, set: Mapping[str, Any] = {}, force: bool = False, program: PathLike | None = None
 ) -> Fit:
-    """Fits the soil of an input of berm fit. folder: where the results and their page go; else where the program puts them. set, force: as of
-    berm.run. Throws InputError and RunError."""
+    """Fits the soil of an input of berm fit. folder: where the results and their page go; else where the program puts them. set, force:
+    as of berm.run. Throws InputError and RunError."""
     into = Path(folder) if folder is not None else default_folder(file)
     call(["fit", file, *settings(set), "-o", into, *(["--force"] if force else [])], program=program)
     summary = json.loads((into / "summary.json").read_text(encoding="utf-8"))

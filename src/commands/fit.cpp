@@ -20,6 +20,7 @@ struct FitOptions {
   CaseOptions common;
   std::vector<std::string> words;
   soil_fit::UsualFit usual;
+  const CLI::App* app = nullptr;
 };
 
 /// The input and its text: a file, or what the words LAW TESTS.csv stand for.
@@ -28,6 +29,10 @@ std::pair<soil_fit::FitCase, std::string> input_of(FitOptions& options, const fs
   const std::string& first = options.words.front();
   if (fs::path(first).extension() == ".toml") {
     if (options.words.size() > 1) throw InputError("one input FILE.toml, or a law and its tests: LAW TESTS.csv");
+    if (options.app->count("--kind") + options.app->count("--undrained") + options.app->count("--extension") + options.app->count("--k0") >
+        0)
+      throw InputError("--kind, --undrained, --extension and --k0 are of LAW TESTS.csv: an input says it for each file, kind = "
+                       "\"triaxial\", drained = false");
     return {soil_fit::read_fit_case(first, options.common.overrides), io::read_text_file(first)};
   }
   options.usual.law = first;
@@ -49,6 +54,7 @@ int fit(FitOptions& options)
   std::tie(results.settings, results.input) = input_of(options, folder);
   options.common.enter_sandbox(user_law::names_library(results.settings.material), {folder});
   const std::vector<soil_fit::MeasuredTest> tests = soil_fit::read_measured(results.settings);
+  for (const std::string& set : options.common.overrides) results.input = fmt::format("# --set '{}'\n", set) + results.input;
   results.soil = soil_fit::fit_soil(results.settings, tests);
   results.wall_s = std::chrono::duration<Real>(std::chrono::steady_clock::now() - begin).count();
   soil_fit::write_results(results, folder);
@@ -76,6 +82,7 @@ Command add_fit(CLI::App& program)
                   "folder for the results (default: out/FOLDER/NAME of the input or of the last file)");
   app->add_flag("--force", options->common.force, "replace the results of an earlier fit in the folder");
   options->common.take_sandbox(*app);
+  options->app = app;
   return {app, [options] { return fit(*options); }};
 }
 

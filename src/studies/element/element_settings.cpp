@@ -79,10 +79,7 @@ void describe(Describe& d, Isotropic& kind)
 {
   describe(d, kind.start);
   d.value("stress_path", kind.stress_path,
-          {.meaning = "mean effective stresses that are reached in turn, compression positive",
-           .unit = "Pa",
-           .range = not_negative,
-           .required = true});
+          {.meaning = "mean effective stresses that are reached in turn, compression positive", .unit = "Pa", .range = not_negative});
 }
 
 void describe(Describe& d, TestSettings& test)
@@ -162,6 +159,7 @@ void check_strength(Describe& d, const std::string& path, const StartStress& sta
 void check_path(Describe& d, const std::string& path, const TestSettings& test)
 {
   const bool by_stress = !stress_path_of(test.kind).empty();
+  d.check(by_stress || !std::holds_alternative<Isotropic>(test.kind), path, "needs stress_path = [...], the mean stresses to reach");
   d.check(by_stress || !test.strain_path.empty(), path,
           std::holds_alternative<Oedometer>(test.kind) ? "needs strain_path = [...] or stress_path = [...]"
                                                        : "needs strain_path = [...], the strains to reach");

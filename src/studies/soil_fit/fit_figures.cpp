@@ -18,9 +18,7 @@ Real shown(Compared what, Real value)
 
 Real shown_along(const MeasuredTest& test, Real driven)
 {
-  if (test.by_stress()) return kilo * driven;
-  const bool shears = std::holds_alternative<element::SimpleShear>(test.settings.kind);
-  return percent * (shears ? driven : engineering_strain(driven));
+  return as_measured(test, driven) * (test.by_stress() ? kilo : percent);
 }
 
 plot::Figure figure_of(const std::vector<const FittedTest*>& tests, Compared what)

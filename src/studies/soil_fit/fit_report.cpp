@@ -140,6 +140,15 @@ std::string summary_json(const FitResults& results)
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// A field of a CSV file.
+std::string quoted(const std::string& text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + "\"";
+}
+
 std::string curves_csv(const FitResults& results)
 {
   std::string csv = "test,fitted,quantity,along,measured,computed\n";
@@ -147,44 +156,55 @@ std::string curves_csv(const FitResults& results)
     for (std::size_t k = 0; k < test.computed.size(); ++k) {
       const MeasuredTest& of = test.measured;
       const Compared what = of.curves[k].what;
-      const auto as_measured = [&](Real x) { return is_strain(what) ? engineering_strain(x) : x; };
-      const bool shears = std::holds_alternative<element::SimpleShear>(of.settings.kind);
+      const auto shown = [&](Real x) { return is_strain(what) ? engineering_strain(x) : x; };
       for (std::size_t row = 0; row < of.rows(); ++row)
-        csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", of.name, of.held_out ? 0 : 1, name_of(what),
-                           of.by_stress() || shears ? of.driven[row] : engineering_strain(of.driven[row]),
-                           as_measured(of.curves[k].values[row]), as_measured(test.computed[k][row]));
+        csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", quoted(of.name), of.held_out ? 0 : 1, name_of(what),
+                           as_measured(of, of.driven[row]), shown(of.curves[k].values[row]), shown(test.computed[k][row]));
     }
   return csv;
 }
 
-/// A table of the input as TOML, with the values of the fitted keys. own: keys that each specimen had of its own.
-void write_table(const input::Node& table, const std::string& path, const std::vector<FittedKey>& keys, const std::set<std::string>& own,
-                 std::string& toml)
-{
-  toml += fmt::format("[{}]\n", path);
-  const std::function<std::string(const input::Node&)> value = [&](const input::Node& node) -> std::string {
+/// Writes the material of the input with what was found.
+struct MaterialWriter {
+  const std::vector<FittedKey>& keys;
+  const std::set<std::string>& own;  ///< keys that each specimen had of its own
+
+  const FittedKey* fitted(const std::string& key) const
+  {
+    const auto found = std::find_if(keys.begin(), keys.end(), [&](const FittedKey& k) { return k.free.key == key; });
+    return found == keys.end() ? nullptr : &*found;
+  }
+
+  /// A value as TOML; `key` is dotted from the material.
+  std::string value(const input::Node& node, const std::string& key) const
+  {
     using enum input::Node::Kind;
+    if (const FittedKey* found = fitted(key)) {
+      const std::string number = quantity_of(found->free, found->value, 6);
+      return unit_of(found->free).empty() ? number : "\"" + number + "\"";
+    }
     if (node.kind == boolean) return node.truth ? "true" : "false";
     if (node.kind == whole) return std::to_string(node.whole);
     if (node.kind == number) return fmt::format("{:.6g}", node.number);
     if (node.kind == text) return Json(node.text).dump();
     std::string items;
-    for (const input::Node& item : node.items)
-      items += (items.empty() ? "" : ", ") + (node.kind == input::Node::Kind::table ? item.key + " = " : "") + value(item);
-    return node.kind == input::Node::Kind::table ? "{" + items + "}" : "[" + items + "]";
-  };
-  for (const input::Node& item : table.items) {
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const FittedKey& k) { return k.free.key == item.key; });
-    if (key == keys.end()) {
-      toml += fmt::format("{} = {}{}\n", item.key, value(item),
-                          own.count(item.key) > 0 ? "   # each specimen had its own: give that of the site" : "");
-      continue;
+    for (const input::Node& item : node.items) {
+      const bool named = node.kind == table;
+      items += (items.empty() ? "" : ", ") + (named ? item.key + " = " : "") + value(item, named ? key + "." + item.key : "");
     }
-    const std::string number = quantity_of(key->free, key->value, 6);
-    toml += unit_of(key->free).empty() ? fmt::format("{} = {}", item.key, number) : fmt::format("{} = \"{}\"", item.key, number);
-    toml += key->at_bound ? "   # fitted, at its bound\n" : fmt::format("   # fitted, standard error {}\n", error_words(*key));
+    return node.kind == table ? "{" + items + "}" : "[" + items + "]";
   }
-}
+
+  std::string remark(const std::string& key) const
+  {
+    std::string remarks;
+    for (const FittedKey& found : keys)
+      if (found.free.key == key || found.free.key.starts_with(key + "."))
+        remarks += (remarks.empty() ? "   # fitted, " : "; ") +
+                   (found.at_bound ? std::string("at its bound") : "standard error " + error_words(found));
+    return own.count(key) > 0 ? "   # each specimen had its own: give that of the site" : remarks;
+  }
+};
 
 std::string priors_toml(const FitResults& results)
 {
@@ -192,7 +212,7 @@ std::string priors_toml(const FitResults& results)
       "# For the [sample] of a study: 5 and 95 % of each key by the standard error of the fit. How much the ground varies is not in it.\n";
   for (const FittedKey& key : results.soil.keys) {
     if (key.at_bound || !std::isfinite(key.error)) continue;
-    const auto at = [&](Real value) { return quantity_of(key.free, std::clamp(value, key.free.from, key.free.to)); };
+    const auto at = [&](Real value) { return quantity_of(key.free, std::clamp(value, key.free.from, key.free.to), 7); };
     const std::string quote = unit_of(key.free).empty() ? "" : "\"";
     toml += fmt::format("\n[[sample.parameter]]\nname = \"{0}\"\nkeys = [\"material.{1}.{0}\"]\ndistribution = \"normal\"\nlow = "
                         "{2}{3}{2}\nbest = {2}{4}{2}\nhigh = {2}{5}{2}\n",
@@ -242,8 +262,8 @@ std::string tests_html(const FitResults& results)
   for (const FittedTest& test : results.soil.tests) {
     std::string misfit;
     for (std::size_t k = 0; k < test.rms.size(); ++k)
-      misfit +=
-          fmt::format("{}{} {:.1f} %", k == 0 ? "" : ", ", name_of(test.measured.curves[k].what), 100 * test.rms[k] / test.largest[k]);
+      misfit += fmt::format("{}{} {:.1f} %", k == 0 ? "" : ", ", name_of(test.measured.curves[k].what),
+                            test.largest[k] > 0 ? 100 * test.rms[k] / test.largest[k] : 0);
     if (!test.complete) misfit += "; the law has no state for a part of it";
     std::vector<std::string> row = {text::html_text(test.measured.name) + (test.measured.held_out ? " (held out)" : ""),
                                     text::html_text(misfit)};
@@ -335,19 +355,28 @@ std::string material_toml(const FitResults& results)
   std::set<std::string> own;
   for (const FittedTest& test : results.soil.tests)
     for (const auto& [key, value] : test.measured.specimen) own.insert(key);
-  write_table(*found.node, "material." + results.settings.material_name(), results.soil.keys, own, toml);
+  const MaterialWriter writer{results.soil.keys, own};
+  toml = fmt::format("[material.{}]\n", results.settings.material_name());
+  for (const input::Node& item : found.node->items)
+    toml += fmt::format("{} = {}{}\n", item.key, writer.value(item, item.key), writer.remark(item.key));
   return toml;
 }
 
 std::vector<std::string> doubts(const FittedSoil& soil)
 {
   std::vector<std::string> all;
-  constexpr Real much = 0.95;
+  constexpr Real much = 0.95, little_strain = 0.005;
+  for (const FittedTest& test : soil.tests) {
+    Real most = 0;
+    for (const Real driven : test.measured.driven) most = std::max(most, std::abs(driven));
+    if (!test.measured.by_stress() && most < little_strain)
+      all.push_back(fmt::format("{} goes to {:.2g} % of strain: is the unit of its strain right?", test.measured.name, 100 * most));
+  }
   for (const FittedKey& key : soil.keys) {
     if (key.at_bound)
       all.push_back(fmt::format("{} ends at its bound, {}: the tests would have it beyond; widen the bound, or doubt the law", key.free.key,
                                 quantity_of(key.free, key.value)));
-    else if (!std::isfinite(key.error) || key.error > (key.free.to - key.free.from) / 2)
+    else if (!std::isfinite(key.error) || key.error > slope_of(key.free, key.value) / 2)
       all.push_back(
           fmt::format("{} is not told by these tests: keep it at a value that is known, and leave it out of [[free]]", key.free.key));
   }
@@ -359,10 +388,13 @@ std::vector<std::string> doubts(const FittedSoil& soil)
                         soil.keys[i].free.key, soil.keys[j].free.key, r));
   for (const FlatDirection& direction : soil.flat) {
     std::string steps;
+    Real most = 0;
+    for (std::size_t k = 0; k < direction.step.size(); ++k) most = std::max(most, std::abs(direction.step[k]));
     for (std::size_t k = 0; k < direction.step.size(); ++k)
-      if (std::abs(direction.step[k]) > 0.05)
-        steps += fmt::format("{}{} {}{}", steps.empty() ? "" : ", ", soil.keys[k].free.key, direction.step[k] > 0 ? "+" : "-",
-                             quantity_of(soil.keys[k].free, std::abs(direction.step[k]) * (soil.keys[k].free.to - soil.keys[k].free.from)));
+      if (std::abs(direction.step[k]) > most / 4)
+        steps +=
+            fmt::format("{}{} {}{}", steps.empty() ? "" : ", ", soil.keys[k].free.key, direction.step[k] > 0 ? "+" : "-",
+                        quantity_of(soil.keys[k].free, std::abs(direction.step[k]) * slope_of(soil.keys[k].free, soil.keys[k].value), 2));
     all.push_back("a flat direction, by one standard error: " + steps);
   }
   return all;

@@ -15,6 +15,32 @@
 
 namespace berm::soil_fit {
 
+namespace {
+
+bool by_logarithm(const FreeKey& free)
+{
+  constexpr Real wide = 20;
+  return free.from > 0 && free.to >= wide * free.from;
+}
+
+}  // namespace
+
+Real value_at(const FreeKey& free, Real x)
+{
+  return std::clamp(by_logarithm(free) ? free.from * std::pow(free.to / free.from, x) : free.from + (free.to - free.from) * x, free.from,
+                    free.to);
+}
+
+Real place_of(const FreeKey& free, Real value)
+{
+  return by_logarithm(free) ? std::log(value / free.from) / std::log(free.to / free.from) : (value - free.from) / (free.to - free.from);
+}
+
+Real slope_of(const FreeKey& free, Real value)
+{
+  return by_logarithm(free) ? value * std::log(free.to / free.from) : free.to - free.from;
+}
+
 void describe(Describe& d, FreeKey& free)
 {
   d.value("key", free.key, {.meaning = "key of the material that is looked for, such as friction_angle", .required = true});
@@ -25,7 +51,7 @@ void describe(Describe& d, FreeKey& free)
 void describe(Describe& d, MeasuredFile& measured)
 {
   d.value("name", measured.name, {.meaning = "name, for messages; where the file has one test, that of the test", .required = true});
-  d.value("file", measured.file, {.meaning = "CSV file with headings, seen from this file's folder", .required = true});
+  d.value("file", measured.file, {.meaning = "CSV file with headings, or file of AGS 4, seen from this file's folder", .required = true});
   using namespace element;
   d.one_of("kind", measured.kind, {Triaxial::word, Biaxial::word, SimpleShear::word, Isotropic::word, Oedometer::word},
            {.meaning =
@@ -76,6 +102,8 @@ void describe(Describe& d, FitCase& c)
     for (const auto& [word, heading] : c.measured[k].columns)
       d.check(std::find(readings.begin(), readings.end(), word) != readings.end(), path + ".columns." + word, "is not a quantity of a test",
               readings);
+    d.check(!element::is_compression(c.measured[k].kind) || !(c.measured[k].largest_strain < infinity), path + ".largest_strain",
+            "is of tests that are driven by their strain");
     for (std::size_t before = 0; before < k; ++before)
       d.check(c.measured[before].name != c.measured[k].name, path + ".name", "is the name of measured tests before it");
     for (const auto& [key, heading] : c.measured[k].specimen)
@@ -99,6 +127,13 @@ void set(input::Document& document, const std::string& material, const std::stri
 FitCase case_of(input::Document document, const std::filesystem::path& folder, const std::vector<std::string>& overrides)
 {
   for (const std::string& override : overrides) input::apply_override(document, override);
+  if (const input::Node* free = member(document.root, "free"))
+    for (const input::Node& item : free->items) {
+      const input::Node *from = member(item, "from"), *to = member(item, "to");
+      const auto has_unit = [](const input::Node& node) { return node.kind == input::Node::Kind::text; };
+      if (from != nullptr && to != nullptr && has_unit(*from) != has_unit(*to))
+        refuse(document, *to, "free.to", "one of the bounds has a unit: give both with it, or both in SI units");
+    }
   FitCase c;
   c.document = document;
   c.folder = folder;

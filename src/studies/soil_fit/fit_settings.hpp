@@ -15,6 +15,11 @@ struct FreeKey {
   std::string unit;       ///< SI, "1" of a bare number
 };
 
+/// A free key as a number from 0 to 1 between its bounds, by its logarithm where they are a factor of 20 or more apart; and what the value changes with that number.
+Real value_at(const FreeKey& free, Real x);
+Real place_of(const FreeKey& free, Real value);
+Real slope_of(const FreeKey& free, Real value);
+
 /// Tests of one kind in one file.
 struct MeasuredFile {
   std::string name;  ///< of its tests, before their own names

@@ -40,8 +40,10 @@ public:
             std::count_if(tests[t].curves[k].values.begin(), tests[t].curves[k].values.end(), [](Real x) { return std::isfinite(x); });
         const Real scale = std::max(largest(tests[t].curves[k]),
                                     is_strain(tests[t].curves[k].what) ? smallest_volume * largest_strain(tests[t].curves[k].what) : 0);
+        if (count == 0 || !(scale > 0)) continue;  // it says nothing
         places_.push_back({t, k, rows_, count, scale});
         rows_ += count;
+        weights_ += tests[t].weight;
       }
   }
 
@@ -62,7 +64,7 @@ public:
     Values values;
     for (std::size_t k = 0; k < c_.free.size(); ++k) {
       const FreeKey& free = c_.free[k];
-      values[free.key] = std::clamp(free.from + (free.to - free.from) * x[static_cast<Eigen::Index>(k)], free.from, free.to);
+      values[free.key] = value_at(free, x[static_cast<Eigen::Index>(k)]);
     }
     return values;
   }
@@ -101,10 +103,7 @@ public:
   }
 
   /// The factor of the residuals of a curve in the sum of squares.
-  Real factor(const Place& place) const
-  {
-    return std::sqrt(tests_[place.test].weight / static_cast<Real>(place.count) / static_cast<Real>(places_.size()));
-  }
+  Real factor(const Place& place) const { return std::sqrt(tests_[place.test].weight / static_cast<Real>(place.count) / weights_); }
 
   void weighted(const Vector& x, Vector& all)
   {
@@ -126,6 +125,7 @@ private:
   const std::vector<MeasuredTest>& tests_;
   std::vector<Place> places_;
   Eigen::Index rows_ = 0;
+  Real weights_ = 0;
   int evaluations_ = 0;
 };
 
@@ -143,8 +143,7 @@ Vector outside(const Vector& x)
 Vector start_of(const FitCase& c)
 {
   Vector x(static_cast<Eigen::Index>(c.free.size()));
-  for (std::size_t k = 0; k < c.free.size(); ++k)
-    x[static_cast<Eigen::Index>(k)] = (value_in(c, c.free[k]) - c.free[k].from) / (c.free[k].to - c.free[k].from);
+  for (std::size_t k = 0; k < c.free.size(); ++k) x[static_cast<Eigen::Index>(k)] = place_of(c.free[k], value_in(c, c.free[k]));
   return x;
 }
 
@@ -164,14 +163,14 @@ Matrix jacobian(Problem& problem, const Vector& x)
   return J;
 }
 
-/// How many times as much the mean of a curve's rows scatters as that of independent rows.
+/// How many times as much the mean of a curve's rows scatters as that of independent rows: (1 + r) / (1 - r), r the correlation of neighbours, about 0, so that a curve that is off as a whole
+/// counts as one row.
 Real clustering(const Vector& residuals)
 {
   if (residuals.size() < 4) return 1;
-  const Vector r = residuals.array() - residuals.mean();
-  const Real own = r.squaredNorm(), next = r.head(r.size() - 1).dot(r.tail(r.size() - 1));
+  const Real own = residuals.squaredNorm(), next = residuals.head(residuals.size() - 1).dot(residuals.tail(residuals.size() - 1));
   const Real correlation = own > 0 ? std::clamp(next / own, Real(0), Real(1)) : 0;
-  return std::min((1 + correlation) / std::max(1 - correlation, Real(1e-3)), static_cast<Real>(residuals.size()) / 2);
+  return std::min((1 + correlation) / std::max(1 - correlation, Real(1e-3)), static_cast<Real>(residuals.size()));
 }
 
 /// Standard errors, correlations and flat directions, over the widths of the bounds.
@@ -211,7 +210,7 @@ void find_errors(Problem& problem, const Vector& x, FittedSoil& soil)
     FittedKey& key = soil.keys[static_cast<std::size_t>(loose[static_cast<std::size_t>(i)])];
     const Real unseen =
         (axes.eigenvectors().row(i).array().square() * (axes.eigenvalues().transpose().array() < blind * most).cast<Real>()).sum();
-    key.error = unseen > 0.01 ? infinity : std::sqrt(std::max(covariance(i, i), Real(0))) * (key.free.to - key.free.from);
+    key.error = unseen > 0.01 ? infinity : std::sqrt(std::max(covariance(i, i), Real(0))) * slope_of(key.free, key.value);
     for (Eigen::Index j = 0; j < count; ++j) {
       const Real both = std::sqrt(covariance(i, i) * covariance(j, j));
       soil.correlation(loose[static_cast<std::size_t>(i)], loose[static_cast<std::size_t>(j)]) = i == j     ? 1

@@ -14,9 +14,9 @@ struct FittedKey {
   bool at_bound = false;
 };
 
-/// A direction of the free keys in which the tests change least: what a step of one standard error along it does to each key, over the widths of their bounds.
+/// A direction of the free keys in which the tests change least: what a step of one standard error along it does to each key, as place_of.
 struct FlatDirection {
-  std::vector<Real> step;  ///< by key, over to - from
+  std::vector<Real> step;  ///< by key
 };
 
 /// A test beside what the law makes of it.
@@ -41,7 +41,7 @@ struct FittedSoil {
 
 /// The values of the free keys at which the sum of squares is least: of each curve the mean of ((computed - measured) / largest)^2, times the weight of its test (Levenberg and
 /// Marquardt's method, within the bounds by a transformation, from several starts). Standard errors are those of least squares with an own scatter for each curve, whose rows scatter together
-/// as far as their residuals do (autocorrelation of neighbours). Throws RunError where no start has a test that the law can follow.
+/// as far as their residuals do (correlation of neighbours). Throws RunError where no start has a test that the law can follow.
 FittedSoil fit_soil(const FitCase& c, const std::vector<MeasuredTest>& tests);
 
 }  // namespace berm::soil_fit

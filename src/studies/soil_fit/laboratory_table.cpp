@@ -6,6 +6,7 @@
 #include "input/text_table.hpp"
 #include "input/units.hpp"
 #include "os/text_file.hpp"
+#include "soil_fit/laboratory_ags.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -52,13 +53,46 @@ std::pair<std::string, std::string> split_heading(const std::string& heading)
 /// How often a unit has the SI one; NaN where it is none of that dimension.
 Real size_of_unit(const std::string& unit, const std::string& si)
 {
-  if (unit == "1") return si == "1" ? 1 : nan;
+  if (unit == "1" || unit == "-") return si == "1" ? 1 : nan;
   if (unit == "percent") return si == "1" ? 0.01 : nan;
   try {
     return input::to_si("1 " + unit, si == "1" ? "" : si);
   } catch (const input::UnitError&) {
     return nan;
   }
+}
+
+/// A table below a line of headings; lines that begin with # do not count.
+Sheet sheet_of_csv(const std::string& file, const std::string& bytes)
+{
+  Sheet sheet;
+  std::istringstream text(bytes);
+  char separator = ',';
+  input::DecimalCommas commas;
+  int number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    line = input::with_plain_blanks(line);
+    if (line.find_first_not_of(" \t,;") == std::string::npos || line.front() == '#' || input::says_separator(line)) continue;
+    if (sheet.headings.empty()) {
+      separator = input::separator_of(line);
+      sheet.headings = input::fields_of(line, separator);
+      continue;
+    }
+    std::vector<std::string> fields = input::fields_of(line, separator);
+    const std::size_t count = sheet.headings.size();
+    if (fields.size() > count && std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(count), fields.end(),
+                                             [](const std::string& field) { return !field.empty(); }))
+      throw InputError(fmt::format("{}:{}: has {} values, and the first line {} headings", file, number, fields.size(), count));
+    fields.resize(count);
+    for (const std::string& field : fields) commas.see(field);
+    sheet.fields.push_back(std::move(fields));
+    sheet.lines.push_back(number);
+  }
+  for (std::vector<std::string>& fields : sheet.fields)
+    for (std::string& field : fields) field = commas.with_point(field);
+  return sheet;
 }
 
 }  // namespace
@@ -76,45 +110,25 @@ LaboratoryTable::LaboratoryTable(std::filesystem::path file, const MeasuredFile&
       name_(settings.name)
 {
   place_.fill(absent);
-  read_rows();
+  read_rows(settings.kind);
   find_columns(settings);
 }
 
-void LaboratoryTable::read_rows()
+void LaboratoryTable::read_rows(const element::TestKind& kind)
 {
   constexpr std::uintmax_t most_bytes = 20'000'000;
   const FileBytes bytes = read_text(file_, most_bytes);
   if (!bytes.fault.empty()) throw InputError(fmt::format("{}: measured.{}.file: {}", file_.string(), name_, bytes.fault));
-  std::istringstream text(bytes.bytes);
-  char separator = ',';
-  input::DecimalCommas commas;
-  int number = 0;
-  for (std::string line; std::getline(text, line);) {
-    ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    line = input::with_plain_blanks(line);
-    if (line.find_first_not_of(" \t,;") == std::string::npos || line.front() == '#' || input::says_separator(line)) continue;
-    if (columns_.empty()) {
-      separator = input::separator_of(line);
-      for (const std::string& heading : input::fields_of(line, separator)) {
-        const auto [name, unit] = split_heading(heading);
-        columns_.push_back({heading, name, unit});
-      }
-      continue;
-    }
-    std::vector<std::string> fields = input::fields_of(line, separator);
-    if (fields.size() > columns_.size() && std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(columns_.size()), fields.end(),
-                                                       [](const std::string& field) { return !field.empty(); }))
-      throw InputError(
-          fmt::format("{}:{}: has {} values, and the first line {} headings", file_.string(), number, fields.size(), columns_.size()));
-    fields.resize(columns_.size());
-    for (const std::string& field : fields) commas.see(field);
-    fields_.push_back(std::move(fields));
-    lines_.push_back(number);
+  const bool is_ags = file_.extension() == ".ags" || file_.extension() == ".AGS";
+  Sheet sheet = is_ags ? sheet_of_ags(file_.string(), bytes.bytes, kind) : sheet_of_csv(file_.string(), bytes.bytes);
+  if (sheet.fields.empty()) throw InputError(fmt::format("{}: has no rows below a line of headings", file_.string()));
+  if (is_ags) test_column_ = "test";
+  for (const std::string& heading : sheet.headings) {
+    const auto [name, unit] = split_heading(heading);
+    columns_.push_back({heading, name, unit});
   }
-  if (fields_.empty()) throw InputError(fmt::format("{}: has no rows below a line of headings", file_.string()));
-  for (std::vector<std::string>& fields : fields_)
-    for (std::string& field : fields) field = commas.with_point(field);
+  fields_ = std::move(sheet.fields);
+  lines_ = std::move(sheet.lines);
 }
 
 /// By the whole heading, by the heading without its unit, or by "HEADING (UNIT)" of a heading without one, whose unit is then given.
@@ -197,6 +211,14 @@ Real LaboratoryTable::first_of(const std::string& heading, std::size_t row) cons
 std::string LaboratoryTable::heading_of(Reading reading) const
 {
   return has(reading) ? columns_[place_[index_of(reading)]].heading : "";
+}
+
+std::string LaboratoryTable::changed_name(std::size_t row) const
+{
+  for (std::size_t k = 0; row > 0 && k < columns_.size(); ++k)
+    if (fields_[row][k] != fields_[row - 1][k] && !fields_[row][k].empty() && !input::number_in(fields_[row][k]))
+      return columns_[k].heading;
+  return "";
 }
 
 bool LaboratoryTable::has_column(const std::string& name) const

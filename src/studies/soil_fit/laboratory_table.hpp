@@ -24,7 +24,7 @@ enum class Reading {
 };
 constexpr int reading_count = 11;
 
-/// The rows of a laboratory's CSV file, in SI units.
+/// The rows of a laboratory's CSV file, or of a group of a file of AGS 4, in SI units.
 class LaboratoryTable {
 public:
   /// Throws InputError with file and line where the file is not such a table.
@@ -38,6 +38,8 @@ public:
   /// The heading of what is there; "" of what is not.
   std::string heading_of(Reading reading) const;
   bool has_column(const std::string& name) const;
+  /// The heading of a column whose text is another one than in the row above and no number; "" where there is none.
+  std::string changed_name(std::size_t row) const;
   /// Names of the tests and their rows, in the order of the file.
   std::vector<std::pair<std::string, std::vector<std::size_t>>> tests() const;
 
@@ -55,7 +57,7 @@ private:
     std::string heading, name, unit;  ///< as it stands there; without its unit; that unit, "" where it has none
   };
 
-  void read_rows();
+  void read_rows(const element::TestKind& kind);
   void find_columns(const MeasuredFile& settings);
   std::size_t column_named(const std::string& heading, std::string* unit) const;
   Real number(std::size_t column, std::size_t row) const;

@@ -60,8 +60,11 @@ Marks marks_of(const MeasuredTest& test, const Curves& curves)
     const Real vertical = lateral(row) + (*q)[row];
     return drained ? std::max(vertical, lateral(row)) / std::max(std::min(vertical, lateral(row)), Real(1)) : std::abs((*q)[row]);
   };
-  std::size_t peak = 0, most = 0;
-  for (std::size_t row = 1; row < test.rows(); ++row) {
+  std::size_t first = 0;
+  while (first < test.rows() && !std::isfinite((*q)[first])) ++first;
+  if (first == test.rows()) return marks;
+  std::size_t peak = first, most = first;
+  for (std::size_t row = first + 1; row < test.rows(); ++row) {
     if (!std::isfinite((*q)[row])) continue;
     if (size(row) > size(peak)) peak = row;
     if (std::abs((*q)[row]) > std::abs((*q)[most])) most = row;
@@ -70,18 +73,18 @@ Marks marks_of(const MeasuredTest& test, const Curves& curves)
   for (std::size_t row = 0; row < test.rows(); ++row)
     if (size(row) >= (1 - plateau) * size(peak)) at_peak.push_back(row);
   peak = at_peak[at_peak.size() / 2];
-  marks.E50 = secant(test.driven, *q, ((*q)[most] - (*q)[0]) / 2);
+  marks.E50 = secant(test.driven, *q, ((*q)[most] - (*q)[first]) / 2);
   if (!drained) {
     marks.s_u = std::abs((*q)[most]) / 2;
     return marks;
   }
   const Real ratio = size(peak);
-  marks.friction_angle_peak = std::asin((ratio - 1) / (ratio + 1));
+  marks.friction_angle_peak = std::asin(std::clamp((ratio - 1) / (ratio + 1), Real(-1), Real(1)));
   constexpr Real reach = 0.01;
   const auto* volume = curve_of(test, curves, Compared::volumetric_strain);
   if (volume == nullptr || !std::holds_alternative<element::Triaxial>(test.settings.kind)) return marks;
   const Real s = slope_about(test.driven, *volume, peak, reach);
-  marks.dilation_angle_peak = std::asin(-s / (2 - s));
+  marks.dilation_angle_peak = std::asin(std::clamp(-s / (2 - element::sense(test.settings.kind) * s), Real(-1), Real(1)));
   return marks;
 }
 

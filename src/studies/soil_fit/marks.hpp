@@ -9,7 +9,7 @@ namespace berm::soil_fit {
 struct Marks {
   Real friction_angle_peak = nan;  ///< rad, of a drained triaxial or biaxial test: at the largest stress ratio
   Real dilation_angle_peak =
-      nan;  ///< rad, of a triaxial one: sin psi = -s / (2 - s), s = d eps_v / d eps_1 by a line over 1 % of strain to either side of it, or over five rows
+      nan;  ///< rad, of a triaxial one: sin psi = -s / (2 - s), in extension -s / (2 + s), s = d eps_v / d eps_a by a line over 1 % of strain to either side of it, or over five rows
   Real E50 = nan;  ///< Pa, from the first row to half of the largest rise of q
   Real s_u = nan;  ///< Pa, undrained: half of the largest q, in simple shear the largest tau
 };

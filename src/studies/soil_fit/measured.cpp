@@ -21,7 +21,11 @@ struct Columns {
   /// NaN where the row has no number.
   Real at(Reading reading, std::size_t row) const { return table.has(reading) ? table.value(reading, rows[row]) : nan; }
   /// Natural strain from the first row.
-  Real strain(Reading reading, std::size_t row) const { return natural(at(reading, row)) - natural(at(reading, 0)); }
+  Real strain(Reading reading, std::size_t row) const
+  {
+    const Real sense = reading == Reading::axial_strain ? element::sense(file.kind) : 1;
+    return sense * (natural(sense * at(reading, row)) - natural(sense * at(reading, 0)));
+  }
   static Real natural(Real engineering) { return -std::log(1 - engineering); }
   /// From the strain of the volume, or from the void ratio.
   bool has_volume() const { return has(Reading::volumetric_strain) || has(Reading::void_ratio); }
@@ -95,6 +99,13 @@ void check_numbers(const Columns& of)
       if (const Real x = of.at(reading, k); std::isfinite(x) && !(std::abs(x) <= std::abs(of.at(reading, row)))) row = k;
     return row;
   };
+  const auto first_below = [&](Reading reading, Real least) -> std::optional<std::size_t> {
+    for (std::size_t k = 0; k < of.rows.size(); ++k)
+      if (of.at(reading, k) < least) return k;
+    return std::nullopt;
+  };
+  const bool extends = element::sense(of.file.kind) < 0;
+  constexpr Real slack = -1e-3, touch = -1e3;  // of strain, and Pa: what a device shows before it touches
   for (const Reading reading : {Reading::axial_strain, Reading::shear_strain, Reading::volumetric_strain}) {
     if (!of.has(reading)) continue;
     const std::size_t row = extreme(reading);
@@ -102,24 +113,26 @@ void check_numbers(const Columns& of)
     const std::string name = of.table.words_of(reading);
     if (std::abs(x) >= most_strain && reading != Reading::shear_strain)
       of.refuse(row, fmt::format("{} is {:.4g}, which no specimen strains by: is its unit %?", name, x));
-    if (x < 0 && reading != Reading::volumetric_strain)
+    if (const auto below = first_below(reading, slack); below && reading == Reading::axial_strain && x < 0)
       of.refuse(row,
                 fmt::format("{} goes to {:.4g}: compression is positive, and in a test with direction = \"extension\" extension", name, x));
   }
   for (const Reading reading : {Reading::q, Reading::p, Reading::vertical_stress, Reading::lateral_stress, Reading::tau}) {
     if (!of.has(reading)) continue;
     const std::size_t row = extreme(reading);
-    const Real x = of.at(reading, row);
     const std::string name = of.table.words_of(reading);
-    const bool may_be_negative = reading == Reading::tau || (reading == Reading::q && element::sense(of.file.kind) < 0);
-    if (x < 0 && !may_be_negative)
-      of.refuse(row, fmt::format("{} goes to {:.4g} Pa: stresses are effective, and compression is positive", name, x));
-    if (x > 0 && reading == Reading::q && element::sense(of.file.kind) < 0)
-      of.refuse(row, fmt::format("{} goes to {:.4g} Pa: in extension q, vertical less lateral stress, is negative", name, x));
-    if (std::abs(x) < least_stress || std::abs(x) > most_stress)
-      of.refuse(row,
-                fmt::format("{} is {:.4g} Pa at most, which is not a stress of a test of soil: is its unit right?", name, std::abs(x)));
+    const bool may_be_negative = reading == Reading::tau || (reading == Reading::q && extends);
+    if (const auto below = first_below(reading, touch); below && !may_be_negative)
+      of.refuse(*below, fmt::format("{} is {:.4g} Pa: stresses are effective, and compression is positive", name, of.at(reading, *below)));
+    if (reading == Reading::q && extends && of.at(reading, of.rows.size() - 1) > of.at(reading, 0))
+      of.refuse(of.rows.size() - 1, fmt::format("{} goes up to {:.4g} Pa: in extension q, vertical less lateral stress, goes down", name,
+                                                of.at(reading, of.rows.size() - 1)));
+    if (const Real x = std::abs(of.at(reading, row)); x < least_stress || x > most_stress)
+      of.refuse(row, fmt::format("{} is {:.4g} Pa at most, which is not a stress of a test of soil: is its unit right?", name, x));
   }
+  if (knows_lateral(of) && element::drained(of.file.kind))
+    for (std::size_t k = 0; k < of.rows.size(); ++k)
+      if (of.lateral(k) < touch) of.refuse(k, fmt::format("the lateral stress, p less q/3, is {:.4g} Pa", of.lateral(k)));
   if (!of.has(Reading::volumetric_strain) || !of.has(Reading::void_ratio)) return;
   const std::size_t row = extreme(Reading::volumetric_strain);
   const Real by_strain = of.strain(Reading::volumetric_strain, row),
@@ -197,6 +210,11 @@ MeasuredTest test_of(const Columns& all, const std::string& name, const FitCase&
   test.weight = all.file.weight;
   test.held_out = std::find(all.file.held_out.begin(), all.file.held_out.end(), name) != all.file.held_out.end();
   for (const auto& [key, heading] : all.file.specimen) test.specimen[key] = all.table.first_of(heading, all.rows.front());
+  try {
+    (void)material_with(c, test.specimen);
+  } catch (const InputError& error) {
+    all.refuse(0, fmt::format("measured.{}.specimen: {}", all.file.name, error.what()));
+  }
   for (const Compared what : compared_of(of, element::knows_total_stress_alone(c.material.front().second)))
     test.curves.push_back({what, {}});
   if (auto* oedometer = std::get_if<element::Oedometer>(&test.settings.kind)) oedometer->stress_path = {0};
@@ -214,6 +232,14 @@ MeasuredTest test_of(const Columns& all, const std::string& name, const FitCase&
       continue;
     }
     if (!test.by_stress() && std::abs(driven) > all.file.largest_strain) continue;
+    if (all.file.test.empty() && !test.by_stress() && row > 0 && std::abs(driven) < 1e-4 && !test.driven.empty() &&
+        test.driven.back() > 0.002)
+      if (const std::string other = all.table.changed_name(all.rows[row]); !other.empty())
+        all.refuse(
+            row,
+            fmt::format(
+                "the strain begins again here, where the column {0} changes: several tests are named by it, measured.{1}.test = \"{0}\"",
+                other, all.file.name));
     test.driven.push_back(driven);
     if (holds) test.held.push_back(held);
     for (MeasuredCurve& curve : test.curves) curve.values.push_back(measured_value(of, curve.what, row));
@@ -238,6 +264,13 @@ bool is_strain(Compared what)
 Real engineering_strain(Real natural)
 {
   return 1 - std::exp(-natural);
+}
+
+Real as_measured(const MeasuredTest& test, Real driven)
+{
+  if (test.by_stress() || std::holds_alternative<element::SimpleShear>(test.settings.kind)) return driven;
+  const Real sense = element::sense(test.settings.kind);
+  return sense * engineering_strain(sense * driven);
 }
 
 std::vector<MeasuredTest> read_measured(const FitCase& c)

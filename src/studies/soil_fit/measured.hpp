@@ -40,7 +40,9 @@ std::vector<std::string> reading_words();
 /// The tests of all files. Throws InputError with file and line where a file is wrong, and where numbers cannot be those of such a test.
 std::vector<MeasuredTest> read_measured(const FitCase& c);
 
-/// A natural strain as the length that was lost over that at the start.
+/// A natural strain, compression positive, as the length that was lost over that at the start.
 Real engineering_strain(Real natural);
+/// What drives a test as a laboratory gives it: a stress in Pa, a shear strain, or an axial strain over the length at the start, in extension positive.
+Real as_measured(const MeasuredTest& test, Real driven);
 
 }  // namespace berm::soil_fit

@@ -86,6 +86,11 @@ std::string usual_fit(const UsualFit& request)
   for (std::size_t k = 0; k < request.files.size(); ++k) {
     MeasuredFile settings;
     settings.name = request.files[k].stem().string();
+    for (std::size_t before = 0; before < k; ++before)
+      if (request.files[before].stem() == request.files[k].stem())
+        settings.name = fmt::format("{}_{}", request.files[k].stem().string(), k + 1);
+    if (request.kind == element::Oedometer::word) settings.kind = element::Oedometer{};
+    if (auto* triaxial = std::get_if<element::Triaxial>(&settings.kind)) triaxial->drained = !request.undrained;
     const LaboratoryTable table(request.files[k], settings);
     const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
     measured += fmt::format("\n[[measured]]\nname = {}\nfile = {}\nkind = \"{}\"\n", quoted(settings.name),

@@ -63,6 +63,42 @@ TEST(StandardErrors, are_those_of_samples_with_noise)
   for (const auto& [key, count] : near) EXPECT_GE(count, 95) << key;
 }
 
+// A curve that is off as a whole counts as one row: with six tests, each with q off by its own 5 %, the error of the friction angle is that of six numbers, not of 240.
+TEST(StandardErrors, count_a_test_that_is_off_as_one)
+{
+  const SampleLaw& law = sample_laws()[0];
+  const FitCase c = fit_of(law);
+  constexpr int samples = 40;
+  int inside = 0;
+  std::mt19937_64 random(5);
+  std::normal_distribution<Real> off(0, 0.05);
+  for (int n = 0; n < samples; ++n) {
+    std::vector<MeasuredTest> tests;
+    for (const Real stress : {50e3, 100e3, 150e3, 200e3, 300e3, 400e3}) {
+      MeasuredTest& test = tests.emplace_back(test_from(c, law, stress));
+      const Real factor = 1 + off(random);
+      for (Real& q : test.curves[0].values) q *= factor;
+      add_noise(test, 0.005, random);
+    }
+    const FittedKey phi = fit_soil(c, tests).keys[1];
+    inside += std::abs(phi.value - law.truth.at("friction_angle")) < 1.96 * phi.error;
+  }
+  EXPECT_GE(inside, 32) << "of 40; 95 % are expected, and fewer with six numbers";
+}
+
+TEST(Curves, that_say_nothing_are_left_out)
+{
+  const SampleLaw& law = sample_laws()[0];
+  const FitCase c = fit_of(law);
+  MeasuredTest test = test_from(c, law, 100e3), blank = test_from(c, law, 300e3);
+  for (Real& x : blank.curves[1].values) x = nan;
+  blank.curves[0].values[0] = nan;
+  const FittedSoil soil = fit_soil(c, {test, blank});
+  EXPECT_LT(soil.misfit, 1e-3);
+  EXPECT_TRUE(doubts(soil).empty()) << doubts(soil).front();
+  EXPECT_TRUE(std::isfinite(marks_measured(soil.tests[1]).friction_angle_peak));
+}
+
 TEST(WhatTestsDoNotTell, is_said)
 {
   const SampleLaw& law = sample_laws()[0];

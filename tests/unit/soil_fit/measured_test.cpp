@@ -89,7 +89,7 @@ TEST_F(MeasuredTests, that_are_wrong_get_one_message)
             "direction "
             "= \"extension\" extension");
   EXPECT_EQ(fault("axial_strain_percent,q_kPa,p_kPa\n0,0,-100\n10,150,-150\n"),
-            "tests.csv:3: p in the column \"p_kPa\" goes to -1.5e+05 Pa: stresses are effective, and compression is positive");
+            "tests.csv:2: p in the column \"p_kPa\" is -1e+05 Pa: stresses are effective, and compression is positive");
   EXPECT_EQ(fault("axial_strain_percent,q_Pa,p_kPa\n0,0,100\n10,50,150\n"),
             "tests.csv:3: q in the column \"q_Pa\" is 50 Pa at most, which is not a stress of a test of soil: is its unit right?");
   EXPECT_EQ(fault("axial_strain_percent,dev_kPa,p_kPa\n0,0,100\n10,150,150\n"),
@@ -107,6 +107,36 @@ TEST_F(MeasuredTests, that_are_wrong_get_one_message)
             "tests.csv: measured.lab: there is no test \"A\" (allowed: lab)");
 }
 
+TEST_F(MeasuredTests, in_extension_are_positive_where_they_lengthen)
+{
+  const std::vector<MeasuredTest> found = tests("axial_strain (%),q (kPa),p (kPa)\n0,20,100\n10,-60,80\n", "direction = \"extension\"\n");
+  EXPECT_DOUBLE_EQ(found[0].driven[1], std::log(1.1));
+  EXPECT_NEAR(as_measured(found[0], found[0].driven[1]), 0.1, 1e-15);
+  EXPECT_NE(fault("axial_strain (%),q (kPa),p (kPa)\n0,20,100\n10,60,80\n", "direction = \"extension\"\n")
+                .find("in extension q, vertical less lateral stress, goes down"),
+            std::string::npos);
+}
+
+TEST_F(MeasuredTests, by_a_mean_stress_are_isotropic)
+{
+  const std::vector<MeasuredTest> found = tests("p (kPa),volumetric_strain (%)\n0,0\n50,0\n100,0.5\n200,1.1\n", "",
+                                                "[[measured]]\nname = \"lab\"\nfile = \"tests.csv\"\nkind = \"isotropic\"\n");
+  EXPECT_EQ(found[0].rows(), 3u) << "without the row that is not loaded";
+  EXPECT_DOUBLE_EQ(found[0].driven[0], 50e3);
+  EXPECT_NEAR(found[0].curves[0].values[2], -std::log(1 - 0.011), 1e-15);
+}
+
+TEST_F(MeasuredTests, of_several_specimens_need_the_column_that_names_them)
+{
+  EXPECT_EQ(
+      fault("specimen,axial_strain (%),q (kPa),p (kPa)\nA,0,0,100\nA,1,150,150\nB,0,0,200\nB,1,300,300\n"),
+      "tests.csv:4: the strain begins again here, where the column specimen changes: several tests are named by it, measured.lab.test = "
+      "\"specimen\"");
+  EXPECT_NE(
+      fault("axial_strain (%),q (kPa),p (kPa),e0\n0,0,100,0.7\n1,150,150,0.7\n", "specimen = {void_ration = \"e0\"}\n").find("void_ration"),
+      std::string::npos);
+}
+
 TEST_F(MeasuredTests, need_a_key_that_the_soil_has)
 {
   const auto fault_of = [&](const std::string& free) {
@@ -118,6 +148,55 @@ TEST_F(MeasuredTests, need_a_key_that_the_soil_has)
             "case.toml: free.rigidity: the material has 300, which is not within its bounds, 400 to 900");
   EXPECT_EQ(fault_of("key = \"critical_friction_angle\"\nfrom = \"20 kPa\"\nto = \"45 kPa\"\n"),
             "case.toml: free.critical_friction_angle: its bounds need the dimension of the material's \"31 deg\"");
+}
+
+/// Increments of an oedometer, and a stage each of a drained and an undrained triaxial test at failure.
+constexpr const char* ags = R"("GROUP","CONS"
+"HEADING","LOCA_ID","SAMP_TOP","SPEC_DPTH","CONS_INCN","CONS_INCF","CONS_INCE"
+"UNIT","","m","m","","kPa",""
+"TYPE","ID","2DP","2DP","X","0DP","3DP"
+"DATA","BH1","3.00","3.10","1","25","0.951"
+"DATA","BH1","3.00","3.10","2","50","0.912"
+"DATA","BH1","3.00","3.10","3","100","0.860"
+
+"GROUP","TREG"
+"HEADING","LOCA_ID","SAMP_TOP","SPEC_DPTH","TREG_TYPE"
+"UNIT","","m","m",""
+"TYPE","ID","2DP","2DP","PA"
+"DATA","BH1","3.00","3.20","CD"
+"DATA","BH1","5.00","5.10","CU"
+
+"GROUP","TRET"
+"HEADING","LOCA_ID","SAMP_TOP","SPEC_DPTH","TRET_TESN","TRET_CONP","TRET_PWPI","TRET_STRN","TRET_DEVF","TRET_PWPF","TRET_STV"
+"UNIT","","m","m","","kPa","kPa","%","kPa","kPa","%"
+"TYPE","ID","2DP","2DP","X","0DP","0DP","1DP","0DP","0DP","2DP"
+"DATA","BH1","3.00","3.20","1","100","300","8.0","236","300","-1.2"
+"DATA","BH1","5.00","5.10","1","150","300","10.0","120","390",""
+)";
+
+TEST_F(MeasuredTests, of_AGS_are_increments_and_failures)
+{
+  folder_.write("lab.ags", ags);
+  const auto tests_of = [&](const std::string& kind) {
+    return read_measured(read_fit_text("case.toml", sand + ("[[measured]]\nname = \"lab\"\nfile = \"lab.ags\"\n" + kind), folder_.path()));
+  };
+  const std::vector<MeasuredTest> oedometer = tests_of("kind = \"oedometer\"\nk0 = 0.6\n");
+  ASSERT_EQ(oedometer.size(), 1u);
+  EXPECT_EQ(oedometer[0].name, "BH1/3.10");
+  EXPECT_DOUBLE_EQ(oedometer[0].driven[2], 100e3);
+  EXPECT_NEAR(oedometer[0].curves[0].values[2], std::log(1.951 / 1.86), 1e-12);
+  const std::vector<MeasuredTest> drained = tests_of("kind = \"triaxial\"\ndrained = true\n"),
+                                  undrained = tests_of("kind = \"triaxial\"\ndrained = false\n");
+  ASSERT_EQ(drained.size(), 1u);
+  ASSERT_EQ(undrained.size(), 1u);
+  EXPECT_EQ(drained[0].name, "BH1/3.20/1");
+  EXPECT_DOUBLE_EQ(drained[0].held[1], 100e3);
+  EXPECT_DOUBLE_EQ(drained[0].curves[0].values[1], 236e3);
+  EXPECT_NEAR(drained[0].curves[1].values[1], -std::log(1.012), 1e-12);
+  EXPECT_DOUBLE_EQ(undrained[0].curves[1].values[1], 150e3 + 40e3 - 90e3) << "p' by the pore pressure";
+  EXPECT_NE(
+      test::error_of<InputError>([&] { tests_of("kind = \"simple_shear\"\ndrained = false\n"); }).find("oedometer and triaxial tests"),
+      std::string::npos);
 }
 
 TEST_F(MeasuredTests, of_a_law_alone_get_usual_numbers_and_bounds)
