@@ -4,6 +4,7 @@
 #include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace berm::desk::this_file {
 namespace {
@@ -79,6 +80,23 @@ TEST_F(DeskTest, runs_a_case_and_gives_its_rows)
   EXPECT_FALSE(soil.at("rigids").empty());
   EXPECT_EQ(desk_->get(fmt::format("/api/run/soil?path={}&after={}", run, soil.at("frame").get<int>())).status, 204);
   EXPECT_EQ(desk_->get("/api/file?path=" + run + "/history.csv").body, text_of_file(folder_ / run / "history.csv"));
+}
+
+TEST_F(DeskTest, fits_a_soil_to_the_tests_beside_its_input)
+{
+  fs::copy_file(fs::path(BERM_SOURCE_DIR) / "tests/docs/tests.csv", folder_ / "bay/tests.csv");
+  std::ofstream(folder_ / "bay/fit.toml") << "[material.sand]\nlaw = \"mohr_coulomb\"\ndensity = 1000\nyoung_modulus = 2e7\npoisson_ratio "
+                                             "= 0.3\nfriction_angle = \"30 deg\"\n[[free]]\nkey = "
+                                             "\"friction_angle\"\nfrom = \"20 deg\"\nto = \"45 deg\"\n[[free]]\nkey = "
+                                             "\"young_modulus\"\nfrom = \"1 MPa\"\nto = \"100 MPa\"\n[[measured]]\nname = \"lab\"\nfile = "
+                                             "\"tests.csv\"\ntest = \"test\"\nkind = \"triaxial\"\ndrained = true\n";
+  EXPECT_EQ(desk_->get("/api/folder?path=bay").json().at("tests").size(), 1u);
+  const std::string job = desk_->post("/api/fit", {{"path", "bay/fit.toml"}}).json().value("job", "");
+  EXPECT_EQ(job, "out/fit/bay/fit");
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / job / "summary.json"); })) << desk_->get("/api/jobs").body;
+  EXPECT_NEAR(Json::parse(text_of_file(folder_ / job / "summary.json"))["quantities"]["friction_angle"]["value"].get<double>() * 180 /
+                  std::numbers::pi,
+              33, 0.5);
 }
 
 TEST_F(DeskTest, queues_stops_and_resumes_runs_which_outlive_it)
