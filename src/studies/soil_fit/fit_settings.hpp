@@ -30,10 +30,10 @@ struct MeasuredFile {
   std::vector<std::string> held_out;           ///< of these, those that are computed and not fitted
   std::map<std::string, std::string> columns;  ///< "HEADING (UNIT)" by what it holds (Reading)
   std::map<std::string, std::string>
-      specimen;                     ///< keys of the material that each specimen has of its own: heading of the column, first row
-  Real weight = 1;                  ///< of each test
-  Real largest_strain = infinity;   ///< rows beyond this driven strain are not compared
-  std::optional<Real> strain_rate;  ///< 1/s
+      specimen;                        ///< keys of the material that each specimen has of its own: heading of the column, first row
+  Real weight = 1;                     ///< of each test
+  std::optional<Real> largest_strain;  ///< rows beyond this driven strain are not compared
+  std::optional<Real> strain_rate;     ///< 1/s
 };
 
 /// An input of berm fit.

@@ -104,6 +104,11 @@ void check_numbers(const Columns& of)
       if (of.at(reading, k) < least) return k;
     return std::nullopt;
   };
+  const auto any_above = [&](Reading reading, Real most) {  // a test that goes to and fro is on both sides
+    for (std::size_t k = 0; k < of.rows.size(); ++k)
+      if (of.at(reading, k) > most) return true;
+    return false;
+  };
   const bool extends = element::sense(of.file.kind) < 0;
   constexpr Real slack = -1e-3, touch = -1e3;  // of strain, and Pa: what a device shows before it touches
   for (const Reading reading : {Reading::axial_strain, Reading::shear_strain, Reading::volumetric_strain}) {
@@ -113,7 +118,7 @@ void check_numbers(const Columns& of)
     const std::string name = of.table.words_of(reading);
     if (std::abs(x) >= most_strain && reading != Reading::shear_strain)
       of.refuse(row, fmt::format("{} is {:.4g}, which no specimen strains by: is its unit %?", name, x));
-    if (const auto below = first_below(reading, slack); below && reading == Reading::axial_strain && x < 0)
+    if (reading == Reading::axial_strain && x < slack && !any_above(reading, -slack))
       of.refuse(row,
                 fmt::format("{} goes to {:.4g}: compression is positive, and in a test with direction = \"extension\" extension", name, x));
   }
@@ -121,7 +126,7 @@ void check_numbers(const Columns& of)
     if (!of.has(reading)) continue;
     const std::size_t row = extreme(reading);
     const std::string name = of.table.words_of(reading);
-    const bool may_be_negative = reading == Reading::tau || (reading == Reading::q && extends);
+    const bool may_be_negative = reading == Reading::tau || (reading == Reading::q && (extends || any_above(reading, -touch)));
     if (const auto below = first_below(reading, touch); below && !may_be_negative)
       of.refuse(*below, fmt::format("{} is {:.4g} Pa: stresses are effective, and compression is positive", name, of.at(reading, *below)));
     if (reading == Reading::q && extends && of.at(reading, of.rows.size() - 1) > of.at(reading, 0))
@@ -231,7 +236,7 @@ MeasuredTest test_of(const Columns& all, const std::string& name, const FitCase&
       if (row == 0) of.refuse(row, "the first row of a test needs all its columns");
       continue;
     }
-    if (!test.by_stress() && std::abs(driven) > all.file.largest_strain) continue;
+    if (!test.by_stress() && std::abs(driven) > all.file.largest_strain.value_or(infinity)) continue;
     if (all.file.test.empty() && !test.by_stress() && row > 0 && std::abs(driven) < 1e-4 && !test.driven.empty() &&
         test.driven.back() > 0.002)
       if (const std::string other = all.table.changed_name(all.rows[row]); !other.empty())

@@ -117,6 +117,15 @@ TEST_F(MeasuredTests, in_extension_are_positive_where_they_lengthen)
             std::string::npos);
 }
 
+TEST_F(MeasuredTests, that_go_to_and_fro_are_on_both_sides)
+{
+  const std::vector<MeasuredTest> found =
+      tests("axial_strain (%),q (kPa),p (kPa)\n0,0,100\n1,40,90\n-1.5,-50,80\n", "",
+            "[[measured]]\nname = \"lab\"\nfile = \"tests.csv\"\nkind = \"triaxial\"\ndrained = false\n");
+  EXPECT_DOUBLE_EQ(found[0].driven[2], -std::log(1.015));
+  EXPECT_DOUBLE_EQ(found[0].curves[0].values[2], -50e3);
+}
+
 TEST_F(MeasuredTests, by_a_mean_stress_are_isotropic)
 {
   const std::vector<MeasuredTest> found = tests("p (kPa),volumetric_strain (%)\n0,0\n50,0\n100,0.5\n200,1.1\n", "",
