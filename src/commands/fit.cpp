@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "io/atomic_file.hpp"
 #include "io/tell.hpp"
 #include "os/error.hpp"
@@ -10,6 +11,7 @@
 
 #include <chrono>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace berm::commands {
 namespace {
@@ -52,9 +54,13 @@ int fit(FitOptions& options)
   const auto begin = std::chrono::steady_clock::now();
   soil_fit::FitResults results;
   std::tie(results.settings, results.input) = input_of(options, folder);
-  options.common.enter_sandbox(user_law::names_library(results.settings.material), {folder});
+  if (user_law::names_library(results.settings.material))
+    throw InputError(
+        fmt::format("material.{}.law: a law from a library has a list of properties, which has no keys to fit: fit one of berm's laws",
+                    results.settings.material_name()));
   const std::vector<soil_fit::MeasuredTest> tests = soil_fit::read_measured(results.settings);
-  for (const std::string& set : options.common.overrides) results.input = fmt::format("# --set '{}'\n", set) + results.input;
+  for (const std::string& set : options.common.overrides)
+    results.input = fmt::format("# --set {}\n", nlohmann::json(set).dump()) + results.input;
   results.soil = soil_fit::fit_soil(results.settings, tests);
   results.wall_s = std::chrono::duration<Real>(std::chrono::steady_clock::now() - begin).count();
   soil_fit::write_results(results, folder);
@@ -73,7 +79,7 @@ Command add_fit(CLI::App& program)
       ->required();
   app->add_option("--set", options->common.overrides, "KEY=VALUE: replace or add a value of the input")->allow_extra_args(false);
   app->add_option("--kind", options->usual.kind, "of LAW TESTS.csv: which tests these are (default: triaxial)")
-      ->check(CLI::IsMember({"triaxial", "biaxial", "simple_shear", "oedometer", "isotropic"}));
+      ->check(one_of({"triaxial", "biaxial", "simple_shear", "oedometer", "isotropic"}));
   app->add_flag("--undrained", options->usual.undrained, "of LAW TESTS.csv: the tests are undrained");
   app->add_flag("--extension", options->usual.extends, "of LAW TESTS.csv: the tests are in extension");
   app->add_option("--k0", options->usual.k0,
@@ -81,7 +87,6 @@ Command add_fit(CLI::App& program)
   app->add_option("-o,--output", options->common.output,
                   "folder for the results (default: out/FOLDER/NAME of the input or of the last file)");
   app->add_flag("--force", options->common.force, "replace the results of an earlier fit in the folder");
-  options->common.take_sandbox(*app);
   options->app = app;
   return {app, [options] { return fit(*options); }};
 }

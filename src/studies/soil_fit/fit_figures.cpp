@@ -72,10 +72,8 @@ std::vector<std::string> draw_figures(const FitResults& results, const std::file
             tests.push_back(&test);
         }
         if (tests.empty()) continue;
-        std::string name = fmt::format("{}_{}_{}", element::kind_word(tests.front()->measured.settings.kind),
-                                       drained ? "drained" : "undrained", name_of(what));
-        std::replace(name.begin(), name.end(), ' ', '_');
-        std::erase(name, '\'');
+        const std::string name = fmt::format("{}_{}_{}", element::kind_word(tests.front()->measured.settings.kind),
+                                             drained ? "drained" : "undrained", word_of(what));
         if (plot::draw_figure(folder, name, figure_of(tests, what))) drawn.push_back(name);
       }
   return drawn;

@@ -6,6 +6,7 @@
 #include "input/override.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/build.hpp"
+#include "run_folder/csv_line.hpp"
 #include "soil_fit/marks.hpp"
 #include "text/base64_zlib.hpp"
 #include "text/html.hpp"
@@ -112,10 +113,8 @@ Json quantities_json(const FitResults& results)
             fmt::format("root mean square of the {}difference in {} over {} tests", kind.relative ? "relative " : "", kind.label, count));
   for (const FittedTest& test : results.soil.tests)
     for (std::size_t k = 0; k < test.rms.size(); ++k) {
-      std::string what = name_of(test.measured.curves[k].what);
-      std::replace(what.begin(), what.end(), ' ', '_');
-      std::erase(what, '\'');
-      add(fmt::format("{}.{}_rms", test.measured.name, what), test.rms[k], is_strain(test.measured.curves[k].what) ? "1" : "Pa",
+      const Compared what = test.measured.curves[k].what;
+      add(fmt::format("{}.{}_rms", test.measured.name, word_of(what)), test.rms[k], is_strain(what) ? "1" : "Pa",
           "root mean square of computed less measured");
     }
   return all;
@@ -140,15 +139,6 @@ std::string summary_json(const FitResults& results)
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// A field of a CSV file.
-std::string quoted(const std::string& text)
-{
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + "\"";
-}
-
 std::string curves_csv(const FitResults& results)
 {
   std::string csv = "test,fitted,quantity,along,measured,computed\n";
@@ -158,7 +148,7 @@ std::string curves_csv(const FitResults& results)
       const Compared what = of.curves[k].what;
       const auto shown = [&](Real x) { return is_strain(what) ? engineering_strain(x) : x; };
       for (std::size_t row = 0; row < of.rows(); ++row)
-        csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", quoted(of.name), of.held_out ? 0 : 1, name_of(what),
+        csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g}\n", run_folder::csv_field(of.name), of.held_out ? 0 : 1, name_of(what),
                            as_measured(of, of.driven[row]), shown(of.curves[k].values[row]), shown(test.computed[k][row]));
     }
   return csv;
@@ -350,13 +340,12 @@ void write_results(const FitResults& results, const fs::path& folder)
 
 std::string material_toml(const FitResults& results)
 {
-  std::string toml;
   const input::Found found = input::follow(results.settings.document.root, "material." + results.settings.material_name());
   std::set<std::string> own;
   for (const FittedTest& test : results.soil.tests)
     for (const auto& [key, value] : test.measured.specimen) own.insert(key);
   const MaterialWriter writer{results.soil.keys, own};
-  toml = fmt::format("[material.{}]\n", results.settings.material_name());
+  std::string toml = fmt::format("[material.{}]\n", results.settings.material_name());
   for (const input::Node& item : found.node->items)
     toml += fmt::format("{} = {}{}\n", item.key, writer.value(item, item.key), writer.remark(item.key));
   return toml;

@@ -4,11 +4,10 @@
 
 #include "input/message_text.hpp"
 #include "input/override.hpp"
-#include "input/read_case.hpp"
 #include "input/reader.hpp"
 #include "input/units.hpp"
 #include "os/error.hpp"
-#include "soil_fit/measured.hpp"
+#include "soil_fit/laboratory_table.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -139,7 +138,6 @@ FitCase case_of(input::Document document, const std::filesystem::path& folder, c
   c.folder = folder;
   std::erase_if(c.document.root.items, [](const input::Node& item) { return item.key != "material"; });
   read(document, c);
-  input::find_libraries(c.material, folder);
   for (const FreeKey& free : c.free) {
     const Real start = value_in(c, free);
     if (start < free.from || start > free.to)
@@ -169,7 +167,6 @@ material::Material material_with(const FitCase& c, const Values& values)
   for (const auto& [key, value] : values) set(document, c.material_name(), key, value);
   element::MaterialsOfCase materials;
   read(document, materials);
-  input::find_libraries(materials.material, c.folder);
   return materials.material.front().second;
 }
 

@@ -69,8 +69,6 @@ public:
     return values;
   }
 
-  std::vector<Real> nothing(const MeasuredTest& test) const { return std::vector<Real>(test.rows(), nan); }
-
   /// What the law makes of a test; without a state where these values do not fit together.
   std::vector<std::vector<Real>> computed(const MeasuredTest& test, const Vector& x) const
   {
@@ -80,7 +78,7 @@ public:
       const element::StartStress& start = element::start_of(test.settings.kind);
       return simulate(test, material::drained(material::at_depth(material_with(c_, values), 0, start.vertical())), c_.largest_step);
     } catch (const InputError&) {
-      return {test.curves.size(), nothing(test)};
+      return {test.curves.size(), std::vector<Real>(test.rows(), nan)};
     }
   }
 
@@ -213,9 +211,8 @@ void find_errors(Problem& problem, const Vector& x, FittedSoil& soil)
     key.error = unseen > 0.01 ? infinity : std::sqrt(std::max(covariance(i, i), Real(0))) * slope_of(key.free, key.value);
     for (Eigen::Index j = 0; j < count; ++j) {
       const Real both = std::sqrt(covariance(i, i) * covariance(j, j));
-      soil.correlation(loose[static_cast<std::size_t>(i)], loose[static_cast<std::size_t>(j)]) = i == j     ? 1
-                                                                                                 : both > 0 ? covariance(i, j) / both
-                                                                                                            : 0;
+      if (i != j)
+        soil.correlation(loose[static_cast<std::size_t>(i)], loose[static_cast<std::size_t>(j)]) = both > 0 ? covariance(i, j) / both : 0;
     }
   }
   constexpr Real wide = 0.1;  // of the widths of the bounds, by one standard error
@@ -280,7 +277,6 @@ FittedSoil fit_soil(const FitCase& c, const std::vector<MeasuredTest>& tests)
   find_errors(problem, best, soil);
   for (const MeasuredTest& test : tests) soil.tests.push_back(compare(problem, test, best));
   soil.evaluations = problem.evaluations();
-  soil.material = material_with(c, values);
   return soil;
 }
 

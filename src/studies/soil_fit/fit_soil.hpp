@@ -36,7 +36,6 @@ struct FittedSoil {
   Real misfit_at_start = nan, misfit = nan;  ///< root of the mean square over all curves that are fitted, over the largest of each
   std::vector<Real> misfits;                 ///< that each start ended at, the least first
   int evaluations = 0;                       ///< of all tests
-  material::Material material;               ///< with the values that were found
 };
 
 /// The values of the free keys at which the sum of squares is least: of each curve the mean of ((computed - measured) / largest)^2, times the weight of its test (Levenberg and

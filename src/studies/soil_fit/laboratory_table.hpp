@@ -24,6 +24,9 @@ enum class Reading {
 };
 constexpr int reading_count = 11;
 
+/// Their words, as the keys of measured.columns.
+std::vector<std::string> reading_words();
+
 /// The rows of a laboratory's CSV file, or of a group of a file of AGS 4, in SI units.
 class LaboratoryTable {
 public:

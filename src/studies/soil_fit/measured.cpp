@@ -261,6 +261,12 @@ const char* name_of(Compared what)
   return names[static_cast<int>(what)];
 }
 
+const char* word_of(Compared what)
+{
+  constexpr const char* words[] = {"q", "tau", "p", "vertical_stress", "volumetric_strain", "axial_strain"};
+  return words[static_cast<int>(what)];
+}
+
 bool is_strain(Compared what)
 {
   return what == Compared::volumetric_strain || what == Compared::axial_strain;

@@ -9,8 +9,9 @@ namespace berm::soil_fit {
 /// What is compared between a test and the law. Compression is positive; SI.
 enum class Compared { q, tau, p, vertical_stress, volumetric_strain, axial_strain };
 
-/// "q", "volumetric strain".
+/// "p'", "volumetric strain"; and as a part of names: "p", "volumetric_strain".
 const char* name_of(Compared what);
+const char* word_of(Compared what);
 bool is_strain(Compared what);
 
 /// What a test was found to do, over its rows.
@@ -33,9 +34,6 @@ struct MeasuredTest {
   std::size_t rows() const { return driven.size(); }
   bool by_stress() const { return element::is_compression(settings.kind); }
 };
-
-/// The words of what a column can hold, as the keys of measured.columns.
-std::vector<std::string> reading_words();
 
 /// The tests of all files. Throws InputError with file and line where a file is wrong, and where numbers cannot be those of such a test.
 std::vector<MeasuredTest> read_measured(const FitCase& c);

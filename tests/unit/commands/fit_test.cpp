@@ -55,6 +55,12 @@ TEST_F(FitCommand, with_senseless_words_says_what_is_wanted)
   const auto fault = [&](const std::vector<std::string>& words) { return fit(words).err; };
   EXPECT_EQ(fault({"norsand"}), "berm: what is norsand to be fitted to? berm fit norsand TESTS.csv\n");
   EXPECT_EQ(fault({"clay", "tests.csv"}), "berm: clay is a law of undrained clay: berm fit clay TESTS.csv --undrained\n");
+  folder_.write("library.toml", "[material.soil]\nlaw = \"user\"\nlibrary = \"law.so\"\nsymbol = \"law\"\ndensity = 1000\nyoung_modulus = "
+                                "2e7\npoisson_ratio = 0.3\n[[free]]\nkey = "
+                                "\"young_modulus\"\nfrom = 1e6\nto = 1e8\n[[measured]]\nname = \"lab\"\nfile = \"tests.csv\"\ntest = "
+                                "\"test\"\nkind = \"triaxial\"\ndrained = true\n");
+  EXPECT_EQ(fault({"library.toml"}),
+            "berm: material.soil.law: a law from a library has a list of properties, which has no keys to fit: fit one of berm's laws\n");
   EXPECT_NE(fault({"norsant", "tests.csv"}).find("did you mean \"norsand\"?"), std::string::npos);
   EXPECT_EQ(fault({"mohr_coulomb", "nothing.csv"}).rfind("berm: nothing.csv: ", 0), 0u) << fault({"mohr_coulomb", "nothing.csv"});
 }
