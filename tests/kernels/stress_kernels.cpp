@@ -90,6 +90,7 @@ void add_stress_kernels()
   }
   add_critical_state("cam_clay", sample_cam_clay());
   add_critical_state("norsand", sample_norsand());
+  add_critical_state("hypoplastic", sample_hypoplastic());
 }
 
 }  // namespace berm

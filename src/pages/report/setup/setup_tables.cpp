@@ -91,6 +91,21 @@ void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law
   if (law.void_ratio) rows.add(prefix + "void ratio", text::number_words(*law.void_ratio));
 }
 
+void add_law(Rows& rows, const std::string& prefix, const material::Hypoplastic& law)
+{
+  rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  rows.add(prefix + "h_s, n", fmt::format("{}, {:.3g}", text::stress_words(law.granular_hardness), law.hardness_exponent));
+  rows.add(prefix + "e_d0, e_c0, e_i0",
+           fmt::format("{:.3g}, {:.3g}, {:.3g}", law.min_void_ratio, law.critical_void_ratio, law.max_void_ratio));
+  rows.add(prefix + "α, β", fmt::format("{:.3g}, {:.3g}", law.dilatancy_exponent, law.stiffness_exponent));
+  if (law.relative_density) rows.add(prefix + "relative density", text::number_words(*law.relative_density));
+  if (law.void_ratio) rows.add(prefix + "void ratio", text::number_words(*law.void_ratio));
+  if (law.small_strain > 0)
+    rows.add(prefix + "intergranular strain R, m_R, m_T, β_r, χ",
+             fmt::format("{:.3g}, {:.3g}, {:.3g}, {:.3g}, {:.3g}", law.small_strain, law.reversal_stiffness, law.turn_stiffness,
+                         law.evolution_exponent, law.decay_exponent));
+}
+
 /// Of the others the library or nothing.
 template <class Law>
 void add_law(Rows& rows, const std::string& prefix, const Law& law)
