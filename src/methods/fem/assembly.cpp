@@ -7,6 +7,7 @@
 #include "material/laws.hpp"
 #include "material/tangent.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace berm::fem {
@@ -81,6 +82,11 @@ PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
   const Vec<3> across = (Vec<3>(around[0], around[1], around[3]) + Vec<3>(tangent.row(2).transpose())) / 2;
+  if constexpr (!has_constant_moduli<Law>()) {
+    const Eigen::SelfAdjointEigenSolver<Stiffness> own((d + d.transpose()) / 2);
+    const Real least = 0.02 * own.eigenvalues().cwiseAbs().maxCoeff();
+    d = own.eigenvectors() * own.eigenvalues().cwiseMax(least).asDiagonal() * own.eigenvectors().transpose();
+  }
   const PointStiffness elastic = elastic_point(law.elastic);
   const Real lost = (1 - min_stiffness) / (1 + viscosity);
   return {elastic.plane - lost * (elastic.plane - (d + d.transpose()) / 2), elastic.across - lost * (elastic.across - across),

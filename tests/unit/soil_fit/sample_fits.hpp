@@ -34,7 +34,14 @@ inline const std::vector<SampleLaw>& sample_laws()
        "0.2\nmax_pressure = \"2 MPa\"\n",
        "[[free]]\nkey = \"critical_friction_angle\"\nfrom = \"28 deg\"\nto = \"36 deg\"\n[[free]]\nkey = \"critical_void_ratio\"\nfrom = "
        "0.8\nto = 1.1\n[[free]]\nkey = \"dilatancy\"\nfrom = 1.5\nto = 6\n[[free]]\nkey = \"hardening_modulus\"\nfrom = 30\nto = 400\n",
-       {{"critical_friction_angle", 33 * pi / 180}, {"critical_void_ratio", 0.95}, {"dilatancy", 3.8}, {"hardening_modulus", 160}}}};
+       {{"critical_friction_angle", 33 * pi / 180}, {"critical_void_ratio", 0.95}, {"dilatancy", 3.8}, {"hardening_modulus", 160}}},
+      {"hypoplastic",
+       "law = \"hypoplastic\"\ndensity = 1000\ncritical_friction_angle = \"31 deg\"\ngranular_hardness = \"2 GPa\"\nhardness_exponent = "
+       "0.3\nmin_void_ratio = 0.6\ncritical_void_ratio = 0.95\nmax_void_ratio = 1.15\ndilatancy_exponent = 0.1\nstiffness_exponent = "
+       "1.2\nvoid_ratio = 0.75\nmax_pressure = \"2 MPa\"\n",
+       "[[free]]\nkey = \"critical_friction_angle\"\nfrom = \"28 deg\"\nto = \"36 deg\"\n[[free]]\nkey = \"granular_hardness\"\nfrom = "
+       "\"100 MPa\"\nto = \"20 GPa\"\n[[free]]\nkey = \"dilatancy_exponent\"\nfrom = 0.05\nto = 0.3\n",
+       {{"critical_friction_angle", 33 * pi / 180}, {"granular_hardness", 4e9}, {"dilatancy_exponent", 0.16}}}};
   return all;
 }
 
