@@ -103,7 +103,7 @@ PreparedModifiedCamClay prepare(const ModifiedCamClay& law)
   PreparedModifiedCamClay prepared;
   prepared.moduli = {volume / law.swelling_index, shear_over_bulk(law.poisson_ratio), law.min_pressure, law.max_pressure};
   prepared.elastic = stiffest(prepared.moduli);
-  prepared.shape = strength_shape(law.deviatoric_shape, law.critical_friction_angle);
+  prepared.shape = law.deviatoric_shape;
   prepared.per_slope_square = 1 / (slope * slope);
   prepared.hardening = volume / (law.compression_index - law.swelling_index);
   return prepared;

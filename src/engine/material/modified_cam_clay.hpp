@@ -69,7 +69,7 @@ struct PreparedModifiedCamClay {
 
   Elasticity elastic;  ///< at max_pressure
   PressureElasticity moduli;
-  StrengthShape shape;
+  DeviatoricShape shape = DeviatoricShape::circle;
   Real per_slope_square = 0;  ///< 1 / M^2
   Real hardening = 0;         ///< v0 / (lambda - kappa)
 };

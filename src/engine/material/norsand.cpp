@@ -107,7 +107,7 @@ PreparedNorSand prepare(const NorSand& law)
   prepared.moduli = {law.rigidity / shear_over_bulk(law.poisson_ratio), shear_over_bulk(law.poisson_ratio), law.min_pressure,
                      law.max_pressure};
   prepared.elastic = stiffest(prepared.moduli);
-  prepared.shape = strength_shape(law.deviatoric_shape, law.critical_friction_angle);
+  prepared.shape = law.deviatoric_shape;
   prepared.slope = slope;
   prepared.gamma = law.critical_void_ratio + lambda * std::log(kilopascal);
   prepared.lambda = lambda;

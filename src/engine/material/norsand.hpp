@@ -67,7 +67,7 @@ struct PreparedNorSand {
 
   Elasticity elastic;  ///< at max_pressure
   PressureElasticity moduli;
-  StrengthShape shape;
+  DeviatoricShape shape = DeviatoricShape::circle;
   Real slope = 0;              ///< M
   Real gamma = 0, lambda = 0;  ///< of e_c over log(p' / 1 Pa)
   Real coupling = 0;           ///< N chi_i
