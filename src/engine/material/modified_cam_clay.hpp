@@ -12,8 +12,8 @@ namespace berm::material {
 ///   K = v0 p' / kappa,   G by Poisson's ratio,   M = 6 sin(phi) / (3 - sin(phi)).
 ///
 /// v0 = 1 + void_ratio is that of the beginning: log(v) and not v is linear in log(p'), with the slopes lambda / v0 and kappa / v0 (Butterfield 1979). M is
-/// the same for all directions of the deviator, that of triaxial compression. Source: Roscoe and Burland (1968); return: Borja and Lee, Comput. Meth. Appl.
-/// Mech. Engng 78 (1990).
+/// that of triaxial compression; in other directions q is that of deviatoric_shape.hpp. Source: Roscoe and Burland (1968); return: Borja and Lee, Comput.
+/// Meth. Appl. Mech. Engng 78 (1990).
 ///
 /// State: the preconsolidation pressure p_c, Pa.
 struct ModifiedCamClay {

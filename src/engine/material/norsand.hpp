@@ -16,8 +16,9 @@ namespace berm::material {
 ///   G = rigidity p',   K by Poisson's ratio,   M = 6 sin(phi) / (3 - sin(phi)),   d e = (1 + e) d(volumetric strain).
 ///
 /// The yield surface follows from D by normality. At the image state p' = p_i the volume does not change. At the peak D_min = chi_tc psi = chi_i psi_i. The
-/// second limit of eta keeps soil that was unloaded from more than its peak strength. M is the same for all directions of the deviator, that of triaxial
-/// compression. Sources: Jefferies, Geotechnique 43 (1993); Jefferies and Shuttle (2005); Jefferies and Been, Soil liquefaction (2015).
+/// second limit of eta keeps soil that was unloaded from more than its peak strength. All of it is of triaxial compression; in other directions eta is that
+/// of deviatoric_shape.hpp, and the plastic deviatoric strain the one that goes with it. Sources: Jefferies, Geotechnique 43 (1993); Jefferies and Shuttle
+/// (2005); Jefferies and Been, Soil liquefaction (2015).
 ///
 /// State: the image pressure p_i, Pa, and the void ratio e.
 struct NorSand {
