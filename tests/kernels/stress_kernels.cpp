@@ -80,6 +80,13 @@ void add_critical_state(const char* name, const Law& law)
   }
 }
 
+template <class Law>
+Law matsuoka_nakai(Law law)
+{
+  law.deviatoric_shape = material::DeviatoricShape::matsuoka_nakai;
+  return law;
+}
+
 }  // namespace
 
 void add_stress_kernels()
@@ -91,6 +98,8 @@ void add_stress_kernels()
   add_critical_state("cam_clay", sample_cam_clay());
   add_critical_state("norsand", sample_norsand());
   add_critical_state("hypoplastic", sample_hypoplastic());
+  add_critical_state("cam_clay_matsuoka_nakai", matsuoka_nakai(sample_cam_clay()));
+  add_critical_state("norsand_matsuoka_nakai", matsuoka_nakai(sample_norsand()));
 }
 
 }  // namespace berm
