@@ -122,12 +122,12 @@ void add_path(const Contours& contours, const StormPath& path, plot::FigureCurve
 bool draw(const CyclicResults& results, const fs::path& folder)
 {
   const CyclicCase& c = results.settings;
-  plot::Figure figure{.title = fmt::format("Contours at tau_a = {:.3g} s_u, and the storm on them", c.storm.average()),
-                      .x_label = "number of cycles N",
-                      .y_label = "tau_{cy} / s_u",
-                      .more = "set logscale x\nset yrange [0:*]\nset key outside right\n",
-                      .width = 900,
-                      .height = 520};
+  plot::Figure figure;
+  figure.title = fmt::format("Contours at tau_a = {:.3g} s_u, and the storm on them", c.storm.average());
+  figure.x_label = "number of cycles N";
+  figure.y_label = "tau_{cy} / s_u";
+  figure.more = "set logscale x\nset yrange [0:*]\n";
+  figure.width = 900, figure.height = 520;
   for (std::size_t k = 0; k < c.diagram.strains().size(); ++k) {
     plot::FigureCurve curve{
         measure_of(results, c.diagram.strains()[k]), plot::curve_style(5, k == c.failure ? 0 : 1, k == c.failure ? 2.5 : 1), {}, {}};

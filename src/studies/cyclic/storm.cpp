@@ -54,18 +54,25 @@ StormPath follow(const Contours& contours, const std::vector<Parcel>& storm, std
 StormStrength strength_in(const Contours& contours, const std::vector<Parcel>& storm, std::size_t failure)
 {
   const auto at = [&](Real factor) { return follow(contours, times(storm, factor), failure); };
+  const auto known_at = [&](Real factor) {
+    StormPath path = at(factor);
+    if (!path.outside.empty())
+      throw InputError(factor == 1 ? path.outside : fmt::format("with {:.4g} times the loads {}", factor, path.outside));
+    return path;
+  };
+  StormStrength found;
+  found.given = known_at(1);
+  // Just beyond `most` the largest parcel fails where the contours begin, if not before.
   const Real largest = largest_of(storm), most = contours.stress(failure, contours.first());
-  // Beyond `most` it fails where the contours begin, or they do not tell.
   Real low = 0, high = most / largest * (1 + 1e-9);
-  if (const StormPath path = at(high); !path.fails) throw InputError(fmt::format("with {:.4g} times the loads {}", high, path.outside));
   for (int step = 0; step < 60; ++step) {
     const Real middle = (low + high) / 2;
     (at(middle).fails ? high : low) = middle;
   }
-  StormStrength found{at(1), at(high), high, high * largest};
-  for (const auto& [path, factor] : {std::pair(found.given, 1.), std::pair(found.failing, high), std::pair(at(low), low)})
-    if (!path.outside.empty())
-      throw InputError(factor == 1 ? path.outside : fmt::format("with {:.4g} times the loads {}", factor, path.outside));
+  known_at(low);
+  found.failing = known_at(high);
+  found.multiplier = high;
+  found.stress = high * largest;
   found.given_cycles = found.given.fails ? nan : contours.cycles(largest, found.given.parcels.back().strain);
   found.equivalent_cycles = contours.cycles(std::min(found.stress, most), contours.strains()[failure]);
   return found;
