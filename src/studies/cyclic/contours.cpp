@@ -30,34 +30,32 @@ Real stress_on(const ContourCurve& curve, Real cycles)
 
 Contours::Contours(const ContourTable& table, Real average)
 {
+  constexpr Real rounding = 1e-9;
+  std::vector<Real> all_cycles;
   last_ = infinity;
   for (const auto& [strain, by_average] : table) {
-    const auto high = by_average.lower_bound(average);
-    if (high == by_average.end() || (high == by_average.begin() && high->first != average))
+    const auto high = by_average.lower_bound(average - rounding);
+    const bool on_high = high != by_average.end() && high->first <= average + rounding;
+    if (high == by_average.end() || (high == by_average.begin() && !on_high))
       throw InputError(fmt::format("the average stress is {:.4g} s_u, and the contour of {:.4g} is known from {:.4g} to {:.4g} s_u",
                                    average, strain, by_average.begin()->first, by_average.rbegin()->first));
-    const auto low = high->first == average ? high : std::prev(high);
+    const auto low = on_high ? high : std::prev(high);
     strains_.push_back(strain);
     curves_.push_back({low->second, high->second, line(average, low->first, high->first, 0, 1)});
     for (const ContourCurve* curve : {&low->second, &high->second}) {
       first_ = std::max(first_, curve->front().cycles);
       last_ = std::min(last_, curve->back().cycles);
+      for (const ContourPoint& point : *curve) all_cycles.push_back(point.cycles);
     }
   }
   if (!(last_ > first_)) throw InputError("there is no range of cycles in which all contours are known at this average stress");
-  for (std::size_t k = 0; k < curves_.size(); ++k)
-    for (const ContourCurve* curve :
-         {&curves_[k].low, &curves_[k].high, &curves_[k == 0 ? 0 : k - 1].low, &curves_[k == 0 ? 0 : k - 1].high})
-      for (const ContourPoint& point : *curve) {
-        const Real n = std::clamp(point.cycles, first_, last_);
-        if (k == 0 && !(stress(0, n) > 0))
-          throw InputError(fmt::format("at an average stress of {:.4g} s_u the contour of {:.4g} has no cyclic stress at N = {:.4g}",
-                                       average, strains_[0], n));
-        if (k > 0 && !(stress(k, n) > stress(k - 1, n)))
-          throw InputError(
-              fmt::format("at an average stress of {:.4g} s_u and N = {:.4g} the contour of {:.4g} is not above that of {:.4g}", average, n,
-                          strains_[k], strains_[k - 1]));
-      }
+  for (Real cycles : all_cycles)
+    for (std::size_t k = 0; k < strains_.size(); ++k) {
+      cycles = std::clamp(cycles, first_, last_);
+      if (!(stress(k, cycles) > (k == 0 ? 0 : stress(k - 1, cycles))))
+        throw InputError(fmt::format("at an average stress of {:.4g} s_u and N = {:.4g} the contour of {:.4g} is not above {}", average,
+                                     cycles, strains_[k], k == 0 ? "0" : fmt::format("that of {:.4g}", strains_[k - 1])));
+    }
 }
 
 Real Contours::stress(std::size_t k, Real cycles) const
@@ -66,28 +64,28 @@ Real Contours::stress(std::size_t k, Real cycles) const
   return line(curve.part, 0, 1, stress_on(curve.low, cycles), stress_on(curve.high, cycles));
 }
 
-Real Contours::strain(Real stress_, Real cycles) const
+Real Contours::strain(Real tau, Real cycles) const
 {
-  if (cycles < first_) return strain(stress_, first_) * cycles / first_;
+  if (cycles < first_) return strain(tau, first_) * cycles / first_;
   Real below = stress(0, cycles);
-  if (stress_ <= below) return strains_[0] * stress_ / below;
+  if (tau <= below) return strains_[0] * tau / below;
   for (std::size_t k = 1; k < strains_.size(); ++k) {
     const Real above = stress(k, cycles);
-    if (stress_ <= above)
-      return std::exp(line(std::log(stress_), std::log(below), std::log(above), std::log(strains_[k - 1]), std::log(strains_[k])));
+    if (tau <= above)
+      return std::exp(line(std::log(tau), std::log(below), std::log(above), std::log(strains_[k - 1]), std::log(strains_[k])));
     below = above;
   }
   return infinity;
 }
 
-Real Contours::cycles(Real stress, Real strain_) const
+Real Contours::cycles(Real tau, Real gamma) const
 {
-  const Real at_first = strain(stress, first_);
-  if (strain_ < at_first) return first_ * strain_ / at_first;
+  const Real at_first = strain(tau, first_);
+  if (gamma < at_first) return first_ * gamma / at_first;
   Real low = std::log(first_), high = std::log(last_);
   for (int step = 0; step < 60; ++step) {
     const Real middle = (low + high) / 2;
-    (strain(stress, std::exp(middle)) <= strain_ ? low : high) = middle;
+    (strain(tau, std::exp(middle)) <= gamma ? low : high) = middle;
   }
   return std::exp(high);
 }

@@ -35,9 +35,9 @@ public:
   /// The stress at which N cycles, from first() to last(), make the strain of the k-th contour.
   Real stress(std::size_t k, Real cycles) const;
   /// The strain after N cycles, up to last(), of a stress; infinity above the highest contour. Fewer cycles than first() make their share of the strain of first().
-  Real strain(Real stress, Real cycles) const;
+  Real strain(Real tau, Real cycles) const;
   /// The number of cycles of a stress that makes a strain: the largest where contours are level; last() where it takes more.
-  Real cycles(Real stress, Real strain) const;
+  Real cycles(Real tau, Real gamma) const;
 
 private:
   /// A contour between two average stresses.

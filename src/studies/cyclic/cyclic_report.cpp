@@ -125,7 +125,7 @@ bool draw(const CyclicResults& results, const fs::path& folder)
   plot::Figure figure;
   figure.title = fmt::format("Contours at tau_a = {:.3g} s_u, and the storm on them", c.storm.average());
   figure.x_label = "number of cycles N";
-  figure.y_label = "tau_{cy} / s_u";
+  figure.y_label = "tau_cy / s_u";
   figure.more = "set logscale x\nset yrange [0:*]\n";
   figure.width = 900, figure.height = 520;
   for (std::size_t k = 0; k < c.diagram.strains().size(); ++k) {

@@ -39,8 +39,8 @@ struct CyclicCase {
   ContourSettings contours;
   StormSettings storm;
 
-  Contours diagram;     ///< at the average stress of the storm
-  std::size_t failure;  ///< the number of its contour
+  Contours diagram;         ///< at the average stress of the storm
+  std::size_t failure = 0;  ///< the number of its contour
 
   /// In their order on the contours.
   std::vector<Parcel> parcels() const;
