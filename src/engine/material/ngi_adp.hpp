@@ -93,15 +93,14 @@ struct PreparedNgiAdpOf : NgiAdpConstants {
 
   ElasticityOf<N> elastic;
   N radius{}, per_radius{};  ///< R, Pa, and its inverse
-  N axial{}, axial_odd{},
-      along_planes{};  ///< R / (G gamma_f): half the sum and the difference of active and passive; of shear along horizontal planes
+  N axial{}, axial_odd{};    ///< R / (G gamma_f): half of the sum and of the difference of active and passive shear
+  N along_planes{};          ///< the same of simple shear
 
   /// Sets what follows from s_A, Pa, and the moduli.
   [[gnu::always_inline]] void set_strength(const N& strength)
   {
-    constexpr Real no_strength = 1e-6;  // Pa
-    constexpr Real least_plastic =
-        1e-3;  // R / G, of soil that fails before it has strained that much, which check refuses at the surface alone
+    constexpr Real no_strength = 1e-6;    // Pa
+    constexpr Real least_plastic = 1e-3;  // times R / G, where the strain at failure is elastic, which check refuses at the surface alone
     radius = larger(strength * per_strength, N{} + no_strength);
     per_radius = 1. / radius;
     const N index = elastic.shear * per_radius, least = N{} + least_plastic;
@@ -131,17 +130,16 @@ struct StretchedShear {
   T value, scale, by_centre, by_part, normal;
 };
 
-/// The strain at failure in the direction whose stress on horizontal planes is (cos, sin) of the largest Mohr circle: cos is 1 in active shear, triaxial and plane, 0
-/// in simple and -1 in passive shear.
+/// The strain at failure in the direction whose stress on horizontal planes has, from the middle of the largest Mohr circle, this normal part and the root of `along2`
+/// as shear stress: active shear, triaxial and plane, is at one end of the circle's diameter, passive shear at the other and simple shear on top.
 template <class T>
 struct FailureStrain {
-  T share, size;  ///< R / (G gamma_f) = share / size
+  T size, share;  ///< of the circle; R / (G gamma_f) = share / size
 
   template <class N>
-  [[gnu::always_inline]] FailureStrain(const PreparedNgiAdpOf<N>& law, const T& cosine, const T& square_of_sine, const T& length)
-      : share(square_root(law.axial * law.axial * cosine * cosine + law.along_planes * law.along_planes * square_of_sine) +
-              law.axial_odd * cosine),
-        size(length)
+  [[gnu::always_inline]] FailureStrain(const PreparedNgiAdpOf<N>& law, const T& normal, const T& along2, const T& radius)
+      : size(radius),
+        share(square_root(law.axial * law.axial * normal * normal + law.along_planes * law.along_planes * along2) + law.axial_odd * normal)
   {
   }
 };
@@ -204,7 +202,7 @@ struct StretchedStress<3, T> {
   [[gnu::always_inline]] StretchedShear<T> about(const T& centre, const T& part) const
   {
     constexpr Real smallest = 1e-100, root3 = 1.7320508075688772;
-    constexpr Real flattest = 0.02;  // of sin(3 angle): at an edge the derivative is that beside it
+    constexpr Real smallest_sine = 1e-6;  // of three times the angle from an edge, where the derivative is that beside it
     const T n = vertical + centre * (4. / 3), part2 = part * part, v = along_planes * part2, n2 = n * n;
     const T j2 = larger(0.75 * n2 + in_plane + v, T{} + smallest);
     const T inner = 0.5 * along_planes * n + mixed, j3 = n * (0.25 * n2 - in_plane) + part2 * inner;
@@ -213,7 +211,7 @@ struct StretchedStress<3, T> {
     const T x = cosine_of_third(sine), y = square_root(larger(1. - x * x, T{}));
     const T value = 0.5 * root3 * x + 0.5 * y;
     // value = cos(30 deg - a), cos(3 a) = sine
-    const T slope = (0.5 * root3 * y - 0.5 * x) / (3. * larger(y * (3. - 4. * y * y), T{} + flattest));
+    const T slope = (0.5 * root3 * y - 0.5 * x) / (3. * larger(y * (3. - 4. * y * y), T{} + smallest_sine));
     const T by_j2 = per * (0.5 * value - 1.5 * slope * sine), by_j3 = (odd > T{} ? slope : -slope) * per2 * (1.5 * root3);
     const T by_n = by_j2 * 1.5 * n + by_j3 * (0.75 * n2 - in_plane + 0.5 * v);
     const T far_from_middle = root * (0.5 * y - 0.5 / root3 * x);  // (h1 + h3)/2 is -h2/2
@@ -270,12 +268,28 @@ struct Shares {
   }
 };
 
+/// The root of the return's equation, expanded to the second order at the trial: a d^2 + b d = c with d = u - u_begin up to failure, and a d = c with x beyond it.
+template <class T>
+[[gnu::always_inline]] inline T expected_root(const Mobilisation<T>& begin, const T& u_begin, const T& per_square,
+                                              const FailureStrain<T>& failure, const StretchedShear<T>& trial, const Real& centre_change,
+                                              const Real& stretch2)
+{
+  const T one = T{} + 1., kappa = 2. * begin.w * per_square, scale = trial.scale * failure.share;
+  const T a = failure.size * trial.scale + (stretch2 - 1.) * trial.by_part, c = scale * (failure.size - kappa);
+  const T b = failure.share * begin.kappa_slope(per_square) * (trial.scale - centre_change * trial.by_centre) + a * begin.x_slope();
+  const T bend = 2. * begin.w * (begin.square - 4.) * per_square * per_square * per_square;  // half of the second derivative of kappa
+  const T root = square_root(b * b + 4. * larger(a + scale * bend, 0.25 * a) * c), to_failure = one - u_begin;
+  const auto fails = (to_failure <= T{}) | ((b + a * to_failure) * to_failure < c);
+  const T step = (fails ? scale * (failure.size - 1.) : 2. * c) / (fails ? 2. * a : b + root);
+  return fails ? larger(0.5 * (1. + begin.x) + step, one) : u_begin + step;
+}
+
 /// The implicit return. With p the plastic shear strain of the increment times G / R, p = (x - x_begin) G gamma_f / R, the stretched stress is kappa/(kappa + p)
 /// times that of the elastic trial about the new centre, in shear on horizontal planes kappa/(kappa + r^2 p) times: one equation for u,
 ///
 ///   kappa + p = (h1 - h3)/2 of the trial whose shear on horizontal planes is (kappa + p)/(kappa + r^2 p)-fold,
 ///
-/// increasing with u, here times failure.share. By Newton's method between bounds, from the root of its expansion at the trial, where the direction is taken that
+/// increasing with u, here times failure.share. By Newton's method between bounds, from the root that is expected at the trial, which also gives the direction that
 /// gamma_f belongs to. A lane that has converged does not change any more, so that it does not depend on the others.
 template <int dim, class N, class T>
 [[gnu::noinline]] void return_to_mobilised_surface(const PreparedNgiAdpOf<N>& law, const StretchedStress<dim, T>& trial,
@@ -286,24 +300,13 @@ template <int dim, class N, class T>
   constexpr Real precision = 1e-5;  // Newton's method squares it
   constexpr Real flattest = 0.05, smallest = 1e-100;
   const Real stretch2 = law.stretch * law.stretch;
-  const T zero{}, one = zero + 1.;
+  const T zero{};
   const Mobilisation<T> begin(u_begin);
   const T kappa = 2. * begin.w * per_square, normal = at_begin.normal;
   const T along2 = larger(at_begin.value * at_begin.value - normal * normal, zero);
 
-  // a d^2 + b d = c with d = u - u_begin up to failure, and beyond it a d = c with x.
-  T u;
   const FailureStrain<T> first(law, normal, along2, at_begin.value);
-  {
-    const T a = first.size * at_begin.scale + (stretch2 - 1.) * at_begin.by_part, scale = at_begin.scale * first.share;
-    const T slope = first.share * begin.kappa_slope(per_square) * (at_begin.scale - law.centre_change * at_begin.by_centre);
-    const T b = slope + a * begin.x_slope(), c = scale * (first.size - kappa), to_failure = one - u_begin;
-    const T bend = 2. * begin.w * (begin.square - 4.) * per_square * per_square * per_square;
-    const auto fails = (to_failure <= zero) | ((b + a * to_failure) * to_failure < c);
-    const T root = square_root(b * b + 4. * larger(a + scale * bend, 0.25 * a) * c);
-    const T step = (fails ? scale * (first.size - 1.) : 2. * c) / (fails ? 2. * a : b + root);
-    u = fails ? larger(0.5 * (1. + begin.x) + step, one) : u_begin + step;
-  }
+  T u = expected_root(begin, u_begin, per_square, first, at_begin, law.centre_change, stretch2);
   const Shares<T> ahead(Mobilisation<T>(u), begin.x, first, stretch2);
   const T turned = normal - law.centre_change * (ahead.kappa - kappa), turned2 = along2 * ahead.part * ahead.part;
   const FailureStrain<T> failure(law, turned, turned2, square_root(larger(turned * turned + turned2, zero + smallest)));

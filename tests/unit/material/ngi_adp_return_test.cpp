@@ -217,13 +217,13 @@ void expect_lanes_like_single_numbers(const NgiAdp& law)
       SymTensor<dim> trial = soils[l].stress;
       add_elastic_stress(prepared.elastic, trial, strain[l]);
       soils[l].strain_by(strain[l]);
-      // The compiler may fuse products and sums in one form and not in the other; near an edge of the surface in space half of the digits are left.
+      // The compiler may fuse products and sums in one form and not in the other; in space an edge as below.
       const Real size = (dim == 2 ? 1e-11 : 1e-7) * (std::sqrt(double_dot(soils[l].stress, soils[l].stress)) + s_a);
       for (int k = 0; k < tensor_size<dim>; ++k) {
         ASSERT_NEAR(stresses[k][l], soils[l].stress[k], size);
         ASSERT_EQ(turned[k][l], stresses[k][(l + 1) % count]) << "a lane knows nothing of its neighbours";
       }
-      ASSERT_NEAR(states[0][l], soils[l].state[0], (dim == 2 ? 1e-9 : 1e-5) * (1 + soils[l].state[0]));
+      ASSERT_NEAR(states[0][l], soils[l].state[0], (dim == 2 ? 1e-9 : 1e-6) * (1 + soils[l].state[0]));
       ASSERT_EQ(turned_states[0][l], states[0][(l + 1) % count]);
     }
   }
@@ -246,11 +246,12 @@ TEST(NgiAdpReturn, in_space_it_is_the_law_of_the_plane)
         const SymTensor<2> strain = random_strain<2>(random);
         plane.strain_by(strain);
         space.strain_by({{strain[0], strain[1], strain[2], strain[3], 0, 0}});
+        // Beside an edge the surface has half of the digits in space.
         const Real scale = 1e-7 * (std::sqrt(double_dot(plane.stress, plane.stress)) + s_a);
         for (int k = 0; k < 4; ++k) ASSERT_NEAR(space.stress[k], plane.stress[k], scale) << n << " " << step;
         ASSERT_EQ(space.stress[4], 0);
         ASSERT_EQ(space.stress[5], 0);
-        ASSERT_NEAR(space.state[0], plane.state[0], 1e-4 * (1 + plane.state[0]));
+        ASSERT_NEAR(space.state[0], plane.state[0], 1e-6 * (1 + plane.state[0]));
       }
     }
 }
@@ -280,7 +281,7 @@ TEST(NgiAdpReturn, soil_turned_about_the_vertical_is_the_same_soil)
         const SymTensor<3> same = turned_about_vertical(soil.stress, angle);
         const Real scale = 1e-7 * (std::sqrt(double_dot(same, same)) + s_a);
         for (int k = 0; k < 6; ++k) ASSERT_NEAR(turned.stress[k], same[k], scale) << angle << " " << n;
-        ASSERT_NEAR(turned.state[0], soil.state[0], 1e-5 * (1 + soil.state[0]));
+        ASSERT_NEAR(turned.state[0], soil.state[0], 1e-6 * (1 + soil.state[0]));
       }
     }
 }
