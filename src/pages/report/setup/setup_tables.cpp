@@ -74,6 +74,21 @@ void add_law(Rows& rows, const std::string& prefix, const material::Clay& law)
                                                     law.reference_rate, law.rate_scale));
 }
 
+void add_law(Rows& rows, const std::string& prefix, const material::NgiAdp& law)
+{
+  if (law.shansep)
+    rows.add(prefix + "active strength", formula_words(*law.shansep));
+  else
+    rows.add(prefix + "active strength", text::stress_words(law.undrained_strength) + (varies(law) ? " at the surface" : ""));
+  if (law.undrained_strength_gradient != 0)
+    rows.add(prefix + "active strength per metre of depth", text::stress_words(law.undrained_strength_gradient));
+  rows.add(prefix + "simple shear and passive over active strength", fmt::format("{:.3g}, {:.3g}", law.dss_ratio, law.passive_ratio));
+  rows.add(prefix + "shear strain at failure: active, simple shear, passive",
+           fmt::format("{:.3g} %, {:.3g} %, {:.3g} %", 100 * law.active_failure_strain, 100 * law.dss_failure_strain,
+                       100 * law.passive_failure_strain));
+  rows.add(prefix + "initial mobilisation τ0 / active strength", text::number_words(law.initial_mobilisation));
+}
+
 void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamClay& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
