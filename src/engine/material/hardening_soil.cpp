@@ -63,8 +63,8 @@ StressPoint stress_point(const PreparedHardeningSoil& law, SymTensor<3> stress)
   const Real q = std::sqrt(1.5 * double_dot(stress, stress));
   const DeviatorShape<Real> shape = deviator_shape(stress, q);
   const Real smallest = std::max(pressure - shape.smallest * q, law.least_part * pressure);
-  const bool fails = q >= pressure * stress_ratio(law.sine, shape.lode).value;
-  const Real sine = fails ? law.sine : std::sqrt(mobilised_sine_square(q / pressure, shape.lode));
+  const bool fails = q >= pressure * stress_ratio(law.sine, shape.lode);
+  const Real sine = fails ? law.sine : mobilised_sine(q / pressure, shape.lode).value;
   const Real y = std::min(sine / (1 - sine) / law.k, Real(1));
   const Real hyperbola = y / (1 - law.failure_ratio * y) - law.softness * y;
   return {pressure, q, hyperbola / (law.per_strain * std::pow(smallest * law.per_reference, law.exponent - 1))};
@@ -73,16 +73,13 @@ StressPoint stress_point(const PreparedHardeningSoil& law, SymTensor<3> stress)
 /// Virgin compression at the vertical stress reference_pressure, a step of it per Pa of vertical stress: with P / (P + dP) the stress keeps its direction from
 /// the apex. The strains of elasticity and shear hardening are known, the cap makes what the oedometer modulus leaves.
 struct VirginCompression {
-  Real axial, across;       ///< elastic strains
-  Real volumetric, shear;   ///< plastic strains of shear hardening
+  Real axial, across;          ///< elastic strains
+  Real volumetric, shear;      ///< plastic strains of shear hardening
   Real vertical, pressure, q;  ///< from the apex, Pa
-  Real step, ratio;         ///< dP / P, and s3 / s1
+  Real step, ratio;            ///< dP / P, and s3 / s1
 
   /// The largest oedometer modulus for which the cap has work to do, Pa.
-  Real largest_modulus() const
-  {
-    return 1 / std::max(axial + 2 * across + volumetric, axial - across + 1.5 * shear);
-  }
+  Real largest_modulus() const { return 1 / std::max(axial + 2 * across + volumetric, axial - across + 1.5 * shear); }
   /// The strains of the cap.
   Real cap_volumetric(Real modulus) const { return 1 / modulus - axial - 2 * across - volumetric; }
   Real cap_shear(Real modulus) const { return 2. / 3 * (1 / modulus - axial + across) - shear; }
@@ -90,8 +87,10 @@ struct VirginCompression {
 
 VirginCompression virgin_compression(const HardeningSoil& law, const PreparedHardeningSoil& prepared)
 {
-  const Real vertical = law.reference_pressure, horizontal = virgin_k0(law) * vertical, s1 = vertical + prepared.apex, s3 = horizontal + prepared.apex;
-  const Real modulus = law.unloading_modulus * std::pow(s3 * prepared.per_reference, prepared.exponent), nu = law.poisson_ratio, ratio = s3 / s1;
+  const Real vertical = law.reference_pressure, horizontal = virgin_k0(law) * vertical, s1 = vertical + prepared.apex,
+             s3 = horizontal + prepared.apex;
+  const Real modulus = law.unloading_modulus * std::pow(s3 * prepared.per_reference, prepared.exponent), nu = law.poisson_ratio,
+             ratio = s3 / s1;
   const StressPoint point = stress_point(prepared, {{-horizontal, -vertical, -horizontal}});
   const Real strain = (1 - prepared.exponent) * point.strain / s1, dilation = sine_of_dilation(prepared, (s1 - s3) / (s1 + s3));
   return {(1 - 2 * nu * ratio) / modulus,
@@ -114,33 +113,47 @@ void describe(Describe& d, HardeningSoil& law)
   describe_density(d, law);
   d.value("cohesion", law.cohesion, {.meaning = "effective cohesion c'", .unit = "Pa", .range = not_negative});
   d.value("friction_angle", law.friction_angle,
-          {.meaning = "effective angle of friction phi' at failure, in triaxial compression and extension", .unit = "rad",
-           .range = {1e-3, steepest}, .required = true});
+          {.meaning = "effective angle of friction phi' at failure, in triaxial compression and extension",
+           .unit = "rad",
+           .range = {1e-3, steepest},
+           .required = true});
   d.value("dilation_angle", law.dilation_angle,
           {.meaning = "angle of dilation psi at failure, not larger than friction_angle; below failure it follows from Rowe's stress "
                       "dilatancy, and soil does not contract in shear",
-           .unit = "rad", .range = {0, steepest}});
-  d.value("secant_modulus", law.secant_modulus,
-          {.meaning = "E50_ref: secant modulus at half the strength in drained triaxial compression, at a cell pressure of reference_pressure",
-           .unit = "Pa", .range = positive, .required = true});
+           .unit = "rad",
+           .range = {0, steepest}});
+  d.value(
+      "secant_modulus", law.secant_modulus,
+      {.meaning = "E50_ref: secant modulus at half the strength in drained triaxial compression, at a cell pressure of reference_pressure",
+       .unit = "Pa",
+       .range = positive,
+       .required = true});
   d.value("oedometer_modulus", law.oedometer_modulus,
-          {.meaning = "Eoed_ref: tangent modulus of virgin one-dimensional compression at a vertical stress of reference_pressure", .unit = "Pa",
-           .range = positive, .required = true});
+          {.meaning = "Eoed_ref: tangent modulus of virgin one-dimensional compression at a vertical stress of reference_pressure",
+           .unit = "Pa",
+           .range = positive,
+           .required = true});
   d.value("unloading_modulus", law.unloading_modulus,
-          {.meaning = "Eur_ref: Young's modulus of unloading and reloading where the smallest principal stress is reference_pressure", .unit = "Pa",
-           .range = positive, .required = true});
+          {.meaning = "Eur_ref: Young's modulus of unloading and reloading where the smallest principal stress is reference_pressure",
+           .unit = "Pa",
+           .range = positive,
+           .required = true});
   d.value("stiffness_exponent", law.stiffness_exponent,
-          {.meaning = "m: all moduli are in proportion to ((sigma_3' + c cot phi) / (reference_pressure + c cot phi))^m; 0.4 to 0.7 in sand, up to 1 in "
+          {.meaning = "m: all moduli are in proportion to ((sigma_3' + c cot phi) / (reference_pressure + c cot phi))^m; 0.4 to 0.7 in "
+                      "sand, up to 1 in "
                       "soft clay",
-           .range = {0, 1}, .required = true});
+           .range = {0, 1},
+           .required = true});
   d.value("reference_pressure", law.reference_pressure, {.meaning = "p_ref, to which the moduli refer", .unit = "Pa", .range = positive});
   d.value("failure_ratio", law.failure_ratio,
           {.meaning = "R_f: strength over the asymptote of the hyperbola of stress and strain", .range = {0.1, 0.99}});
   d.value("virgin_k0", law.virgin_k0,
-          {.meaning = "K0_nc: horizontal over vertical effective stress in virgin one-dimensional compression; left out: 1 - sin(friction_angle)",
+          {.meaning =
+               "K0_nc: horizontal over vertical effective stress in virgin one-dimensional compression; left out: 1 - sin(friction_angle)",
            .range = {0.05, 1}});
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
-          {.meaning = "largest past vertical effective stress over that at the start; 1: the surfaces pass through the initial stress", .range = {1, infinity}});
+          {.meaning = "largest past vertical effective stress over that at the start; 1: the surfaces pass through the initial stress",
+           .range = {1, infinity}});
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"friction_angle", {15 * degree, 50 * degree}},
                     {"secant_modulus", {5e5, 2e8}},
@@ -155,13 +168,14 @@ void check(Describe& d, const std::string& path, const HardeningSoil& law)
           "the dilation angle cannot be larger than the friction angle");
   const bool unloads = initial_modulus(law) < law.unloading_modulus;
   d.check(unloads, path + ".unloading_modulus",
-          fmt::format("must be larger than 2 secant_modulus / (2 - failure_ratio) = {:.4g} Pa, the stiffness at the start of loading", initial_modulus(law)));
+          fmt::format("must be larger than 2 secant_modulus / (2 - failure_ratio) = {:.4g} Pa, the stiffness at the start of loading",
+                      initial_modulus(law)));
   const PreparedHardeningSoil prepared = prepare_shear(law);
   const Real s1 = law.reference_pressure + prepared.apex, s3 = virgin_k0(law) * law.reference_pressure + prepared.apex;
   const bool stands = s1 - s3 < prepared.sine * (s1 + s3);
   d.check(stands, path + ".virgin_k0", "is below that of failure, (1 - sin phi) / (1 + sin phi)");
   if (unloads && stands) {
-    const Real most = virgin_compression(law, prepared).largest_modulus();
+    const Real most = largest_oedometer_modulus(law);
     d.check(most > 0 && law.oedometer_modulus < most, path + ".oedometer_modulus",
             fmt::format("must be less than {:.4g} Pa: with virgin_k0 and the other moduli no cap makes soil so stiff", most));
   }
@@ -180,12 +194,18 @@ YoungPoisson young_poisson(const HardeningSoil& law)
 
 std::vector<FieldInfo> state_fields(const HardeningSoil&)
 {
-  return {{"plastic_shear_strain", "plastic shear strain gamma_p", ""}, {"preconsolidation_pressure", "preconsolidation pressure p_c + c cot phi", "Pa"}};
+  return {{"plastic_shear_strain", "plastic shear strain gamma_p", ""},
+          {"preconsolidation_pressure", "preconsolidation pressure p_c + c cot phi", "Pa"}};
 }
 
 Real virgin_k0(const HardeningSoil& law)
 {
   return law.virgin_k0.value_or(1 - std::sin(law.friction_angle));
+}
+
+Real largest_oedometer_modulus(const HardeningSoil& law)
+{
+  return virgin_compression(law, prepare_shear(law)).largest_modulus();
 }
 
 HardeningSoil without_dilation(HardeningSoil law)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/elasticity.hpp"
 #include "material/exponential.hpp"
 #include "material/increment.hpp"
 #include "material/law_queries.hpp"
-#include "material/elasticity.hpp"
 #include "material/matsuoka_nakai.hpp"
 
 namespace berm::material {
@@ -62,6 +62,9 @@ std::vector<FieldInfo> state_fields(const HardeningSoil& law);
 /// K0 of virgin compression: as given, or 1 - sin phi (Jaky).
 Real virgin_k0(const HardeningSoil& law);
 
+/// The oedometer modulus that virgin_k0 and the other moduli give without a cap, Pa: a cap makes soil softer.
+Real largest_oedometer_modulus(const HardeningSoil& law);
+
 /// The surfaces through the stress; with an overconsolidation ratio above 1 at least those through virgin compression under that many times the vertical
 /// stress, -stress_yy.
 void initial_state(const HardeningSoil& law, const SymTensor<3>& stress, Real* state);
@@ -102,26 +105,22 @@ PreparedHardeningSoil prepare(const HardeningSoil& law);
 
 /// The sine of the mobilised friction angle that a strain g allows, and its derivative: y / (1 - R_f y) - y E_i / E_ur = g, y <= 1.
 template <class T>
-struct MobilisedSine {
-  T value, change;
-};
-template <class T>
-[[gnu::always_inline]] inline MobilisedSine<T> mobilised_sine(const PreparedHardeningSoil& law, const T& g)
+[[gnu::always_inline]] inline MobilisedSine<T> allowed_sine(const PreparedHardeningSoil& law, const T& g)
 {
   const Real R = law.failure_ratio, r = law.softness;
   const T b = (1 - r) + R * g, y = 2. * g / (b + square_root(b * b + (4 * r * R) * g));
-  const T d = 1. - R * y, square = d * d, rate = square / (1. - r * square), one = T{} + 1.;
+  const T one = T{} + 1., d = 1. - R * y, square = d * d, slope = 1. - r * square;
   const auto fails = y >= one;
-  const T ky = law.k * (fails ? one : y), per = 1. / (1. + ky);
-  return {ky * per, fails ? T{} : law.k * rate * per * per};
+  const T ky = law.k * (fails ? one : y), both = 1. / (slope * (1. + ky)), per = slope * both;
+  return {ky * per, fails ? T{} : law.k * square * both * per};
 }
 
 /// The elastic result of a piece of an increment as the return sees it: P and q, Pa, and what does not change within the piece.
 template <class T>
 struct HardeningTrial {
   T pressure, q;
-  T bulk, shear;      ///< Pa
-  T sine_dilation;    ///< sin psi_m
+  T bulk, shear;    ///< Pa
+  T sine_dilation;  ///< sin psi_m
   DeviatorShape<T> shape;
 };
 
@@ -136,7 +135,7 @@ struct HardeningState {
 /// The implicit return to both surfaces: with the increment x of gamma_p and the plastic volumetric strain v = c P / K of the cap,
 ///
 ///   P = (P_trial + K sin psi_m x) / (1 + c) >= least,   q = (q_trial - 3 G n x) / (1 + 3 G c / (K alpha^2)),
-///   q = P X(gamma_p + x, s3) or x = 0,   sqrt(P^2 + q^2 / alpha^2) = p_c + H (p_c / s_ref)^m v or c = 0,
+///   sin phi_m(q / P) = sin phi_m(gamma_p + x, s3) or x = 0,   sqrt(P^2 + q^2 / alpha^2) = p_c + H (p_c / s_ref)^m v or c = 0,
 ///
 /// with the derivative n of Mohr and Coulomb's potential with respect to q. Newton's iteration with an active set; a lane that has converged does not change
 /// any more, so that it does not depend on the others. The moduli, sin psi_m and the slope of p_c are those of the beginning of the piece.
@@ -145,7 +144,7 @@ template <class T, class Mask>
                                           HardeningState<T>& state)
 {
   constexpr int max_iterations = 40;
-  constexpr Real small_step = 1e-6;  // the next one, of its square, is not needed
+  constexpr Real small_step = 1e-5;  // the next one, of its square, is not needed
   const T zero{}, one = T{} + 1., least = zero + law.least;
   const T largest = trial.shape.largest, smallest = trial.shape.smallest;
   const T three_shear = 3. * trial.shear, dilation = trial.bulk * trial.sine_dilation;
@@ -153,10 +152,12 @@ template <class T, class Mask>
   const Real flattening = 3 * law.shear_over_bulk * law.per_alpha_square, power = law.exponent - 1;
   const T cap_slope = law.cap_modulus * exponential(law.exponent * logarithm(state.cap * law.per_reference)) / trial.bulk;
 
+  const T half_per_cap = 0.5 / state.cap, failure = stress_ratio(zero + law.sine, trial.shape.lode);
   T x{}, c{}, pressure = state.pressure, q = state.q, strain = state.strain;
   Mask left = outside;
   for (int i = 0; i < max_iterations && any(left); ++i) {
-    const T per_c = 1. / (1. + c), raw = (trial.pressure + dilation * x) * per_c, per_flat = 1. / (1. + flattening * c);
+    const T flat = 1. + flattening * c, both = 1. / ((1. + c) * flat), per_c = flat * both, per_flat = (1. + c) * both;
+    const T raw = (trial.pressure + dilation * x) * per_c;
     const auto free = raw > least;
     const T p = free ? raw : least, p_x = free ? dilation * per_c : zero, p_c = free ? -raw * per_c : zero;
     const T r = (trial.q - across * x) * per_flat, r_x = -across * per_flat, r_c = -flattening * r * per_flat;
@@ -166,23 +167,30 @@ template <class T, class Mask>
     const T s3 = far ? minor : low, s3_x = far ? p_x - smallest * r_x : law.least_part * p_x;
     const T s3_c = far ? p_c - smallest * r_c : law.least_part * p_c, per_s3 = 1. / s3;
     const T scale = law.per_strain * exponential(power * logarithm(s3 * law.per_reference)), gamma = state.strain + x, g = scale * gamma;
-    const MobilisedSine<T> sine = mobilised_sine(law, g);
-    const StressRatio<T> ratio = stress_ratio(sine.value, trial.shape.lode);
-    const T with_g = p * ratio.change * sine.change, with_s3 = with_g * power * g * per_s3;
-    const T f = r - p * ratio.value;
-    const T f_x = r_x - p_x * ratio.value - with_g * scale - with_s3 * s3_x, f_c = r_c - p_c * ratio.value - with_s3 * s3_c;
+    const MobilisedSine<T> allowed = allowed_sine(law, g);
+    // Beyond failure the mobilised sine goes on along its tangent.
+    const T per_p = 1. / p, ratio = r * per_p;
+    const auto beyond = ratio > failure;
+    const T inside = beyond ? failure : ratio;
+    const MobilisedSine<T> mobilised = mobilised_sine(inside, trial.shape.lode);
+    const T steep = mobilised.change * per_p, with_s3 = allowed.change * power * g * per_s3;
+    const T f = mobilised.value + mobilised.change * (ratio - inside) - allowed.value;
+    const T f_x = steep * (r_x - ratio * p_x) - allowed.change * scale - with_s3 * s3_x, f_c = steep * (r_c - ratio * p_c) - with_s3 * s3_c;
 
-    const T radius = square_root(p * p + law.per_alpha_square * r * r), per_radius = 1. / radius;
-    const T h = radius - state.cap - cap_slope * c * p;
-    const T h_x = (p * p_x + law.per_alpha_square * r * r_x) * per_radius - cap_slope * c * p_x;
-    const T h_c = (p * p_c + law.per_alpha_square * r * r_c) * per_radius - cap_slope * (p + c * p_c);
+    const T size_of_cap = state.cap + cap_slope * c * p, bent = law.per_alpha_square * r;
+    const T h = half_per_cap * (p * p + bent * r - size_of_cap * size_of_cap), grows = cap_slope * size_of_cap;
+    const T h_x = 2. * half_per_cap * (p * p_x + bent * r_x - grows * c * p_x);
+    const T h_c = 2. * half_per_cap * (p * p_c + bent * r_c - grows * (p + c * p_c));
 
-    const auto shears = f + across * x > zero, caps = h + p * c > zero;
+    const auto shears = f + steep * across * x > zero, caps = h + p * c > zero;
     const T a_x = shears ? f_x : one, a_c = shears ? f_c : zero, a = shears ? f : x;
     const T b_x = caps ? h_x : zero, b_c = caps ? h_c : one, b = caps ? h : c;
     const T per = 1. / (a_x * b_c - a_c * b_x);
-    const T next_x = smaller(larger(x - (a * b_c - b * a_c) * per, zero), most), next_c = larger(c - (b * a_x - a * b_x) * per, zero);
-    const T size = larger(magnitude(next_x - x) * across, magnitude(next_c - c) * p);
+    // Between two branches whole steps may go to and fro for ever.
+    const Real part = i % 16 < 10 ? 1 : 0.5;
+    const T next_x = smaller(larger(x - part * ((a * b_c - b * a_c) * per), zero), most);
+    const T next_c = larger(c - part * ((b * a_x - a * b_x) * per), zero);
+    const T size = larger(magnitude(next_x - x) * across, magnitude(next_c - c) * (1. + cap_slope) * p);
     x = left ? next_x : x;
     c = left ? next_c : c;
     left = left & (size > small_step * p);
@@ -195,9 +203,9 @@ template <class T, class Mask>
   state.strain = outside ? gamma : strain;
   state.cap = outside ? on_cap : state.cap;
   if (any(left)) [[unlikely]] {
-    const T s3 = larger(pressure - smallest * q, law.least_part * pressure);
-    const T g = law.per_strain * exponential(power * logarithm(s3 * law.per_reference)) * gamma;
-    const T height = pressure * stress_ratio(mobilised_sine(law, g).value, trial.shape.lode).value;
+    // s3 of the isotropic stress gives the smallest height.
+    const T g = law.per_strain * exponential(power * logarithm(pressure * law.per_reference)) * gamma;
+    const T height = pressure * stress_ratio(allowed_sine(law, g).value, trial.shape.lode);
     q = left ? smaller(q, height) : q;
     state.cap = left ? larger(state.cap, square_root(pressure * pressure + law.per_alpha_square * q * q)) : state.cap;
   }
@@ -208,13 +216,14 @@ template <class T, class Mask>
 /// The moduli of a piece, Pa, and what they came from.
 template <class T>
 struct HardeningModuli {
-  T smallest;      ///< s3, Pa
-  T power;         ///< (s3 / s_ref)^m
-  T bulk, shear;   ///< Pa
+  T smallest;     ///< s3, Pa
+  T power;        ///< (s3 / s_ref)^m
+  T bulk, shear;  ///< Pa
 };
 
 template <class T, int dim>
-[[gnu::always_inline]] inline HardeningModuli<T> moduli(const PreparedHardeningSoil& law, const T& pressure, const SymTensor<dim, T>& deviator)
+[[gnu::always_inline]] inline HardeningModuli<T> moduli(const PreparedHardeningSoil& law, const T& pressure,
+                                                        const SymTensor<dim, T>& deviator)
 {
   const T q = square_root(1.5 * double_dot(deviator, deviator)), minor = pressure - deviator_shape(deviator, q).smallest * q;
   const T smallest = larger(minor, law.least_part * pressure);
@@ -261,12 +270,12 @@ template <int dim, class T>
     // s3 to the power m - 1 is not less than its tangent at the beginning.
     const T minor = end.pressure - shape.smallest * trial_q, g = law.per_strain * gamma * now.power / (now.smallest * law.per_reference);
     const T at_least = larger(1. + (law.exponent - 1) * (minor / now.smallest - 1.), zero);
-    const T sine = mobilised_sine(law, g * at_least).value;
-    const T mobilised = mobilised_sine_square(trial_q / end.pressure, shape.lode);
-    const decltype(T{} < T{}) outside = acts & ((mobilised > sine * sine) | (minor < law.least_part * end.pressure) |
+    const T sine = allowed_sine(law, g * at_least).value;
+    const T mobilised = mobilised_sine(trial_q / end.pressure, shape.lode).value;
+    const decltype(T{} < T{}) outside = acts & ((mobilised > sine) | (minor < law.least_part * end.pressure) |
                                                 (end.pressure * end.pressure + law.per_alpha_square * trial_q * trial_q > cap * cap));
     if (any(outside)) {
-      const T mobilised_before = mobilised_sine(law, g).value;
+      const T mobilised_before = allowed_sine(law, g).value;
       const T dilation = (mobilised_before - law.sine_cv) / (1. - law.sine_cv * mobilised_before);
       return_to_surfaces(law, HardeningTrial<T>{trial_p, trial_q, now.bulk, now.shear, larger(dilation, zero), shape}, outside, end);
       const T part = trial_q > zero ? end.q / (trial_q > zero ? trial_q : one) : one;

@@ -34,35 +34,37 @@ template <class T>
   return {(2. / 3) * (compression ? far : near), (2. / 3) * (compression ? near : far), lode};
 }
 
-/// The mobilised friction angle of Matsuoka and Nakai (1974), I1 I2 / I3 = 9 + 8 tan^2(phi_m), at the stress ratio x = q / p':
-///
-///   sin^2(phi_m) = (I1 I2 - 9 I3) / (I1 I2 - I3) = x^2 (1 - lode x / 3) / (4 - x^2 / 3 - lode x^3 / 27),
-///
-/// which in triaxial compression and extension is that of Mohr and Coulomb. Here the square of the sine, for stress in compression.
+/// The sine of a mobilised friction angle, and its derivative.
 template <class T>
-[[gnu::always_inline]] inline T mobilised_sine_square(const T& x, const T& lode)
-{
-  const T square = x * x;
-  return square * (1. - lode * x * (1. / 3)) / (4. - square * (1. / 3) - lode * square * x * (1. / 27));
-}
-
-/// The stress ratio x = q / p' at which the sine of the mobilised friction angle is s, and its derivative with respect to s.
-template <class T>
-struct StressRatio {
+struct MobilisedSine {
   T value, change;
 };
 
-/// 1 / x is the largest root of a cubic polynomial: x = 3 s / (sqrt(3 + s^2) cos(acos(k) / 3)), k = -lode s (9 - s^2) / (3 + s^2)^(3/2).
+/// The mobilised friction angle of Matsuoka and Nakai (1974), I1 I2 / I3 = 9 + 8 tan^2(phi_m), at the stress ratio x = q / p' of a stress in compression:
+///
+///   sin^2(phi_m) = (I1 I2 - 9 I3) / (I1 I2 - I3) = x^2 (1 - lode x / 3) / (4 - x^2 / 3 - lode x^3 / 27),
+///
+/// which in triaxial compression and extension is that of Mohr and Coulomb. The derivative is with respect to x.
 template <class T>
-[[gnu::always_inline]] inline StressRatio<T> stress_ratio(const T& s, const T& lode)
+[[gnu::always_inline]] inline MobilisedSine<T> mobilised_sine(const T& x, const T& lode)
 {
-  const T s2 = s * s, root = square_root(3. + s2), k = -lode * s * (9. - s2) / (root * root * root);
+  const T square = x * x, bent = lode * x, denominator = 4. - square * (1. / 3) * (1. + bent * (1. / 9)), numerator = 1. - bent * (1. / 3);
+  const T root = square_root(numerator * denominator), per = 1. / (denominator * root);
+  // Sine and derivative without division by x, which may be zero.
+  const T value = x * numerator * denominator * per;
+  return {value, 0.5 * per * (denominator * (2. - bent) + square * numerator * (2. / 3 + bent * (1. / 9)))};
+}
+
+/// The stress ratio q / p' at which the sine of the mobilised friction angle is s. Its reciprocal is the largest root of a cubic polynomial:
+///
+///   x = 3 s / (sqrt(3 + s^2) cos(acos(k) / 3)),   k = -lode s (9 - s^2) / (3 + s^2)^(3/2).
+template <class T>
+[[gnu::always_inline]] inline T stress_ratio(const T& s, const T& lode)
+{
+  const T s2 = s * s, per_root = 1. / square_root(3. + s2), k = -lode * s * (9. - s2) * (per_root * per_root * per_root);
   const T far = cosine_of_third(smaller(magnitude(k), T{} + 1.));
   const T near = 0.5 * far + 0.86602540378443865 * square_root(larger(1. - far * far, T{}));
-  const T per_sine = 3. / (root * (k >= T{} ? far : near)), x = s * per_sine;
-  const T with_s = 2. * (4. - x * x * (1. / 3) - lode * x * x * x * (1. / 27));
-  const T with_x = s * x * (2. / 3 + lode * x * (1. / 9)) + per_sine * (2. - lode * x);
-  return {x, with_s / with_x};
+  return 3. * s * per_root / (k >= T{} ? far : near);
 }
 
 }  // namespace berm::material
