@@ -152,7 +152,7 @@ template <class T, class Mask>
   const Real flattening = 3 * law.shear_over_bulk * law.per_alpha_square, power = law.exponent - 1;
   const T cap_slope = law.cap_modulus * exponential(law.exponent * logarithm(state.cap * law.per_reference)) / trial.bulk;
 
-  const T half_per_cap = 0.5 / state.cap, failure = stress_ratio(zero + law.sine, trial.shape.lode);
+  const T half_per_cap = 0.5 / state.cap, steepest = (1 - law.least_part) / smallest;
   T x{}, c{}, pressure = state.pressure, q = state.q, strain = state.strain;
   Mask left = outside;
   for (int i = 0; i < max_iterations && any(left); ++i) {
@@ -168,10 +168,10 @@ template <class T, class Mask>
     const T s3_c = far ? p_c - smallest * r_c : law.least_part * p_c, per_s3 = 1. / s3;
     const T scale = law.per_strain * exponential(power * logarithm(s3 * law.per_reference)), gamma = state.strain + x, g = scale * gamma;
     const MobilisedSine<T> allowed = allowed_sine(law, g);
-    // Beyond failure the mobilised sine goes on along its tangent.
+    // Where s3 is less than ever, the mobilised sine goes on along its tangent.
     const T per_p = 1. / p, ratio = r * per_p;
-    const auto beyond = ratio > failure;
-    const T inside = beyond ? failure : ratio;
+    const auto beyond = ratio > steepest;
+    const T inside = beyond ? steepest : ratio;
     const MobilisedSine<T> mobilised = mobilised_sine(inside, trial.shape.lode);
     const T steep = mobilised.change * per_p, with_s3 = allowed.change * power * g * per_s3;
     const T f = mobilised.value + mobilised.change * (ratio - inside) - allowed.value;
