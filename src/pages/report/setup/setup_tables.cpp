@@ -89,9 +89,15 @@ void add_law(Rows& rows, const std::string& prefix, const material::NgiAdp& law)
   rows.add(prefix + "initial mobilisation τ0 / active strength", text::number_words(law.initial_mobilisation));
 }
 
+void add_shape(Rows& rows, const std::string& prefix, material::DeviatoricShape shape)
+{
+  if (shape == material::DeviatoricShape::matsuoka_nakai) rows.add(prefix + "strength over direction", "Matsuoka and Nakai");
+}
+
 void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamClay& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  add_shape(rows, prefix, law.deviatoric_shape);
   rows.add(prefix + "λ, κ", fmt::format("{:.3g}, {:.3g}", law.compression_index, law.swelling_index));
   rows.add(prefix + "void ratio", text::number_words(law.void_ratio));
   rows.add(prefix + "overconsolidation ratio", text::number_words(law.overconsolidation_ratio));
@@ -100,6 +106,7 @@ void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamC
 void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  add_shape(rows, prefix, law.deviatoric_shape);
   rows.add(prefix + "critical state line Γ, λe", fmt::format("{:.3g}, {:.3g}", law.critical_void_ratio, law.critical_line_slope));
   rows.add(prefix + "N, χ, H", fmt::format("{:.3g}, {:.3g}, {:.3g}", law.volumetric_coupling, law.dilatancy, law.hardening_modulus));
   if (law.state_parameter) rows.add(prefix + "state parameter ψ", text::number_words(*law.state_parameter));
