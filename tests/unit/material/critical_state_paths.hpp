@@ -136,7 +136,7 @@ void expect_lanes_like_single_numbers(const L& law, Real slope)
         ASSERT_EQ(turned[k][l], stresses[k][(l + 1) % lanes]) << "a lane knows nothing of its neighbours";
       }
       for (int k = 0; k < L::state_size; ++k) {
-        ASSERT_NEAR(states[k][l] / state[l][k], 1, 1e-9);
+        ASSERT_NEAR(states[k][l], state[l][k], 1e-9 * std::abs(state[l][k]));
         ASSERT_EQ(turned_states[k][l], states[k][(l + 1) % lanes]);
       }
     }
