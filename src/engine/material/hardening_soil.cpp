@@ -47,7 +47,11 @@ PreparedHardeningSoil prepare_shear(const HardeningSoil& law)
   p.failure_ratio = law.failure_ratio;
   p.softness = initial_modulus(law) / law.unloading_modulus;
   p.per_strain = initial_modulus(law) * p.per_reference / (4 * p.k);
-  p.elastic = scaled(at_reference, p.largest_factor);
+  if (law.small_strain_shear_modulus) {
+    p.small_strain = {*law.small_strain_shear_modulus / at_reference.shear, 0.385 / law.shear_strain_at_70_percent.value()};
+    p.small_strain_exponent = 1 + law.unloading_modulus / (2 * law.secant_modulus);
+  }
+  p.elastic = scaled(at_reference, p.largest_factor * p.small_strain.ratio);
   return p;
 }
 
@@ -154,6 +158,18 @@ void describe(Describe& d, HardeningSoil& law)
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
           {.meaning = "largest past vertical effective stress over that at the start; 1: the surfaces pass through the initial stress",
            .range = {1, infinity}});
+  d.value("small_strain_shear_modulus", law.small_strain_shear_modulus,
+          {.meaning =
+               "G0_ref: shear modulus at very small strains where the smallest principal stress is reference_pressure; left out: that of "
+               "unloading_modulus",
+           .unit = "Pa",
+           .range = positive});
+  d.value(
+      "shear_strain_at_70_percent", law.shear_strain_at_70_percent,
+      {.meaning =
+           "gamma_07: shear strain at which the secant shear modulus of first loading has fallen to 72.2 % of small_strain_shear_modulus; "
+           "1e-4 to 2e-4 in sand",
+       .range = {1e-6, 0.1}});
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"friction_angle", {15 * degree, 50 * degree}},
                     {"secant_modulus", {5e5, 2e8}},
@@ -179,6 +195,11 @@ void check(Describe& d, const std::string& path, const HardeningSoil& law)
     d.check(most > 0 && law.oedometer_modulus < most, path + ".oedometer_modulus",
             fmt::format("must be less than {:.4g} Pa: with virgin_k0 and the other moduli no cap makes soil so stiff", most));
   }
+  d.check(law.small_strain_shear_modulus.has_value() == law.shear_strain_at_70_percent.has_value(), path + ".shear_strain_at_70_percent",
+          "and small_strain_shear_modulus belong together: give both or none");
+  const Real unloading = elasticity(law.unloading_modulus, law.poisson_ratio).shear;
+  d.check(!law.small_strain_shear_modulus || *law.small_strain_shear_modulus > unloading, path + ".small_strain_shear_modulus",
+          fmt::format("must be larger than the shear modulus of unloading_modulus, {:.4g} Pa", unloading));
   check_pressures(d, path, law);
 }
 
@@ -192,10 +213,18 @@ YoungPoisson young_poisson(const HardeningSoil& law)
   return {young_modulus(elasticity(law)), law.poisson_ratio};
 }
 
-std::vector<FieldInfo> state_fields(const HardeningSoil&)
+std::vector<FieldInfo> state_fields(const HardeningSoil& law)
 {
-  return {{"plastic_shear_strain", "plastic shear strain gamma_p", ""},
-          {"preconsolidation_pressure", "preconsolidation pressure p_c + c cot phi", "Pa"}};
+  std::vector<FieldInfo> fields = {{"plastic_shear_strain", "plastic shear strain gamma_p", ""},
+                                   {"preconsolidation_pressure", "preconsolidation pressure p_c + c cot phi", "Pa"}};
+  if (!law.small_strain_shear_modulus) return fields;
+  constexpr unsigned travel = everywhere & ~to_frame;
+  for (const char* of : {"xx", "yy", "xy", "yz", "xz"})
+    fields.push_back(
+        {std::string("strain_since_reversal_") + of, std::string("deviatoric strain since the last reversal, ") + of, "", 1, travel});
+  fields.push_back({"first_loading_strain", "largest shear strain of first loading", ""});
+  fields.push_back({"strain_from_first_loading", "shear strain from the point where first loading was left", "", 1, travel});
+  return fields;
 }
 
 Real virgin_k0(const HardeningSoil& law)

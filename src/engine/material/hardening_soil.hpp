@@ -6,6 +6,7 @@
 #include "material/increment.hpp"
 #include "material/law_queries.hpp"
 #include "material/matsuoka_nakai.hpp"
+#include "material/small_strain.hpp"
 
 namespace berm::material {
 
@@ -22,10 +23,13 @@ namespace berm::material {
 /// in triaxial states and in plane strain the angle of dilation is psi_m. alpha and H give the oedometer modulus and K0 of virgin compression at the vertical
 /// stress reference_pressure. Sources: Schanz, Vermeer and Bonnier, Beyond 2000 in computational geotechnics (1999); Benz, thesis, Stuttgart (2007).
 ///
-/// State: gamma_p, and p_c, Pa, counted from the apex.
+/// With small_strain_shear_modulus the moduli of elasticity are multiplied by G / G_ur of small_strain.hpp, and gamma_p grows by (G_least / G_ur)^(1 + E_ur /
+/// (2 E_50)) times the plastic shear strain, G_least being the smallest G of first loading so far: so the first loading begins with nearly G_0 (Benz).
+///
+/// State: gamma_p, and p_c, Pa, counted from the apex; with small_strain_shear_modulus the strain history after them.
 struct HardeningSoil {
   static constexpr const char* word = "hardening_soil";
-  static constexpr int state_size = 2;
+  static constexpr int state_size = 2 + SmallStrain::size;  ///< at most; state_count(law) are in use
 
   Real density = 0;                     ///< kg/m3, gives the weight
   std::optional<Real> inertia_density;  ///< kg/m3, gives the inertia; empty: density
@@ -39,7 +43,9 @@ struct HardeningSoil {
   Real reference_pressure = 1e5;        ///< Pa
   Real failure_ratio = 0.9;             ///< R_f
   Real poisson_ratio = 0;
-  std::optional<Real> virgin_k0;  ///< empty: 1 - sin phi
+  std::optional<Real> virgin_k0;                   ///< empty: 1 - sin phi
+  std::optional<Real> small_strain_shear_modulus;  ///< G0_ref, Pa
+  std::optional<Real> shear_strain_at_70_percent;  ///< gamma_07
   Real overconsolidation_ratio = 1;
   Real min_pressure = 100;  ///< Pa
   Real max_pressure = 0;    ///< Pa
@@ -57,6 +63,10 @@ void check(Describe& d, const std::string& path, const HardeningSoil& law);
 Elasticity elasticity(const HardeningSoil& law);
 YoungPoisson young_poisson(const HardeningSoil& law);
 
+inline int state_count(const HardeningSoil& law)
+{
+  return law.small_strain_shear_modulus ? HardeningSoil::state_size : 2;
+}
 std::vector<FieldInfo> state_fields(const HardeningSoil& law);
 
 /// K0 of virgin compression: as given, or 1 - sin phi (Jaky).
@@ -80,7 +90,7 @@ inline bool dilates(const HardeningSoil& law)
 HardeningSoil without_dilation(HardeningSoil law);
 
 struct PreparedHardeningSoil {
-  static constexpr int state_size = 2;
+  static constexpr int state_size = HardeningSoil::state_size;
   static constexpr bool elastic_is_largest = true;
 
   Elasticity elastic;  ///< where s3 is largest
@@ -99,7 +109,14 @@ struct PreparedHardeningSoil {
   Real per_strain = 0;      ///< E_i / (4 k s_ref), at s_ref
   Real per_alpha_square = 0;
   Real cap_modulus = 0;  ///< H, Pa
+  SmallStrain small_strain;
+  Real small_strain_exponent = 0;  ///< 1 + E_ur / (2 E_50)
 };
+
+inline int state_count(const PreparedHardeningSoil& law)
+{
+  return law.small_strain.ratio > 1 ? PreparedHardeningSoil::state_size : 2;
+}
 
 PreparedHardeningSoil prepare(const HardeningSoil& law);
 
@@ -121,6 +138,7 @@ struct HardeningTrial {
   T pressure, q;
   T bulk, shear;    ///< Pa
   T sine_dilation;  ///< sin psi_m
+  T hardening;      ///< d gamma_p over the plastic shear strain
   DeviatorShape<T> shape;
 };
 
@@ -132,10 +150,10 @@ struct HardeningState {
   T cap;          ///< p_c, Pa
 };
 
-/// The implicit return to both surfaces: with the increment x of gamma_p and the plastic volumetric strain v = c P / K of the cap,
+/// The implicit return to both surfaces: with the plastic shear strain x, which adds h x to gamma_p, and the plastic volumetric strain v = c P / K of the cap,
 ///
 ///   P = (P_trial + K sin psi_m x) / (1 + c) >= least,   q = (q_trial - 3 G n x) / (1 + 3 G c / (K alpha^2)),
-///   sin phi_m(q / P) = sin phi_m(gamma_p + x, s3) or x = 0,   sqrt(P^2 + q^2 / alpha^2) = p_c + H (p_c / s_ref)^m v or c = 0,
+///   sin phi_m(q / P) = sin phi_m(gamma_p + h x, s3) or x = 0,   sqrt(P^2 + q^2 / alpha^2) = p_c + H (p_c / s_ref)^m v or c = 0,
 ///
 /// with the derivative n of Mohr and Coulomb's potential with respect to q. Newton's iteration with an active set; a lane that has converged does not change
 /// any more, so that it does not depend on the others. The moduli, sin psi_m and the slope of p_c are those of the beginning of the piece.
@@ -166,7 +184,8 @@ template <class T, class Mask>
     const auto far = minor > low;
     const T s3 = far ? minor : low, s3_x = far ? p_x - smallest * r_x : law.least_part * p_x;
     const T s3_c = far ? p_c - smallest * r_c : law.least_part * p_c, per_s3 = 1. / s3;
-    const T scale = law.per_strain * exponential(power * logarithm(s3 * law.per_reference)), gamma = state.strain + x, g = scale * gamma;
+    const T scale = law.per_strain * exponential(power * logarithm(s3 * law.per_reference)), gamma = state.strain + trial.hardening * x,
+            g = scale * gamma;
     const MobilisedSine<T> allowed = allowed_sine(law, g);
     // Where s3 is less than ever, the mobilised sine goes on along its tangent.
     const T per_p = 1. / p, ratio = r * per_p;
@@ -175,7 +194,8 @@ template <class T, class Mask>
     const MobilisedSine<T> mobilised = mobilised_sine(inside, trial.shape.lode);
     const T steep = mobilised.change * per_p, with_s3 = allowed.change * power * g * per_s3;
     const T f = mobilised.value + mobilised.change * (ratio - inside) - allowed.value;
-    const T f_x = steep * (r_x - ratio * p_x) - allowed.change * scale - with_s3 * s3_x, f_c = steep * (r_c - ratio * p_c) - with_s3 * s3_c;
+    const T f_x = steep * (r_x - ratio * p_x) - allowed.change * scale * trial.hardening - with_s3 * s3_x,
+            f_c = steep * (r_c - ratio * p_c) - with_s3 * s3_c;
 
     const T size_of_cap = state.cap + cap_slope * c * p, bent = law.per_alpha_square * r;
     const T h = half_per_cap * (p * p + bent * r - size_of_cap * size_of_cap), grows = cap_slope * size_of_cap;
@@ -197,7 +217,7 @@ template <class T, class Mask>
   }
   // At the end of the iteration, which what has not converged leaves on the surfaces all the same.
   const T raw = (trial.pressure + dilation * x) / (1. + c), end_q = larger(trial.q - across * x, zero) / (1. + flattening * c);
-  const T end = larger(raw, least), gamma = state.strain + x, on_cap = state.cap + cap_slope * c * end;
+  const T end = larger(raw, least), gamma = state.strain + trial.hardening * x, on_cap = state.cap + cap_slope * c * end;
   pressure = outside ? end : pressure;
   q = outside ? end_q : q;
   state.strain = outside ? gamma : strain;
@@ -235,7 +255,7 @@ template <class T, int dim>
 /// A piece of an increment changes P and q elastically by at most this part of P; up to as many pieces.
 constexpr Real max_hardening_change = 0.1, max_hardening_pieces = 256;
 
-/// Advances `stress` (Pa, tension positive) by an increment of any duration. state[0] is gamma_p, state[1] is p_c.
+/// Advances `stress` (Pa, tension positive) by an increment of any duration. state[0] is gamma_p, state[1] is p_c, the strain history comes after them.
 template <int dim, class T>
 [[gnu::always_inline]] inline void update(const PreparedHardeningSoil& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
                                           T* state)
@@ -249,6 +269,7 @@ template <int dim, class T>
   }
   T pressure = larger(law.apex - mean, least), compression = -3. * third, pieces = one;
   HardeningModuli<T> now = moduli<T, dim>(law, pressure, stress);
+  const bool stiffens = law.small_strain.ratio > 1;
   const T change = now.bulk * magnitude(compression) + now.shear * square_root(6. * double_dot(strain, strain));
   if (any(change > max_hardening_change * pressure)) [[unlikely]] {
     const T per_pressure = change / pressure;
@@ -262,6 +283,13 @@ template <int dim, class T>
   T gamma = larger(state[0], zero), cap = larger(state[1], least);
   while (true) {
     const auto acts = pieces > zero;
+    T hardening = one;
+    if (stiffens) {
+      const Stiffening<T> at = add_strain(law.small_strain, state + 2, strain, acts);
+      now.bulk *= at.mean;
+      now.shear *= at.mean;
+      if (any(at.least > one)) hardening = exponential(law.small_strain_exponent * logarithm(at.least));
+    }
     for (int k = 0; k < tensor_size<dim>; ++k) stress[k] += acts ? 2. * now.shear * strain[k] : zero;
     const T trial_q = square_root(1.5 * double_dot(stress, stress)), trial_p = pressure + now.bulk * compression;
     HardeningState<T> end{larger(trial_p, least), trial_q, gamma, cap};
@@ -277,7 +305,8 @@ template <int dim, class T>
     if (any(outside)) {
       const T mobilised_before = allowed_sine(law, g).value;
       const T dilation = (mobilised_before - law.sine_cv) / (1. - law.sine_cv * mobilised_before);
-      return_to_surfaces(law, HardeningTrial<T>{trial_p, trial_q, now.bulk, now.shear, larger(dilation, zero), shape}, outside, end);
+      return_to_surfaces(law, HardeningTrial<T>{trial_p, trial_q, now.bulk, now.shear, larger(dilation, zero), hardening, shape}, outside,
+                         end);
       const T part = trial_q > zero ? end.q / (trial_q > zero ? trial_q : one) : one;
       for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = outside ? part * stress[k] : stress[k];
       gamma = outside ? end.strain : gamma;
