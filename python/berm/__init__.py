@@ -16,6 +16,7 @@ import importlib
 from typing import Any
 
 from .curves import Drag, Push
+from .cyclic import CyclicStrength, cyclic
 from .element import element
 from .errors import InputError, RunError, Stopped
 from .fit import Fit, fit
@@ -31,6 +32,7 @@ from .study import Estimate, Row, Study, open, study
 __version__ = "0.1.0"
 __all__ = [
     "Column",
+    "CyclicStrength",
     "Drag",
     "Estimate",
     "Field",
@@ -47,6 +49,7 @@ __all__ = [
     "Stopped",
     "Study",
     "check",
+    "cyclic",
     "element",
     "export",
     "find_program",

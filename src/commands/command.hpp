@@ -28,6 +28,7 @@ Command add_envelope(CLI::App& program);
 Command add_safety(CLI::App& program);
 Command add_element(CLI::App& program);
 Command add_fit(CLI::App& program);
+Command add_cyclic(CLI::App& program);
 Command add_desk(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_params(CLI::App& program);

@@ -96,8 +96,15 @@ const std::vector<JobKind>& job_kinds()
                                              {"safety", {"low", "high", "tolerance"}},
                                              {"element", {}},
                                              {"fit", {}},
+                                             {"cyclic", {}},
                                              {"uncertainty", {}}};
   return kinds;
+}
+
+/// Whether a job computes no runs: it has one thread, and replaces earlier results with --force.
+bool is_quick(const std::string& kind)
+{
+  return kind == "element" || kind == "fit" || kind == "cyclic";
 }
 
 }  // namespace
@@ -237,11 +244,11 @@ Json Actions::start(const std::string& kind, const Json& body)
     work.folder = folder_.inside(fmt::format("out/{}/{}", kind, fs::path(name).replace_extension().generic_string()));
     work.words = {kind, name, "-o", folder_.name_of(work.folder)};
     if (kind != "study") append(work.words, changes_in(body));
-    if ((kind == "element" || kind == "fit") && body.contains("replace") && body["replace"] == true) work.words.emplace_back("--force");
+    if (is_quick(kind) && body.contains("replace") && body["replace"] == true) work.words.emplace_back("--force");
   }
   folder_.refuse_links_out(work.folder);
   append_options(work.words, body, found->options);
-  if (kind != "element" && kind != "fit") append(work.words, {"--threads", std::to_string(work.threads)});
+  if (!is_quick(kind)) append(work.words, {"--threads", std::to_string(work.threads)});
   work.name = folder_.name_of(work.folder);
   const Json answer = {{"job", work.name}};
   queue_->add(std::move(work));

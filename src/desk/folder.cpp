@@ -43,7 +43,7 @@ double time_of(const fs::path& path)
   return none ? 0 : std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
-/// What an input is by its first tables, without reading it as one: a study has cases, an input of element tests has tests, one of a fit measured ones, expected.toml has runs. Its title where it says one in a line.
+/// What an input is by its first tables, without reading it as one: a study has cases, an input of element tests has tests, one of a fit measured ones, one of contours a storm, expected.toml has runs. Its title where it says one in a line.
 struct Glance {
   std::string title;
   bool study = false, tests = false, other = false;
@@ -55,7 +55,7 @@ Glance glance_at(const fs::path& file)
   std::istringstream lines(io::read_text_file(file, most_bytes_of_body));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("[[case]]")) seen.study = true;
-    if (line.starts_with("[[test]]") || line.starts_with("[[measured]]")) seen.tests = true;
+    if (line.starts_with("[[test]]") || line.starts_with("[[measured]]") || line.starts_with("[storm]")) seen.tests = true;
     if (line.starts_with("[run.")) seen.other = true;
     if (!seen.title.empty() || !line.starts_with("title")) continue;
     const auto begin = line.find('"'), end = line.rfind('"');

@@ -9,6 +9,7 @@
 #include "material/laws.hpp"
 #include "mpm/divide.hpp"
 #include "mpm/step.hpp"
+#include "samples/critical_state_soils.hpp"
 #include "simulation/memory.hpp"
 #include "user_law/loaded_law.hpp"
 
@@ -86,6 +87,14 @@ material::NorSand norsand()
   law.state_parameter = -0.05;
   law.rigidity = 300;
   law.poisson_ratio = 0.2;
+  law.max_pressure = 2e5;
+  return law;
+}
+
+material::Hypoplastic hypoplastic()
+{
+  material::Hypoplastic law = sample_hypoplastic();
+  law.density = 877;
   law.max_pressure = 2e5;
   return law;
 }
@@ -292,6 +301,7 @@ constexpr BenchProblem problems[] = {
     {"clay_D20", [] { return probe_in(clay()); }},
     {"cam_clay_D20", [] { return probe_in(cam_clay()); }},
     {"norsand_D20", [] { return probe_in(norsand()); }},
+    {"hypoplastic_D20", [] { return probe_in(hypoplastic()); }},
     {"undrained_D20", [] { return probe_in_water(material::Drainage::undrained); }},
     {"flow_D20", [] { return probe_in_water(material::Drainage::consolidation); }},
     {"elastic_D20", elastic_probe},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../samples/anisotropic_clay.hpp"
 #include "../samples/critical_state_soils.hpp"
 #include "kernels.hpp"
 #include "trial_stresses.hpp"
@@ -39,9 +40,9 @@ void update_part(benchmark::State& state, const Trial& trial)
   }
 }
 
-/// The same of a critical-state law under K0 with the strain of a step: unloading, or loading that yields (`loads`).
+/// The same of a law with a state under K0 with the strain of a step: unloading, or loading that yields (`loads`).
 template <int dim, class Law>
-void update_critical_state(benchmark::State& state, const Law& law, bool loads)
+void update_with_state(benchmark::State& state, const Law& law, bool loads)
 {
   constexpr int count = lanes_of<WidePart>;
   constexpr Real strain_of_step = 1e-5;
@@ -71,13 +72,20 @@ void update_critical_state(benchmark::State& state, const Law& law, bool loads)
 }
 
 template <class Law>
-void add_critical_state(const char* name, const Law& law)
+void add_with_state(const char* name, const Law& law)
 {
   for (const bool loads : {false, true}) {
     const char* what = loads ? "yields" : "elastic";
-    benchmark::RegisterBenchmark(fmt::format("stress_2D/{}_{}", name, what).c_str(), update_critical_state<2, Law>, law, loads);
-    benchmark::RegisterBenchmark(fmt::format("stress_3D/{}_{}", name, what).c_str(), update_critical_state<3, Law>, law, loads);
+    benchmark::RegisterBenchmark(fmt::format("stress_2D/{}_{}", name, what).c_str(), update_with_state<2, Law>, law, loads);
+    benchmark::RegisterBenchmark(fmt::format("stress_3D/{}_{}", name, what).c_str(), update_with_state<3, Law>, law, loads);
   }
+}
+
+template <class Law>
+Law matsuoka_nakai(Law law)
+{
+  law.deviatoric_shape = material::DeviatoricShape::matsuoka_nakai;
+  return law;
 }
 
 }  // namespace
@@ -88,8 +96,12 @@ void add_stress_kernels()
     benchmark::RegisterBenchmark(fmt::format("stress_2D/{}", trial.name).c_str(), update_part<2>, trial);
     benchmark::RegisterBenchmark(fmt::format("stress_3D/{}", trial.name).c_str(), update_part<3>, trial);
   }
-  add_critical_state("cam_clay", sample_cam_clay());
-  add_critical_state("norsand", sample_norsand());
+  add_with_state("cam_clay", sample_cam_clay());
+  add_with_state("norsand", sample_norsand());
+  add_with_state("hypoplastic", sample_hypoplastic());
+  add_with_state("ngi_adp", sample_ngi_adp(0));
+  add_with_state("cam_clay_matsuoka_nakai", matsuoka_nakai(sample_cam_clay()));
+  add_with_state("norsand_matsuoka_nakai", matsuoka_nakai(sample_norsand()));
 }
 
 }  // namespace berm

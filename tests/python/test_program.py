@@ -251,6 +251,20 @@ k0 = 1
         berm.fit(case, tmp_path / "out")
 
 
+def test_a_storm_on_contours_gives_the_cyclic_strength(tmp_path: Path) -> None:
+    (tmp_path / "contours.csv").write_text("shear_strain,average_stress_ratio,cycles,cyclic_stress_ratio\n0.15,0,1,1\n0.15,0,100,0.6\n")
+    storm = tmp_path / "storm.toml"
+    storm.write_text('[contours]\ntable = "contours.csv"\n[storm]\ncycles = [10]\nload = [0.4]\n')
+    found = berm.cyclic(storm, tmp_path / "out")
+    assert np.isclose(found.strength_factor, 0.8), "halfway along a straight contour in log N"
+    assert np.isclose(found.load_multiplier, 2)
+    assert np.isclose(found.equivalent_cycles, 10)
+    assert "0.8 s_u" in found.answer
+    assert found.material == ""
+    with pytest.raises(berm.InputError, match="--force"):
+        berm.cyclic(storm, tmp_path / "out")
+
+
 def test_the_header_of_laws_is_found() -> None:
     assert (berm.include_folder() / "berm" / "law.h").is_file()
 

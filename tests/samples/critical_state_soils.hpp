@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/hypoplastic.hpp"
 #include "material/modified_cam_clay.hpp"
 #include "material/norsand.hpp"
 
@@ -41,6 +42,31 @@ inline material::NorSand sample_norsand(Real state_parameter = -0.1)
   law.rigidity = 300;
   law.poisson_ratio = 0.2;
   law.max_pressure = 1e8;
+  return law;
+}
+
+/// Karlsruhe fine sand (Wichtmann and others 2019); small_strain = false: without intergranular strain.
+inline material::Hypoplastic sample_hypoplastic(Real void_ratio = 0.8, bool small_strain = true)
+{
+  material::Hypoplastic law;
+  law.density = 1500;
+  law.critical_friction_angle = 0.5777;
+  law.granular_hardness = 4e9;
+  law.hardness_exponent = 0.27;
+  law.min_void_ratio = 0.677;
+  law.critical_void_ratio = 1.054;
+  law.max_void_ratio = 1.212;
+  law.dilatancy_exponent = 0.14;
+  law.stiffness_exponent = 2.5;
+  law.void_ratio = void_ratio;
+  if (small_strain) {
+    law.small_strain = 1e-4;
+    law.reversal_stiffness = 4;
+    law.turn_stiffness = 2;
+    law.evolution_exponent = 0.3;
+    law.decay_exponent = 3;
+  }
+  law.max_pressure = 1e6;
   return law;
 }
 

@@ -17,9 +17,12 @@ struct VerificationRun {
   bool is_long = false;                 ///< ten minutes or more: only where it is asked for
   bool element = false;                 ///< element tests (berm element) instead of a run
   bool fit = false;                     ///< a soil fitted to tests (berm fit) instead of a run
+  bool cyclic = false;                  ///< a storm on contours (berm cyclic) instead of a run
   bool uncertainty = false;             ///< run with the bands of its results
 
-  bool is_run() const { return !element && !fit; }
+  /// The command of berm that does it.
+  std::string command() const { return element ? "element" : fit ? "fit" : cyclic ? "cyclic" : "run"; }
+  bool is_run() const { return command() == "run"; }
 };
 
 /// Instead of a tolerance: whether the band of a quantity holds exact, or meets the bounds.

@@ -188,4 +188,13 @@ std::filesystem::path make_inner_folder(const std::filesystem::path& folder, con
   return inner;
 }
 
+bool holds_page(const std::filesystem::path& folder, const std::string& page, const std::string& command)
+{
+  std::error_code error;
+  if (std::filesystem::exists(folder / page, error)) return true;
+  if (std::filesystem::is_directory(folder, error) && !std::filesystem::is_empty(folder, error))
+    throw InputError(fmt::format("{} holds files that are not of {}: name another folder with -o", folder.string(), command));
+  return false;
+}
+
 }  // namespace berm::io

@@ -33,6 +33,9 @@ void make_folder(const std::filesystem::path& path);
 /// Makes a folder inside of another where it is missing, and gives its path. Throws RunError where a link has its name: nothing is written through one.
 std::filesystem::path make_inner_folder(const std::filesystem::path& folder, const std::filesystem::path& name);
 
+/// Whether a folder for results holds the page of `command`. Throws InputError where it holds other files.
+bool holds_page(const std::filesystem::path& folder, const std::string& page, const std::string& command);
+
 /// Opens a file for writing, which is made where it is missing; `how`: O_WRONLY or O_RDWR, with O_APPEND, O_TRUNC. Throws RunError where that fails and
 /// where a link has its name.
 int open_to_write(const std::filesystem::path& path, int how);

@@ -111,12 +111,22 @@ private:
   const std::string& name_of(std::size_t k) const { return form_.columns[k].name; }
   const std::string& unit_of(std::size_t k) const { return form_.columns[k].unit; }
 
-  /// How a column is written in SI.
-  static std::string header_of(const TableColumn& column) { return column.name + "_" + unit_in_header(column.unit.c_str()); }
+  /// How a column is written in SI; of a bare number its name alone.
+  static std::string header_of(const TableColumn& column)
+  {
+    return column.unit.empty() ? column.name : column.name + "_" + unit_in_header(column.unit.c_str());
+  }
+
+  /// Whether a header is that of a column: its name and a unit, or of a bare number its name alone.
+  bool is_of(const std::string& header, std::size_t k) const
+  {
+    return header.starts_with(name_of(k) + "_") || (unit_of(k).empty() && header == name_of(k));
+  }
 
   /// Factor from the unit in a header to that of the engine.
   Real scale_of(const std::string& header, const std::string& written, const std::string& si_unit) const
   {
+    if (written.empty() && si_unit.empty()) return 1;
     const std::string unit = unit_in(written);
     // A moment per metre run, N m/m, is N.
     if (!unit.empty() && same_dimension(unit, si_unit.empty() ? "1" : si_unit)) try {
@@ -175,12 +185,13 @@ private:
     std::vector<std::size_t> named;
     for (std::size_t k = 0; k < form_.columns.size(); ++k) {
       const std::string& name = name_of(k);
-      if (!header.starts_with(name + "_")) continue;
+      if (!is_of(header, k)) continue;
       if (!named.empty() && name.size() > name_of(named.front()).size()) named.clear();
       if (named.empty() || name == name_of(named.front())) named.push_back(k);
     }
     if (named.empty()) refuse_name(header);
-    const std::string written = header.substr(name_of(named.front()).size() + 1);
+    const std::size_t end = name_of(named.front()).size();
+    const std::string written = header.size() > end ? header.substr(end + 1) : "";
     const auto fits = [&](std::size_t k) { return same_dimension(unit_in(written), unit_of(k)); };
     const auto found = std::find_if(named.begin(), named.end(), fits);
     const std::size_t k = found == named.end() ? named.front() : *found;

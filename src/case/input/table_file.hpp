@@ -12,7 +12,7 @@ namespace berm::input {
 
 /// A column of a table of numbers.
 struct TableColumn {
-  std::string name, unit;  ///< SI
+  std::string name, unit;  ///< SI; "": a bare number, whose heading needs none
 };
 
 /// What a table may be.

@@ -62,11 +62,10 @@ void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
 }
 
-/// Declares the parameters of PressureElasticity but for its index.
+/// Declares the least and the largest mean effective stress of a law whose stiffness grows with it.
 template <class Law>
-void describe_pressure_elasticity(Describe& d, Law& law)
+void describe_pressure_limits(Describe& d, Law& law)
 {
-  d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
   d.value("min_pressure", law.min_pressure,
           {.meaning = "mean effective stress at which soil separates; soil of this law never has less, whatever its initial stress",
            .unit = "Pa",
@@ -77,6 +76,14 @@ void describe_pressure_elasticity(Describe& d, Law& law)
            .unit = "Pa",
            .range = positive,
            .required = true});
+}
+
+/// Declares the parameters of PressureElasticity but for its index.
+template <class Law>
+void describe_pressure_elasticity(Describe& d, Law& law)
+{
+  d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
+  describe_pressure_limits(d, law);
 }
 
 /// min_pressure < max_pressure.

@@ -12,8 +12,7 @@ void describe(Describe& d, ModifiedCamClay& law)
 {
   describe_density(d, law);
   d.value("critical_friction_angle", law.critical_friction_angle,
-          {.meaning = "angle of friction at the critical state in triaxial compression, M = 6 sin phi / (3 - sin phi); M is the same for "
-                      "all directions",
+          {.meaning = "angle of friction at the critical state in triaxial compression, M = 6 sin phi / (3 - sin phi)",
            .unit = "rad",
            .range = {1e-3, 1.2},
            .required = true});
@@ -26,6 +25,7 @@ void describe(Describe& d, ModifiedCamClay& law)
   d.value("void_ratio", law.void_ratio, {.meaning = "void ratio at the start", .range = positive, .required = true});
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
           {.meaning = "largest past vertical effective stress over that at the start", .range = {1, infinity}});
+  describe_deviatoric_shape(d, law.deviatoric_shape);
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},
                     {"compression_index", {5e-3, 1.5}},
@@ -92,7 +92,7 @@ void initial_state(const ModifiedCamClay& law, const SymTensor<3>& stress, Real*
   const PreparedModifiedCamClay prepared = prepare(law);
   const Real ratio = virgin_stress_ratio(law), slope_square = 1 / prepared.per_slope_square;
   const Real vertical = law.overconsolidation_ratio * std::max(Real(0), -stress[1]), past = vertical * 3 / (3 + 2 * ratio);
-  const Invariants now = invariants(stress, law.min_pressure);
+  const Invariants now = equivalent_invariants(prepared.shape, stress, law.min_pressure);
   state[0] = std::max(
       {past * (1 + ratio * ratio / slope_square), now.pressure + now.q * now.q / (slope_square * now.pressure), 2 * law.min_pressure});
 }
@@ -103,6 +103,7 @@ PreparedModifiedCamClay prepare(const ModifiedCamClay& law)
   PreparedModifiedCamClay prepared;
   prepared.moduli = {volume / law.swelling_index, shear_over_bulk(law.poisson_ratio), law.min_pressure, law.max_pressure};
   prepared.elastic = stiffest(prepared.moduli);
+  prepared.shape = law.deviatoric_shape;
   prepared.per_slope_square = 1 / (slope * slope);
   prepared.hardening = volume / (law.compression_index - law.swelling_index);
   return prepared;

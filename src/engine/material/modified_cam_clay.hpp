@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/deviatoric_shape.hpp"
 #include "material/law_queries.hpp"
-#include "material/pressure_elasticity.hpp"
 
 namespace berm::material {
 
@@ -12,8 +12,8 @@ namespace berm::material {
 ///   K = v0 p' / kappa,   G by Poisson's ratio,   M = 6 sin(phi) / (3 - sin(phi)).
 ///
 /// v0 = 1 + void_ratio is that of the beginning: log(v) and not v is linear in log(p'), with the slopes lambda / v0 and kappa / v0 (Butterfield 1979). M is
-/// the same for all directions of the deviator, that of triaxial compression. Source: Roscoe and Burland (1968); return: Borja and Lee, Comput. Meth. Appl.
-/// Mech. Engng 78 (1990).
+/// that of triaxial compression; in other directions q is that of deviatoric_shape.hpp. Source: Roscoe and Burland (1968); return: Borja and Lee, Comput.
+/// Meth. Appl. Mech. Engng 78 (1990).
 ///
 /// State: the preconsolidation pressure p_c, Pa.
 struct ModifiedCamClay {
@@ -30,6 +30,7 @@ struct ModifiedCamClay {
   Real poisson_ratio = 0;
   Real min_pressure = 100;  ///< Pa
   Real max_pressure = 0;    ///< Pa
+  DeviatoricShape deviatoric_shape = DeviatoricShape::circle;
   std::optional<PoreWater> water = {};
 
   bool operator==(const ModifiedCamClay&) const = default;
@@ -68,6 +69,7 @@ struct PreparedModifiedCamClay {
 
   Elasticity elastic;  ///< at max_pressure
   PressureElasticity moduli;
+  DeviatoricShape shape = DeviatoricShape::circle;
   Real per_slope_square = 0;  ///< 1 / M^2
   Real hardening = 0;         ///< v0 / (lambda - kappa)
 };
@@ -88,25 +90,26 @@ template <class T>
 ///
 /// where p'(x), p_c(x) and G(p') are exact. Newton's iteration; a lane that has converged does not change any more, so that it does not depend on the others. A
 /// separate function, because it is long.
-template <class T, class Mask>
-[[gnu::noinline]] void return_to_cap(const PreparedModifiedCamClay& law, const Trial<T>& trial, const Mask& yields, Returned<T>& returned,
-                                     T& consolidation)
+template <class T, class N, class Mask>
+[[gnu::noinline]] void return_to_cap(const PreparedModifiedCamClay& law, const Trial<T>& trial, const N& three, const Mask& yields,
+                                     Returned<T>& returned, T& consolidation)
 {
   constexpr int max_iterations = 30;
   constexpr Real small_step = 1e-5;  // the next one, of its square, is not needed
   const T one = T{} + 1., least = T{} + 2 * law.moduli.min_pressure, most = T{} + 0.5 / law.moduli.per_index, old = consolidation;
   const Real per_slope_square = law.per_slope_square;
+  const N six_per_slope_square = 2. * three * per_slope_square;
   T x{}, g{}, size = consolidation;
   Mask left = yields;
   for (int k = 0; k < max_iterations && any(left); ++k) {
     const PressureAfter<T>& p = returned.pressure;
     const ShearModulus<T>& shear = returned.shear;
     const T shear_change = -(shear.change * p.change), size_change = size > least ? law.hardening * size : T{};
-    const T spread = 6. * per_slope_square * shear.value, shrink = one / (one + spread * g), shrunk = per_slope_square * shrink * shrink;
+    const T spread = six_per_slope_square * shear.value, shrink = one / (one + spread * g), shrunk = per_slope_square * shrink * shrink;
     const T ellipse = trial.q_square(shear.value) * shrunk, distance = 2. * p.value - size;
     const T flow = x - g * distance, f = ellipse + p.value * (p.value - size);
     const T flow_x = one + g * (2. * p.change + size_change), f_g = -2. * ellipse * shrink * spread;
-    const T f_x = (shrunk * trial.q_square_change(shear.value) - 12. * per_slope_square * ellipse * shrink * g) * shear_change -
+    const T f_x = (shrunk * trial.q_square_change(shear.value) - 2. * six_per_slope_square * ellipse * shrink * g) * shear_change -
                   p.change * distance - p.value * size_change;
     const T per = one / (flow_x * f_g + distance * f_x);
     const T step = smaller(larger((distance * f + f_g * flow) * per, -most), most), step_g = (f_x * flow - flow_x * f) * per;
@@ -117,7 +120,7 @@ template <class T, class Mask>
     size = left ? larger(old * exponential(law.hardening * x), least) : size;
     left = left & ((magnitude(step) * law.moduli.per_index > T{} + small_step) | (magnitude(step_g) * spread > T{} + small_step));
   }
-  const T shrunk = one / (one + 6. * per_slope_square * returned.shear.value * g);
+  const T shrunk = one / (one + six_per_slope_square * returned.shear.value * g);
   returned.part = yields ? shrunk : returned.part;
   consolidation = size;
   if (!any(left)) [[likely]]
@@ -129,18 +132,24 @@ template <class T, class Mask>
   returned.part = left ? (q > height ? height / (q > T{} ? q : one) : one) : returned.part;
 }
 
+/// Returns the elastic result of a piece of an increment, as update_with_shape asks for it.
+template <class T, class N, class Mask>
+[[gnu::always_inline]] inline void return_piece(const PreparedModifiedCamClay& law, const Trial<T>& trial, const N& three, const Mask& acts,
+                                                Returned<T>& returned, T* state)
+{
+  T consolidation = larger(state[0], T{} + 2 * law.moduli.min_pressure);
+  const decltype(T{} < T{}) outside =
+      acts & (yield_value(law, returned.pressure.value, trial.q_square(returned.shear.value), consolidation) > T{});
+  if (any(outside)) return_to_cap(law, trial, three, outside, returned, consolidation);
+  state[0] = acts ? consolidation : state[0];
+}
+
 /// Advances `stress` (Pa, tension positive) by an increment of any duration. state[0] is p_c.
 template <int dim, class T>
 [[gnu::always_inline]] inline void update(const PreparedModifiedCamClay& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
                                           T* state)
 {
-  update_in_pieces<dim>(law.moduli, stress, increment.strain, [&](const Trial<T>& trial, Returned<T>& returned, const auto& acts) {
-    T consolidation = larger(state[0], T{} + 2 * law.moduli.min_pressure);
-    const decltype(T{} < T{}) outside =
-        acts & (yield_value(law, returned.pressure.value, trial.q_square(returned.shear.value), consolidation) > T{});
-    if (any(outside)) return_to_cap(law, trial, outside, returned, consolidation);
-    state[0] = acts ? consolidation : state[0];
-  });
+  update_with_shape<dim>(law, stress, increment.strain, state);
 }
 
 }  // namespace berm::material

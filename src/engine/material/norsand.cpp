@@ -17,8 +17,7 @@ void describe(Describe& d, NorSand& law)
 {
   describe_density(d, law);
   d.value("critical_friction_angle", law.critical_friction_angle,
-          {.meaning = "angle of friction at the critical state in triaxial compression, M = 6 sin phi / (3 - sin phi); M is the same for "
-                      "all directions",
+          {.meaning = "angle of friction at the critical state in triaxial compression, M = 6 sin phi / (3 - sin phi)",
            .unit = "rad",
            .range = {1e-3, 1.2},
            .required = true});
@@ -46,6 +45,7 @@ void describe(Describe& d, NorSand& law)
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
           {.meaning = "largest past p' over that at the start, at the same q / p'", .range = {1, infinity}});
   d.value("rigidity", law.rigidity, {.meaning = "G / p'; 200 to 1000", .range = positive, .required = true});
+  describe_deviatoric_shape(d, law.deviatoric_shape);
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},
                     {"critical_void_ratio", {0.4, 2.5}},
@@ -89,7 +89,7 @@ std::vector<FieldInfo> state_fields(const NorSand&)
 void initial_state(const NorSand& law, const SymTensor<3>& stress, Real* state)
 {
   const PreparedNorSand prepared = prepare(law);
-  const Invariants now = invariants(stress, law.min_pressure);
+  const Invariants now = equivalent_invariants(prepared.shape, stress, law.min_pressure);
   const Real log_pressure = std::log(now.pressure);
   state[1] = law.void_ratio ? *law.void_ratio : prepared.gamma - prepared.lambda * log_pressure + law.state_parameter.value_or(0);
   // M_i depends on p_i only a little: each pass makes the error smaller by a tenth or less.
@@ -107,6 +107,7 @@ PreparedNorSand prepare(const NorSand& law)
   prepared.moduli = {law.rigidity / shear_over_bulk(law.poisson_ratio), shear_over_bulk(law.poisson_ratio), law.min_pressure,
                      law.max_pressure};
   prepared.elastic = stiffest(prepared.moduli);
+  prepared.shape = law.deviatoric_shape;
   prepared.slope = slope;
   prepared.gamma = law.critical_void_ratio + lambda * std::log(kilopascal);
   prepared.lambda = lambda;

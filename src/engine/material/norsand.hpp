@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/deviatoric_shape.hpp"
 #include "material/law_queries.hpp"
-#include "material/pressure_elasticity.hpp"
 
 namespace berm::material {
 
@@ -16,8 +16,9 @@ namespace berm::material {
 ///   G = rigidity p',   K by Poisson's ratio,   M = 6 sin(phi) / (3 - sin(phi)),   d e = (1 + e) d(volumetric strain).
 ///
 /// The yield surface follows from D by normality. At the image state p' = p_i the volume does not change. At the peak D_min = chi_tc psi = chi_i psi_i. The
-/// second limit of eta keeps soil that was unloaded from more than its peak strength. M is the same for all directions of the deviator, that of triaxial
-/// compression. Sources: Jefferies, Geotechnique 43 (1993); Jefferies and Shuttle (2005); Jefferies and Been, Soil liquefaction (2015).
+/// second limit of eta keeps soil that was unloaded from more than its peak strength. All of it is of triaxial compression; in other directions eta is that
+/// of deviatoric_shape.hpp, and the plastic deviatoric strain the one that goes with it. Sources: Jefferies, Geotechnique 43 (1993); Jefferies and Shuttle
+/// (2005); Jefferies and Been, Soil liquefaction (2015).
 ///
 /// State: the image pressure p_i, Pa, and the void ratio e.
 struct NorSand {
@@ -40,6 +41,7 @@ struct NorSand {
   Real poisson_ratio = 0;
   Real min_pressure = 100;  ///< Pa
   Real max_pressure = 0;    ///< Pa
+  DeviatoricShape deviatoric_shape = DeviatoricShape::circle;
   std::optional<PoreWater> water = {};
 
   bool operator==(const NorSand&) const = default;
@@ -66,6 +68,7 @@ struct PreparedNorSand {
 
   Elasticity elastic;  ///< at max_pressure
   PressureElasticity moduli;
+  DeviatoricShape shape = DeviatoricShape::circle;
   Real slope = 0;              ///< M
   Real gamma = 0, lambda = 0;  ///< of e_c over log(p' / 1 Pa)
   Real coupling = 0;           ///< N chi_i
@@ -136,9 +139,9 @@ template <class T, class Mask>
 ///
 /// where p'(x), G(p'), M_i and D_min are exact at the end. Newton's iteration; a lane that has converged does not change any more, so that it does not depend
 /// on the others.
-template <class T, class Mask>
-[[gnu::noinline]] void return_to_image_surface(const PreparedNorSand& law, const Trial<T>& trial, const T& void_ratio, const Mask& yields,
-                                               Returned<T>& returned, T& image)
+template <class T, class N, class Mask>
+[[gnu::noinline]] void return_to_image_surface(const PreparedNorSand& law, const Trial<T>& trial, const N& three, const T& void_ratio,
+                                               const Mask& yields, Returned<T>& returned, T& image)
 {
   constexpr int max_iterations = 40;
   constexpr Real small_step = 1e-5;  // the next one, of its square, is not needed
@@ -158,7 +161,7 @@ template <class T, class Mask>
     const T strain = strain_to_tip(law, trial, at_tip, old, hardening);
     const PressureAfter<T> after = pressure_after(law.moduli, trial.pressure, trial.compression - strain);
     const ShearModulus<T> shear_after = shear_modulus(law.moduli, trial.pressure, after);
-    at_tip = at_tip & (square_root(trial.q_square(shear_after.value)) * s.slope <= 3. * shear_after.value * strain);
+    at_tip = at_tip & (square_root(trial.q_square(shear_after.value)) * s.slope <= three * shear_after.value * strain);
     take(at_tip, returned, after, shear_after);
     returned.part = at_tip ? zero : returned.part;
     image = at_tip ? after.value * (1 / e) : image;
@@ -169,7 +172,7 @@ template <class T, class Mask>
   for (int k = 0; k < max_iterations && any(left); ++k) {
     const PressureAfter<T>& p = returned.pressure;
     const ShearModulus<T>& shear = returned.shear;
-    const T q_trial = square_root(trial.q_square(shear.value)), q = q_trial - 3. * shear.value * y, per_pressure = one / p.value;
+    const T q_trial = square_root(trial.q_square(shear.value)), q = q_trial - three * shear.value * y, per_pressure = one / p.value;
     const T change = -p.change * per_pressure;  // of log(p') with x
     const T h = exponential(-s.r), power = exponential(s.bound), drive = h * (power * h - 1.), drive_r = h * (1. - 2. * power * h);
     const T drive_bound = power * h * h;
@@ -180,8 +183,8 @@ template <class T, class Mask>
     const T shear_change = -shear.change * p.change;
     const T q_change = q_trial > zero ? trial.q_square_change(shear.value) * shear_change * 0.5 / (q_trial > zero ? q_trial : one) : zero;
     const T a_x = 1. + s.slope * s.below_p * change * y, a_y = s.slope * s.below, a_u = (s.slope_i * s.below + s.slope * s.below_i) * y;
-    const T b_x = (q_change - 3. * y * shear_change) * per_pressure - q * per_pressure * change - s.slope * s.below_p * change;
-    const T b_y = -3. * shear.value * per_pressure, b_u = -s.slope_i * (1. + s.below) - s.slope * s.below_i;
+    const T b_x = (q_change - three * y * shear_change) * per_pressure - q * per_pressure * change - s.slope * s.below_p * change;
+    const T b_y = -three * shear.value * per_pressure, b_u = -s.slope_i * (1. + s.below) - s.slope * s.below_i;
     const T c_x = -acts * rate * y * (drive_bound * s.bound_p - drive_r) * change, c_y = -acts * rate * drive;
     const T c_u = 1. - acts * rate * y * (drive_bound * s.bound_i + drive_r);
 
@@ -205,10 +208,25 @@ template <class T, class Mask>
     left = left & (size > zero + small_step);
   }
   // What has not converged comes to lie on the surface all the same.
-  const T shear = returned.shear.value, q_trial = square_root(trial.q_square(shear)), iterated = larger(q_trial - 3. * shear * y, zero);
+  const T shear = returned.shear.value, q_trial = square_root(trial.q_square(shear)), iterated = larger(q_trial - three * shear * y, zero);
   const T on_surface = returned.pressure.value * s.slope * larger(1. + s.below, zero), q = left ? smaller(q_trial, on_surface) : iterated;
   returned.part = to_side ? (q_trial > zero ? q / (q_trial > zero ? q_trial : one) : one) : returned.part;
   image = to_side ? image * exponential(u) : image;
+}
+
+/// Returns the elastic result of a piece of an increment, as update_with_shape asks for it.
+template <class T, class N, class Mask>
+[[gnu::always_inline]] inline void return_piece(const PreparedNorSand& law, const Trial<T>& trial, const N& three, const Mask& acts,
+                                                Returned<T>& returned, T* state)
+{
+  const T least = T{} + law.moduli.min_pressure, void_ratio = (1. + state[1]) * exponential(-trial.compression) - 1.;
+  T image = larger(state[0], least);
+  const ImageState<T> s = image_state(law, void_ratio, logarithm_of(returned.pressure, logarithm(trial.pressure)), logarithm(image));
+  const T q = square_root(trial.q_square(returned.shear.value));
+  const decltype(T{} < T{}) outside = acts & (q > returned.pressure.value * s.slope * (1. + s.below));
+  if (any(outside)) return_to_image_surface(law, trial, three, void_ratio, outside, returned, image);
+  state[0] = acts ? larger(image, least) : state[0];
+  state[1] = acts ? void_ratio : state[1];
 }
 
 /// Advances `stress` (Pa, tension positive) by an increment of any duration. state[0] is p_i, state[1] the void ratio.
@@ -216,16 +234,7 @@ template <int dim, class T>
 [[gnu::always_inline]] inline void update(const PreparedNorSand& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
                                           T* state)
 {
-  update_in_pieces<dim>(law.moduli, stress, increment.strain, [&](const Trial<T>& trial, Returned<T>& returned, const auto& acts) {
-    const T least = T{} + law.moduli.min_pressure, void_ratio = (1. + state[1]) * exponential(-trial.compression) - 1.;
-    T image = larger(state[0], least);
-    const ImageState<T> s = image_state(law, void_ratio, logarithm_of(returned.pressure, logarithm(trial.pressure)), logarithm(image));
-    const T q = square_root(trial.q_square(returned.shear.value));
-    const decltype(T{} < T{}) outside = acts & (q > returned.pressure.value * s.slope * (1. + s.below));
-    if (any(outside)) return_to_image_surface(law, trial, void_ratio, outside, returned, image);
-    state[0] = acts ? larger(image, least) : state[0];
-    state[1] = acts ? void_ratio : state[1];
-  });
+  update_with_shape<dim>(law, stress, increment.strain, state);
 }
 
 }  // namespace berm::material

@@ -130,8 +130,9 @@ template <class T, class Mask>
 /// A piece of an increment changes p' and q by at most this part of p', so that Newton's iteration converges; up to as many pieces.
 constexpr Real max_change = 0.25, max_pieces = 256;
 
-/// Advances `stress` (Pa, tension positive) by an increment, in equal pieces where it is large. return_to_surface(trial, returned, acts) gets the elastic
-/// result of a piece and returns it to the law's surface; it changes the state variables of the lanes of the mask `acts`.
+/// Advances `stress` (Pa, tension positive) by an increment, in equal pieces where it is large. return_to_surface(trial, returned, acts, s, e) gets the
+/// elastic result of a piece and returns it to the law's surface; it changes the state variables of the lanes of the mask `acts`. The elastic deviator is
+/// s + 2 G e.
 template <int dim, class T, class Return>
 [[gnu::always_inline]] inline void update_in_pieces(const PressureElasticity& elastic, SymTensor<dim, T>& stress, SymTensor<dim, T> strain,
                                                     const Return& return_to_surface)
@@ -169,7 +170,7 @@ template <int dim, class T, class Return>
     returned.shear = shear_modulus(elastic, trial.pressure, returned.pressure);
     returned.part = one;
     const auto acts = pieces > T{};
-    return_to_surface(trial, returned, acts);
+    return_to_surface(trial, returned, acts, stress, strain);
     for (int k = 0; k < tensor_size<dim>; ++k)
       stress[k] = acts ? returned.part * (stress[k] + 2. * returned.shear.value * strain[k]) : stress[k];
     trial.pressure = acts ? returned.pressure.value : trial.pressure;

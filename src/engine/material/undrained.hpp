@@ -88,6 +88,15 @@ struct Undrained {
   Real min_pressure = 0;         ///< Pa
 };
 
+/// The first of the six state variables of a law (xx yy zz xy yz zx) that are a tensor and rotate with the soil; none: -1.
+template <class P>
+constexpr int rotating_state = [] {
+  if constexpr (requires { P::rotating_state; }) return P::rotating_state;
+  return -1;
+}();
+template <class P>
+constexpr int rotating_state<Undrained<P>> = rotating_state<P>;
+
 template <class P>
 constexpr int state_count(const Undrained<P>& law)
 {

@@ -7,6 +7,7 @@
 #include "material/laws.hpp"
 #include "material/tangent.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace berm::fem {
@@ -81,6 +82,11 @@ PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
   const Vec<3> across = (Vec<3>(around[0], around[1], around[3]) + Vec<3>(tangent.row(2).transpose())) / 2;
+  if constexpr (!has_constant_moduli<Law>()) {
+    const Eigen::SelfAdjointEigenSolver<Stiffness> own((d + d.transpose()) / 2);
+    const Real least = 0.02 * own.eigenvalues().cwiseAbs().maxCoeff();
+    d = own.eigenvectors() * own.eigenvalues().cwiseMax(least).asDiagonal() * own.eigenvectors().transpose();
+  }
   const PointStiffness elastic = elastic_point(law.elastic);
   const Real lost = (1 - min_stiffness) / (1 + viscosity);
   return {elastic.plane - lost * (elastic.plane - (d + d.transpose()) / 2), elastic.across - lost * (elastic.across - across),
@@ -130,6 +136,18 @@ material::PreparedMaterial law_from(const FemModel& model, const SymTensor<2>& s
 {
   const material::Material soil = model.soil_at(cell, q);
   return prepare(associated(model.flow.in(cell) ? material::drained(soil) : soil, stress));
+}
+
+/// Rotates the tensor among the state variables of a law that has one.
+template <class Law>
+void rotate_state(std::array<Real, material::max_state>& state, const Rotation& rotation)
+{
+  if constexpr (constexpr int first = material::rotating_state<Law>; first >= 0) {
+    SymTensor<2> tensor;
+    std::copy_n(state.data() + first, tensor_size<2>, tensor.c);
+    tensor = rotated(tensor, rotation);
+    std::copy_n(tensor.c, tensor_size<2>, state.data() + first);
+  }
 }
 
 }  // namespace
@@ -306,6 +324,7 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     SymTensor<2> mean;
     std::visit(
         [&](const auto& law) {
+          if (moved) rotate_state<std::decay_t<decltype(law)>>(point.law_state, moved->rotation[q]);
           update_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
         law_of_point(effective, cell, q).law);
@@ -372,6 +391,7 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
     const PointStiffness d = std::visit(
         [&](const auto& law) {
           if (elastic) return elastic_point(law.elastic);
+          if (moved) rotate_state<std::decay_t<decltype(law)>>(point.law_state, moved->rotation[q]);
           return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]},
                                     with_effective_stress(point, cell));
         },

@@ -29,8 +29,10 @@ Real AdhesionLaw::at(const material::Material& soil, const Real* state, Real sli
 {
   const Real share = factor_beside(number);
   if (!(share > 0)) return adhesion_beside(number, slip);
-  const Real now = shear_strength(soil, 0, state).value_or(0);
-  return share * (softens() ? std::min(now, part_left(slip) * settings::undrained_strength(soil).value_or(0)) : now);
+  const Real at_rest = settings::undrained_strength(soil).value_or(0);
+  const Real now =
+      shear_strength(soil, 0, state).value_or(at_rest);  // of a law whose strength depends on the direction: that in simple shear
+  return share * (softens() ? std::min(now, part_left(slip) * at_rest) : now);
 }
 
 AdhesionLaw adhesion_law(const contact::ContactSettings& contact, const settings::BodySoil& soil)

@@ -89,7 +89,7 @@ settings::Case with_whole_paths(settings::Case settings, const fs::path& case_fi
 
 std::vector<std::string> words_of(const Job& job)
 {
-  std::vector<std::string> words = {job.element ? "element" : job.fit ? "fit" : "run"};
+  std::vector<std::string> words = {job.command};
   if (job.resume)
     words.insert(words.end(), {"--resume", job.folder.string()});
   else

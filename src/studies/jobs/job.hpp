@@ -18,12 +18,11 @@ struct Job {
   std::filesystem::path folder;  ///< the run folder
   Real estimate = nan;           ///< s of wall time, where no earlier run tells it
   bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
-  bool element = false;          ///< element tests (berm element) instead of a run
-  bool fit = false;              ///< a soil fitted to tests (berm fit) instead of a run
+  std::string command = "run";   ///< of berm; others are of element tests ("element"), fits and storms
   bool resume = false;           ///< from its last checkpoint (berm run --resume), where it goes_on
   int threads = 1;               ///< of a run
 
-  bool is_run() const { return !element && !fit; }
+  bool is_run() const { return command == "run"; }
 };
 
 /// The case with a mesh file that is found from any folder, where a job has a case file of its own.

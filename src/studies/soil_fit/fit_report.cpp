@@ -316,11 +316,7 @@ std::string page_html(const FitResults& results, const std::vector<std::string>&
 
 bool holds_results(const fs::path& folder)
 {
-  std::error_code error;
-  if (fs::exists(folder / page_file, error)) return true;
-  if (fs::is_directory(folder, error) && !fs::is_empty(folder, error))
-    throw InputError(fmt::format("{} holds files that are not of berm fit: name another folder with -o", folder.string()));
-  return false;
+  return io::holds_page(folder, page_file, "berm fit");
 }
 
 void write_results(const FitResults& results, const fs::path& folder)

@@ -41,6 +41,20 @@ const std::vector<UsualLaw>& laws()
                                                 {"rigidity", "400", "80", "800"},
                                                 {"poisson_ratio", "0.2"},
                                                 {"max_pressure", "\"5 MPa\""}};
+  static const std::vector<UsualKey> hypoplastic = {{"critical_friction_angle", "\"32 deg\"", "\"25 deg\"", "\"40 deg\""},
+                                                    {"granular_hardness", "\"2 GPa\"", "\"20 MPa\"", "\"50 GPa\""},
+                                                    {"hardness_exponent", "0.3", "0.15", "0.6"},
+                                                    {"min_void_ratio", "0.6", "0.35", "0.8"},
+                                                    {"critical_void_ratio", "0.95", "0.81", "1.3"},
+                                                    {"max_void_ratio", "1.5"},
+                                                    {"dilatancy_exponent", "0.15", "0.03", "0.4"},
+                                                    {"stiffness_exponent", "1.5", "0.5", "4"},
+                                                    {"small_strain", "1e-4"},
+                                                    {"reversal_stiffness", "4", "1", "10"},
+                                                    {"turn_stiffness", "1"},
+                                                    {"evolution_exponent", "0.2"},
+                                                    {"decay_exponent", "3"},
+                                                    {"max_pressure", "\"5 MPa\""}};
   static const std::vector<UsualLaw> all = {{"mohr_coulomb",
                                              false,
                                              {{"young_modulus", "\"20 MPa\"", "\"0.5 MPa\"", "\"500 MPa\""},
@@ -58,7 +72,8 @@ const std::vector<UsualLaw>& laws()
                                               {"rigidity_index", "100", "5", "1000"},
                                               {"poisson_ratio", "0.49"}}},
                                             {"modified_cam_clay", true, cam_clay, cam_clay},
-                                            {"norsand", true, norsand, norsand}};
+                                            {"norsand", true, norsand, norsand},
+                                            {"hypoplastic", true, hypoplastic, hypoplastic}};
   return all;
 }
 
@@ -114,9 +129,15 @@ std::string usual_fit(const UsualFit& request)
     if (*key.from != '\0') free += fmt::format("\n[[free]]\nkey = \"{}\"\nfrom = {}\nto = {}\n", key.key, key.from, key.to);
   }
   if (law->keeps_void_ratio && void_ratio.empty()) {
-    const bool sand = request.law == "norsand";
-    text += sand ? "state_parameter = -0.05\n" : "void_ratio = 1\n";
-    if (sand) free += "\n[[free]]\nkey = \"state_parameter\"\nfrom = -0.35\nto = 0.15\n";
+    if (request.law == "norsand") {
+      text += "state_parameter = -0.05\n";
+      free += "\n[[free]]\nkey = \"state_parameter\"\nfrom = -0.35\nto = 0.15\n";
+    } else if (request.law == "hypoplastic") {
+      text += "relative_density = 0.5\n";
+      free += "\n[[free]]\nkey = \"relative_density\"\nfrom = 0\nto = 1\n";
+    } else {
+      text += "void_ratio = 1\n";
+    }
   }
   return text + void_ratio + free + measured;
 }

@@ -64,10 +64,7 @@ std::string findings_html(const ExamplePage& page, const std::string& run, const
 
 std::string command_of(const ExamplePage& page, const VerificationRun& run)
 {
-  std::string command = (run.element ? "berm element "
-                         : run.fit   ? "berm fit "
-                                     : "berm run ") +
-                        (page.example.folder / run.case_file).lexically_normal().string();
+  std::string command = fmt::format("berm {} {}", run.command(), (page.example.folder / run.case_file).lexically_normal().string());
   for (const std::string& set : run.set)
     command += set.find('\'') == std::string::npos ? fmt::format(" --set '{}'", set) : fmt::format(" --set \"{}\"", set);
   return command;

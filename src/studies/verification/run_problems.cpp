@@ -2,6 +2,7 @@
 // Tests: tests/unit/verification/verify_resume_test.cpp
 #include "verification/run_problems.hpp"
 
+#include "cyclic/cyclic_settings.hpp"
 #include "element/element_report.hpp"
 #include "input/read_case.hpp"
 #include "io/duration_text.hpp"
@@ -25,12 +26,13 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = jobs::JobEnd::Kind;
 
-constexpr Real time_of_fast = 5;  // s, of fast problems, element tests and fits
+constexpr Real time_of_fast = 5;  // s, of fast problems, and of what is no run
 
 bool holds(const jobs::Job& job)
 {
-  if (job.fit) return false;  // its tests may be others
-  return job.element ? element::has_result(element::read_element_case(job.case_file, job.set), job.folder) : jobs::has_result(job);
+  if (!job.is_run() && job.command != "element") return false;  // its tests or contours may be others
+  return job.command == "element" ? element::has_result(element::read_element_case(job.case_file, job.set), job.folder)
+                                  : jobs::has_result(job);
 }
 
 /// s, NaN where it is not known: the job then says itself what is wrong.
@@ -136,6 +138,8 @@ std::vector<jobs::Job> jobs_of(const std::vector<Example>& examples, const fs::p
       try {
         if (run.fit)
           soil_fit::read_fit_case(file, run.set);
+        else if (run.cyclic)
+          cyclic::read_cyclic_case(file, run.set);
         else if (run.element)
           element::read_element_case(file, run.set);
         else
@@ -143,8 +147,8 @@ std::vector<jobs::Job> jobs_of(const std::vector<Example>& examples, const fs::p
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: run.{}: {}", (example.folder / "expected.toml").string(), name, error.what()));
       }
-      jobs.push_back({file, run.set, output / example.name / name, run.fast || !run.is_run() ? time_of_fast : nan, run.uncertainty,
-                      run.element, run.fit});
+      jobs.push_back(
+          {file, run.set, output / example.name / name, run.fast || !run.is_run() ? time_of_fast : nan, run.uncertainty, run.command()});
     }
   return jobs;
 }

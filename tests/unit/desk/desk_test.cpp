@@ -99,6 +99,17 @@ TEST_F(DeskTest, fits_a_soil_to_the_tests_beside_its_input)
               33, 0.5);
 }
 
+TEST_F(DeskTest, follows_a_storm_on_the_contours_beside_its_input)
+{
+  std::ofstream(folder_ / "bay/contours.csv")
+      << "shear_strain,average_stress_ratio,cycles,cyclic_stress_ratio\n0.15,0,1,1\n0.15,0,100,0.6\n";
+  std::ofstream(folder_ / "bay/storm.toml") << "[contours]\ntable = \"contours.csv\"\n[storm]\ncycles = [10]\nload = [0.4]\n";
+  EXPECT_EQ(desk_->get("/api/folder?path=bay").json().at("tests").size(), 1u);
+  const std::string job = desk_->post("/api/cyclic", {{"path", "bay/storm.toml"}}).json().value("job", "");
+  ASSERT_TRUE(wait_until([&] { return fs::exists(folder_ / job / "summary.json"); })) << desk_->get("/api/jobs").body;
+  EXPECT_NEAR(Json::parse(text_of_file(folder_ / job / "summary.json"))["quantities"]["strength_factor"]["value"].get<double>(), 0.8, 1e-6);
+}
+
 TEST_F(DeskTest, queues_stops_and_resumes_runs_which_outlive_it)
 {
   write_long_case();

@@ -100,9 +100,9 @@ SymTensor<3> in_space(const SymTensor<dim>& stress)
   return all;
 }
 
-/// One block of particles, by lanes and one by one.
+/// One block of particles, by lanes and one by one. A law that chooses its pieces by their error takes others for large strains, where rounding decides.
 template <class L>
-void expect_lanes_like_single_numbers(const L& law, Real slope)
+void expect_lanes_like_single_numbers(const L& law, Real slope, Real largest_strain = 0.1)
 {
   std::mt19937_64 random(13);
   const auto prepared = prepare(law);
@@ -114,7 +114,7 @@ void expect_lanes_like_single_numbers(const L& law, Real slope)
     Real state[lanes][L::state_size] = {};
     for (int l = 0; l < lanes; ++l) {
       stress[l] = random_stress<2>(random, slope);
-      strain[l] = random_strain<2>(random, 0.1);
+      strain[l] = random_strain<2>(random, largest_strain);
       initial_state(law, in_space(stress[l]), state[l]);
     }
     for (int l = 0; l < lanes; ++l) {

@@ -2,6 +2,7 @@
 #include "material/material.hpp"
 
 #include "material/laws.hpp"
+#include "samples/anisotropic_clay.hpp"
 #include "samples/critical_state_soils.hpp"
 
 #include <algorithm>
@@ -145,6 +146,23 @@ TEST(Material, critical_state_soil_that_cannot_be_is_refused_at_its_key)
   Material material;
   describe(recorder, material);
   EXPECT_EQ(recorder.of("overconsolidation_ratio")->range.min, 1);
+}
+
+TEST(Material, anisotropic_clay_that_cannot_be_is_refused_at_its_key)
+{
+  using Keys = std::vector<std::string>;
+  EXPECT_EQ(refused(sample_ngi_adp()), Keys{});
+  NgiAdp clay = sample_ngi_adp(1);
+  EXPECT_EQ(refused(clay), Keys{"material.soil.initial_mobilisation"}) << "it has failed at rest";
+  EXPECT_EQ(refused(sample_ngi_adp(-0.35)), Keys{"material.soil.initial_mobilisation"});
+  clay = sample_ngi_adp();
+  clay.active_failure_strain = 0.5 / 400, clay.dss_failure_strain = 0.55 / 400, clay.passive_failure_strain = 0.85 / 400;
+  EXPECT_EQ(refused(clay),
+            (Keys{"material.soil.active_failure_strain", "material.soil.dss_failure_strain", "material.soil.passive_failure_strain"}))
+      << "all of it is elastic";
+  clay = sample_ngi_adp();
+  clay.young_modulus = 1e7;
+  EXPECT_EQ(refused(clay), Keys{"material.soil.rigidity_index"}) << "stiffness given twice";
 }
 
 TEST(Material, answers_for_the_law_it_holds)

@@ -2,6 +2,7 @@
 #include "problem/interface.hpp"
 
 #include "material/clay.hpp"
+#include "material/ngi_adp.hpp"
 #include "settings/body_soil.hpp"
 #include "settings/case.hpp"
 #include "settings/interface.hpp"
@@ -42,6 +43,17 @@ TEST(AdhesionLaw, is_the_share_of_the_strength_that_the_soil_has_now)
   EXPECT_EQ(law.at(soil, undisturbed, 0, 0), 2000);
   EXPECT_EQ(law.at(soil, faster, 0, 0), 0.4 * 5800);
   EXPECT_EQ(law.at(soil, undisturbed, 7, 0), 2000) << "slip counts only where it softens";
+}
+
+TEST(AdhesionLaw, of_anisotropic_clay_is_the_share_of_its_strength_in_simple_shear)
+{
+  material::NgiAdp clay;
+  clay.undrained_strength = 1e4;
+  clay.dss_ratio = 0.7;
+  const material::Material soil = clay;
+  const AdhesionLaw law = adhesion_law(skin(0.5, 1, 0), settings::soil_of_one(soil));
+  const Real undisturbed[1] = {};
+  EXPECT_NEAR(law.at(soil, undisturbed, 0, 0), 3500, 1e-9);
 }
 
 TEST(AdhesionLaw, falls_exponentially_with_the_slip_to_one_over_its_sensitivity)

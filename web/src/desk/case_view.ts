@@ -10,12 +10,12 @@ import { Form } from "./form";
 import type { Place } from "./place";
 import { bytes_words, duration_words, hurry, picture_of, say } from "./words";
 
-/** A study has cases, an input of element tests has tests, one of a fit measured ones. */
+/** A study has cases, an input of element tests has tests, one of a fit measured ones, one of contours a storm. */
 export function kind_of(text: string): InputKind {
-  return /^\[\[case\]\]/m.test(text) ? "study" : /^\[\[test\]\]/m.test(text) ? "element" : /^\[\[measured\]\]/m.test(text) ? "fit" : "case";
+  return /^\[\[case\]\]/m.test(text) ? "study" : /^\[\[test\]\]/m.test(text) ? "element" : /^\[\[measured\]\]/m.test(text) ? "fit" : /^\[storm\]/m.test(text) ? "cyclic" : "case";
 }
 
-const run_words: Record<InputKind, string> = { case: "Run", study: "Run the study", element: "Run the tests", fit: "Fit the soil" };
+const run_words: Record<InputKind, string> = { case: "Run", study: "Run the study", element: "Run the tests", fit: "Fit the soil", cyclic: "Cyclic strength" };
 
 export class CaseView implements Place {
   readonly element = make("div", "case_view");

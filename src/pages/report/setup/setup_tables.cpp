@@ -74,9 +74,30 @@ void add_law(Rows& rows, const std::string& prefix, const material::Clay& law)
                                                     law.reference_rate, law.rate_scale));
 }
 
+void add_law(Rows& rows, const std::string& prefix, const material::NgiAdp& law)
+{
+  if (law.shansep)
+    rows.add(prefix + "active strength", formula_words(*law.shansep));
+  else
+    rows.add(prefix + "active strength", text::stress_words(law.undrained_strength) + (varies(law) ? " at the surface" : ""));
+  if (law.undrained_strength_gradient != 0)
+    rows.add(prefix + "active strength per metre of depth", text::stress_words(law.undrained_strength_gradient));
+  rows.add(prefix + "simple shear and passive over active strength", fmt::format("{:.3g}, {:.3g}", law.dss_ratio, law.passive_ratio));
+  rows.add(prefix + "shear strain at failure: active, simple shear, passive",
+           fmt::format("{:.3g} %, {:.3g} %, {:.3g} %", 100 * law.active_failure_strain, 100 * law.dss_failure_strain,
+                       100 * law.passive_failure_strain));
+  rows.add(prefix + "initial mobilisation τ0 / active strength", text::number_words(law.initial_mobilisation));
+}
+
+void add_shape(Rows& rows, const std::string& prefix, material::DeviatoricShape shape)
+{
+  if (shape == material::DeviatoricShape::matsuoka_nakai) rows.add(prefix + "strength over direction", "Matsuoka and Nakai");
+}
+
 void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamClay& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  add_shape(rows, prefix, law.deviatoric_shape);
   rows.add(prefix + "λ, κ", fmt::format("{:.3g}, {:.3g}", law.compression_index, law.swelling_index));
   rows.add(prefix + "void ratio", text::number_words(law.void_ratio));
   rows.add(prefix + "overconsolidation ratio", text::number_words(law.overconsolidation_ratio));
@@ -85,10 +106,26 @@ void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamC
 void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  add_shape(rows, prefix, law.deviatoric_shape);
   rows.add(prefix + "critical state line Γ, λe", fmt::format("{:.3g}, {:.3g}", law.critical_void_ratio, law.critical_line_slope));
   rows.add(prefix + "N, χ, H", fmt::format("{:.3g}, {:.3g}, {:.3g}", law.volumetric_coupling, law.dilatancy, law.hardening_modulus));
   if (law.state_parameter) rows.add(prefix + "state parameter ψ", text::number_words(*law.state_parameter));
   if (law.void_ratio) rows.add(prefix + "void ratio", text::number_words(*law.void_ratio));
+}
+
+void add_law(Rows& rows, const std::string& prefix, const material::Hypoplastic& law)
+{
+  rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  rows.add(prefix + "h_s, n", fmt::format("{}, {:.3g}", text::stress_words(law.granular_hardness), law.hardness_exponent));
+  rows.add(prefix + "e_d0, e_c0, e_i0",
+           fmt::format("{:.3g}, {:.3g}, {:.3g}", law.min_void_ratio, law.critical_void_ratio, law.max_void_ratio));
+  rows.add(prefix + "α, β", fmt::format("{:.3g}, {:.3g}", law.dilatancy_exponent, law.stiffness_exponent));
+  if (law.relative_density) rows.add(prefix + "relative density", text::number_words(*law.relative_density));
+  if (law.void_ratio) rows.add(prefix + "void ratio", text::number_words(*law.void_ratio));
+  if (law.small_strain > 0)
+    rows.add(prefix + "intergranular strain R, m_R, m_T, β_r, χ",
+             fmt::format("{:.3g}, {:.3g}, {:.3g}, {:.3g}, {:.3g}", law.small_strain, law.reversal_stiffness, law.turn_stiffness,
+                         law.evolution_exponent, law.decay_exponent));
 }
 
 /// Of the others the library or nothing.
