@@ -68,6 +68,7 @@ void initial_state(const Hypoplastic& law, const SymTensor<3>& stress, Real* sta
 struct PreparedHypoplastic {
   static constexpr int state_size = 7;
   static constexpr int rotating_state = 1;
+  static constexpr bool indefinite_tangent = true;
   static constexpr bool elastic_is_largest = true;
 
   Elasticity elastic;

@@ -16,6 +16,7 @@ namespace {
 /// Fraction of the elastic stiffness kept where the law has none, so that stress-free soil does not make the matrix
 /// singular.
 constexpr Real min_stiffness = 1e-6;
+constexpr Real min_eigenvalue = 0.02;  // over the largest, of a tangent that may be indefinite
 
 /// The largest and the smallest principal stress.
 std::pair<Real, Real> extreme_stresses(const SymTensor<2>& stress)
@@ -38,6 +39,17 @@ constexpr bool has_constant_moduli()
 {
   if constexpr (requires { Law::elastic_is_largest; }) return !Law::elastic_is_largest;
   return true;
+}
+
+/// Whether the symmetric part of a law's tangent may have negative eigenvalues wherever soil is sheared, and not at a peak alone.
+template <class Law>
+constexpr bool has_indefinite_tangent()
+{
+  if constexpr (requires(const Law& law) { law.skeleton; }) return has_indefinite_tangent<decltype(Law::skeleton)>();
+  return requires
+  {
+    Law::indefinite_tangent;
+  };
 }
 
 /// The law's stress, mixed with its elastic trial stress.
@@ -82,9 +94,9 @@ PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
   const Vec<3> across = (Vec<3>(around[0], around[1], around[3]) + Vec<3>(tangent.row(2).transpose())) / 2;
-  if constexpr (!has_constant_moduli<Law>()) {
+  if constexpr (has_indefinite_tangent<Law>()) {
     const Eigen::SelfAdjointEigenSolver<Stiffness> own((d + d.transpose()) / 2);
-    const Real least = 0.02 * own.eigenvalues().cwiseAbs().maxCoeff();
+    const Real least = min_eigenvalue * own.eigenvalues().cwiseAbs().maxCoeff();
     d = own.eigenvectors() * own.eigenvalues().cwiseMax(least).asDiagonal() * own.eigenvectors().transpose();
   }
   const PointStiffness elastic = elastic_point(law.elastic);
