@@ -55,6 +55,14 @@ const std::vector<UsualLaw>& laws()
                                                     {"evolution_exponent", "0.2"},
                                                     {"decay_exponent", "3"},
                                                     {"max_pressure", "\"5 MPa\""}};
+  static const std::vector<UsualKey> hardening_soil = {{"secant_modulus", "\"30 MPa\"", "\"1 MPa\"", "\"200 MPa\""},
+                                                       {"oedometer_modulus", "\"30 MPa\""},
+                                                       {"unloading_modulus", "\"200 MPa\""},
+                                                       {"stiffness_exponent", "0.5", "0.2", "1"},
+                                                       {"friction_angle", "\"34 deg\"", "\"20 deg\"", "\"48 deg\""},
+                                                       {"dilation_angle", "\"4 deg\"", "\"0 deg\"", "\"18 deg\""},
+                                                       {"poisson_ratio", "0.2"},
+                                                       {"max_pressure", "\"5 MPa\""}};
   static const std::vector<UsualLaw> all = {{"mohr_coulomb",
                                              false,
                                              {{"young_modulus", "\"20 MPa\"", "\"0.5 MPa\"", "\"500 MPa\""},
@@ -73,7 +81,19 @@ const std::vector<UsualLaw>& laws()
                                               {"poisson_ratio", "0.49"}}},
                                             {"modified_cam_clay", true, cam_clay, cam_clay},
                                             {"norsand", true, norsand, norsand},
-                                            {"hypoplastic", true, hypoplastic, hypoplastic}};
+                                            {"hypoplastic", true, hypoplastic, hypoplastic},
+                                            {"hardening_soil", false, hardening_soil, hardening_soil},
+                                            {"ngi_adp",
+                                             false,
+                                             {},
+                                             {{"undrained_strength", "\"30 kPa\"", "\"0.5 kPa\"", "\"500 kPa\""},
+                                              {"rigidity_index", "300", "20", "2000"},
+                                              {"dss_ratio", "0.7"},
+                                              {"passive_ratio", "0.45"},
+                                              {"active_failure_strain", "0.02", "0.003", "0.2"},
+                                              {"dss_failure_strain", "0.05"},
+                                              {"passive_failure_strain", "0.1"},
+                                              {"poisson_ratio", "0.49"}}}};
   return all;
 }
 

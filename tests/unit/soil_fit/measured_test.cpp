@@ -213,7 +213,7 @@ TEST_F(MeasuredTests, of_a_law_alone_get_usual_numbers_and_bounds)
   folder_.write("tests.csv", "test,axial_strain_percent,q_kPa,p_kPa,void_ratio\nA,0,0,100,0.7\nA,1,150,150,0.69\n");
   for (const std::string& law : usual_laws()) {
     UsualFit request{law, {folder_ / "tests.csv"}};
-    request.undrained = law == "clay";
+    request.undrained = law == "clay" || law == "ngi_adp";
     const FitCase c = read_fit_text("case.toml", usual_fit(request), folder_.path());
     EXPECT_GE(c.free.size(), 2u) << law;
     EXPECT_EQ(read_measured(c)[0].name, "A") << law;
