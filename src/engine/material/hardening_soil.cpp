@@ -219,11 +219,13 @@ std::vector<FieldInfo> state_fields(const HardeningSoil& law)
                                    {"preconsolidation_pressure", "preconsolidation pressure p_c + c cot phi", "Pa"}};
   if (!law.small_strain_shear_modulus) return fields;
   constexpr unsigned travel = everywhere & ~to_frame;
-  for (const char* of : {"xx", "yy", "xy", "yz", "xz"})
+  for (const char* of : {"xx", "yy", "zz", "xy", "yz", "zx"})
     fields.push_back(
         {std::string("strain_since_reversal_") + of, std::string("deviatoric strain since the last reversal, ") + of, "", 1, travel});
+  fields.push_back({"largest_branch_strain", "largest shear strain since the last reversal", "", 1, travel});
+  fields.push_back({"branch_retreat", "shear strain come back since then", "", 1, travel});
   fields.push_back({"first_loading_strain", "largest shear strain of first loading", ""});
-  fields.push_back({"strain_from_first_loading", "shear strain from the point where first loading was left", "", 1, travel});
+  fields.push_back({"branch_start", "shear strain between the end of first loading and the last reversal", "", 1, travel});
   return fields;
 }
 
