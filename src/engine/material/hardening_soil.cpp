@@ -47,8 +47,8 @@ PreparedHardeningSoil prepare_shear(const HardeningSoil& law)
   p.failure_ratio = law.failure_ratio;
   p.softness = initial_modulus(law) / law.unloading_modulus;
   p.per_strain = initial_modulus(law) * p.per_reference / (4 * p.k);
-  if (law.small_strain_shear_modulus) {
-    p.small_strain = {*law.small_strain_shear_modulus / at_reference.shear, 0.385 / law.shear_strain_at_70_percent.value()};
+  if (law.small_strain_shear_modulus && law.shear_strain_at_70_percent) {
+    p.small_strain = {*law.small_strain_shear_modulus / at_reference.shear, 0.385 / *law.shear_strain_at_70_percent};
     p.small_strain_exponent = 1 + law.unloading_modulus / (2 * law.secant_modulus);
   }
   p.elastic = scaled(at_reference, p.largest_factor * p.small_strain.ratio);
@@ -164,12 +164,11 @@ void describe(Describe& d, HardeningSoil& law)
                "unloading_modulus",
            .unit = "Pa",
            .range = positive});
-  d.value(
-      "shear_strain_at_70_percent", law.shear_strain_at_70_percent,
-      {.meaning =
-           "gamma_07: shear strain at which the secant shear modulus of first loading has fallen to 72.2 % of small_strain_shear_modulus; "
-           "1e-4 to 2e-4 in sand",
-       .range = {1e-6, 0.1}});
+  d.value("shear_strain_at_70_percent", law.shear_strain_at_70_percent,
+          {.meaning = "gamma_07: shear strain at which the secant shear modulus of soil that does not yield has fallen to 72.2 % of "
+                      "small_strain_shear_modulus; "
+                      "1e-4 to 2e-4 in sand",
+           .range = {1e-6, 0.1}});
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"friction_angle", {15 * degree, 50 * degree}},
                     {"secant_modulus", {5e5, 2e8}},
@@ -219,11 +218,13 @@ std::vector<FieldInfo> state_fields(const HardeningSoil& law)
                                    {"preconsolidation_pressure", "preconsolidation pressure p_c + c cot phi", "Pa"}};
   if (!law.small_strain_shear_modulus) return fields;
   constexpr unsigned travel = everywhere & ~to_frame;
-  for (const char* of : {"xx", "yy", "xy", "yz", "xz"})
+  for (const char* of : {"xx", "yy", "zz", "xy", "yz", "zx"})
     fields.push_back(
         {std::string("strain_since_reversal_") + of, std::string("deviatoric strain since the last reversal, ") + of, "", 1, travel});
+  fields.push_back({"largest_branch_strain", "largest shear strain since the last reversal", "", 1, travel});
+  fields.push_back({"branch_retreat", "shear strain come back since then", "", 1, travel});
   fields.push_back({"first_loading_strain", "largest shear strain of first loading", ""});
-  fields.push_back({"strain_from_first_loading", "shear strain from the point where first loading was left", "", 1, travel});
+  fields.push_back({"branch_start", "shear strain between the end of first loading and the last reversal", "", 1, travel});
   return fields;
 }
 

@@ -17,11 +17,10 @@ namespace berm::material {
 /// point. Soil that comes back to the point at which it left first loading goes on with it there, and with first loading in the other direction when it is
 /// twice the largest strain of first loading away. Positions on branches are measured along them.
 ///
-/// History: e (xx, yy, xy, yz, xz); the largest g of the branch; the farthest way back from it; the largest g of first loading; and how far from the point
-/// where first loading was left the branch began: positive if it leads away from there, negative if back, zero in first loading. It does not rotate with the
-/// soil.
+/// History: e (xx yy zz xy yz zx, which rotate with the soil); the largest g of the branch; the farthest way back from it; the largest g of first loading; and how far from the point
+/// where first loading was left the branch began: positive if it leads away from there, negative if back, zero in first loading.
 struct SmallStrain {
-  static constexpr int size = 9;
+  static constexpr int size = 10;
 
   Real ratio = 1;       ///< G_0 / G_ur; 1: none
   Real per_strain = 0;  ///< a
@@ -46,12 +45,9 @@ template <int dim, class T, class Mask>
                                                        const Mask& acts)
 {
   constexpr Real reversal = 0.1, smallest = 1e-100;
-  const T zero{}, one = T{} + 1., farthest = history[5], retreat = history[6], loading = history[7], start = history[8];
+  const T zero{}, one = T{} + 1., farthest = history[6], retreat = history[7], loading = history[8], start = history[9];
   SymTensor<dim, T> e, next, turned;
-  e[0] = history[0];
-  e[1] = history[1];
-  e[2] = -(history[0] + history[1]);
-  for (int k = 3; k < tensor_size<dim>; ++k) e[k] = history[k - 1];
+  for (int k = 0; k < tensor_size<dim>; ++k) e[k] = history[k];
   const T g = shear_size(e), to_turning_point = farthest / larger(g, zero + smallest);
   for (int k = 0; k < tensor_size<dim>; ++k) {
     next[k] = e[k] + increment[k];
@@ -84,16 +80,13 @@ template <int dim, class T, class Mask>
   const auto resumes = loads & !inward, onward = at_front & !inward;
   const T scale = (resumes & !first) ? loaded / larger(g_next, zero + smallest) : one;
   const auto store = [&](T& number, const T& value) { number = acts ? value : number; };
-  const auto value = [&](int k) { return reverses ? turned[k] : scale * next[k]; };
-  store(history[0], value(0));
-  store(history[1], value(1));
-  for (int k = 3; k < tensor_size<dim>; ++k) store(history[k - 1], value(k));
+  for (int k = 0; k < tensor_size<dim>; ++k) store(history[k], reverses ? turned[k] : scale * next[k]);
   const T now = resumes ? loaded : loading;
-  store(history[5], reverses ? back : (resumes ? loaded : (onward ? g_next : farthest)));
-  store(history[6], reverses | onward ? zero : (inward ? larger(retreat, left) : retreat));
-  store(history[7], now);
+  store(history[6], reverses ? back : (resumes ? loaded : (onward ? g_next : farthest)));
+  store(history[7], reverses | onward ? zero : (inward ? larger(retreat, left) : retreat));
+  store(history[8], now);
   const T begun = first ? zero + smallest : (away ? -(from + farthest) : larger(from - farthest, zero + smallest));
-  store(history[8], reverses ? begun : (resumes ? zero : start));
+  store(history[9], reverses ? begun : (resumes ? zero : start));
 
   const T of_now = 1. + law.per_strain * now;
   return {larger(law.ratio * mean, one), larger(law.ratio / (of_now * of_now), one)};

@@ -88,7 +88,7 @@ struct Undrained {
   Real min_pressure = 0;         ///< Pa
 };
 
-/// The first of the six state variables of a law (xx yy zz xy yz zx) that are a tensor and rotate with the soil; none: -1.
+/// The first of the six state variables of a law (xx yy zz xy yz zx) that are a tensor and rotate with the soil, where it has as many in use; none: -1.
 template <class P>
 constexpr int rotating_state = [] {
   if constexpr (requires { P::rotating_state; }) return P::rotating_state;

@@ -150,11 +150,12 @@ material::PreparedMaterial law_from(const FemModel& model, const SymTensor<2>& s
   return prepare(associated(model.flow.in(cell) ? material::drained(soil) : soil, stress));
 }
 
-/// Rotates the tensor among the state variables of a law that has one.
+/// Rotates the tensor among the state variables of a law that has one in use.
 template <class Law>
-void rotate_state(std::array<Real, material::max_state>& state, const Rotation& rotation)
+void rotate_state([[maybe_unused]] const Law& law, std::array<Real, material::max_state>& state, const Rotation& rotation)
 {
   if constexpr (constexpr int first = material::rotating_state<Law>; first >= 0) {
+    if (state_count(law) < first + 6) return;
     SymTensor<2> tensor;
     std::copy_n(state.data() + first, tensor_size<2>, tensor.c);
     tensor = rotated(tensor, rotation);
@@ -336,7 +337,7 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     SymTensor<2> mean;
     std::visit(
         [&](const auto& law) {
-          if (moved) rotate_state<std::decay_t<decltype(law)>>(point.law_state, moved->rotation[q]);
+          if (moved) rotate_state(law, point.law_state, moved->rotation[q]);
           update_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
         law_of_point(effective, cell, q).law);
@@ -403,7 +404,7 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
     const PointStiffness d = std::visit(
         [&](const auto& law) {
           if (elastic) return elastic_point(law.elastic);
-          if (moved) rotate_state<std::decay_t<decltype(law)>>(point.law_state, moved->rotation[q]);
+          if (moved) rotate_state(law, point.law_state, moved->rotation[q]);
           return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]},
                                     with_effective_stress(point, cell));
         },

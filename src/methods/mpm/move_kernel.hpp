@@ -48,11 +48,13 @@ struct CellStrain {
   }
 };
 
-/// Rotates the tensor among the state variables of a law that has one.
+/// Rotates the tensor among the state variables of a law that has one in use.
 template <int dim, class Law, class V>
-[[gnu::always_inline]] inline void rotate_state([[maybe_unused]] V* state, [[maybe_unused]] const Real (&rotation)[dim][dim])
+[[gnu::always_inline]] inline void rotate_state([[maybe_unused]] const Law& law, [[maybe_unused]] V* state,
+                                                [[maybe_unused]] const Real (&rotation)[dim][dim])
 {
   if constexpr (constexpr int first = material::rotating_state<Law>; first >= 0) {
+    if (state_count(law) < first + 6) return;
     SymTensor<dim, V> tensor;
     std::copy_n(state + first, tensor_size<dim>, tensor.c);
     rotate(tensor, rotation);
@@ -251,14 +253,14 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
         const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
         part.template change<Law::state_size>(
             particles.state(part.block), particles.state(part.other), state_count(law), [&](V* law_state) {
-              rotate_state<dim, Law>(law_state, cell_strain.rotation);
+              rotate_state<dim>(law, law_state, cell_strain.rotation);
               bounds = update_by_local_strength<dim>(soil, first_law, part, low, high, mass, volume, stress, increment, law_state);
             });
       } else {
         const Mask fully_dilated = alive & (volume >= mass * max_volume);
         part.template change<Law::state_size>(
             particles.state(part.block), particles.state(part.other), state_count(law), [&](V* law_state) {
-              rotate_state<dim, Law>(law_state, cell_strain.rotation);
+              rotate_state<dim>(law, law_state, cell_strain.rotation);
               update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state);
             });
       }

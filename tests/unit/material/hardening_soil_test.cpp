@@ -2,6 +2,7 @@
 #include "material/hardening_soil.hpp"
 
 #include "critical_state_paths.hpp"
+#include "material/undrained.hpp"
 
 namespace berm::material::this_file {
 namespace {
@@ -279,6 +280,25 @@ TEST(HardeningSoil, undrained_shear_without_dilation_keeps_the_mean_stress_and_e
   EXPECT_LT(loose.pressure(), dense.pressure()) << "the cap of normally consolidated soil compresses";
 }
 
+TEST(HardeningSoil, water_adds_its_pressure_to_the_same_effective_stress)
+{
+  for (const HardeningSoil& law : {hostun_sand(), with_small_strain(hostun_sand())}) {
+    const auto wet = with_water(prepare(law), 1e9, -1e9);
+    Element<HardeningSoil> dry(law, isotropic(p_ref));
+    SymTensor<3> total = isotropic(p_ref);
+    Real state[HardeningSoil::state_size + 1] = {};
+    initial_state(law, total, state);
+    for (int k = 0; k < 100; ++k) {
+      const Increment<3, Real> increment{{{1e-5, -3e-5, 1.2e-5, 1e-5, 0, 0}}};
+      update(dry.prepared, dry.stress, increment, dry.state);
+      update(wet, total, increment, state);
+    }
+    EXPECT_NEAR(state[state_count(law)], 1e9 * 100 * 0.8e-5, 1);
+    for (int k = 0; k < 6; ++k) EXPECT_NEAR(total[k] + (k < 3 ? state[state_count(law)] : 0), dry.stress[k], 1e-6 * p_ref);
+    for (int k = 0; k < state_count(law); ++k) EXPECT_NEAR(state[k], dry.state[k], 1e-9 * std::abs(dry.state[k]));
+  }
+}
+
 TEST(HardeningSoil, begins_with_the_surfaces_through_its_stress_and_its_past)
 {
   HardeningSoil law = hostun_sand();
@@ -320,7 +340,7 @@ TEST(HardeningSoil, stress_ends_on_or_inside_the_surfaces_for_any_increment)
   std::uniform_real_distribution<Real> unit(0, 1);
   int sheared = 0, compressed = 0;
   // The iteration ends with a step of 1e-5, after which a surface may be met that was not active.
-  for (int n = 0; n < 10000; ++n) {
+  for (int n = 0; n < 5000; ++n) {
     HardeningSoil law = hostun_sand();
     law.friction_angle = 0.4 + 0.4 * unit(random);
     law.dilation_angle = n % 4 == 0 ? 0 : 0.3 * unit(random);
@@ -354,8 +374,8 @@ TEST(HardeningSoil, stress_ends_on_or_inside_the_surfaces_for_any_increment)
       compressed += soil.state[1] > cap;
     }
   }
-  EXPECT_GT(sheared, 10000);
-  EXPECT_GT(compressed, 3000);
+  EXPECT_GT(sheared, 5000);
+  EXPECT_GT(compressed, 1500);
 }
 
 TEST(HardeningSoil, lanes_and_single_numbers_give_the_same_stress)

@@ -165,6 +165,40 @@ TEST(Material, anisotropic_clay_that_cannot_be_is_refused_at_its_key)
   EXPECT_EQ(refused(clay), Keys{"material.soil.rigidity_index"}) << "stiffness given twice";
 }
 
+TEST(Material, hardening_soil_that_cannot_be_is_refused_at_its_key)
+{
+  using Keys = std::vector<std::string>;
+  HardeningSoil sand;
+  sand.density = 1600;
+  sand.friction_angle = 0.7;
+  sand.dilation_angle = 0.2;
+  sand.secant_modulus = sand.oedometer_modulus = 30e6;
+  sand.unloading_modulus = 90e6;
+  sand.stiffness_exponent = 0.5;
+  sand.poisson_ratio = 0.25;
+  sand.max_pressure = 1e6;
+  const HardeningSoil good = sand;
+  EXPECT_EQ(refused(sand), Keys{});
+  sand.oedometer_modulus = 1.01 * largest_oedometer_modulus(sand);
+  EXPECT_EQ(refused(sand), Keys{"material.soil.oedometer_modulus"}) << "nothing left for the cap";
+  sand = good;
+  sand.unloading_modulus = 50e6;
+  EXPECT_EQ(refused(sand), Keys{"material.soil.unloading_modulus"}) << "E_i is 54.5 MPa";
+  sand = good;
+  sand.virgin_k0 = 0.2;
+  EXPECT_EQ(refused(sand), Keys{"material.soil.virgin_k0"}) << "below active failure";
+  sand = good;
+  sand.dilation_angle = 0.8;
+  EXPECT_EQ(refused(sand).front(), "material.soil.dilation_angle");
+  sand = good;
+  sand.small_strain_shear_modulus = 90e6;
+  EXPECT_EQ(refused(sand), Keys{"material.soil.shear_strain_at_70_percent"});
+  sand.shear_strain_at_70_percent = 2e-4;
+  EXPECT_EQ(refused(sand), Keys{});
+  sand.small_strain_shear_modulus = 30e6;
+  EXPECT_EQ(refused(sand), Keys{"material.soil.small_strain_shear_modulus"}) << "softer than unloading";
+}
+
 TEST(Material, answers_for_the_law_it_holds)
 {
   const Material elastic = LinearElastic{.density = 2000, .inertia_density = {}, .young_modulus = 3e6, .poisson_ratio = 0};
