@@ -43,11 +43,11 @@ public:
   {
     for (const Node& item : node.items) {
       const Listed* match = nullptr;
-      const Condition* missed = nullptr;
+      std::vector<const Condition*> missed;
       for (const Listed& entry : known.children) {
         if (entry.key != item.key) continue;
         const Condition* condition = unmet(node, known, entry);
-        (condition == nullptr ? static_cast<void>(match = &entry) : static_cast<void>(missed = condition));
+        (condition == nullptr ? static_cast<void>(match = &entry) : missed.push_back(condition));
       }
       const std::string item_path = join(path, item.key);
       if (match == nullptr) refuse_key(node, item, item_path, known, missed);
@@ -80,17 +80,21 @@ private:
   }
 
   [[noreturn]] void refuse_key(const Node& node, const Node& item, const std::string& path, const Listed& known,
-                               const Condition* missed) const
+                               const std::vector<const Condition*>& missed) const
   {
     std::vector<std::string> allowed;
     for (const Listed& entry : known.children)
       if (unmet(node, known, entry) == nullptr && std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end())
         allowed.push_back(entry.key);
-    if (missed != nullptr)
+    if (!missed.empty()) {
+      const std::string selector = missed.front()->selector;
+      std::string words;
+      for (const Condition* condition : missed)
+        if (condition->selector == selector) words += (words.empty() ? "" : " or ") + in_quotes(condition->word);
       refuse(document_, item, path,
-             fmt::format("applies with {0} = {1}, but here {0} = {2}", missed->selector, in_quotes(missed->word),
-                         in_quotes(chosen_word(node, known, missed->selector))),
-             "", allowed);
+             fmt::format("applies with {0} = {1}, but here {0} = {2}", selector, words, in_quotes(chosen_word(node, known, selector))), "",
+             allowed);
+    }
     refuse(document_, item, path, item.kind == Node::Kind::table ? "unknown table" : "unknown key", item.key, allowed);
   }
 

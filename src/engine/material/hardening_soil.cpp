@@ -154,7 +154,7 @@ void describe(Describe& d, HardeningSoil& law)
   d.value("virgin_k0", law.virgin_k0,
           {.meaning =
                "K0_nc: horizontal over vertical effective stress in virgin one-dimensional compression; left out: 1 - sin(friction_angle)",
-           .range = {0.05, 1}});
+           .range = {0.05, 0.9}});
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
           {.meaning = "largest past vertical effective stress over that at the start; 1: the surfaces pass through the initial stress",
            .range = {1, infinity}});
@@ -240,7 +240,7 @@ Real largest_oedometer_modulus(const HardeningSoil& law)
 
 HardeningSoil without_dilation(HardeningSoil law)
 {
-  law.dilation_angle = 0;
+  law.at_max_volume = true;
   return law;
 }
 
@@ -268,6 +268,7 @@ PreparedHardeningSoil prepare(const HardeningSoil& law)
   p.per_alpha_square = shear / volumetric * virgin.pressure / virgin.q;
   const Real cap = std::hypot(virgin.pressure, virgin.q * std::sqrt(p.per_alpha_square));
   p.cap_modulus = cap * virgin.step / (volumetric * std::pow(cap * p.per_reference, p.exponent));
+  if (law.at_max_volume) p.sine_cv = p.sine;
   return p;
 }
 

@@ -47,8 +47,9 @@ struct HardeningSoil {
   std::optional<Real> small_strain_shear_modulus;  ///< G0_ref, Pa
   std::optional<Real> shear_strain_at_70_percent;  ///< gamma_07
   Real overconsolidation_ratio = 1;
-  Real min_pressure = 100;  ///< Pa
-  Real max_pressure = 0;    ///< Pa
+  Real min_pressure = 100;     ///< Pa
+  bool at_max_volume = false;  ///< does not dilate any more; not of the input
+  Real max_pressure = 0;       ///< Pa
   std::optional<PoreWater> water = {};
 
   bool operator==(const HardeningSoil&) const = default;

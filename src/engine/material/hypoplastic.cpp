@@ -64,6 +64,13 @@ void check(Describe& d, const std::string& path, const Hypoplastic& law)
                          : "is missing: give void_ratio or relative_density");
   d.check(law.min_void_ratio < law.critical_void_ratio, path + ".min_void_ratio", "must be less than critical_void_ratio");
   d.check(law.critical_void_ratio < law.max_void_ratio, path + ".max_void_ratio", "must be larger than critical_void_ratio");
+  d.check(law.void_ratio.value_or(0) < law.max_void_ratio, path + ".void_ratio",
+          "must be less than max_void_ratio, that of the loosest packing");
+  const Real loosest = law.critical_void_ratio - law.relative_density.value_or(0) * (law.critical_void_ratio - law.min_void_ratio);
+  d.check(loosest < law.max_void_ratio, path + ".relative_density", "is that of sand looser than max_void_ratio");
+  const bool of_grains = law.reversal_stiffness > 0 || law.turn_stiffness > 0 || law.evolution_exponent > 0 || law.decay_exponent > 0;
+  d.check(law.small_strain > 0 || !of_grains, path + ".small_strain",
+          "is missing: without it reversal_stiffness, turn_stiffness, evolution_exponent and decay_exponent do nothing");
   if (law.max_void_ratio > law.critical_void_ratio && law.critical_void_ratio > law.min_void_ratio)
     d.check(prepare(law).stiffness > 0, path + ".dilatancy_exponent",
             "is too small for this friction angle and these void ratios: soil at max_void_ratio would have no stiffness in compression");

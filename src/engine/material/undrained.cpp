@@ -9,7 +9,7 @@ void check_water(Describe& d, const std::string& path, const std::optional<PoreW
   const std::string table = path + ".water";
   d.check(soil.effective_stress, table,
           "is for laws of effective stress, and this one has an undrained strength, which is one of total stress: leave the table out, or "
-          "take mohr_coulomb with a friction_angle, modified_cam_clay, norsand or hypoplastic");
+          "take mohr_coulomb with a friction_angle, modified_cam_clay, norsand, hypoplastic or hardening_soil");
   const bool flows = water->drainage == Drainage::consolidation;
   d.check(!water->porosity || water->bulk_modulus || water->permeability || flows, table + ".porosity",
           "is needed with bulk_modulus and permeability only");

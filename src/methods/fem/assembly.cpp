@@ -4,105 +4,19 @@
 #include "core/for_each.hpp"
 #include "fem/contact_force.hpp"
 #include "fem/moved_cell.hpp"
+#include "fem/point_law.hpp"
 #include "material/laws.hpp"
-#include "material/tangent.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace berm::fem {
 namespace {
-
-/// Fraction of the elastic stiffness kept where the law has none, so that stress-free soil does not make the matrix
-/// singular.
-constexpr Real min_stiffness = 1e-6;
-constexpr Real min_eigenvalue = 0.02;  // over the largest, of a tangent that may be indefinite
 
 /// The largest and the smallest principal stress.
 std::pair<Real, Real> extreme_stresses(const SymTensor<2>& stress)
 {
   const Real mean = (stress[0] + stress[1]) / 2, radius = std::hypot((stress[0] - stress[1]) / 2, stress[3]);
   return {std::max(mean + radius, stress[2]), std::min(mean - radius, stress[2])};
-}
-
-using Stiffness = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;  ///< (xx, yy, xy) by (e_xx, e_yy, gamma_xy)
-
-Stiffness elastic_stiffness(const material::Elasticity& elastic)
-{
-  const Real along = p_wave_modulus(elastic), across = elastic.lame;
-  return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
-}
-
-/// Whether all elastic stiffness of a law is `elastic`. Of the others that is the largest, no stress is their elastic trial, and they get no viscosity.
-template <class Law>
-constexpr bool has_constant_moduli()
-{
-  if constexpr (requires { Law::elastic_is_largest; }) return !Law::elastic_is_largest;
-  return true;
-}
-
-/// Whether the symmetric part of a law's tangent may have negative eigenvalues wherever soil is sheared, and not at a peak alone.
-template <class Law>
-constexpr bool has_indefinite_tangent()
-{
-  if constexpr (requires(const Law& law) { law.skeleton; }) return has_indefinite_tangent<decltype(Law::skeleton)>();
-  return requires
-  {
-    Law::indefinite_tangent;
-  };
-}
-
-/// The law's stress, mixed with its elastic trial stress.
-template <class Law>
-void update_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint& point)
-{
-  const SymTensor<2>& strain = increment.strain;
-  SymTensor<2> trial = point.stress;
-  add_elastic_stress(law.elastic, trial, strain);
-  update(law, point.stress, increment, point.law_state.data());
-  if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
-  SymTensor<2> over;
-  for (int k = 0; k < 4; ++k) {
-    over[k] = (trial[k] - point.stress[k]) * (viscosity / (1 + viscosity));
-    point.stress[k] += over[k];
-  }
-  point.overstress = std::sqrt(double_dot(over, over));
-  point.deviatoric_strain += equivalent_deviatoric_strain(strain);
-}
-
-/// Derivatives of the stresses at a point: of (xx, yy, xy) by (e_xx, e_yy, gamma_xy); and around an axis of (xx, yy, xy) by e_zz and, the same, of s_zz by the
-/// others, and of s_zz by e_zz.
-struct PointStiffness {
-  Stiffness plane;
-  Vec<3> across;
-  Real around;
-};
-
-PointStiffness elastic_point(const material::Elasticity& elastic)
-{
-  return {elastic_stiffness(elastic), elastic.lame * Vec<3>(1, 1, 0), p_wave_modulus(elastic)};
-}
-
-/// Of the elastic stiffness C and the law's D that with the viscosity eta and the least stiffness m, C - (1 - m)/(1 + eta) (C - D).
-template <class Law>
-PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint point)
-{
-  if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
-  material::Tangent tangent;
-  SymTensor<2> around;
-  update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), tangent, &around);
-  Stiffness d;
-  for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
-  const Vec<3> across = (Vec<3>(around[0], around[1], around[3]) + Vec<3>(tangent.row(2).transpose())) / 2;
-  if constexpr (has_indefinite_tangent<Law>()) {
-    const Eigen::SelfAdjointEigenSolver<Stiffness> own((d + d.transpose()) / 2);
-    const Real least = min_eigenvalue * own.eigenvalues().cwiseAbs().maxCoeff();
-    d = own.eigenvectors() * own.eigenvalues().cwiseMax(least).asDiagonal() * own.eigenvectors().transpose();
-  }
-  const PointStiffness elastic = elastic_point(law.elastic);
-  const Real lost = (1 - min_stiffness) / (1 + viscosity);
-  return {elastic.plane - lost * (elastic.plane - (d + d.transpose()) / 2), elastic.across - lost * (elastic.across - across),
-          elastic.around - lost * (elastic.around - around[2])};
 }
 
 /// Strain (e_xx, e_yy, gamma_xy) per displacement of the nodes (x, y, x, y, ...): the B-matrix.
@@ -148,19 +62,6 @@ material::PreparedMaterial law_from(const FemModel& model, const SymTensor<2>& s
 {
   const material::Material soil = model.soil_at(cell, q);
   return prepare(associated(model.flow.in(cell) ? material::drained(soil) : soil, stress));
-}
-
-/// Rotates the tensor among the state variables of a law that has one in use.
-template <class Law>
-void rotate_state([[maybe_unused]] const Law& law, std::array<Real, material::max_state>& state, const Rotation& rotation)
-{
-  if constexpr (constexpr int first = material::rotating_state<Law>; first >= 0) {
-    if (state_count(law) < first + 6) return;
-    SymTensor<2> tensor;
-    std::copy_n(state.data() + first, tensor_size<2>, tensor.c);
-    tensor = rotated(tensor, rotation);
-    std::copy_n(tensor.c, tensor_size<2>, state.data() + first);
-  }
 }
 
 }  // namespace

@@ -204,9 +204,11 @@ std::string material_toml(const CyclicResults& results)
   for (auto& [name, material] : scaled) material = *material::with_strength_over(material, 1 / results.factor());
   input::SettingVisitor visitor;
   visitor.named_tables("material", scaled, {.meaning = ""});
-  return fmt::format("# Undrained strength times {:.4g}: the cyclic strength for the storm. It has the rate of cyclic tests in it, so that "
-                     "rate_parameter is 0.\n{}",
-                     results.factor(), input::toml_of(visitor.root()));
+  const auto by_rate = [](const auto& one) { return is_rate_dependent(one.second); };
+  const bool has_rate = std::any_of(results.settings.material.begin(), results.settings.material.end(), by_rate);
+  return fmt::format("# Undrained strength times {:.4g}: the cyclic strength for the storm.{}\n{}", results.factor(),
+                     has_rate ? " It has the rate of cyclic tests in it, so that rate_parameter is 0." : "",
+                     input::toml_of(visitor.root()));
 }
 
 }  // namespace berm::cyclic

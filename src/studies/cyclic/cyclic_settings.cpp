@@ -61,7 +61,7 @@ void describe(Describe& d, CyclicCase& c)
   for (const auto& [name, material] : c.material) {
     const std::optional<material::Strength> strength = material::strength_at_rest(material);
     d.check(strength && strength->friction_angle == 0 && material::with_strength_over(material, 1), "material." + name + ".law",
-            "has no undrained strength to multiply: take \"clay\", or \"mohr_coulomb\" without friction_angle");
+            "has no undrained strength to multiply: take \"clay\", \"ngi_adp\", or \"mohr_coulomb\" without friction_angle");
     check(d, "material." + name, material);
   }
   d.check(c.storm.cycles.size() == c.storm.load.size(), "storm.load",

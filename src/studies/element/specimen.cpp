@@ -104,7 +104,10 @@ std::optional<Real> balance(const std::function<Real(Real)>& excess, const Balan
       low_weight /= 2;
     }
   }
-  return std::nullopt;
+  // Laws that iterate are continuous but for what their iterations leave.
+  constexpr Real left_by_laws = 1e4;  // over the tolerance
+  const Point& best = std::abs(low.excess) < std::abs(high.excess) ? low : high;
+  return std::abs(best.excess) <= left_by_laws * request.tolerance ? std::optional(best.x) : std::nullopt;
 }
 
 }  // namespace berm::element

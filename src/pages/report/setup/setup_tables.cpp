@@ -113,6 +113,21 @@ void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law
   if (law.void_ratio) rows.add(prefix + "void ratio", text::number_words(*law.void_ratio));
 }
 
+void add_law(Rows& rows, const std::string& prefix, const material::HardeningSoil& law)
+{
+  rows.add(prefix + "cohesion c'", text::stress_words(law.cohesion));
+  rows.add(prefix + "friction angle", text::angle_words(law.friction_angle));
+  rows.add(prefix + "dilation angle", text::angle_words(law.dilation_angle));
+  rows.add(prefix + "E50, Eoed, Eur at " + text::stress_words(law.reference_pressure),
+           fmt::format("{}, {}, {}", text::stress_words(law.secant_modulus), text::stress_words(law.oedometer_modulus),
+                       text::stress_words(law.unloading_modulus)));
+  rows.add(prefix + "m, R_f", fmt::format("{:.3g}, {:.3g}", law.stiffness_exponent, law.failure_ratio));
+  rows.add(prefix + "overconsolidation ratio", text::number_words(law.overconsolidation_ratio));
+  if (law.small_strain_shear_modulus && law.shear_strain_at_70_percent)
+    rows.add(prefix + "G0, γ0.7",
+             fmt::format("{}, {:.3g}", text::stress_words(*law.small_strain_shear_modulus), *law.shear_strain_at_70_percent));
+}
+
 void add_law(Rows& rows, const std::string& prefix, const material::Hypoplastic& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));

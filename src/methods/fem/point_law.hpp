@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fem/load_steps_critical_state_test.cpp
+#pragma once
+
+#include "fem/fem_problem.hpp"
+#include "fem/moved_cell.hpp"
+#include "material/tangent.hpp"
+#include "material/undrained.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace berm::fem {
+
+/// Fraction of the elastic stiffness kept where the law has none, so that stress-free soil does not make the matrix
+/// singular.
+constexpr Real min_stiffness = 1e-6;
+constexpr Real min_eigenvalue = 0.02;  // over the largest, of a tangent that may be indefinite
+
+using Stiffness = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;  ///< (xx, yy, xy) by (e_xx, e_yy, gamma_xy)
+
+inline Stiffness elastic_stiffness(const material::Elasticity& elastic)
+{
+  const Real along = p_wave_modulus(elastic), across = elastic.lame;
+  return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
+}
+
+/// Whether all elastic stiffness of a law is `elastic`. Of the others that is the largest, no stress is their elastic trial, and they get no viscosity.
+template <class Law>
+constexpr bool has_constant_moduli()
+{
+  if constexpr (requires { Law::elastic_is_largest; }) return !Law::elastic_is_largest;
+  return true;
+}
+
+/// Whether the symmetric part of a law's tangent may have negative eigenvalues wherever soil is sheared, and not at a peak alone.
+template <class Law>
+constexpr bool has_indefinite_tangent()
+{
+  if constexpr (requires(const Law& law) { law.skeleton; }) return has_indefinite_tangent<decltype(Law::skeleton)>();
+  return requires
+  {
+    Law::indefinite_tangent;
+  };
+}
+
+/// The law's stress, mixed with its elastic trial stress.
+template <class Law>
+void update_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint& point)
+{
+  const SymTensor<2>& strain = increment.strain;
+  SymTensor<2> trial = point.stress;
+  add_elastic_stress(law.elastic, trial, strain);
+  update(law, point.stress, increment, point.law_state.data());
+  if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
+  SymTensor<2> over;
+  for (int k = 0; k < 4; ++k) {
+    over[k] = (trial[k] - point.stress[k]) * (viscosity / (1 + viscosity));
+    point.stress[k] += over[k];
+  }
+  point.overstress = std::sqrt(double_dot(over, over));
+  point.deviatoric_strain += equivalent_deviatoric_strain(strain);
+}
+
+/// Derivatives of the stresses at a point: of (xx, yy, xy) by (e_xx, e_yy, gamma_xy); and around an axis of (xx, yy, xy) by e_zz and, the same, of s_zz by the
+/// others, and of s_zz by e_zz.
+struct PointStiffness {
+  Stiffness plane;
+  Vec<3> across;
+  Real around;
+};
+
+inline PointStiffness elastic_point(const material::Elasticity& elastic)
+{
+  return {elastic_stiffness(elastic), elastic.lame * Vec<3>(1, 1, 0), p_wave_modulus(elastic)};
+}
+
+/// Of the elastic stiffness C and the law's D that with the viscosity eta and the least stiffness m, C - (1 - m)/(1 + eta) (C - D).
+template <class Law>
+PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint point)
+{
+  if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
+  material::Tangent tangent;
+  SymTensor<2> around;
+  update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), tangent, &around);
+  Eigen::Matrix<Real, 4, 4, Eigen::DontAlign> all;  // (xx, yy, xy, zz)
+  constexpr int order[4] = {0, 1, 3, 2};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) all(i, j) = tangent(order[i], j);
+    all(i, 3) = around[order[i]];
+  }
+  all = ((all + all.transpose()) / 2).eval();
+  if constexpr (has_indefinite_tangent<Law>()) {
+    // Of the shear stiffness, which water in the pores does not change.
+    const Real least = min_eigenvalue * std::max(std::abs(all(0, 0) - 2 * all(0, 1) + all(1, 1)) / 2, std::abs(all(2, 2)));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> own{Eigen::Matrix4d(all)};
+    all = own.eigenvectors() * own.eigenvalues().cwiseMax(least).asDiagonal() * own.eigenvectors().transpose();
+  }
+  const Stiffness d = all.topLeftCorner<3, 3>();
+  const Vec<3> across = all.topRightCorner<3, 1>();
+  const PointStiffness elastic = elastic_point(law.elastic);
+  const Real lost = (1 - min_stiffness) / (1 + viscosity);
+  return {elastic.plane - lost * (elastic.plane - d), elastic.across - lost * (elastic.across - across),
+          elastic.around - lost * (elastic.around - all(3, 3))};
+}
+
+/// Rotates the tensor among the state variables of a law that has one in use.
+template <class Law>
+void rotate_state([[maybe_unused]] const Law& law, std::array<Real, material::max_state>& state, const Rotation& rotation)
+{
+  if constexpr (constexpr int first = material::rotating_state<Law>; first >= 0) {
+    if (state_count(law) < first + 6) return;
+    SymTensor<2> tensor;
+    std::copy_n(state.data() + first, tensor_size<2>, tensor.c);
+    tensor = rotated(tensor, rotation);
+    std::copy_n(tensor.c, tensor_size<2>, state.data() + first);
+  }
+}
+
+}  // namespace berm::fem
