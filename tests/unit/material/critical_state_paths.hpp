@@ -106,7 +106,7 @@ void expect_lanes_like_single_numbers(const L& law, Real slope, Real largest_str
 {
   std::mt19937_64 random(13);
   const auto prepared = prepare(law);
-  for (int block = 0; block < 3000; ++block) {
+  for (int block = 0; block < 1000; ++block) {
     SymTensor<2, Lanes> stresses, turned;
     Increment<2, Lanes> increments, turned_increments;
     Lanes states[L::state_size], turned_states[L::state_size];
