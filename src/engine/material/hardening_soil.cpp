@@ -126,12 +126,13 @@ void describe(Describe& d, HardeningSoil& law)
                       "dilatancy, and soil does not contract in shear",
            .unit = "rad",
            .range = {0, steepest}});
-  d.value(
-      "secant_modulus", law.secant_modulus,
-      {.meaning = "E50_ref: secant modulus at half the strength in drained triaxial compression, at a cell pressure of reference_pressure",
-       .unit = "Pa",
-       .range = positive,
-       .required = true});
+  d.value("secant_modulus", law.secant_modulus,
+          {.meaning = "E50_ref: secant modulus at half the strength in drained triaxial compression, at a cell pressure of "
+                      "reference_pressure, by shear "
+                      "hardening alone: in normally consolidated soil the cap adds strain, a tenth in sand and up to a half in clay",
+           .unit = "Pa",
+           .range = positive,
+           .required = true});
   d.value("oedometer_modulus", law.oedometer_modulus,
           {.meaning = "Eoed_ref: tangent modulus of virgin one-dimensional compression at a vertical stress of reference_pressure",
            .unit = "Pa",

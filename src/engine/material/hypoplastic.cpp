@@ -54,6 +54,7 @@ void describe(Describe& d, Hypoplastic& law)
                     {"critical_void_ratio", {0.4, 2.5}},
                     {"dilatancy_exponent", {0.05, 0.4}},
                     {"stiffness_exponent", {0.5, 3}},
+                    {"void_ratio", {0.3, 1.5}},
                     {"small_strain", {1e-5, 1e-3}}});
 }
 

@@ -104,10 +104,10 @@ std::optional<Real> balance(const std::function<Real(Real)>& excess, const Balan
       low_weight /= 2;
     }
   }
-  // Laws that iterate are continuous but for what their iterations leave.
-  constexpr Real left_by_laws = 1e4;  // over the tolerance
+  // The stress of laws that divide an increment jumps where the number of its pieces changes: 1e-4 to 1e-3 of itself.
+  constexpr Real jump_of_laws = 1e7;  // over the tolerance
   const Point& best = std::abs(low.excess) < std::abs(high.excess) ? low : high;
-  return std::abs(best.excess) <= left_by_laws * request.tolerance ? std::optional(best.x) : std::nullopt;
+  return std::abs(best.excess) <= jump_of_laws * request.tolerance ? std::optional(best.x) : std::nullopt;
 }
 
 }  // namespace berm::element
