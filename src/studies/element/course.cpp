@@ -7,6 +7,9 @@
 namespace berm::element {
 namespace {
 
+constexpr Real accuracy = 1e-10;  // of the stress that is held
+constexpr Real jump = 1e-3;       // of laws that divide an increment, where the number of its pieces changes
+
 Real size_of(const SymTensor<3>& stress)
 {
   Real size = 0;
@@ -65,10 +68,10 @@ bool Course::step(Real along, Real target)
   if (device_.held) {
     const auto excess = [&](Real b) { return specimen_.stress_after(device_.strain(driven, b), duration(b))[*device_.held] - target; };
     const Real change = target - specimen_.stress()[*device_.held], guess = driven != 0 ? ratio_ * driven : change / modulus_;
-    constexpr Real share = 0.1, accuracy = 1e-10;
+    constexpr Real share = 0.1;
     const Real size = std::max({size_of(specimen_.stress()), std::abs(change), modulus_ * std::abs(driven) * 1e-3});
-    const std::optional<Real> found =
-        balance(excess, {.guess = guess, .step = share * (std::abs(driven) + std::abs(guess)), .tolerance = accuracy * size});
+    const std::optional<Real> found = balance(
+        excess, {.guess = guess, .step = share * (std::abs(driven) + std::abs(guess)), .tolerance = accuracy * size, .jump = jump * size});
     if (!found) return false;
     freed = *found;
     if (driven != 0) ratio_ = freed / driven;
@@ -83,9 +86,11 @@ template <class Strain, class Measure>
 bool Course::approach(const Strain& strain, const Measure& measure, Real target)
 {
   const Real change = target - measure(specimen_.stress()), guess = change / modulus_;
-  constexpr Real accuracy = 1e-10;
   const std::optional<Real> found = balance([&](Real x) { return measure(specimen_.stress_after(strain(x), 0)) - target; },
-                                            {.guess = guess, .step = std::abs(guess), .tolerance = accuracy * size_of(specimen_.stress())});
+                                            {.guess = guess,
+                                             .step = std::abs(guess),
+                                             .tolerance = accuracy * size_of(specimen_.stress()),
+                                             .jump = jump * size_of(specimen_.stress())});
   if (!found) return false;
   specimen_.deform(strain(*found), 0);
   return true;

@@ -104,10 +104,8 @@ std::optional<Real> balance(const std::function<Real(Real)>& excess, const Balan
       low_weight /= 2;
     }
   }
-  // The stress of laws that divide an increment jumps where the number of its pieces changes: 1e-4 to 1e-3 of itself.
-  constexpr Real jump_of_laws = 1e7;  // over the tolerance
   const Point& best = std::abs(low.excess) < std::abs(high.excess) ? low : high;
-  return std::abs(best.excess) <= jump_of_laws * request.tolerance ? std::optional(best.x) : std::nullopt;
+  return std::abs(best.excess) <= request.jump ? std::optional(best.x) : std::nullopt;
 }
 
 }  // namespace berm::element

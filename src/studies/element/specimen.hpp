@@ -43,10 +43,11 @@ struct BalanceRequest {
   Real step = 0;       ///< > 0: how far off the guess may be, roughly
   Real limit = 1;      ///< strains beyond +- this are none
   Real tolerance = 0;  ///< Pa
+  Real jump = 0;       ///< Pa, the excess that is taken where the stress jumps over its target
 };
 
 /// The strain x at which a stress is what it should be: |excess(x)| <= tolerance, excess the stress less its target, Pa, which grows with x near the
-/// solution. From the guess the interval grows until it holds a change of sign; within it Illinois' false position, with bisection where that stays behind
+/// solution; at a jump |excess(x)| <= jump. From the guess the interval grows until it holds a change of sign; within it Illinois' false position, with bisection where that stays behind
 /// (Dahlquist and Bjorck, Numerical Methods, section 6.4). Empty where no strain within the limit gives the stress, and where excess is not finite.
 std::optional<Real> balance(const std::function<Real(Real)>& excess, const BalanceRequest& request);
 

@@ -30,6 +30,15 @@ TEST(Balance, is_the_guess_where_that_is_right)
   EXPECT_EQ(solve([](Real x) { return x < 0.2 ? -1 : 0.; }, 0.3), 0.3);
 }
 
+TEST(Balance, is_beside_a_jump_that_is_small)
+{
+  const auto excess = [](Real x) { return 1e7 * (x - 0.02) + (x < 0.02 ? -3. : 3.); };
+  const std::optional<Real> x = balance(excess, {.guess = 0, .step = 1e-3, .limit = 1, .tolerance = tolerance, .jump = 4});
+  ASSERT_TRUE(x);
+  EXPECT_NEAR(*x, 0.02, 1e-6);
+  EXPECT_FALSE(balance(excess, {.guess = 0, .step = 1e-3, .limit = 1, .tolerance = tolerance, .jump = 2}));
+}
+
 TEST(Balance, is_empty_where_no_strain_gives_the_stress)
 {
   EXPECT_FALSE(solve([](Real) { return -1.; })) << "never reached";
