@@ -61,7 +61,7 @@ const std::vector<WrongElement> wrong_elements = {
     {"unknown_kind", "\"triaxial\"", "\"triaxal\"", 20, {"test.cd.kind", "did you mean \"triaxial\"", "simple_shear"}},
     {"no_kind", "kind = \"triaxial\"\n", "", 18, {"test.cd.kind", "is missing"}},
     {"unknown_key", "strain_path = [0.1]", "strains_path = [0.1]", 24, {"test.cd.strains_path", "did you mean \"strain_path\""}},
-    {"key_of_another_kind", "drained = true", "stress_path = [1]", 22, {"test.cd.stress_path", "kind = \"oedometer\""}},
+    {"key_of_another_kind", "drained = true", "stress_path = [1]", 22, {"test.cd.stress_path", "kind = \"isotropic\" or \"oedometer\""}},
     {"unknown_material", "material = \"sand\"", "material = \"snad\"", 21, {"test.cd.material", "did you mean \"sand\"", "clay"}},
     {"no_material", "material = \"sand\"\n", "", 18, {"test.cd.material", "is missing"}},
     {"no_drainage", "drained = true\n", "", 18, {"test.cd.drained", "is missing"}},

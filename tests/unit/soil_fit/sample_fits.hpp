@@ -41,8 +41,8 @@ inline const std::vector<SampleLaw>& sample_laws()
        "0.3\nmin_void_ratio = 0.6\ncritical_void_ratio = 0.95\nmax_void_ratio = 1.15\ndilatancy_exponent = 0.1\nstiffness_exponent = "
        "1.2\nvoid_ratio = 0.75\nmax_pressure = \"2 MPa\"\n",
        "[[free]]\nkey = \"critical_friction_angle\"\nfrom = \"28 deg\"\nto = \"36 deg\"\n[[free]]\nkey = \"granular_hardness\"\nfrom = "
-       "\"100 MPa\"\nto = \"20 GPa\"\n[[free]]\nkey = \"dilatancy_exponent\"\nfrom = 0.05\nto = 0.3\n",
-       {{"critical_friction_angle", 33 * pi / 180}, {"granular_hardness", 4e9}, {"dilatancy_exponent", 0.16}}},
+       "\"100 MPa\"\nto = \"20 GPa\"\n[[free]]\nkey = \"critical_void_ratio\"\nfrom = 0.85\nto = 1.1\n",
+       {{"critical_friction_angle", 33 * pi / 180}, {"granular_hardness", 4e9}, {"critical_void_ratio", 0.99}}},
       {"hardening_soil",
        "law = \"hardening_soil\"\ndensity = 1000\nfriction_angle = \"33 deg\"\ndilation_angle = \"3 deg\"\nsecant_modulus = \"20 "
        "MPa\"\noedometer_modulus "
