@@ -93,6 +93,7 @@ HardeningSoil without_dilation(HardeningSoil law);
 struct PreparedHardeningSoil {
   static constexpr int state_size = HardeningSoil::state_size;
   static constexpr int rotating_state = 2;
+  static constexpr bool indefinite_tangent = true;
   static constexpr bool elastic_is_largest = true;
 
   Elasticity elastic;  ///< where s3 is largest
