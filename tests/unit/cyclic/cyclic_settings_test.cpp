@@ -109,7 +109,8 @@ TEST_F(CyclicSettings, refuse_what_does_not_fit_together_with_file_line_and_key)
       fault("[material.sand]\nlaw = \"mohr_coulomb\"\ndensity = 1000\nyoung_modulus = 1e6\npoisson_ratio = 0.3\nfriction_angle = \"30 "
             "deg\"\n" +
             whole)
-          .find("material.sand.law: has no undrained strength to multiply: take \"clay\", \"ngi_adp\", or \"mohr_coulomb\" without friction_angle"),
+          .find("material.sand.law: has no undrained strength to multiply: take \"clay\", \"ngi_adp\", or \"mohr_coulomb\" without "
+                "friction_angle"),
       std::string::npos);
 }
 
