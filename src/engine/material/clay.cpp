@@ -4,21 +4,12 @@
 #include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "material/rigidity_index.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::material {
-namespace {
-
-constexpr Real hard_clay = 5e5;  // Pa: what is stronger is rock
-
-Real young_modulus_of(const Clay& law)
-{
-  return law.rigidity_index ? 2 * (1 + law.poisson_ratio) * *law.rigidity_index * law.undrained_strength : law.young_modulus;
-}
-
-}  // namespace
 
 void describe(Describe& d, Clay& law)
 {
@@ -74,11 +65,7 @@ void describe(Describe& d, Clay& law)
 
 void check(Describe& d, const std::string& path, const Clay& law)
 {
-  const bool stiffness_given = law.young_modulus > 0 || law.young_modulus_gradient != 0 || !law.profile.young_modulus.empty();
-  d.check(!law.rigidity_index || !stiffness_given, path + ".rigidity_index",
-          "gives the stiffness, and so does young_modulus: leave one of them out");
-  d.check(!law.rigidity_index || law.undrained_strength > 0, path + (law.shansep ? ".shansep.min_strength" : ".undrained_strength"),
-          "must be above 0 at the surface where rigidity_index gives the stiffness: soil without strength would have no stiffness");
+  check_rigidity_index(d, path, law);
   d.check(law.sensitivity == 1 || law.ductility > 0, path + ".ductility", "is missing: sensitivity is above 1, so the clay softens");
   d.check(law.rate_parameter == 0 || law.reference_rate > 0, path + ".reference_rate", "is missing: rate_parameter is above 0");
   if (law.ductility > 0 && law.undrained_strength > 0) {
@@ -91,10 +78,7 @@ void check(Describe& d, const std::string& path, const Clay& law)
 
 Clay at_depth(Clay law, Real depth, Real weight_above)
 {
-  law = at_depth<Clay>(law, depth, weight_above);
-  law.young_modulus = young_modulus_of(law);
-  law.rigidity_index.reset();
-  return law;
+  return with_stiffness_at_depth(law, depth, weight_above);
 }
 
 Elasticity elasticity(const Clay& law)

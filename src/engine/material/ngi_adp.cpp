@@ -3,21 +3,12 @@
 
 #include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
+#include "material/rigidity_index.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::material {
-namespace {
-
-constexpr Real hard_clay = 5e5;  // Pa: what is stronger is rock
-
-Real young_modulus_of(const NgiAdp& law)
-{
-  return law.rigidity_index ? 2 * (1 + law.poisson_ratio) * *law.rigidity_index * law.undrained_strength : law.young_modulus;
-}
-
-}  // namespace
 
 void describe(Describe& d, NgiAdp& law)
 {
@@ -70,11 +61,7 @@ void describe(Describe& d, NgiAdp& law)
 
 void check(Describe& d, const std::string& path, const NgiAdp& law)
 {
-  const bool stiffness_given = law.young_modulus > 0 || law.young_modulus_gradient != 0 || !law.profile.young_modulus.empty();
-  d.check(!law.rigidity_index || !stiffness_given, path + ".rigidity_index",
-          "gives the stiffness, and so does young_modulus: leave one of them out");
-  d.check(!law.rigidity_index || law.undrained_strength > 0, path + (law.shansep ? ".shansep.min_strength" : ".undrained_strength"),
-          "must be above 0 at the surface where rigidity_index gives the stiffness: soil without strength would have no stiffness");
+  check_rigidity_index(d, path, law);
   const Real begin = law.initial_mobilisation;
   d.check(begin < 1 && begin > -law.passive_ratio, path + ".initial_mobilisation", "is failure: it must lie between -passive_ratio and 1");
   if (!(law.undrained_strength > 0) || !(young_modulus_of(law) > 0)) return;
@@ -90,10 +77,7 @@ void check(Describe& d, const std::string& path, const NgiAdp& law)
 
 NgiAdp at_depth(NgiAdp law, Real depth, Real weight_above)
 {
-  law = at_depth<NgiAdp>(law, depth, weight_above);
-  law.young_modulus = young_modulus_of(law);
-  law.rigidity_index.reset();
-  return law;
+  return with_stiffness_at_depth(law, depth, weight_above);
 }
 
 Elasticity elasticity(const NgiAdp& law)

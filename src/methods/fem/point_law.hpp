@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/fem/load_steps_critical_state_test.cpp
 #pragma once
 
 #include "fem/fem_problem.hpp"
