@@ -27,6 +27,7 @@ from .parameters import Parameter, parameters
 from .program import check, export, find_program, fmu, include_folder, new, report, springs, version
 from .quantity import Quantity
 from .run import Run, run
+from .sea import SeaLoads, sea
 from .study import Estimate, Row, Study, open, study
 
 __version__ = "0.1.0"
@@ -46,6 +47,7 @@ __all__ = [
     "Row",
     "Run",
     "RunError",
+    "SeaLoads",
     "Stopped",
     "Study",
     "check",
@@ -62,6 +64,7 @@ __all__ = [
     "parameters",
     "report",
     "run",
+    "sea",
     "springs",
     "study",
     "version",

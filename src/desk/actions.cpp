@@ -97,6 +97,7 @@ const std::vector<JobKind>& job_kinds()
                                              {"element", {}},
                                              {"fit", {}},
                                              {"cyclic", {}},
+                                             {"sea", {}},
                                              {"uncertainty", {}}};
   return kinds;
 }
@@ -104,7 +105,7 @@ const std::vector<JobKind>& job_kinds()
 /// Whether a job computes no runs: it has one thread, and replaces earlier results with --force.
 bool is_quick(const std::string& kind)
 {
-  return kind == "element" || kind == "fit" || kind == "cyclic";
+  return kind == "element" || kind == "fit" || kind == "cyclic" || kind == "sea";
 }
 
 }  // namespace

@@ -265,6 +265,23 @@ def test_a_storm_on_contours_gives_the_cyclic_strength(tmp_path: Path) -> None:
         berm.cyclic(storm, tmp_path / "out")
 
 
+def test_a_sea_state_gives_loads_and_load_histories(tmp_path: Path) -> None:
+    sea = tmp_path / "sea.toml"
+    sea.write_text(
+        '[sea]\nspectrum = "jonswap"\nsignificant_height = "4.5 m"\npeak_period = "10 s"\npeakedness = 3.3\n'
+        'depth = "30 m"\nduration = "600 s"\n'
+        '[pipe]\ndiameter = "0.25 m"\nsubmerged_weight = "400 N/m"\ndrag = 0.9\ninertia = 3.29\nlift = 0.9\n[bed]\nfriction = 0.6\n'
+    )
+    found = berm.sea(sea, tmp_path / "out", set={"record.seeds": 2})
+    assert np.isclose(found.quantities["significant_velocity"], 0.6698, atol=5e-4)
+    assert np.isnan(found.quantities["weight_for_half_diameter"]), "its tables are of sand"
+    assert [path.name for path in found.records] == ["record_1.csv", "record_2.csv"]
+    assert len(found.waves) == 2
+    assert "absolute lateral stability" in found.answer
+    with pytest.raises(berm.InputError, match="--force"):
+        berm.sea(sea, tmp_path / "out")
+
+
 def test_the_header_of_laws_is_found() -> None:
     assert (berm.include_folder() / "berm" / "law.h").is_file()
 

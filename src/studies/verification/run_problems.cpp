@@ -11,6 +11,7 @@
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
 #include "run_folder/build.hpp"
+#include "sea/sea_settings.hpp"
 #include "simulation/simulate.hpp"
 #include "soil_fit/fit_settings.hpp"
 #include "uncertainty/variants.hpp"
@@ -140,6 +141,8 @@ std::vector<jobs::Job> jobs_of(const std::vector<Example>& examples, const fs::p
           soil_fit::read_fit_case(file, run.set);
         else if (run.cyclic)
           cyclic::read_cyclic_case(file, run.set);
+        else if (run.sea)
+          sea::read_sea_case(file, run.set);
         else if (run.element)
           element::read_element_case(file, run.set);
         else

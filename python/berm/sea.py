@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Loads of a sea state on a pipe on the seabed: berm sea."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .program import PathLike, call, settings
+from .run import default_folder
+
+
+@dataclass(frozen=True)
+class SeaLoads:
+    """What a sea state does to a pipe. quantities: all numbers of summary.json, SI, NaN where there is none. records, waves: load histories
+    of each seed, the whole sea state and its largest waves (time_s, H_N_m, V_N_m). answer: in words."""
+
+    folder: Path
+    quantities: dict[str, float]
+    records: list[Path]
+    waves: list[Path]
+    answer: str
+
+
+def sea(
+    file: PathLike, folder: PathLike | None = None, *, set: Mapping[str, Any] = {}, force: bool = False, program: PathLike | None = None
+) -> SeaLoads:
+    """Loads of the sea state of an input of berm sea. folder: where the results and their page go; else where the program puts them. set,
+    force: as of berm.run. Throws InputError and RunError."""
+    into = Path(folder) if folder is not None else default_folder(file)
+    call(["sea", file, *settings(set), "-o", into, *(["--force"] if force else [])], program=program)
+    summary = json.loads((into / "summary.json").read_text(encoding="utf-8"))
+
+    def of_seeds(name: str) -> list[Path]:
+        return sorted(into.glob(f"{name}_*.csv"), key=lambda path: int(path.stem.rsplit("_", 1)[1]))
+
+    return SeaLoads(
+        folder=into,
+        quantities={name: float("nan") if q["value"] is None else float(q["value"]) for name, q in summary["quantities"].items()},
+        records=of_seeds("record"),
+        waves=of_seeds("waves"),
+        answer=summary["text"]["answer"],
+    )

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sea/sea_settings.hpp"
+
+namespace berm::sea {
+
+/// What the water does at the pipe, and what the pipe gets of it, at equal times.
+struct LoadRecord {
+  Real step = 0;                             ///< s
+  std::vector<Real> velocity, acceleration;  ///< m/s, m/s2, across the pipe, with the current
+  std::vector<Real> H, V;                    ///< N/m: horizontal; submerged weight less lift
+
+  Real time(std::size_t row) const { return static_cast<Real>(row) * step; }
+};
+
+/// Factors of a sea on a pipe.
+struct RecordFactors {
+  Real direction = 1;                 ///< on the velocity of the waves
+  Real current = 0;                   ///< m/s
+  Real horizontal = 1, vertical = 1;  ///< on the loads
+};
+
+/// One realisation: Gaussian, from components that are multiples of 1/duration, with forces by Morison's equation:
+///
+///   H = r_y (rho D/2 C_D |u| u + rho pi D^2/4 C_M du/dt),   V = w_s - r_z rho D/2 C_L u^2.
+///
+/// The same seed gives the same numbers on every machine.
+LoadRecord realisation(const SeaCase& c, const RecordFactors& factors, unsigned seed);
+
+/// A wave of H from one upward crossing of its mean to the next.
+struct LoadWave {
+  std::size_t begin = 0, end = 0;  ///< rows
+  Real crest = 0, trough = 0;      ///< N/m, of H
+  Real size() const { return std::max(crest, -trough); }
+};
+std::vector<LoadWave> waves_of(const LoadRecord& record);
+
+/// Those of the largest |H|, at most so many, one after the other in the order in which they come.
+std::vector<LoadWave> largest_waves(std::vector<LoadWave> waves, std::size_t count);
+
+}  // namespace berm::sea
