@@ -56,9 +56,9 @@ template <int dim, class Law, class V>
   if constexpr (constexpr int first = material::rotating_state<Law>; first >= 0) {
     if (state_count(law) < first + 6) return;
     SymTensor<dim, V> tensor;
-    std::copy_n(state + first, tensor_size<dim>, tensor.c);
+    for (int k = 0; k < tensor_size<dim>; ++k) tensor[k] = state[first + k];
     rotate(tensor, rotation);
-    std::copy_n(tensor.c, tensor_size<dim>, state + first);
+    for (int k = 0; k < tensor_size<dim>; ++k) state[first + k] = tensor[k];
   }
 }
 
