@@ -236,7 +236,7 @@ template <int dim, class T>
   return end;
 }
 
-/// Below this |t*|^2 no stress has the friction of most_mobilised: with det(t*) >= -(|t*|^2 / 6)^(3/2) 2, room is positive.
+/// Below this |t*|^2 no stress has the friction of most_mobilised: det(t*) is at least -2 (|t*|^2 / 6)^(3/2), with which room is positive.
 constexpr Real surely_within = 0.13;
 
 /// p' is at least the minimum, and friction at most that of most_mobilised; rare.
@@ -327,8 +327,9 @@ template <int dim, class T, class Mask>
     const T part = length > range ? range / length : one;
     for (int k = 0; k < size; ++k) piece.grains[k] = part * piece.grains[k];
   }
-  const T mean = trace(piece.stress) * (1. / 3);
-  const auto beyond = (mean > zero - law.min_pressure) | (double_dot(piece.stress, piece.stress) > (3 + 9 * surely_within) * (mean * mean));
+  // Lanes without a particle have no stress, which must not count.
+  const T mean = trace(piece.stress) * (1. / 3), square = double_dot(piece.stress, piece.stress);
+  const auto beyond = acts & ((mean > zero - law.min_pressure) | (square > (3 + 9 * surely_within) * (mean * mean)));
   if (any(beyond)) [[unlikely]]
     keep_in_compression(piece.stress, law.min_pressure);
   return piece;

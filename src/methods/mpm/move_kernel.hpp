@@ -242,7 +242,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
                                             .active = alive};
       SymTensor<dim, V> stress;
       for (int k = 0; k < tensor_size<dim>; ++k) {
-        increment.strain[k] = followed[k] - V{};
+        increment.strain[k] = alive ? followed[k] - V{} : V{};  // lanes without a particle must not make a law iterate
         stress[k] = part.get(p.stress[k], q.stress[k]);
       }
       for (int a = 0; a < 2; ++a) stress[a] += shift;
