@@ -64,10 +64,11 @@ void check_safety(Describe& d, const Case& c)
     yields_somewhere = yields_somewhere || yields(soil);
     d.check(
         with_strength_over(soil, c.safety->factor).has_value(), "material." + name + ".law",
-        fmt::format("\"{}\" has no strength that a factor of safety divides: that of a critical-state soil follows from its density and "
-                    "pressure, the stiffness of hardening_soil from its strength, and the meaning of the properties of a user law is not "
-                    "known; take \"mohr_coulomb\", \"clay\" or \"ngi_adp\"",
-                    material::law_word(soil)));
+        fmt::format(
+            "\"{}\" has no strength that a factor of safety divides: that of a critical-state soil and of hypoplastic sand follows from "
+            "its density and pressure, and the meaning of the properties of a user law is not known; take \"mohr_coulomb\", \"clay\", "
+            "\"hardening_soil\" or \"ngi_adp\"",
+            material::law_word(soil)));
   }
   d.check(yields_somewhere, "material",
           "no soil of this case has a strength that a factor of safety could divide: give one the law mohr_coulomb or clay");

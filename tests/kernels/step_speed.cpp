@@ -9,6 +9,7 @@
 #include "material/laws.hpp"
 #include "mpm/divide.hpp"
 #include "mpm/step.hpp"
+#include "samples/anisotropic_clay.hpp"
 #include "samples/critical_state_soils.hpp"
 #include "simulation/memory.hpp"
 #include "user_law/loaded_law.hpp"
@@ -96,6 +97,30 @@ material::Hypoplastic hypoplastic()
   material::Hypoplastic law = sample_hypoplastic();
   law.density = 877;
   law.max_pressure = 2e5;
+  return law;
+}
+
+/// Medium dense sand.
+material::HardeningSoil hardening_soil()
+{
+  material::HardeningSoil law;
+  law.density = 877;
+  law.cohesion = 100;
+  law.friction_angle = 36 * degree;
+  law.dilation_angle = 4 * degree;
+  law.secant_modulus = law.oedometer_modulus = 25e6;
+  law.unloading_modulus = 75e6;
+  law.stiffness_exponent = 0.5;
+  law.poisson_ratio = 0.2;
+  law.max_pressure = 2e5;
+  return law;
+}
+
+/// The strength of clay(), in triaxial compression.
+material::NgiAdp ngi_adp()
+{
+  material::NgiAdp law = sample_ngi_adp(0);
+  law.density = 877;
   return law;
 }
 
@@ -302,6 +327,8 @@ constexpr BenchProblem problems[] = {
     {"cam_clay_D20", [] { return probe_in(cam_clay()); }},
     {"norsand_D20", [] { return probe_in(norsand()); }},
     {"hypoplastic_D20", [] { return probe_in(hypoplastic()); }},
+    {"hardening_soil_D20", [] { return probe_in(hardening_soil()); }},
+    {"ngi_adp_D20", [] { return probe_in(ngi_adp()); }},
     {"undrained_D20", [] { return probe_in_water(material::Drainage::undrained); }},
     {"flow_D20", [] { return probe_in_water(material::Drainage::consolidation); }},
     {"elastic_D20", elastic_probe},

@@ -9,14 +9,14 @@
 
 namespace berm::material {
 
-/// The bits of as many numbers as T has; those of its masks are as wide.
+/// The bits of as many numbers as T has.
 template <class T>
 struct BitsOf {
-  using type = decltype(T{} < T{});
+  using type [[gnu::vector_size(sizeof(T))]] = std::uint64_t;
 };
 template <>
 struct BitsOf<Real> {
-  using type = std::int64_t;
+  using type = std::uint64_t;
 };
 
 /// Added to a small whole number, it moves that number into the lowest bits: 1.5 * 2^52.
@@ -40,7 +40,7 @@ template <class T>
   using Bits = typename BitsOf<T>::type;
   // What follows leaves such a number as it is: the way depends on the neighbours, the result does not.
   constexpr Real small = 0.34;
-  if (!any(magnitude(x) > T{} + small)) return exponential_series(x);
+  if (!any(x * x > T{} + small * small)) return exponential_series(x);
   x = smaller(larger(x, T{} - 700.), T{} + 700.);
   // x = k log(2) + r, |r| <= log(2) / 2; log(2) in two parts, the first with room for k.
   const T shifted = x * (1 / logarithm_of_two) + whole_number_shift, k = shifted - whole_number_shift;

@@ -26,6 +26,16 @@ Real apex(const HardeningSoil& law)
   return law.cohesion / std::tan(law.friction_angle);
 }
 
+/// The law whose strength is that over F.
+HardeningSoil reduced(HardeningSoil law)
+{
+  if (law.safety_factor == 1) return law;
+  law.cohesion /= law.safety_factor;
+  law.friction_angle = std::atan(std::tan(law.friction_angle) / law.safety_factor);
+  law.dilation_angle = std::min(law.dilation_angle, law.friction_angle);
+  return law;
+}
+
 /// What does not depend on alpha and H.
 PreparedHardeningSoil prepare_shear(const HardeningSoil& law)
 {
@@ -260,10 +270,22 @@ void initial_state(const HardeningSoil& law, const SymTensor<3>& stress, Real* s
   }
 }
 
+std::optional<HardeningSoil> with_strength_over(HardeningSoil law, Real factor)
+{
+  law.safety_factor *= factor;
+  return law;
+}
+
+std::optional<Strength> strength_at_rest(const HardeningSoil& law)
+{
+  const HardeningSoil weaker = reduced(law);
+  return Strength{weaker.cohesion, 0, weaker.friction_angle, weaker.dilation_angle};
+}
+
 PreparedHardeningSoil prepare(const HardeningSoil& law)
 {
-  PreparedHardeningSoil p = prepare_shear(law);
-  const VirginCompression virgin = virgin_compression(law, p);
+  PreparedHardeningSoil p = prepare_shear(reduced(law));
+  const VirginCompression virgin = virgin_compression(law, prepare_shear(law));
   const Real volumetric = virgin.cap_volumetric(law.oedometer_modulus), shear = virgin.cap_shear(law.oedometer_modulus);
   // The flow of the cap, q / (alpha^2 P).
   p.per_alpha_square = shear / volumetric * virgin.pressure / virgin.q;

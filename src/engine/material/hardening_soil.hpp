@@ -49,6 +49,7 @@ struct HardeningSoil {
   Real overconsolidation_ratio = 1;
   Real min_pressure = 100;     ///< Pa
   bool at_max_volume = false;  ///< does not dilate any more; not of the input
+  Real safety_factor = 1;      ///< F, which divides c and tan phi, at the same moduli and cap; not of the input
   Real max_pressure = 0;       ///< Pa
   std::optional<PoreWater> water = {};
 
@@ -80,10 +81,11 @@ Real largest_oedometer_modulus(const HardeningSoil& law);
 /// stress, -stress_yy.
 void initial_state(const HardeningSoil& law, const SymTensor<3>& stress, Real* state);
 
-inline std::optional<Strength> strength_at_rest(const HardeningSoil& law)
-{
-  return Strength{law.cohesion, 0, law.friction_angle, law.dilation_angle};
-}
+/// Cohesion and tan(friction_angle) over F, psi at most the friction angle that is left: c cot phi is the same, and with it the moduli and s_ref. The hyperbola
+/// goes to the smaller strength, with the same E_50 at half of it. alpha and H of the cap, and K0, are those of the whole strength.
+std::optional<HardeningSoil> with_strength_over(HardeningSoil law, Real factor);
+
+std::optional<Strength> strength_at_rest(const HardeningSoil& law);
 inline bool dilates(const HardeningSoil& law)
 {
   return law.dilation_angle > 0;
@@ -264,11 +266,11 @@ template <int dim, class T>
                                           T* state)
 {
   const T zero{}, one = T{} + 1., least = zero + law.least;
-  SymTensor<dim, T> strain = increment.strain;
-  const T mean = trace(stress) * (1. / 3), third = trace(strain) * (1. / 3);
-  for (int k = 0; k < 3; ++k) {
-    stress[k] -= mean;
-    strain[k] -= third;
+  const T mean = trace(stress) * (1. / 3), third = trace(increment.strain) * (1. / 3);
+  SymTensor<dim, T> strain;
+  for (int k = 0; k < tensor_size<dim>; ++k) {
+    if (k < 3) stress[k] -= mean;
+    strain[k] = k < 3 ? increment.strain[k] - third : increment.strain[k];
   }
   T pressure = larger(law.apex - mean, least), compression = -3. * third, pieces = one;
   HardeningModuli<T> now = moduli<T, dim>(law, pressure, stress);

@@ -139,14 +139,14 @@ PreparedHypoplastic prepare(const Hypoplastic& law)
   prepared.per_hardness = 3 / law.granular_hardness;
   prepared.exponent = n;
   prepared.min_void_ratio = law.min_void_ratio;
-  prepared.critical_void_ratio = law.critical_void_ratio;
-  prepared.max_void_ratio = law.max_void_ratio;
+  prepared.per_range_of_void_ratio = 1 / (law.critical_void_ratio - law.min_void_ratio);
+  prepared.per_max_void_ratio = 1 / law.max_void_ratio;
   prepared.alpha = law.dilatancy_exponent;
   prepared.beta = law.stiffness_exponent;
   const Real loosest =
       std::pow((law.max_void_ratio - law.min_void_ratio) / (law.critical_void_ratio - law.min_void_ratio), law.dilatancy_exponent);
-  prepared.stiffness = law.granular_hardness / n * std::pow(law.max_void_ratio / law.critical_void_ratio, law.stiffness_exponent) /
-                       (3 + a * a - a * std::sqrt(3.) * loosest);
+  prepared.stiffness =
+      law.granular_hardness / n * std::pow(law.max_void_ratio, law.stiffness_exponent) / (3 + a * a - a * std::sqrt(3.) * loosest);
   if (law.small_strain > 0) {
     prepared.range = law.small_strain;
     prepared.per_range = 1 / law.small_strain;
@@ -158,8 +158,7 @@ PreparedHypoplastic prepare(const Hypoplastic& law)
 
   const Real share = law.max_pressure * prepared.per_hardness, shrink = std::exp(-std::pow(share, n));
   const Real factor = prepared.stiffness * (1 + 1 / (law.max_void_ratio * shrink)) * std::pow(share, 1 - n) *
-                      std::pow(law.critical_void_ratio / law.min_void_ratio, law.stiffness_exponent) * most_over_isotropic(a) *
-                      prepared.reversal;
+                      std::pow(law.min_void_ratio, -law.stiffness_exponent) * most_over_isotropic(a) * prepared.reversal;
   const Real bulk = factor * (1 + a * a / 3), shear = 1.5 * factor;
   prepared.elastic = {bulk, shear, bulk - 2. / 3 * shear};
   return prepared;

@@ -73,12 +73,12 @@ struct PreparedHypoplastic {
 
   Elasticity elastic;
   Real a = 0;
-  Real min_pressure = 0, max_pressure = 0;           ///< Pa
-  Real per_hardness = 0, exponent = 0;               ///< 3 / h_s, n
-  Real min_void_ratio = 0, critical_void_ratio = 0;  ///< e_d0, e_c0
-  Real max_void_ratio = 0;                           ///< e_i0
-  Real stiffness = 0;                                ///< the constant factor of f_b, Pa
-  Real alpha = 0, beta = 0;                          //
+  Real min_pressure = 0, max_pressure = 0;                   ///< Pa
+  Real per_hardness = 0, exponent = 0;                       ///< 3 / h_s, n
+  Real min_void_ratio = 0;                                   ///< e_d0
+  Real per_range_of_void_ratio = 0, per_max_void_ratio = 0;  ///< 1 / (e_c0 - e_d0), 1 / e_i0
+  Real stiffness = 0;                                        ///< the constant factor of f_b f_e, Pa
+  Real alpha = 0, beta = 0;                                  //
   Real range = 0, per_range = 1, reversal = 1, turn = 1, evolution = 0,
        decay = 0;  ///< R, 1 / R, m_R, m_T, beta_r, chi; with R = 0: direction of the strain
 };
@@ -110,13 +110,12 @@ struct StressRatio {
   SymTensor<dim, T> deviator;
   T square, determinant;
 
-  [[gnu::always_inline]] StressRatio(const SymTensor<dim, T>& stress, Real min_pressure) : deviator(stress)
+  [[gnu::always_inline]] StressRatio(const SymTensor<dim, T>& stress, Real min_pressure)
   {
     const T mean = trace(stress) * (1. / 3);
     pressure = larger(-mean, T{} + min_pressure);
-    const T per_trace = -1. / (3. * pressure);
-    for (int k = 0; k < 3; ++k) deviator[k] -= mean;
-    for (int k = 0; k < tensor_size<dim>; ++k) deviator[k] *= per_trace;
+    const T per_trace = (-1. / 3) / pressure;
+    for (int k = 0; k < tensor_size<dim>; ++k) deviator[k] = (k < 3 ? stress[k] - mean : stress[k]) * per_trace;
     square = double_dot(deviator, deviator);
     determinant = material::determinant(deviator);
   }
@@ -132,96 +131,96 @@ private:
   static constexpr Real k = most_mobilised;
 };
 
-/// The rate of stress of hypoplasticity in a state: what all strain rates share.
+/// The rate of stress of hypoplasticity in a state: what all strain rates share. The compiler copies whole tensors of vectors through memory in halves, which
+/// waits; so tensors are written by component.
 template <int dim, class T>
 struct HypoplasticState {
-  SymTensor<dim, T> t;   ///< T / tr(T)
-  T pressure;            ///< p'
+  StressRatio<dim, T> ratio;
   T f_square, a_square;  ///< F^2 and a^2 times f_b f_e / (t : t), Pa
   T nonlinear;           ///< f_b f_e f_d a F / (t : t), Pa
 
   [[gnu::always_inline]] HypoplasticState(const PreparedHypoplastic& law, const SymTensor<dim, T>& stress, const T& void_ratio)
+      : ratio(stress, law.min_pressure)
   {
-    const StressRatio<dim, T> ratio(stress, law.min_pressure);
-    t = ratio.deviator;
-    pressure = ratio.pressure;
-    for (int k = 0; k < 3; ++k) t[k] += 1. / 3;
-    const T tiny = T{} + 1e-30, eighth = ratio.square * (3. / 8);
     // x^2 = 3 |t*|^2 and sqrt(2) x cos(3 theta) = -18 det(t*) / |t*|^2.
-    const T lode = -18. * ratio.determinant / (ratio.square + tiny);
-    const T f = square_root(eighth + larger(2. - 3. * ratio.square, T{}) / larger(2. + lode, T{} + 0.01)) - square_root(eighth + tiny);
-    const T share = smaller(ratio.pressure, T{} + law.max_pressure) * law.per_hardness;
-    const T packing = power_of(logarithm(share), law.exponent), shrink = exponential(-packing);
-    const T dense = law.min_void_ratio * shrink, critical = law.critical_void_ratio * shrink;
-    const T above = larger((void_ratio - dense) / (critical - dense), tiny), f_d = power_of(logarithm(above), law.alpha);
-    const T f_e = power_of(logarithm(critical / larger(void_ratio, dense)), law.beta);
-    const T barotropy = law.stiffness * (1. / (law.max_void_ratio * shrink) + 1.) * share / packing;
-    const T factor = barotropy * f_e / (ratio.square + 1. / 3);
-    f_square = factor * f * f;
-    a_square = T{} + factor * (law.a * law.a);
-    nonlinear = factor * f * f_d * law.a;
+    const T square = ratio.square + 1e-30, eighth = square * (3. / 8);
+    const T lode = larger(2. * square - 18. * ratio.determinant, 0.01 * square);
+    const T f = square_root(eighth + larger(2. - 3. * square, T{}) * square / lode) - square_root(eighth);
+    // Void ratios over that of their packing, exp(-(3 p' / h_s)^n), are compared with those at zero pressure.
+    const T log_share = logarithm(smaller(ratio.pressure, T{} + law.max_pressure) * law.per_hardness);
+    const T grow = exponential(power_of(log_share, law.exponent)), unloaded = void_ratio * grow;
+    const T above = larger((unloaded - law.min_void_ratio) * law.per_range_of_void_ratio, T{} + 1e-30);
+    const T f_d = power_of(logarithm(above), law.alpha);
+    const T log_f = log_share * (1 - law.exponent) - law.beta * logarithm(larger(unloaded, T{} + law.min_void_ratio));
+    const T factor = law.stiffness * exponential(log_f) * (1. + grow * law.per_max_void_ratio) / (square + 1. / 3);
+    const T of_f = factor * f;
+    f_square = of_f * f;
+    a_square = factor * (law.a * law.a);
+    nonlinear = of_f * f_d * law.a;
   }
-  /// L : D.
-  [[gnu::always_inline]] SymTensor<dim, T> linear(const SymTensor<dim, T>& strain) const
+  /// L : D + size N.
+  [[gnu::always_inline]] SymTensor<dim, T> rate(const SymTensor<dim, T>& strain, const T& size) const
   {
-    const T along = a_square * double_dot(t, strain);
+    const T n = nonlinear * size;
+    const T along = a_square * (double_dot(ratio.deviator, strain) + trace(strain) * (1. / 3)) + 2. * n,
+            of_pressure = (along - n) * (1. / 3);
     SymTensor<dim, T> rate;
-    for (int k = 0; k < tensor_size<dim>; ++k) rate[k] = f_square * strain[k] + along * t[k];
+    for (int k = 0; k < tensor_size<dim>; ++k) {
+      rate[k] = f_square * strain[k] + along * ratio.deviator[k];
+      if (k < 3) rate[k] += of_pressure;
+    }
     return rate;
-  }
-  /// Adds N times a number.
-  [[gnu::always_inline]] void add_nonlinear(SymTensor<dim, T>& rate, const T& size) const
-  {
-    const T twice = 2. * nonlinear * size;
-    for (int k = 0; k < tensor_size<dim>; ++k) rate[k] += twice * t[k];
-    for (int k = 0; k < 3; ++k) rate[k] -= twice * (1. / 6);
   }
 };
 
-/// The intergranular strain in a state, and what it makes of the rates.
+/// What the intergranular strain makes of the rates; without it, as if it were R in the direction of the strain.
 template <int dim, class T>
 struct Intergranular {
-  SymTensor<dim, T> direction;
+  T per_size;            ///< 1 / |d|
+  T along;               ///< n : D
   T mobilised, evolved;  ///< r^chi and r^beta_r
 
-  [[gnu::always_inline]] Intergranular(const PreparedHypoplastic& law, const SymTensor<dim, T>& strain) : direction(strain)
+  [[gnu::always_inline]] Intergranular(const PreparedHypoplastic& law, const SymTensor<dim, T>& grains, const SymTensor<dim, T>& strain)
   {
-    const T size = larger(square_root(double_dot(strain, strain)), T{} + 1e-30), per_size = 1. / size;
-    for (int k = 0; k < tensor_size<dim>; ++k) direction[k] *= per_size;
-    const T ratio = size * law.per_range;
-    mobilised = evolved = T{} + 1.;
-    if (!any(ratio < T{} + 1.)) return;
-    const T log_ratio = logarithm(smaller(ratio, mobilised));
-    mobilised = power_of(log_ratio, law.decay);
-    evolved = power_of(log_ratio, law.evolution);
+    const T one = T{} + 1.;
+    mobilised = evolved = one;
+    if (!(law.range > 0)) {
+      along = square_root(double_dot(strain, strain));
+      per_size = T{};
+      return;
+    }
+    const T square = double_dot(grains, grains) + 1e-60;
+    per_size = 1. / square_root(square);
+    along = double_dot(grains, strain) * per_size;
+    const T log_square = logarithm(smaller(square * (law.per_range * law.per_range), one));
+    mobilised = power_of(log_square, 0.5 * law.decay);
+    evolved = power_of(log_square, 0.5 * law.evolution);
   }
 };
 
 /// The change of stress in a piece with this strain, Pa.
 template <int dim, class T>
 [[gnu::always_inline]] inline SymTensor<dim, T> stress_change(const PreparedHypoplastic& law, const HypoplasticState<dim, T>& soil,
-                                                              const Intergranular<dim, T>& grains, const SymTensor<dim, T>& strain)
+                                                              const Intergranular<dim, T>& factors, const SymTensor<dim, T>& grains,
+                                                              const SymTensor<dim, T>& strain)
 {
-  const T along = double_dot(grains.direction, strain), &w = grains.mobilised, zero{};
-  const auto goes_on = along > zero;
-  const T all = law.reversal + (law.turn - law.reversal) * w;
-  const T part = w * along * (goes_on ? zero + (1 - law.turn) : zero + (law.reversal - law.turn));
+  const T along = factors.mobilised * factors.along, zero{};
+  const T all = law.reversal + (law.turn - law.reversal) * factors.mobilised;
+  const T part = along * (along > zero ? zero + (1 - law.turn) : zero + (law.reversal - law.turn)) * factors.per_size;
   SymTensor<dim, T> stiffened;
-  for (int k = 0; k < tensor_size<dim>; ++k) stiffened[k] = all * strain[k] + part * grains.direction[k];
-  SymTensor<dim, T> change = soil.linear(stiffened);
-  soil.add_nonlinear(change, goes_on ? w * along : zero);
-  return change;
+  for (int k = 0; k < tensor_size<dim>; ++k) stiffened[k] = all * strain[k] + part * grains[k];
+  return soil.rate(stiffened, larger(along, zero));
 }
 
 /// The intergranular strain after a piece by the two methods of Euler. That of the implicit one has the direction of begin + strain: pieces of any size end
 /// at R in the direction of the strain.
 template <int dim, class T>
-[[gnu::always_inline]] inline SymTensor<dim, T> explicit_grains(const Intergranular<dim, T>& grains, const SymTensor<dim, T>& begin,
+[[gnu::always_inline]] inline SymTensor<dim, T> explicit_grains(const Intergranular<dim, T>& factors, const SymTensor<dim, T>& begin,
                                                                 const SymTensor<dim, T>& strain)
 {
-  const T taken = grains.evolved * larger(double_dot(grains.direction, strain), T{});
+  const T kept = 1. - factors.evolved * larger(factors.along, T{}) * factors.per_size;
   SymTensor<dim, T> end;
-  for (int k = 0; k < tensor_size<dim>; ++k) end[k] = begin[k] + strain[k] - taken * grains.direction[k];
+  for (int k = 0; k < tensor_size<dim>; ++k) end[k] = kept * begin[k] + strain[k];
   return end;
 }
 template <int dim, class T>
@@ -237,22 +236,33 @@ template <int dim, class T>
   return end;
 }
 
+/// Below this |t*|^2 no stress has the friction of most_mobilised: det(t*) is at least -2 (|t*|^2 / 6)^(3/2), with which room is positive.
+constexpr Real surely_within = 0.13;
+
 /// p' is at least the minimum, and friction at most that of most_mobilised; rare.
-template <int dim, class T, class Mask>
-[[gnu::noinline]] void keep_in_compression(SymTensor<dim, T>& stress, const StressRatio<dim, T>& ratio, const Mask& beyond)
+template <int dim, class T>
+[[gnu::noinline]] void keep_in_compression(SymTensor<dim, T>& stress, Real min_pressure)
 {
-  T low{}, high = T{} + 1.;
-  for (int k = 0; k < 40; ++k) {
-    const T middle = (low + high) * 0.5;
-    const auto too_much = ratio.is_beyond(middle);
-    low = too_much ? low : middle;
-    high = too_much ? middle : high;
+  const StressRatio<dim, T> ratio(stress, min_pressure);
+  const T one = T{} + 1.;
+  const auto is_beyond = ratio.is_beyond(one);
+  const auto is_open = trace(stress) > T{} - 3 * min_pressure;
+  T factor = one;
+  if (any(is_beyond)) {
+    T low{}, high = one;
+    for (int k = 0; k < 40; ++k) {
+      const T middle = (low + high) * 0.5;
+      const auto too_much = ratio.is_beyond(middle);
+      low = too_much ? low : middle;
+      high = too_much ? middle : high;
+    }
+    low -= ratio.room(low) / ratio.room_change(low);  // which gives it its derivatives
+    factor = is_beyond ? low : one;
   }
-  low -= ratio.room(low) / ratio.room_change(low);  // which gives it its derivatives
-  const T part = -3. * ratio.pressure * (ratio.is_beyond(T{} + 1.) ? low : T{} + 1.);
+  const T part = -3. * ratio.pressure * factor;
   for (int k = 0; k < tensor_size<dim>; ++k) {
     const T kept = part * ratio.deviator[k] - (k < 3 ? ratio.pressure : T{});
-    stress[k] = beyond ? kept : stress[k];
+    stress[k] = (is_beyond | is_open) ? kept : stress[k];
   }
 }
 
@@ -280,24 +290,28 @@ template <int dim, class T, class Mask>
   HypoplasticPiece<dim, T> piece;
   piece.void_ratio = (1. + void_ratio) * exponential(trace(strain)) - 1.;
   piece.error = zero;
-  const Intergranular<dim, T> before(law, has_grains ? grains : strain);
+  const Intergranular<dim, T> before(law, grains, strain);
   const HypoplasticState<dim, T> begin(law, stress, void_ratio);
-  const SymTensor<dim, T> first = stress_change(law, begin, before, strain);
+  const SymTensor<dim, T> first = stress_change(law, begin, before, grains, strain);
   for (int k = 0; k < size; ++k) piece.stress[k] = stress[k] + first[k];
-  piece.grains = has_grains ? explicit_grains(before, grains, strain) : grains;
 
-  const T change = double_dot(first, first), most = small_change * begin.pressure;
+  const T change = double_dot(first, first), most = small_change * begin.ratio.pressure;
   auto is_large = acts & (change > most * most);
-  if (has_grains) is_large = is_large | (acts & (double_dot(strain, strain) > zero + std::pow(small_change_of_grains * law.range, 2)));
-  if (any(is_large)) {
-    const Intergranular<dim, T> after(law, has_grains ? implicit_grains(law, grains, strain, before.evolved) : strain);
-    const SymTensor<dim, T> second = stress_change(law, HypoplasticState<dim, T>(law, piece.stress, piece.void_ratio), after, strain);
+  if (has_grains) {
+    piece.grains = explicit_grains(before, grains, strain);
+    is_large = is_large | (acts & (double_dot(strain, strain) > zero + std::pow(small_change_of_grains * law.range, 2)));
+  }
+  if (any(is_large)) [[unlikely]] {
+    const SymTensor<dim, T> end_grains = implicit_grains(law, grains, strain, before.evolved);
+    const Intergranular<dim, T> after(law, end_grains, strain);
+    const SymTensor<dim, T> second =
+        stress_change(law, HypoplasticState<dim, T>(law, piece.stress, piece.void_ratio), after, end_grains, strain);
     SymTensor<dim, T> difference;
     for (int k = 0; k < size; ++k) {
       difference[k] = 0.5 * (second[k] - first[k]);
       piece.stress[k] = is_large ? piece.stress[k] + difference[k] : piece.stress[k];
     }
-    T error = square_root(double_dot(difference, difference)) / (begin.pressure * piece_error);
+    T error = square_root(double_dot(difference, difference)) / (begin.ratio.pressure * piece_error);
     if (has_grains) {
       const SymTensor<dim, T> alternative = implicit_grains(law, grains, strain, after.evolved);
       for (int k = 0; k < size; ++k) {
@@ -313,10 +327,11 @@ template <int dim, class T, class Mask>
     const T part = length > range ? range / length : one;
     for (int k = 0; k < size; ++k) piece.grains[k] = part * piece.grains[k];
   }
-  const StressRatio<dim, T> ratio(piece.stress, law.min_pressure);
-  const auto beyond = ratio.is_beyond(one) | (trace(piece.stress) > zero - 3 * law.min_pressure);
+  // Lanes without a particle have no stress, which must not count.
+  const T mean = trace(piece.stress) * (1. / 3), square = double_dot(piece.stress, piece.stress);
+  const auto beyond = acts & ((mean > zero - law.min_pressure) | (square > (3 + 9 * surely_within) * (mean * mean)));
   if (any(beyond)) [[unlikely]]
-    keep_in_compression(piece.stress, ratio, beyond);
+    keep_in_compression(piece.stress, law.min_pressure);
   return piece;
 }
 
@@ -339,7 +354,7 @@ template <int dim, class T>
     const auto holds = acts & ((piece.error <= one) | (part <= zero + least_piece));
     for (int k = 0; k < size; ++k) {
       stress[k] = holds ? piece.stress[k] : stress[k];
-      grains[k] = holds ? piece.grains[k] : grains[k];
+      if (law.range > 0) grains[k] = holds ? piece.grains[k] : grains[k];
     }
     void_ratio = holds ? piece.void_ratio : void_ratio;
     left = holds ? left - part : left;

@@ -134,13 +134,14 @@ constexpr Real max_change = 0.25, max_pieces = 256;
 /// elastic result of a piece and returns it to the law's surface; it changes the state variables of the lanes of the mask `acts`. The elastic deviator is
 /// s + 2 G e.
 template <int dim, class T, class Return>
-[[gnu::always_inline]] inline void update_in_pieces(const PressureElasticity& elastic, SymTensor<dim, T>& stress, SymTensor<dim, T> strain,
-                                                    const Return& return_to_surface)
+[[gnu::always_inline]] inline void update_in_pieces(const PressureElasticity& elastic, SymTensor<dim, T>& stress,
+                                                    const SymTensor<dim, T>& of_increment, const Return& return_to_surface)
 {
-  const T mean = trace(stress) * (1. / 3), third = trace(strain) * (1. / 3);
-  for (int k = 0; k < 3; ++k) {
-    stress[k] -= mean;
-    strain[k] -= third;
+  const T mean = trace(stress) * (1. / 3), third = trace(of_increment) * (1. / 3);
+  SymTensor<dim, T> strain;
+  for (int k = 0; k < tensor_size<dim>; ++k) {
+    if (k < 3) stress[k] -= mean;
+    strain[k] = k < 3 ? of_increment[k] - third : of_increment[k];
   }
   Trial<T> trial;
   trial.pressure = larger(-mean, T{} + elastic.min_pressure);

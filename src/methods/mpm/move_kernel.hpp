@@ -56,9 +56,9 @@ template <int dim, class Law, class V>
   if constexpr (constexpr int first = material::rotating_state<Law>; first >= 0) {
     if (state_count(law) < first + 6) return;
     SymTensor<dim, V> tensor;
-    std::copy_n(state + first, tensor_size<dim>, tensor.c);
+    for (int k = 0; k < tensor_size<dim>; ++k) tensor[k] = state[first + k];
     rotate(tensor, rotation);
-    std::copy_n(tensor.c, tensor_size<dim>, state + first);
+    for (int k = 0; k < tensor_size<dim>; ++k) state[first + k] = tensor[k];
   }
 }
 
@@ -242,7 +242,7 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
                                             .active = alive};
       SymTensor<dim, V> stress;
       for (int k = 0; k < tensor_size<dim>; ++k) {
-        increment.strain[k] = followed[k] - V{};
+        increment.strain[k] = alive ? followed[k] - V{} : V{};  // lanes without a particle must not make a law iterate
         stress[k] = part.get(p.stress[k], q.stress[k]);
       }
       for (int a = 0; a < 2; ++a) stress[a] += shift;

@@ -151,6 +151,39 @@ TEST(HardeningSoil, triaxial_strength_is_that_of_mohr_and_coulomb_in_compression
   }
 }
 
+TEST(HardeningSoil, a_factor_of_safety_divides_cohesion_and_friction_and_keeps_the_moduli)
+{
+  HardeningSoil law = hostun_sand();
+  law.cohesion = 5e3;
+  EXPECT_EQ(strength_at_rest(*with_strength_over(law, 5))->dilation_angle, std::atan(std::tan(law.friction_angle) / 5))
+      << "less than 16 deg";
+  law.dilation_angle = 0;  // which adds to the strain
+  constexpr Real F = 1.6;
+  const HardeningSoil weaker = *with_strength_over(law, F);
+  HardeningSoil of_strength = law;
+  of_strength.cohesion /= F;
+  of_strength.friction_angle = std::atan(std::tan(law.friction_angle) / F);
+  EXPECT_EQ(strength_at_rest(weaker)->friction_angle, of_strength.friction_angle);
+  EXPECT_EQ(strength_at_rest(weaker)->cohesion, of_strength.cohesion);
+  // The hyperbola of drained triaxial compression goes to the smaller strength, with E_50 at half of it.
+  Element<HardeningSoil> soil = specimen(weaker, p_ref);
+  const Real q_f = strength(of_strength, p_ref), at_half = axial_strain_at(soil, q_f / 2);
+  Element<HardeningSoil> stiff = specimen(law, p_ref);
+  const Real half = strength(law, p_ref) / 2, secant = half / axial_strain_at(stiff, half);
+  EXPECT_NEAR(q_f / 2 / at_half / secant, 1, 1e-3) << "steps of 1e-5 of some 3e-3";
+  for (int k = 0; k < 3000; ++k) shear_drained(soil, 1e-4);
+  EXPECT_NEAR(soil.q() / q_f, 1, 1e-6);
+  // The cap, K0 and the stiffness of virgin compression are those of the whole strength, as far as the smaller one carries K0.
+  Element<HardeningSoil> virgin(weaker, {{-0.4 * p_ref, -p_ref, -0.4 * p_ref}});
+  const PreparedHardeningSoil whole = prepare(law);
+  EXPECT_EQ(virgin.prepared.per_alpha_square, whole.per_alpha_square);
+  EXPECT_EQ(virgin.prepared.cap_modulus, whole.cap_modulus);
+  EXPECT_NEAR(virgin.prepared.elastic.bulk / whole.elastic.bulk, 1, 1e-12) << "c cot phi is the same";
+  EXPECT_NEAR(virgin.prepared.per_strain * virgin.prepared.k / (whole.per_strain * whole.k), 1, 1e-12);
+  // The cap is fixed even where the smaller strength could not carry K0.
+  EXPECT_TRUE(std::isfinite(prepare(*with_strength_over(law, 5)).per_alpha_square));
+}
+
 TEST(HardeningSoil, angle_of_dilation_at_failure_is_that_of_the_input_in_triaxial_states_and_plane_strain)
 {
   const HardeningSoil law = hostun_sand();
@@ -187,6 +220,24 @@ TEST(HardeningSoil, plane_strain_strength_is_that_of_matsuoka_and_nakai)
       EXPECT_NEAR((s1 - s3) / (s1 + s3), 2 * s / std::sqrt(3 + s * s), 1e-4);
     }
   }
+}
+
+TEST(HardeningSoil, a_column_in_plane_strain_fails_where_its_strength_over_the_factor_of_safety_is_its_load)
+{
+  // From the apex the free side carries a = c cot phi, whatever F is, and the top a + p. At failure without dilation (below), sin phi in the plane is
+  // x = 2 s / sqrt(3 + s^2) with s = sin(phi of F), and p / (2 a) = x / (1 - x).
+  constexpr Real load = 25e3;
+  HardeningSoil law = hostun_sand();
+  law.virgin_k0 = {};
+  law.cohesion = 10e3;
+  law.friction_angle = 30 * degree;
+  law.dilation_angle = 0;
+  const Real a = law.cohesion / std::tan(law.friction_angle), x = load / (2 * a) / (1 + load / (2 * a));
+  const Real s = x * std::sqrt(3 / (4 - x * x)), F = std::tan(law.friction_angle) / std::tan(std::asin(s));
+  EXPECT_NEAR(F, 1.444, 5e-4) << "with Mohr and Coulomb's strength 1.2505: Matsuoka and Nakai's is larger in plane strain";
+  Element<HardeningSoil> soil = specimen(*with_strength_over(law, F), 10);
+  for (int k = 0; k < 4000; ++k) shear_in_plane(soil, 1e-4);
+  EXPECT_NEAR((a - soil.stress[1]) / (a - soil.stress[0]) / ((a + load) / a), 1, 2e-4) << "s2 comes to the mean of the others";
 }
 
 TEST(HardeningSoil, unloads_with_its_modulus_at_the_smallest_stress)

@@ -115,9 +115,10 @@ void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law
 
 void add_law(Rows& rows, const std::string& prefix, const material::HardeningSoil& law)
 {
-  rows.add(prefix + "cohesion c'", text::stress_words(law.cohesion));
-  rows.add(prefix + "friction angle", text::angle_words(law.friction_angle));
-  rows.add(prefix + "dilation angle", text::angle_words(law.dilation_angle));
+  const material::Strength strength = strength_at_rest(law).value_or(material::Strength{});
+  rows.add(prefix + "cohesion c'", text::stress_words(strength.cohesion));
+  rows.add(prefix + "friction angle", text::angle_words(strength.friction_angle));
+  rows.add(prefix + "dilation angle", text::angle_words(strength.dilation_angle));
   rows.add(prefix + "E50, Eoed, Eur at " + text::stress_words(law.reference_pressure),
            fmt::format("{}, {}, {}", text::stress_words(law.secant_modulus), text::stress_words(law.oedometer_modulus),
                        text::stress_words(law.unloading_modulus)));
