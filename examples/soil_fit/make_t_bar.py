@@ -29,7 +29,7 @@ def case() -> str:
 def sheet(folder: Path) -> None:
     with open(folder / "history.csv", encoding="utf-8") as history, open(here / "t_bar.csv", "w", newline="", encoding="utf-8") as file:
         out = csv.writer(file)
-        out.writerow(["depth (m)", "q (kPa)"])
+        out.writerow(["depth (m)", "resistance (kPa)"])
         last = None
         for row in csv.DictReader(history):
             depth, resistance = float(row["w_m"]) + 10, float(row["V_N_m"]) / 0.5 / 1e3

@@ -27,8 +27,9 @@ void describe_tool(Describe& d, Penetrometer& tool, const char* least_area)
                "it, sensitivity and ductility do not",
            .range = positive});
   d.value("passage_strain", tool.passage_strain,
-          {.meaning = "plastic shear strain xi_T that one passage leaves in the clay on average [Zhou and Randolph 2009]; ductility is "
-                      "proportional to it",
+          {.meaning =
+               "plastic shear strain xi_T that one passage leaves in the clay on average [recalled: Zhou and Randolph 2009]; ductility is "
+               "proportional to it",
            .range = positive});
   d.value("zero_shift", tool.zero_shift,
           {.meaning = "resistance that the file shows where nothing resists, down positive: shift of zero, or pressure of the ground on "
@@ -123,13 +124,11 @@ void describe(Describe& d, MeasuredFile& measured)
   d.value("largest_strain", measured.largest_strain,
           {.meaning = "rows beyond this strain from the start are not compared: beyond the peak, bands belong to the specimen",
            .range = positive});
-  d.value(
-      "strain_rate", measured.strain_rate,
-      {.meaning =
-           "rate of the axial strain (simple_shear: of the shear strain; of a penetrometer some 0.4 of its diameters a second, the clay "
-           "around it); absent: so slow that the strength does not depend on it",
-       .unit = "1/s",
-       .range = positive});
+  d.value("strain_rate", measured.strain_rate,
+          {.meaning = "rate of the axial strain (simple_shear: of the shear strain; t_bar and ball: of the clay around the tool, some 0.4 "
+                      "times its speed over its diameter); absent: so slow that the strength does not depend on it",
+           .unit = "1/s",
+           .range = positive});
 }
 
 void describe(Describe& d, FitCase& c)
