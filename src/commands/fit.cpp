@@ -31,9 +31,10 @@ std::pair<soil_fit::FitCase, std::string> input_of(FitOptions& options, const fs
   const std::string& first = options.words.front();
   if (fs::path(first).extension() == ".toml") {
     if (options.words.size() > 1) throw InputError("one input FILE.toml, or a law and its tests: LAW TESTS.csv");
-    if (options.app->count("--kind") + options.app->count("--undrained") + options.app->count("--extension") + options.app->count("--k0") >
+    if (options.app->count("--kind") + options.app->count("--undrained") + options.app->count("--extension") + options.app->count("--k0") +
+            options.app->count("--diameter") >
         0)
-      throw InputError("--kind, --undrained, --extension and --k0 are of LAW TESTS.csv: an input says it for each file, kind = "
+      throw InputError("--kind, --undrained, --extension, --k0 and --diameter are of LAW TESTS.csv: an input says it for each file, kind = "
                        "\"triaxial\", drained = false");
     return {soil_fit::read_fit_case(first, options.common.overrides), io::read_text_file(first)};
   }
@@ -79,11 +80,12 @@ Command add_fit(CLI::App& program)
       ->required();
   app->add_option("--set", options->common.overrides, "KEY=VALUE: replace or add a value of the input")->allow_extra_args(false);
   app->add_option("--kind", options->usual.kind, "of LAW TESTS.csv: which tests these are (default: triaxial)")
-      ->check(one_of({"triaxial", "biaxial", "simple_shear", "oedometer", "isotropic"}));
+      ->check(one_of({"triaxial", "biaxial", "simple_shear", "oedometer", "isotropic", "t_bar", "ball"}));
   app->add_flag("--undrained", options->usual.undrained, "of LAW TESTS.csv: the tests are undrained");
   app->add_flag("--extension", options->usual.extends, "of LAW TESTS.csv: the tests are in extension");
   app->add_option("--k0", options->usual.k0,
                   "of LAW TESTS.csv: horizontal over vertical stress at the start of an oedometer or simple shear test");
+  app->add_option("--diameter", options->usual.diameter, "of LAW TESTS.csv --kind t_bar or ball: diameter of the tool, such as \"40 mm\"");
   app->add_option("-o,--output", options->common.output,
                   "folder for the results (default: out/FOLDER/NAME of the input or of the last file)");
   app->add_flag("--force", options->common.force, "replace the results of an earlier fit in the folder");

@@ -5,33 +5,45 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
+#include <tuple>
 
 namespace berm::soil_fit {
 namespace {
 
 constexpr Real kilo = 1e-3, percent = 100;
 
-Real shown(Compared what, Real value)
+/// A value of a curve as it is shown; resistances over that of the first passage.
+Real shown(const MeasuredTest& test, const MeasuredCurve& curve, Real value)
 {
-  return is_strain(what) ? percent * engineering_strain(value) : kilo * value;
+  if (test.passages) return value / curve.values.front();
+  return is_strain(curve.what) ? percent * engineering_strain(value) : kilo * value;
 }
 
 Real shown_along(const MeasuredTest& test, Real driven)
 {
-  return as_measured(test, driven) * (test.by_stress() ? kilo : percent);
+  return as_measured(test, driven) * (test.passages ? 1 : test.by_stress() ? kilo : percent);
+}
+
+/// Which tests share a figure: "triaxial_drained", "t_bar".
+std::string kind_of(const MeasuredTest& test)
+{
+  if (test.passages) return test.passages->tool;
+  return fmt::format("{}_{}", element::kind_word(test.settings.kind), element::drained(test.settings.kind) ? "drained" : "undrained");
 }
 
 plot::Figure figure_of(const std::vector<const FittedTest*>& tests, Compared what)
 {
   plot::Figure figure;
   const MeasuredTest& first = tests.front()->measured;
-  std::string kind = element::kind_word(first.settings.kind);
+  std::string kind = first.passages ? first.passages->tool : element::kind_word(first.settings.kind);
   std::replace(kind.begin(), kind.end(), '_', ' ');
   figure.title = fmt::format("{}: {}, measured (points) and computed (lines)", kind, name_of(what));
-  figure.x_label = first.by_stress()                                                   ? "stress (kPa)"
+  figure.x_label = first.passages      ? "passage (1: first penetration, 2: first extraction)"
+                   : first.by_stress() ? "stress (kPa)"
                    : std::holds_alternative<element::SimpleShear>(first.settings.kind) ? "shear strain (%)"
                                                                                        : "axial strain (%)";
-  figure.y_label = fmt::format("{} ({})", name_of(what), is_strain(what) ? "%" : "kPa");
+  figure.y_label = first.passages ? "q_k / q_1" : fmt::format("{} ({})", name_of(what), is_strain(what) ? "%" : "kPa");
   std::size_t color = 0;
   for (const FittedTest* test : tests) {
     const MeasuredTest& measured = test->measured;
@@ -42,7 +54,7 @@ plot::Figure figure_of(const std::vector<const FittedTest*>& tests, Compared wha
     plot::FigureCurve line{measured.held_out ? measured.name + " (held out)" : measured.name, plot::curve_style(c, dash, 1.5), {}, {}};
     for (std::size_t row = 0; row < measured.rows(); ++row) {
       points.x.push_back(shown_along(measured, measured.driven[row])), line.x.push_back(points.x.back());
-      points.y.push_back(shown(what, curve->values[row])), line.y.push_back(shown(what, computed[row]));
+      points.y.push_back(shown(measured, *curve, curve->values[row])), line.y.push_back(shown(measured, *curve, computed[row]));
     }
     figure.curves.push_back(points);
     figure.curves.push_back(line);
@@ -59,23 +71,16 @@ plot::Figure figure_of(const std::vector<const FittedTest*>& tests, Compared wha
 
 std::vector<std::string> draw_figures(const FitResults& results, const std::filesystem::path& folder)
 {
+  std::map<std::tuple<std::size_t, std::string, Compared>, std::vector<const FittedTest*>> figures;
+  for (const FittedTest& test : results.soil.tests)
+    for (const MeasuredCurve& curve : test.measured.curves)
+      figures[{test.measured.settings.kind.index(), kind_of(test.measured), curve.what}].push_back(&test);
   std::vector<std::string> drawn;
-  for (std::size_t kind = 0; kind < std::variant_size_v<element::TestKind>; ++kind)
-    for (const bool drained : {true, false})
-      for (const Compared what :
-           {Compared::q, Compared::tau, Compared::p, Compared::vertical_stress, Compared::volumetric_strain, Compared::axial_strain}) {
-        std::vector<const FittedTest*> tests;
-        for (const FittedTest& test : results.soil.tests) {
-          const auto& curves = test.measured.curves;
-          if (test.measured.settings.kind.index() == kind && element::drained(test.measured.settings.kind) == drained &&
-              std::any_of(curves.begin(), curves.end(), [&](const MeasuredCurve& c) { return c.what == what; }))
-            tests.push_back(&test);
-        }
-        if (tests.empty()) continue;
-        const std::string name = fmt::format("{}_{}_{}", element::kind_word(tests.front()->measured.settings.kind),
-                                             drained ? "drained" : "undrained", word_of(what));
-        if (plot::draw_figure(folder, name, figure_of(tests, what))) drawn.push_back(name);
-      }
+  for (const auto& [key, tests] : figures) {
+    const auto& [place, kind, what] = key;
+    const std::string name = fmt::format("{}_{}", kind, word_of(what));
+    if (plot::draw_figure(folder, name, figure_of(tests, what))) drawn.push_back(name);
+  }
   return drawn;
 }
 

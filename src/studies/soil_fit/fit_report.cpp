@@ -8,6 +8,7 @@
 #include "run_folder/build.hpp"
 #include "run_folder/csv_line.hpp"
 #include "soil_fit/marks.hpp"
+#include "soil_fit/passages.hpp"
 #include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
@@ -116,6 +117,14 @@ Json quantities_json(const FitResults& results)
       const Compared what = test.measured.curves[k].what;
       add(fmt::format("{}.{}_rms", test.measured.name, word_of(what)), test.rms[k], is_strain(what) ? "1" : "Pa",
           "root mean square of computed less measured");
+    }
+  for (const FittedTest& test : results.soil.tests)
+    if (test.measured.passages) {
+      const std::vector<Real>& resistance = test.measured.curves[0].values;
+      add(test.measured.name + ".depth", test.measured.passages->depth, "m", "middle of the interval below the seabed");
+      add(test.measured.name + ".first_resistance", resistance.front(), "Pa", "measured in the first passage");
+      add(test.measured.name + ".last_over_first", resistance.back() / resistance.front(), "",
+          "measured resistance, last over first passage");
     }
   return all;
 }
@@ -303,7 +312,10 @@ std::string page_html(const FitResults& results, const std::vector<std::string>&
   for (const std::string& figure : figures)
     html += fmt::format("<img src=\"data:image/png;base64,{}\" alt=\"{}\">\n", text::base64(io::read_text_file(folder / (figure + ".png"))),
                         text::html_text(figure));
-  html += "</div>\n<h2>Tests</h2>\n" + tests_html(results) + "<h2>Correlations</h2>\n" + correlation_html(results.soil);
+  html += "</div>\n<h2>Tests</h2>\n" + tests_html(results);
+  for (const FittedTest& test : results.soil.tests)
+    if (test.measured.passages) html += passages_html(test.measured, test.computed[0]);
+  html += "<h2>Correlations</h2>\n" + correlation_html(results.soil);
   html += fmt::format("<h2>Input</h2>\n<pre>{}</pre>\n", text::html_text(results.input));
   html += fmt::format("<p class=\"quiet\">berm {}; all digits are in <a href=\"summary.json\">summary.json</a> and <a "
                       "href=\"curves.csv\">curves.csv</a>, the sample of a study in "
@@ -354,7 +366,10 @@ std::vector<std::string> doubts(const FittedSoil& soil)
   for (const FittedTest& test : soil.tests) {
     Real most = 0;
     for (const Real driven : test.measured.driven) most = std::max(most, std::abs(driven));
-    if (!test.measured.by_stress() && most < little_strain)
+    if (test.measured.passages) {
+      const std::vector<std::string> own = doubts_of_passages(test.measured, test.computed[0]);
+      all.insert(all.end(), own.begin(), own.end());
+    } else if (!test.measured.by_stress() && most < little_strain)
       all.push_back(fmt::format("{} goes to {:.2g} % of strain: is the unit of its strain right?", test.measured.name, 100 * most));
   }
   for (const FittedKey& key : soil.keys) {

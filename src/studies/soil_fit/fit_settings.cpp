@@ -6,6 +6,7 @@
 #include "input/override.hpp"
 #include "input/reader.hpp"
 #include "input/units.hpp"
+#include "material/clay.hpp"
 #include "os/error.hpp"
 #include "soil_fit/laboratory_table.hpp"
 
@@ -16,6 +17,26 @@ namespace berm::soil_fit {
 
 namespace {
 
+void describe_tool(Describe& d, Penetrometer& tool, const char* least_area)
+{
+  d.value("diameter", tool.diameter, {.meaning = "diameter of the tool", .unit = "m", .range = positive, .required = true});
+  d.value("area", tool.area, {.meaning = least_area, .unit = "m^2", .range = positive});
+  d.value("resistance_factor", tool.resistance_factor,
+          {.meaning =
+               "resistance over the undrained strength of clay that neither softens nor has a rate effect; undrained_strength goes by "
+               "it, sensitivity and ductility do not",
+           .range = positive});
+  d.value("passage_strain", tool.passage_strain,
+          {.meaning =
+               "plastic shear strain xi_T that one passage leaves in the clay on average [recalled: Zhou and Randolph 2009]; ductility is "
+               "proportional to it",
+           .range = positive});
+  d.value("zero_shift", tool.zero_shift,
+          {.meaning = "resistance that the file shows where nothing resists, down positive: shift of zero, or pressure of the ground on "
+                      "the tool that was not taken off",
+           .unit = "Pa"});
+}
+
 bool by_logarithm(const FreeKey& free)
 {
   constexpr Real wide = 20;
@@ -23,6 +44,39 @@ bool by_logarithm(const FreeKey& free)
 }
 
 }  // namespace
+
+const Penetrometer* penetrometer_of(const MeasuredKind& kind)
+{
+  const Penetrometer* bar = std::get_if<TBar>(&kind);
+  return bar != nullptr ? bar : std::get_if<Ball>(&kind);
+}
+
+std::optional<element::TestKind> laboratory_test(const MeasuredKind& kind)
+{
+  return std::visit(
+      [](const auto& test) -> std::optional<element::TestKind> {
+        if constexpr (std::is_base_of_v<Penetrometer, std::decay_t<decltype(test)>>)
+          return std::nullopt;
+        else
+          return test;
+      },
+      kind);
+}
+
+const char* word_of(const MeasuredKind& kind)
+{
+  return std::visit([](const auto& test) { return test.word; }, kind);
+}
+
+void describe(Describe& d, TBar& bar)
+{
+  describe_tool(d, bar, "of a file with a force: the area that it is over, diameter times length");
+}
+
+void describe(Describe& d, Ball& ball)
+{
+  describe_tool(d, ball, "of a file with a force: the area that it is over (absent: the cross-section of the ball)");
+}
 
 Real value_at(const FreeKey& free, Real x)
 {
@@ -52,11 +106,11 @@ void describe(Describe& d, MeasuredFile& measured)
   d.value("name", measured.name, {.meaning = "name, for messages; where the file has one test, that of the test", .required = true});
   d.value("file", measured.file, {.meaning = "CSV file with headings, or file of AGS 4, seen from this file's folder", .required = true});
   using namespace element;
-  d.one_of("kind", measured.kind, {Triaxial::word, Biaxial::word, SimpleShear::word, Isotropic::word, Oedometer::word},
-           {.meaning =
-                "which test, with the keys of [[test]] of berm element but its paths; the stress at the start, where it is left out, is "
-                "that of the first row",
-            .required = true});
+  d.one_of(
+      "kind", measured.kind, {Triaxial::word, Biaxial::word, SimpleShear::word, Isotropic::word, Oedometer::word, TBar::word, Ball::word},
+      {.meaning = "which test, with the keys of [[test]] of berm element but its paths; the stress at the start, where it is left out, is "
+                  "that of the first row. t_bar and ball: a full-flow penetrometer that was moved down and up over a depth",
+       .required = true});
   d.value("test", measured.test, {.meaning = "heading of the column that names the tests; absent: the file is one test"});
   d.value("tests", measured.tests, {.meaning = "names of the tests that are taken; absent: all of the file"});
   d.value("held_out", measured.held_out, {.meaning = "names of tests that are computed with the fitted soil and not fitted"});
@@ -70,11 +124,11 @@ void describe(Describe& d, MeasuredFile& measured)
   d.value("largest_strain", measured.largest_strain,
           {.meaning = "rows beyond this strain from the start are not compared: beyond the peak, bands belong to the specimen",
            .range = positive});
-  d.value(
-      "strain_rate", measured.strain_rate,
-      {.meaning = "rate of the axial strain (simple_shear: of the shear strain); absent: so slow that the strength does not depend on it",
-       .unit = "1/s",
-       .range = positive});
+  d.value("strain_rate", measured.strain_rate,
+          {.meaning = "rate of the axial strain (simple_shear: of the shear strain; t_bar and ball: of the clay around the tool, some 0.4 "
+                      "times its speed over its diameter); absent: so slow that the strength does not depend on it",
+           .unit = "1/s",
+           .range = positive});
 }
 
 void describe(Describe& d, FitCase& c)
@@ -101,17 +155,21 @@ void describe(Describe& d, FitCase& c)
     for (const auto& [word, heading] : c.measured[k].columns)
       d.check(std::find(readings.begin(), readings.end(), word) != readings.end(), path + ".columns." + word, "is not a quantity of a test",
               readings);
-    d.check(!element::is_compression(c.measured[k].kind) || !c.measured[k].largest_strain, path + ".largest_strain",
+    const std::optional<element::TestKind> laboratory = laboratory_test(c.measured[k].kind);
+    d.check((laboratory && !element::is_compression(*laboratory)) || !c.measured[k].largest_strain, path + ".largest_strain",
             "is of tests that are driven by their strain");
+    d.check(laboratory || c.measured[k].specimen.empty(), path + ".specimen", "is of laboratory tests");
     for (std::size_t before = 0; before < k; ++before)
       d.check(c.measured[before].name != c.measured[k].name, path + ".name", "is the name of measured tests before it");
     for (const auto& [key, heading] : c.measured[k].specimen)
       d.check(std::none_of(c.free.begin(), c.free.end(), [&, &own = key](const FreeKey& free) { return free.key == own; }),
               path + ".specimen." + key, "is free, too: leave out one of the two");
-    if (c.material.size() == 1)
-      d.check(!element::drained(c.measured[k].kind) || element::is_compression(c.measured[k].kind) ||
-                  !element::knows_total_stress_alone(c.material[0].second),
-              path + ".drained", fmt::format("{} has an undrained strength, and cannot be drained", c.material[0].first));
+    if (c.material.size() != 1) continue;
+    d.check(laboratory || c.material[0].second.get_if<material::Clay>() != nullptr, path + ".kind",
+            "is a test of clay that softens: law = \"clay\"");
+    d.check(!laboratory || !element::drained(*laboratory) || element::is_compression(*laboratory) ||
+                !element::knows_total_stress_alone(c.material[0].second),
+            path + ".drained", fmt::format("{} has an undrained strength, and cannot be drained", c.material[0].first));
   }
 }
 

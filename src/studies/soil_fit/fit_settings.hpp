@@ -20,11 +20,38 @@ Real value_at(const FreeKey& free, Real x);
 Real place_of(const FreeKey& free, Real value);
 Real slope_of(const FreeKey& free, Real value);
 
+/// A full-flow penetrometer that was moved down and up over a depth, deep in clay.
+struct Penetrometer {
+  Real diameter = 0;           ///< m
+  std::optional<Real> area;    ///< m2, that a force is over; empty: of a ball its cross-section
+  Real resistance_factor = 0;  ///< N, resistance over s_u of clay that neither softens nor has a rate effect
+  Real passage_strain = 0;     ///< xi_T, the plastic shear strain that one passage leaves in the clay on average
+  Real zero_shift = 0;         ///< Pa, of the resistance where nothing resists; it is taken off
+};
+// N of both tools is that of a roughness of 0.4: Randolph and Houlsby (1984); ball_factor of formulas/penetrometer.hpp.
+struct TBar : Penetrometer {
+  static constexpr const char* word = "t_bar";
+  TBar() { resistance_factor = 10.5, passage_strain = 3.7; }
+};
+struct Ball : Penetrometer {
+  static constexpr const char* word = "ball";
+  Ball() { resistance_factor = 12.9, passage_strain = 3.3; }
+};
+
+using MeasuredKind =
+    std::variant<element::Triaxial, element::Biaxial, element::SimpleShear, element::Isotropic, element::Oedometer, TBar, Ball>;
+
+/// Null of a laboratory test; and the laboratory test, empty of a penetrometer.
+const Penetrometer* penetrometer_of(const MeasuredKind& kind);
+std::optional<element::TestKind> laboratory_test(const MeasuredKind& kind);
+/// Its word in the input.
+const char* word_of(const MeasuredKind& kind);
+
 /// Tests of one kind in one file.
 struct MeasuredFile {
   std::string name;  ///< of its tests, before their own names
   std::string file;
-  element::TestKind kind;                      ///< its start stress may be left to the file
+  MeasuredKind kind;                           ///< its start stress may be left to the file
   std::string test;                            ///< heading of the column that names the tests; "": the file is one test
   std::vector<std::string> tests;              ///< those that are taken; empty: all
   std::vector<std::string> held_out;           ///< of these, those that are computed and not fitted
@@ -51,6 +78,8 @@ struct FitCase {
   const std::string& material_name() const { return material.front().first; }
 };
 
+void describe(Describe& d, TBar& bar);
+void describe(Describe& d, Ball& ball);
 void describe(Describe& d, FreeKey& free);
 void describe(Describe& d, MeasuredFile& measured);
 void describe(Describe& d, FitCase& c);

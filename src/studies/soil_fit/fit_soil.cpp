@@ -4,6 +4,7 @@
 
 #include "fit/least_squares.hpp"
 #include "os/error.hpp"
+#include "soil_fit/passages.hpp"
 #include "soil_fit/simulate.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -75,6 +76,7 @@ public:
     try {
       Values values = values_of(x);
       values.insert(test.specimen.begin(), test.specimen.end());
+      if (test.passages) return {resistances(test, material_with(c_, values))};
       const element::StartStress& start = element::start_of(test.settings.kind);
       return simulate(test, material::drained(material::at_depth(material_with(c_, values), 0, start.vertical())), c_.largest_step);
     } catch (const InputError&) {
@@ -161,14 +163,20 @@ Matrix jacobian(Problem& problem, const Vector& x)
   return J;
 }
 
-/// How many times as much the mean of a curve's rows scatters as that of independent rows: (1 + r) / (1 - r), r the correlation of neighbours, about 0, so that a curve that is off as a whole
-/// counts as one row.
+/// How many times as much the mean of a curve's rows scatters as that of independent rows: 1 + 2 times the sum of the correlations of rows that are 1, 2, ... apart, about 0, as far as they
+/// are positive. A curve that is off as a whole counts as one row.
 Real clustering(const Vector& residuals)
 {
-  if (residuals.size() < 4) return 1;
-  const Real own = residuals.squaredNorm(), next = residuals.head(residuals.size() - 1).dot(residuals.tail(residuals.size() - 1));
-  const Real correlation = own > 0 ? std::clamp(next / own, Real(0), Real(1)) : 0;
-  return std::min((1 + correlation) / std::max(1 - correlation, Real(1e-3)), static_cast<Real>(residuals.size()));
+  const Eigen::Index count = residuals.size();
+  const Real own = residuals.squaredNorm();
+  if (count < 4 || !(own > 0)) return 1;
+  Real sum = 1;
+  for (Eigen::Index apart = 1; apart < count; ++apart) {
+    const Real both = residuals.head(count - apart).dot(residuals.tail(count - apart));
+    if (both <= 0) break;
+    sum += 2 * both / own;
+  }
+  return std::min(sum, static_cast<Real>(count));
 }
 
 /// Standard errors, correlations and flat directions, over the widths of the bounds.
@@ -192,10 +200,9 @@ void find_errors(Problem& problem, const Vector& x, FittedSoil& soil)
   for (const Place& place : problem.places()) {
     const auto rows = J.middleRows(place.begin, place.count);
     const Vector r = residuals.segment(place.begin, place.count);
-    const Real w = std::pow(problem.factor(place), 2), scatter = freedom * r.squaredNorm() / static_cast<Real>(place.count) * clustering(r);
-    const Matrix square = rows.transpose() * rows;
-    H += w * square;
-    S += w * w * scatter * square;
+    const Real w = std::pow(problem.factor(place), 2);
+    H += w * rows.transpose() * rows;
+    S += w * w * freedom * clustering(r) * rows.transpose() * r.cwiseAbs2().asDiagonal() * rows;
   }
   const Eigen::SelfAdjointEigenSolver<Matrix> axes(H);
   constexpr Real blind = 1e-12;  // of the largest curvature: below, the tests say nothing

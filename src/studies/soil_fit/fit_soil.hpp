@@ -39,8 +39,8 @@ struct FittedSoil {
 };
 
 /// The values of the free keys at which the sum of squares is least: of each curve the mean of ((computed - measured) / largest)^2, times the weight of its test (Levenberg and
-/// Marquardt's method, within the bounds by a transformation, from several starts). Standard errors are those of least squares with an own scatter for each curve, whose rows scatter together
-/// as far as their residuals do (correlation of neighbours). Throws RunError where no start has a test that the law can follow.
+/// Marquardt's method, within the bounds by a transformation, from several starts). Standard errors are those of least squares whose rows scatter by their own residuals, and together as far
+/// as those are correlated along a curve. Throws RunError where no start has a test that the law can follow.
 FittedSoil fit_soil(const FitCase& c, const std::vector<MeasuredTest>& tests);
 
 }  // namespace berm::soil_fit

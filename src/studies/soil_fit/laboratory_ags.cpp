@@ -102,13 +102,12 @@ Sheet failures(const std::vector<AgsGroup>& groups, bool drained, const std::str
 
 }  // namespace
 
-Sheet sheet_of_ags(const std::string& file, const std::string& text, const element::TestKind& kind)
+Sheet sheet_of_ags(const std::string& file, const std::string& text, const MeasuredKind& kind)
 {
   const std::vector<AgsGroup> groups = site::read_ags_groups(file, text);
   if (std::holds_alternative<element::Oedometer>(kind)) return increments(groups, file);
-  if (std::holds_alternative<element::Triaxial>(kind)) return failures(groups, element::drained(kind), file);
-  throw InputError(
-      fmt::format("{}: AGS has oedometer and triaxial tests of those that are fitted, not {}", file, element::kind_word(kind)));
+  if (const auto* triaxial = std::get_if<element::Triaxial>(&kind)) return failures(groups, triaxial->drained, file);
+  throw InputError(fmt::format("{}: AGS has oedometer and triaxial tests of those that are fitted, not {}", file, word_of(kind)));
 }
 
 }  // namespace berm::soil_fit

@@ -14,6 +14,6 @@ struct Sheet {
 
 /// What a file of AGS 4 has of tests of a kind, in the words of measured.columns, with a column "test": of oedometers the end of each increment (group CONS), of triaxial tests the
 /// start of shearing and failure (TRET), drained (CD) or undrained (CU) ones by TREG where the file has it. Throws InputError.
-Sheet sheet_of_ags(const std::string& file, const std::string& text, const element::TestKind& kind);
+Sheet sheet_of_ags(const std::string& file, const std::string& text, const MeasuredKind& kind);
 
 }  // namespace berm::soil_fit

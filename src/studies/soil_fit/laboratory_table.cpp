@@ -28,7 +28,19 @@ constexpr ReadingWord words[reading_count] = {{"axial_strain", "1", "axial strai
                                               {"vertical_stress", "Pa", "vertical effective stress"},
                                               {"lateral_stress", "Pa", "lateral effective stress"},
                                               {"tau", "Pa", "shear stress"},
-                                              {"excess_pore_pressure", "Pa", "excess pore pressure"}};
+                                              {"excess_pore_pressure", "Pa", "excess pore pressure"},
+                                              {"depth", "m", "depth below the seabed"},
+                                              {"resistance", "Pa", "resistance of the tool, down positive"},
+                                              {"force", "N", "force on the tool, down positive"}};
+
+/// Units that such a column may have, for messages: the usual one first.
+std::pair<const char*, const char*> usual_units(const std::string& si)
+{
+  if (si == "1") return {"%", "% or 1"};
+  if (si == "m") return {"m", "m, cm or mm"};
+  if (si == "N") return {"kN", "N or kN"};
+  return {"kPa", "Pa, kPa or MPa"};
+}
 
 std::size_t index_of(Reading reading)
 {
@@ -114,7 +126,7 @@ LaboratoryTable::LaboratoryTable(std::filesystem::path file, const MeasuredFile&
   find_columns(settings);
 }
 
-void LaboratoryTable::read_rows(const element::TestKind& kind)
+void LaboratoryTable::read_rows(const MeasuredKind& kind)
 {
   constexpr std::uintmax_t most_bytes = 20'000'000;
   const FileBytes bytes = read_text(file_, most_bytes);
@@ -173,10 +185,10 @@ void LaboratoryTable::find_columns(const MeasuredFile& settings)
     if (unit.empty() && std::isfinite(size_of_unit(behind, word.unit)) && behind != heading) unit = behind;
     if (unit.empty() && needs_unit(static_cast<Reading>(r)))
       throw InputError(fmt::format("{}: the column {} has no unit: measured.{}.columns = {{{} = \"{} ({})\"}}", file_.string(),
-                                   input::in_quotes(heading), name_, word.word, heading, word.unit == std::string("1") ? "%" : "kPa"));
+                                   input::in_quotes(heading), name_, word.word, heading, usual_units(word.unit).first));
     if (!unit.empty() && !std::isfinite(size_of_unit(unit, word.unit)))
       throw InputError(fmt::format("{}: the column {} is {}, and {} is no unit of it: {}", file_.string(), input::in_quotes(heading),
-                                   word.meaning, input::in_quotes(unit), word.unit == std::string("1") ? "% or 1" : "Pa, kPa or MPa"));
+                                   word.meaning, input::in_quotes(unit), usual_units(word.unit).second));
   }
   if (!test_column_.empty()) column_named(test_column_, nullptr);
 }

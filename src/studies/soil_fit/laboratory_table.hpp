@@ -8,7 +8,7 @@
 
 namespace berm::soil_fit {
 
-/// What a column of a laboratory's table may hold.
+/// What a column of a table of tests may hold.
 enum class Reading {
   axial_strain,
   shear_strain,
@@ -20,9 +20,12 @@ enum class Reading {
   vertical_stress,
   lateral_stress,
   tau,
-  excess_pore_pressure
+  excess_pore_pressure,
+  depth,
+  resistance,
+  force
 };
-constexpr int reading_count = 11;
+constexpr int reading_count = 14;
 
 /// Their words, as the keys of measured.columns.
 std::vector<std::string> reading_words();
@@ -60,7 +63,7 @@ private:
     std::string heading, name, unit;  ///< as it stands there; without its unit; that unit, "" where it has none
   };
 
-  void read_rows(const element::TestKind& kind);
+  void read_rows(const MeasuredKind& kind);
   void find_columns(const MeasuredFile& settings);
   std::size_t column_named(const std::string& heading, std::string* unit) const;
   Real number(std::size_t column, std::size_t row) const;

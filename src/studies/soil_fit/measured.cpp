@@ -2,6 +2,7 @@
 #include "soil_fit/measured.hpp"
 
 #include "soil_fit/laboratory_table.hpp"
+#include "soil_fit/passages.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,8 +15,9 @@ using element::TestKind;
 /// What a laboratory's table has of one test.
 struct Columns {
   const MeasuredFile& file;
+  const TestKind& kind;
   const LaboratoryTable& table;
-  const std::vector<std::size_t>& rows;
+  const std::vector<std::size_t> rows;
 
   bool has(Reading reading) const { return table.has(reading); }
   /// NaN where the row has no number.
@@ -23,7 +25,7 @@ struct Columns {
   /// Natural strain from the first row.
   Real strain(Reading reading, std::size_t row) const
   {
-    const Real sense = reading == Reading::axial_strain ? element::sense(file.kind) : 1;
+    const Real sense = reading == Reading::axial_strain ? element::sense(kind) : 1;
     return sense * (natural(sense * at(reading, row)) - natural(sense * at(reading, 0)));
   }
   static Real natural(Real engineering) { return -std::log(1 - engineering); }
@@ -38,9 +40,9 @@ struct Columns {
   Real lateral(std::size_t row) const
   {
     if (has(Reading::lateral_stress)) return at(Reading::lateral_stress, row);
-    if (std::holds_alternative<element::Triaxial>(file.kind) && has(Reading::p) && has(Reading::q))
+    if (std::holds_alternative<element::Triaxial>(kind) && has(Reading::p) && has(Reading::q))
       return at(Reading::p, row) - at(Reading::q, row) / 3;
-    return element::start_of(file.kind).horizontal();
+    return element::start_of(kind).horizontal();
   }
   Real q(std::size_t row) const { return has(Reading::q) ? at(Reading::q, row) : (at(Reading::stress_ratio, row) - 1) * lateral(row); }
 
@@ -51,17 +53,17 @@ struct Columns {
 bool knows_lateral(const Columns& of)
 {
   return of.has(Reading::lateral_stress) ||
-         (std::holds_alternative<element::Triaxial>(of.file.kind) && of.has(Reading::p) && of.has(Reading::q));
+         (std::holds_alternative<element::Triaxial>(of.kind) && of.has(Reading::p) && of.has(Reading::q));
 }
 
 /// The columns that a kind of test needs, each as alternatives.
-std::vector<std::vector<Reading>> needed(const MeasuredFile& file)
+std::vector<std::vector<Reading>> needed(const TestKind& kind)
 {
   using enum Reading;
-  const bool undrained = !element::drained(file.kind);
-  if (std::holds_alternative<element::SimpleShear>(file.kind)) return {{shear_strain}, {tau}};
-  if (std::holds_alternative<element::Oedometer>(file.kind)) return {{vertical_stress}, {axial_strain, void_ratio}};
-  if (std::holds_alternative<element::Isotropic>(file.kind)) return {{p}, {volumetric_strain, void_ratio}};
+  const bool undrained = !element::drained(kind);
+  if (std::holds_alternative<element::SimpleShear>(kind)) return {{shear_strain}, {tau}};
+  if (std::holds_alternative<element::Oedometer>(kind)) return {{vertical_stress}, {axial_strain, void_ratio}};
+  if (std::holds_alternative<element::Isotropic>(kind)) return {{p}, {volumetric_strain, void_ratio}};
   if (undrained) return {{axial_strain}, {q}};
   return {{axial_strain}, {q, stress_ratio}};
 }
@@ -109,7 +111,7 @@ void check_numbers(const Columns& of)
       if (of.at(reading, k) > most) return true;
     return false;
   };
-  const bool extends = element::sense(of.file.kind) < 0;
+  const bool extends = element::sense(of.kind) < 0;
   constexpr Real slack = -1e-3, touch = -1e3;  // of strain, and Pa: what a device shows before it touches
   for (const Reading reading : {Reading::axial_strain, Reading::shear_strain, Reading::volumetric_strain}) {
     if (!of.has(reading)) continue;
@@ -135,7 +137,7 @@ void check_numbers(const Columns& of)
     if (const Real x = std::abs(of.at(reading, row)); x < least_stress || x > most_stress)
       of.refuse(row, fmt::format("{} is {:.4g} Pa at most, which is not a stress of a test of soil: is its unit right?", name, x));
   }
-  if (knows_lateral(of) && element::drained(of.file.kind))
+  if (knows_lateral(of) && element::drained(of.kind))
     for (std::size_t k = 0; k < of.rows.size(); ++k)
       if (of.lateral(k) < touch) of.refuse(k, fmt::format("the lateral stress, p less q/3, is {:.4g} Pa", of.lateral(k)));
   if (!of.has(Reading::volumetric_strain) || !of.has(Reading::void_ratio)) return;
@@ -151,10 +153,10 @@ void check_numbers(const Columns& of)
 std::vector<Compared> compared_of(const Columns& of, bool total_stress)
 {
   using enum Compared;
-  const bool undrained = !element::drained(of.file.kind), triaxial = std::holds_alternative<element::Triaxial>(of.file.kind);
-  if (std::holds_alternative<element::Oedometer>(of.file.kind)) return {axial_strain};
-  if (std::holds_alternative<element::Isotropic>(of.file.kind)) return {volumetric_strain};
-  const bool shears = std::holds_alternative<element::SimpleShear>(of.file.kind);
+  const bool undrained = !element::drained(of.kind), triaxial = std::holds_alternative<element::Triaxial>(of.kind);
+  if (std::holds_alternative<element::Oedometer>(of.kind)) return {axial_strain};
+  if (std::holds_alternative<element::Isotropic>(of.kind)) return {volumetric_strain};
+  const bool shears = std::holds_alternative<element::SimpleShear>(of.kind);
   std::vector<Compared> all = {shears ? tau : q};
   if (!undrained && of.has_volume()) all.push_back(volumetric_strain);
   if (!undrained || total_stress) return all;
@@ -177,20 +179,21 @@ Real measured_value(const Columns& of, Compared what, std::size_t row)
   case Compared::axial_strain:
     return of.has(Reading::axial_strain) ? of.strain(Reading::axial_strain, row) : of.volumetric_strain(row);
   case Compared::p:
+  case Compared::resistance:
     break;
   }
   if (of.has(Reading::p)) return of.at(Reading::p, row);
-  const element::StartStress& start = element::start_of(of.file.kind);
+  const element::StartStress& start = element::start_of(of.kind);
   const Real p_at_start = (start.vertical() + 2 * start.horizontal()) / 3;
   return p_at_start + (of.at(Reading::q, row) - of.at(Reading::q, 0)) / 3 -
          (of.at(Reading::excess_pore_pressure, row) - of.at(Reading::excess_pore_pressure, 0));
 }
 
 /// The rows of a test; of one by its stress without those that a laboratory calls unloaded, where laws have no state.
-std::vector<std::size_t> loaded_rows(const MeasuredFile& file, const LaboratoryTable& table, const std::vector<std::size_t>& rows)
+std::vector<std::size_t> loaded_rows(const TestKind& kind, const LaboratoryTable& table, const std::vector<std::size_t>& rows)
 {
-  if (!element::is_compression(file.kind)) return rows;
-  const Reading driving = std::holds_alternative<element::Isotropic>(file.kind) ? Reading::p : Reading::vertical_stress;
+  if (!element::is_compression(kind)) return rows;
+  const Reading driving = std::holds_alternative<element::Isotropic>(kind) ? Reading::p : Reading::vertical_stress;
   std::vector<std::size_t> loaded;
   for (const std::size_t row : rows)
     if (!(table.value(driving, row) < least_stress)) loaded.push_back(row);
@@ -207,13 +210,9 @@ MeasuredTest test_of(const Columns& all, const std::string& name, const FitCase&
   test.settings.name = name;
   test.settings.material = c.material_name();
   test.settings.strain_rate = all.file.strain_rate;
-  test.settings.kind = all.file.kind;
+  test.settings.kind = all.kind;
   take_start(all, test.settings);
-  MeasuredFile with_start = all.file;
-  with_start.kind = test.settings.kind;
-  const Columns of{with_start, all.table, all.rows};
-  test.weight = all.file.weight;
-  test.held_out = std::find(all.file.held_out.begin(), all.file.held_out.end(), name) != all.file.held_out.end();
+  const Columns of{all.file, test.settings.kind, all.table, all.rows};
   for (const auto& [key, heading] : all.file.specimen) test.specimen[key] = all.table.first_of(heading, all.rows.front());
   try {
     (void)material_with(c, test.specimen);
@@ -257,13 +256,13 @@ MeasuredTest test_of(const Columns& all, const std::string& name, const FitCase&
 
 const char* name_of(Compared what)
 {
-  constexpr const char* names[] = {"q", "tau", "p'", "vertical stress", "volumetric strain", "axial strain"};
+  constexpr const char* names[] = {"q", "tau", "p'", "vertical stress", "volumetric strain", "axial strain", "resistance"};
   return names[static_cast<int>(what)];
 }
 
 const char* word_of(Compared what)
 {
-  constexpr const char* words[] = {"q", "tau", "p", "vertical_stress", "volumetric_strain", "axial_strain"};
+  constexpr const char* words[] = {"q", "tau", "p", "vertical_stress", "volumetric_strain", "axial_strain", "resistance"};
   return words[static_cast<int>(what)];
 }
 
@@ -279,7 +278,7 @@ Real engineering_strain(Real natural)
 
 Real as_measured(const MeasuredTest& test, Real driven)
 {
-  if (test.by_stress() || std::holds_alternative<element::SimpleShear>(test.settings.kind)) return driven;
+  if (test.passages || test.by_stress() || std::holds_alternative<element::SimpleShear>(test.settings.kind)) return driven;
   const Real sense = element::sense(test.settings.kind);
   return sense * engineering_strain(sense * driven);
 }
@@ -289,13 +288,25 @@ std::vector<MeasuredTest> read_measured(const FitCase& c)
   std::vector<MeasuredTest> tests;
   for (const MeasuredFile& file : c.measured) {
     const LaboratoryTable table(c.folder / file.file, file);
-    for (const auto& alternatives : needed(file)) table.need(alternatives);
+    const std::optional<TestKind> kind = laboratory_test(file.kind);
+    for (const auto& alternatives : kind ? needed(*kind) : columns_of_passages()) table.need(alternatives);
+    const auto is_among = [](const std::string& name, const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
     for (const auto& [name, rows] : table.tests()) {
-      if (!file.tests.empty() && std::find(file.tests.begin(), file.tests.end(), name) == file.tests.end()) continue;
-      for (const MeasuredTest& other : tests)
-        if (other.name == name) table.refuse(rows.front(), fmt::format("{} is the name of another test", name));
-      const std::vector<std::size_t> loaded = loaded_rows(file, table, rows);
-      tests.push_back(test_of({file, table, loaded}, name, c));
+      if (!file.tests.empty() && !is_among(name, file.tests)) continue;
+      std::vector<MeasuredTest> found;
+      if (kind)
+        found.push_back(test_of({file, *kind, table, loaded_rows(*kind, table, rows)}, name, c));
+      else
+        found = passages_of(file, table, name, rows);
+      for (MeasuredTest& test : found) {
+        for (const MeasuredTest& other : tests)
+          if (other.name == test.name) table.refuse(rows.front(), fmt::format("{} is the name of another test", test.name));
+        test.weight = file.weight;
+        test.held_out = is_among(name, file.held_out);
+        tests.push_back(std::move(test));
+      }
     }
     for (const auto* names : {&file.tests, &file.held_out})
       for (const std::string& name : *names) table.need_test(name);

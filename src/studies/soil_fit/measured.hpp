@@ -7,7 +7,7 @@
 namespace berm::soil_fit {
 
 /// What is compared between a test and the law. Compression is positive; SI.
-enum class Compared { q, tau, p, vertical_stress, volumetric_strain, axial_strain };
+enum class Compared { q, tau, p, vertical_stress, volumetric_strain, axial_strain, resistance };
 
 /// "p'", "volumetric strain"; and as a part of names: "p", "volumetric_strain".
 const char* name_of(Compared what);
@@ -20,15 +20,24 @@ struct MeasuredCurve {
   std::vector<Real> values;  ///< NaN where it was not measured
 };
 
-/// A test in a file. Strains are natural and from its first row on.
+/// Where and with what a penetrometer passed through clay again and again.
+struct Passages {
+  std::string tool;  ///< its word in the input
+  Penetrometer settings;
+  Real depth = 0, top = 0, bottom = 0;  ///< m, below the seabed: middle of the interval, whose middle third counts, and its ends
+};
+
+/// A test in a file. Strains are natural and from its first row on. The rows of a penetrometer are its passages, the first penetration being 1, the first extraction 2.
 struct MeasuredTest {
   std::string name;
-  element::TestSettings settings;  ///< without a path
-  Values specimen;                 ///< keys of the material of this specimen alone
+  std::optional<Passages> passages;  ///< of a penetrometer, whose settings but the strain rate mean nothing
+  element::TestSettings settings;    ///< without a path
+  Values specimen;                   ///< keys of the material of this specimen alone
   bool held_out = false;
   Real weight = 1;
-  std::vector<Real> driven;  ///< strain in the direction of the test; of a test by its stress that stress, Pa
-  std::vector<Real> held;    ///< stress that the device held, Pa; empty: that of the start
+  std::vector<Real>
+      driven;  ///< strain in the direction of the test; of a test by its stress that stress, Pa; of a penetrometer the number of the passage
+  std::vector<Real> held;  ///< stress that the device held, Pa; empty: that of the start
   std::vector<MeasuredCurve> curves;
 
   std::size_t rows() const { return driven.size(); }

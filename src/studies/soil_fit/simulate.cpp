@@ -27,6 +27,8 @@ Real value_of(const element::TestSettings& settings, Compared what, const elemen
     return element::volumetric_strain(row);
   case Compared::axial_strain:
     return element::driven_strain(settings, row);
+  case Compared::resistance:  // of penetrometers, which drive no specimen
+    break;
   }
   return nan;
 }

@@ -114,7 +114,18 @@ std::string usual_fit(const UsualFit& request)
         fmt::format("{} is neither an input of berm fit (FILE.toml) nor a law that it knows usual numbers of{}; of another law, "
                     "write the input",
                     input::in_quotes(request.law), input::suggestion(request.law, usual_laws())));
-  const std::vector<UsualKey>& keys = request.undrained ? law->undrained : law->drained;
+  const bool is_penetrometer = request.kind == TBar::word || request.kind == Ball::word;
+  static const std::vector<UsualKey> remoulding = {{"undrained_strength", "\"10 kPa\"", "\"0.2 kPa\"", "\"500 kPa\""},
+                                                   {"sensitivity", "4", "1.5", "50"},
+                                                   {"ductility", "15", "2", "200"},
+                                                   {"rigidity_index", "100"},
+                                                   {"poisson_ratio", "0.49"}};
+  if (is_penetrometer && request.law != "clay")
+    throw InputError(fmt::format("{} is a test of clay that softens: berm fit clay TEST.csv --kind {}", request.kind, request.kind));
+  if (is_penetrometer == request.diameter.empty())
+    throw InputError(is_penetrometer ? "--diameter is needed: that of the tool, such as --diameter \"40 mm\""
+                                     : "--diameter is that of a penetrometer: --kind t_bar or --kind ball");
+  const std::vector<UsualKey>& keys = is_penetrometer ? remoulding : request.undrained ? law->undrained : law->drained;
   if (keys.empty())
     throw InputError(fmt::format("{} is a law of undrained clay: berm fit {} TESTS.csv --undrained", request.law, request.law));
   std::string measured, void_ratio;
@@ -125,12 +136,16 @@ std::string usual_fit(const UsualFit& request)
       if (request.files[before].stem() == request.files[k].stem())
         settings.name = fmt::format("{}_{}", request.files[k].stem().string(), k + 1);
     if (request.kind == element::Oedometer::word) settings.kind = element::Oedometer{};
+    if (request.kind == TBar::word) settings.kind = TBar{};
+    if (request.kind == Ball::word) settings.kind = Ball{};
     if (auto* triaxial = std::get_if<element::Triaxial>(&settings.kind)) triaxial->drained = !request.undrained;
     const LaboratoryTable table(request.files[k], settings);
     const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
     measured += fmt::format("\n[[measured]]\nname = {}\nfile = {}\nkind = \"{}\"\n", quoted(settings.name),
                             quoted(std::filesystem::absolute(request.files[k]).string()), request.kind);
-    if (request.kind != "oedometer" && request.kind != "isotropic") measured += fmt::format("drained = {}\n", !request.undrained);
+    if (is_penetrometer) measured += fmt::format("diameter = {}\n", quoted(request.diameter));
+    if (!is_penetrometer && request.kind != "oedometer" && request.kind != "isotropic")
+      measured += fmt::format("drained = {}\n", !request.undrained);
     if (request.extends) measured += "direction = \"extension\"\n";
     if (request.k0) measured += fmt::format("k0 = {}\n", *request.k0);
     if (table.has_column("test")) measured += "test = \"test\"\n";

@@ -12,6 +12,7 @@ struct UsualFit {
   std::string kind = "triaxial";
   bool undrained = false, extends = false;
   std::optional<Real> k0 = {};  ///< of oedometers and simple shear
+  std::string diameter = {};    ///< of a penetrometer, with its unit
 };
 
 /// The laws that it knows usual numbers of.

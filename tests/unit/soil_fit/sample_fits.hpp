@@ -4,6 +4,8 @@
 #include "soil_fit/fit_soil.hpp"
 #include "soil_fit/simulate.hpp"
 
+#include <random>
+
 namespace berm::soil_fit {
 
 /// A law with values that are known, and a fit that begins elsewhere.
@@ -58,7 +60,7 @@ inline const std::vector<SampleLaw>& sample_laws()
        "[[free]]\nkey = \"young_modulus\"\nfrom = \"1 MPa\"\nto = \"10 MPa\"\n[[free]]\nkey = \"undrained_strength\"\nfrom = \"5 kPa\"\nto "
        "= \"60 "
        "kPa\"\n[[free]]\nkey = \"ductility\"\nfrom = 0.1\nto = 2\n",
-       {{"young_modulus", 4.5e6}, {"undrained_strength", 31e3}, {"ductility", 0.8}},
+       {{"young_modulus", 4.5e6}, {"undrained_strength", 31e3}, {"ductility", 0.3}},
        false},
       {"ngi_adp",
        "law = \"ngi_adp\"\ndensity = 1000\nrigidity_index = 250\npoisson_ratio = 0.49\nundrained_strength = \"20 kPa\"\ndss_ratio = "
@@ -71,30 +73,54 @@ inline const std::vector<SampleLaw>& sample_laws()
   return all;
 }
 
-/// A fit of a law to triaxial tests, whose numbers are still to be computed (with_numbers).
-inline FitCase fit_of(const SampleLaw& law)
+/// A fit of a law to triaxial tests (test_from), which begins at its keys with these values.
+inline FitCase fit_of(const SampleLaw& law, const Values& begin = {})
 {
+  std::vector<std::string> overrides;
+  for (const auto& [key, value] : begin) overrides.push_back("material.soil." + key + "=" + std::to_string(value));
   return read_fit_text(
       "case.toml",
       std::string("starts = 1\nlargest_step = 0.002\n[material.soil]\n") + law.keys + law.free +
           "[[measured]]\nname = \"none\"\nfile = \"none.csv\"\nkind = \"triaxial\"\ndrained = " + (law.drained ? "true" : "false") + "\n",
-      ".");
+      ".", overrides);
 }
 
-/// A triaxial test to 12 % of strain, with the numbers that the law has with the values of the truth.
+/// Strains of a triaxial test to 12 % as a laboratory logs them: rows denser at small strains, and an unloading and reloading by 0.25 % at 4 %.
+inline std::vector<Real> logged_strains()
+{
+  std::vector<Real> strains = {0};
+  constexpr int early = 24, loop = 12, late = 16;
+  for (int row = 0; row < early; ++row) strains.push_back(2e-4 * std::pow(200, static_cast<Real>(row) / (early - 1)));
+  for (int row = 1; row <= 2 * loop; ++row) strains.push_back(0.04 - 0.0025 * (1 - std::abs(row - loop) / static_cast<Real>(loop)));
+  for (int row = 1; row <= late; ++row) strains.push_back(0.04 + 0.08 * row / late);
+  return strains;
+}
+
+/// A triaxial test with the numbers that the law has with the values of the truth.
 inline MeasuredTest test_from(const FitCase& c, const SampleLaw& law, Real confining_stress)
 {
   MeasuredTest test;
   test.name = "test_" + std::to_string(static_cast<int>(confining_stress / 1e3));
   test.settings.name = test.name;
   test.settings.kind = element::Triaxial{{.confining_stress = confining_stress}, law.drained};
-  for (int row = 0; row <= 40; ++row) test.driven.push_back(0.003 * row);
+  test.driven = logged_strains();
   test.curves = {{Compared::q, {}}};
   if (law.drained) test.curves.push_back({Compared::volumetric_strain, {}});
   for (MeasuredCurve& curve : test.curves) curve.values.assign(test.rows(), 0);
   const auto values = simulate(test, material_with(c, law.truth), c.largest_step);
   for (std::size_t k = 0; k < test.curves.size(); ++k) test.curves[k].values = values[k];
   return test;
+}
+
+/// Noise of a part of the largest of each curve.
+inline void add_noise(MeasuredTest& test, Real part, std::mt19937_64& random)
+{
+  for (MeasuredCurve& curve : test.curves) {
+    Real most = 0;
+    for (const Real x : curve.values) most = std::max(most, std::abs(x));
+    std::normal_distribution<Real> noise(0, part * most);
+    for (Real& x : curve.values) x += noise(random);
+  }
 }
 
 }  // namespace berm::soil_fit
