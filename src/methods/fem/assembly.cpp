@@ -83,6 +83,7 @@ Assembly::Assembly(const FemModel& model)
     : model_(model),
       cells_(model.mesh.nodes.size()),
       stiffness_(model.mesh.nodes.size()),
+      mirrored_(model.unsymmetric ? model.mesh.nodes.size() : 0),
       elastic_(model.mesh.nodes.size(), 0),
       flow_(model.flow.water.size()),
       flow_stiffness_(model.flow.water.size()),
@@ -102,8 +103,7 @@ Assembly::~Assembly() = default;
 
 Real Assembly::bytes_of_element()
 {
-  constexpr std::size_t here =
-                            sizeof(CellWork) + sizeof(std::array<Real, 78>) + triangle_points * (sizeof(SoilPoint) + 2 * sizeof(PointLaw)),
+  constexpr std::size_t here = sizeof(CellWork) + 2 * sizeof(CellStiffness) + triangle_points * (sizeof(SoilPoint) + 2 * sizeof(PointLaw)),
                         of_model = sizeof(AtSixNodes<Index>) + sizeof(std::array<Index, 78>) +
                                    triangle_points * (sizeof(ShapeAtPoint) + sizeof(Real)),
                         of_state = triangle_points * sizeof(SoilPoint);
@@ -313,12 +313,18 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
     stiffness += b.transpose() * (shape.area * d.plane * b);
     if (moved && model_.flow.in(cell)) add_initial_stress(shape, points_[cell][q].stress, stiffness);
     if (!(shape.per_radius > 0)) continue;
-    const HoopStrain h = hoop_strain(shape), across = b.transpose() * Eigen::Vector3d(d.across);
-    stiffness += shape.area * (across * h.transpose() + h * across.transpose() + d.around * h * h.transpose());
+    const HoopStrain h = hoop_strain(shape), across = b.transpose() * Eigen::Vector3d(d.across),
+                     along = b.transpose() * Eigen::Vector3d(d.along);
+    stiffness += shape.area * (across * h.transpose() + h * along.transpose() + d.around * h * h.transpose());
   }
   int k = 0;
   for (int i = 0; i < 12; ++i)
-    for (int j = 0; j <= i; ++j) stiffness_[cell][k++] = stiffness(i, j);
+    for (int j = 0; j <= i; ++j, ++k) {
+      // The lower triangle is that by unknown where it matters.
+      const bool swapped = model_.unsymmetric && model_.mesh.nodes[cell][i / 2] < model_.mesh.nodes[cell][j / 2];
+      stiffness_[cell][k] = swapped ? stiffness(j, i) : stiffness(i, j);
+      if (model_.unsymmetric) mirrored_[cell][k] = swapped ? stiffness(i, j) : stiffness(j, i);
+    }
   if (model_.flow.in(cell))
     flow_stiffness_[cell] =
         balance_derivatives(moved ? moved->middle : model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
@@ -421,17 +427,33 @@ void Assembly::differentiate(const FemState& begin, const std::vector<Real>& cha
 std::vector<Real> Assembly::matrix() const
 {
   const Timer timer("assemble");
-  std::vector<Real> matrix(model_.pattern.entry_count(), 0.);
-  for (Index cell = 0; cell < cells_.size(); ++cell)
-    for (int k = 0; k < 78; ++k) matrix[model_.cell_entries[cell][k]] += stiffness_[cell][k];
-  for (Index cell = 0; cell < model_.flow.entries.size(); ++cell)
-    if (model_.flow.in(cell))
-      for (int k = 0; k < pressure_entries; ++k) matrix[model_.flow.entries[cell][k]] += flow_stiffness_[cell][k];
   const SparsePattern& pattern = model_.pattern;
+  const Index count = pattern.entry_count();
+  std::vector<Real> matrix(static_cast<std::size_t>(model_.unsymmetric ? 2 * count : count), 0.);
+  const auto add = [&](Index first, const CellField<CellStiffness>& of_cells) {
+    for (Index cell = 0; cell < of_cells.size(); ++cell)
+      for (int k = 0; k < 78; ++k) matrix[first + model_.cell_entries[cell][k]] += of_cells[cell][k];
+    for (Index cell = 0; cell < model_.flow.entries.size(); ++cell)
+      if (model_.flow.in(cell))
+        for (int k = 0; k < pressure_entries; ++k) matrix[first + model_.flow.entries[cell][k]] += flow_stiffness_[cell][k];
+  };
+  add(0, stiffness_);
+  if (model_.unsymmetric) add(count, mirrored_);
   for (Index row = 0; row < pattern.size(); ++row)
-    for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k)
-      if (prescribed_[row] || prescribed_[pattern.column[k]]) matrix[k] = pattern.column[k] == row ? 1 : 0;
+    for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k) {
+      const bool diagonal = pattern.column[k] == row, held = prescribed_[row] || prescribed_[pattern.column[k]];
+      if (held) matrix[k] = diagonal ? 1 : 0;
+      if (model_.unsymmetric && (held || diagonal)) matrix[count + k] = 0;
+    }
   return matrix;
+}
+
+Real Assembly::norm() const
+{
+  Real sum = 0;
+  for (Index k = 0; k < model_.pressure_unknown(); ++k)
+    if (!prescribed_[k]) sum += residual_[k] * residual_[k];
+  return std::sqrt(sum);
 }
 
 Vec<2> Assembly::reaction(Index contact) const

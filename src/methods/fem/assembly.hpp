@@ -61,9 +61,10 @@ public:
   const std::vector<Real>& residual() const { return residual_; }
   /// The residual without the forces of the contact points.
   const std::vector<Real>& soil_residual() const { return soil_residual_; }
-  /// The tangents of the elements of the last differentiate(): their symmetric part where soil is about to open or close, elsewhere they are symmetric.
+  /// The tangents of the elements of the last differentiate(): their symmetric part where soil is about to open or close, elsewhere they are symmetric. Not
+  /// where the model is unsymmetric.
   const CellField<CellStiffness>& stiffness() const { return stiffness_; }
-  /// Derivative of the soil's residual with respect to the unknowns, in the model's pattern: the sum of these. Rows and columns of prescribed
+  /// Derivative of the soil's residual with respect to the unknowns, as DirectSolver takes it: the sum of the tangents. Rows and columns of prescribed
   /// unknowns are those of the identity.
   std::vector<Real> matrix() const;
   const std::vector<char>& prescribed() const { return prescribed_; }
@@ -72,6 +73,8 @@ public:
   Real outside_pressure(Index unknown) const { return outside_.empty() ? 0 : outside_[unknown - model_.pressure_unknown()]; }
   /// Derivative of the inertia force of a rigid body by its movement, N/m2 (N m/m): mass/(weight_of_end dt^2).
   Real inertia(Index rigid_unknown) const { return inertia_[static_cast<std::size_t>(rigid_unknown - model_.rigid_unknown())]; }
+  /// Euclidean norm of the residual but that of prescribed unknowns and of the water's balance.
+  Real norm() const;
   /// Sum over the nodes of the unbalanced forces' magnitudes, and over the contact points of the forces', N/m.
   Real unbalanced() const { return unbalanced_; }
   /// The unbalanced part of the water's volume.
@@ -138,7 +141,8 @@ private:
   };
   const FemModel& model_;
   CellField<CellWork> cells_;
-  CellField<CellStiffness> stiffness_;
+  CellField<CellStiffness> stiffness_,
+      mirrored_;             ///< lower triangles; the second, of the transposed matrix, where the model is unsymmetric
   CellField<char> elastic_;  ///< the tangent of the last differentiate() is the elastic one
   CellField<CellFlow> flow_;
   CellField<std::array<Real, pressure_entries>> flow_stiffness_;

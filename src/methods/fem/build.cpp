@@ -4,6 +4,8 @@
 #include "bodies/rigid/rounding.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
+#include "fem/point_law.hpp"
+#include "material/laws.hpp"
 #include "os/error.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
@@ -22,6 +24,16 @@ bool flows_non_associated(const problem::Model<2>& model)
   return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) {
     return std::any_of(body.soil.materials.begin(), body.soil.materials.end(),
                        [](const auto& material) { return non_associated(material); });
+  });
+}
+
+/// Whether the matrix of some soil is unsymmetric.
+bool is_unsymmetric(const problem::Model<2>& model)
+{
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) {
+    return std::any_of(body.soil.materials.begin(), body.soil.materials.end(), [](const material::Material& soil) {
+      return material::visit([](const auto& law) { return has_unsymmetric_tangent<decltype(prepare(law))>(); }, soil);
+    });
   });
 }
 
@@ -156,6 +168,7 @@ FemProblem build_fem(const settings::Case& c, const std::string& case_folder, co
   if (c.fem.large_deformation) round_corners(c, model);
   if (c.safety) model.patience = patience_of_trial;
   model.non_associated = flows_non_associated(model.model);
+  model.unsymmetric = is_unsymmetric(model.model);
   std::vector<bodies::RigidShape<2>> shapes;
   for (const bodies::RigidBody<2>& rigid : model.model.rigid_bodies) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);

@@ -14,6 +14,7 @@ constexpr int max_steps = 40, max_searches = 30;
 constexpr Real rounding = 1e-10;  // relative to the forces: residual of the converged contact, whose law is piecewise linear
 constexpr Real curved =
     1e-5;  // the same in large deformations, where gap and normal turn, and the residuals of the next iteration see what is left
+constexpr Real shortest = 1e-3;        // of a direction, where the residual decides
 constexpr Real enough_descent = 0.01;  // the line search ends at a slope of this fraction of the first one
 
 }  // namespace
@@ -74,6 +75,19 @@ Real ContactStep::step_length(const FemState& begin, const Vector& load)
   return at;
 }
 
+/// The same of soil whose matrix has no energy: the residual becomes smaller, or as small as halves of the direction make it.
+Real ContactStep::step_length_by_residual(const FemState& begin, const Vector& load)
+{
+  Real best = 1, least = infinity;
+  for (Real at = 1; at > shortest; at /= 2) {
+    evaluate(begin, step_ + at * direction_, false);
+    const Real now = (soil_ * (step_ + at * direction_) - load - force_).norm();
+    if (now < least) least = now, best = at;
+    if (now < (1 - 0.1 * at) * unbalanced_.norm()) break;
+  }
+  return best;
+}
+
 bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, const Assembly& assembly, std::span<const Real> soil,
                        std::span<Real> load_and_step)
 {
@@ -83,7 +97,11 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
     prescribed_[k] = static_cast<char>(assembly.prescribed(unknowns_[k]));
     change_[k] = change[unknowns_[k]];
   }
-  soil_ = Eigen::Map<const RowMatrix>(soil.data(), n, n).selfadjointView<Eigen::Lower>();
+  const Eigen::Map<const RowMatrix> matrix(soil.data(), n, n);
+  if (model_.unsymmetric)
+    soil_ = matrix;
+  else
+    soil_ = matrix.selfadjointView<Eigen::Lower>();
   for (Eigen::Index k = 0; k < n; ++k)
     if (unknowns_[k] >= model_.rigid_unknown()) soil_(k, k) += assembly.inertia(unknowns_[k]);
   Eigen::Map<Vector> load(load_and_step.data(), n);
@@ -104,7 +122,8 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
       if (prescribed_[i]) direction_[i] = load[i] - step_[i];  // exact to the last bit
     if (k == 0) first_step_ = direction_;
     // In the first step, the slope does not include the work of moving prescribed unknowns.
-    step_ += (k == 0 && prescribed_moves ? 1 : step_length(begin, load)) * direction_;
+    const bool whole = k == 0 && prescribed_moves;
+    step_ += (whole ? 1 : model_.unsymmetric ? step_length_by_residual(begin, load) : step_length(begin, load)) * direction_;
   }
   load = converged ? step_ : first_step_;
   return converged;

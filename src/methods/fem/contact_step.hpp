@@ -13,7 +13,7 @@ namespace berm::fem {
 ///   S y - f(change + y) = load
 ///
 /// with the Schur complement S of the soil and the forces f of the interface, by a small Newton iteration of its own with
-/// line search.
+/// line search: on the slope of the energy, or on the residual where the soil has none.
 class ContactStep {
 public:
   explicit ContactStep(const FemModel& model);
@@ -22,7 +22,7 @@ public:
   const std::vector<Index>& unknowns() const { return unknowns_; }
 
   /// The step from `change` on, by unknown of the contact, replaces the load (N/m; the step itself where the unknown is
-  /// prescribed). `soil` is S, row by row, lower triangle (N/m2). False where the iteration does not converge; the step is
+  /// prescribed). `soil` is S, row by row, where the model is symmetric its lower triangle (N/m2). False where the iteration does not converge; the step is
   /// then Newton's with the contact linearized at `change`.
   bool find(const FemState& begin, const std::vector<Real>& change, const Assembly& assembly, std::span<const Real> soil,
             std::span<Real> load);
@@ -33,6 +33,7 @@ private:
 
   void evaluate(const FemState& begin, const Vector& step, bool with_stiffness);
   Real step_length(const FemState& begin, const Vector& load);
+  Real step_length_by_residual(const FemState& begin, const Vector& load);
 
   const FemModel& model_;
   std::vector<Index> unknowns_;

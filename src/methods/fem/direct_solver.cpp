@@ -43,9 +43,14 @@ DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index
       m.row.push_back(r + 1);
       m.column.push_back(pattern.column[k] + 1);
     }
+  if (kind == MatrixKind::unsymmetric) {
+    const std::vector<MUMPS_INT> row = m.row, column = m.column;
+    m.row.insert(m.row.end(), column.begin(), column.end());
+    m.column.insert(m.column.end(), row.begin(), row.end());
+  }
   m.entries.resize(m.row.size());
   m.call.par = 1;
-  m.call.sym = kind == MatrixKind::indefinite ? 2 : 1;
+  m.call.sym = kind == MatrixKind::unsymmetric ? 0 : kind == MatrixKind::indefinite ? 2 : 1;
   m.call.comm_fortran = -987654;  // MPI_COMM_WORLD
   m.run(-1);
   for (const int stream : {1, 2, 3}) m.control(stream) = 0;  // no messages
@@ -54,7 +59,7 @@ DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index
   m.control(7) = 4;    // nested dissection by PORD
   m.control(14) = 60;  // per cent of memory beyond the estimate of the analysis phase
   m.call.n = pattern.size();
-  m.call.nnz = pattern.entry_count();
+  m.call.nnz = static_cast<MUMPS_INT8>(m.row.size());
   m.call.irn = m.row.data();
   m.call.jcn = m.column.data();
   m.call.a = m.entries.data();

@@ -20,16 +20,16 @@ struct SparsePattern {
   Index index_of(Index row, Index col) const;
 };
 
-/// A matrix with positive and negative eigenvalues is indefinite.
-enum class MatrixKind { positive_definite, indefinite };
+/// A symmetric matrix with positive and negative eigenvalues is indefinite.
+enum class MatrixKind { positive_definite, indefinite, unsymmetric };
 
-/// Solves A x = b for symmetric matrices of one pattern with MUMPS (Amestoy, Duff, L'Excellent and
+/// Solves A x = b for matrices of one symmetric pattern with MUMPS (Amestoy, Duff, L'Excellent and
 /// Koster, SIAM J. Matrix Anal. Appl. 23, 2001), sequential. The order of elimination is computed once. Some unknowns may be
 /// kept to the end, for which the caller solves
 ///
 ///   S y = c,  S = A_kk - A_ko inv(A_oo) A_ok,  c = b_k - A_ko inv(A_oo) b_o
 ///
-/// (k: kept, o: the others). Of a matrix that is not indefinite only A_oo has to be positive definite then.
+/// (k: kept, o: the others). Of a positive definite kind only A_oo has to be that then.
 class DirectSolver {
 public:
   explicit DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept = {}, MatrixKind kind = MatrixKind::positive_definite);
@@ -40,14 +40,14 @@ public:
   /// Memory of a factorization, bytes, as estimated by the analysis phase.
   Real memory() const;
 
-  /// Factorizes the matrix with these entries, in the pattern's order. False where it is singular. Throws RunError where
-  /// memory does not suffice.
+  /// Factorizes the matrix with these entries, in the pattern's order; of an unsymmetric one those of the transposed matrix follow, with zeros for the
+  /// diagonal. False where it is singular. Throws RunError where memory does not suffice.
   bool factorize(std::span<const Real> entries);
 
   /// Solves with the last factorization; b becomes x. Not where unknowns are kept.
   void solve(std::span<Real> b);
 
-  /// S of the last factorization, row by row: the lower triangle, the rest is not set.
+  /// S of the last factorization, row by row: the lower triangle, the rest is set where the matrix is unsymmetric alone.
   std::span<const Real> kept_matrix() const;
   /// c, in which the caller then puts y.
   std::span<Real> condense(std::span<Real> b);

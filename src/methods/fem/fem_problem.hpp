@@ -41,13 +41,14 @@ struct FemModel {
   std::vector<std::vector<NodalLoad>> loads;  ///< by traction
   settings::FemSettings settings;
   bool non_associated = false;  ///< the flow of some soil is non-associated
+  bool unsymmetric = false;     ///< so is the matrix of some soil
   Real patience = 1;            ///< relaxation times that a stage without motion lasts, over the usual number
   std::vector<FemWatch> watches;
   FlowModel flow;
 
   // Unknowns: 2 i and 2 i + 1 are the displacements (x, y) of node i; then three (x, y, angle) of the rigid body of each contact; then the excess pore
   // pressures, where water flows.
-  SparsePattern pattern;                          ///< of the soil alone
+  SparsePattern pattern;                          ///< of the soil alone, its lower triangle
   CellField<std::array<Index, 78>> cell_entries;  ///< in the pattern, of the lower triangle of each element's 12 x 12 entries, row by row
   /// The material at an integration point of a cell, with its strength and stiffness there and the friction of such cells.
   material::Material soil_at(Index cell, int q) const

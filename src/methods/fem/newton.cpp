@@ -11,6 +11,8 @@ constexpr int max_chords = 12;
 constexpr Real shortest_unfolded = 1e-3;    // of a step: large deformations may fold an element
 constexpr Real rounding_of_gap = 1e-12;     // over the width
 constexpr Real gentle_slope = 0.1;          // of the first slope: ends the line search
+constexpr Real least_part = 1. / 64;        // of a step, where the residual decides
+constexpr Real barrier = 10;                // over the residual: one that a whole step may end at where no part of it is better
 constexpr Real max_unbalanced_flow = 1e-6;  // of the water: its balance is linear, and holds after a whole step but for rounding
 constexpr Real tolerance_of_flow = 0.1;     // of that without water that flows
 constexpr Real fast = 0.3;                  // a matrix that brings the unbalanced forces down to this part is kept for the next step
@@ -24,7 +26,8 @@ Newton::Newton(const FemModel& model)
       solver_(std::in_place_type<FrontalSolver>, model.mesh, model.unknowns(), contact_.unknowns()),
       min_force_(std::max(1e-3 * model.weight, 1e-300))
 {
-  if (model.flow.count > 0) solver_.emplace<DirectSolver>(model.pattern, contact_.unknowns(), MatrixKind::indefinite);
+  if (model.unsymmetric || model.flow.count > 0)
+    solver_.emplace<DirectSolver>(model.pattern, contact_.unknowns(), model.unsymmetric ? MatrixKind::unsymmetric : MatrixKind::indefinite);
   // Positions are rounded, and so are the gaps that follow from them.
   if (model.settings.large_deformation) min_force_ += rounding_of_gap * model.contact_stiffness() * model.width * model.width;
   for (const std::vector<NodalLoad>& loads : model.loads)
@@ -85,6 +88,25 @@ Real Newton::slope() const
   return sum;
 }
 
+/// Where no part makes the residual smaller the whole step is taken: soil that changes its branch may be beyond a higher residual.
+void Newton::search_by_residual(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change)
+{
+  const Real first = assembly_.norm();
+  Real at = 0;
+  const auto go_to = [&](Real part) {
+    for (Index k = 0; k < model_.unknowns(); ++k) change[k] += (part - at) * step_[k];
+    at = part;
+    assembly_.evaluate(begin, change, loads, viscosity);
+    return assembly_.norm();
+  };
+  const Real whole = go_to(1);
+  Real here = whole, best = 1, least = whole;
+  for (Real part = 0.5; part >= least_part && !(here < (1 - 0.01 * at) * first); part /= 2)
+    if (here = go_to(part); here < least || !std::isfinite(least)) least = here, best = part;
+  if (!(least < first) && whole < barrier * first) best = 1;
+  if (at != best) go_to(best);
+}
+
 void Newton::search_line(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change)
 {
   const Real first = slope();
@@ -130,7 +152,9 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
     }
     last = end.unbalance;
     find_step(begin, change);
-    if (linear_done) {
+    if (linear_done && model_.unsymmetric) {
+      search_by_residual(begin, loads, viscosity, change);
+    } else if (linear_done) {
       search_line(begin, loads, viscosity, change);
     } else {
       for (Index k = 0; k < model_.unknowns(); ++k) change[k] += step_[k];

@@ -19,7 +19,8 @@ struct IncrementEnd {
 
 /// Newton's iteration with the consistent tangent of the soil for one increment; the contact is solved within each step (ContactStep). Each increment is a
 /// convex problem but for the friction of the interface, so a line search along the step, on the slope of the energy, keeps the iteration from cycling
-/// between states of soil without tension. A decomposed matrix serves as long as it brings the unbalanced forces down fast.
+/// between states of soil without tension. A decomposed matrix serves as long as it brings the unbalanced forces down fast. Where the model is unsymmetric
+/// there is no energy: the search halves a step until the residual falls.
 ///
 /// Where water flows the equations are a saddle point. The balance of the water is linear: the first whole step satisfies it, and parts of later steps keep
 /// it. The slope over the displacements is then that of the convex energy in which the pressures are functions of the displacements.
@@ -44,12 +45,13 @@ private:
   bool set_step(const FemState& begin, const FemLoads& loads, const std::vector<Real>& change);
   void find_step(const FemState& begin, const std::vector<Real>& change);
   Real slope() const;
+  void search_by_residual(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);
   void search_line(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);
 
   const FemModel& model_;
   Assembly assembly_;
   ContactStep contact_;
-  std::variant<FrontalSolver, DirectSolver> solver_;  ///< the second where water flows: it finds pivots
+  std::variant<FrontalSolver, DirectSolver> solver_;  ///< the second where water flows or the model is unsymmetric: it finds pivots
   Real min_force_;                                    ///< N/m, that unbalanced forces are compared with at least
   std::vector<Real> step_;
 };

@@ -6,7 +6,6 @@
 #include "material/tangent.hpp"
 #include "material/undrained.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace berm::fem {
@@ -14,7 +13,6 @@ namespace berm::fem {
 /// Fraction of the elastic stiffness kept where the law has none, so that stress-free soil does not make the matrix
 /// singular.
 constexpr Real min_stiffness = 1e-6;
-constexpr Real min_eigenvalue = 0.02;  // over the largest, of a tangent that may be indefinite
 
 using Stiffness = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;  ///< (xx, yy, xy) by (e_xx, e_yy, gamma_xy)
 
@@ -32,11 +30,12 @@ constexpr bool has_constant_moduli()
   return true;
 }
 
-/// Whether the symmetric part of a law's tangent may have negative eigenvalues wherever soil is sheared, and not at a peak alone.
+/// Whether the symmetric part of a law's tangent may have negative eigenvalues wherever soil is sheared, and not at a peak alone: the matrix of such soil is
+/// its whole tangent, of other soil the symmetric part.
 template <class Law>
-constexpr bool has_indefinite_tangent()
+constexpr bool has_unsymmetric_tangent()
 {
-  if constexpr (requires(const Law& law) { law.skeleton; }) return has_indefinite_tangent<decltype(Law::skeleton)>();
+  if constexpr (requires(const Law& law) { law.skeleton; }) return has_unsymmetric_tangent<decltype(Law::skeleton)>();
   return requires
   {
     Law::indefinite_tangent;
@@ -61,17 +60,18 @@ void update_point(const Law& law, Real viscosity, const material::Increment<2, R
   point.deviatoric_strain += equivalent_deviatoric_strain(strain);
 }
 
-/// Derivatives of the stresses at a point: of (xx, yy, xy) by (e_xx, e_yy, gamma_xy); and around an axis of (xx, yy, xy) by e_zz and, the same, of s_zz by the
-/// others, and of s_zz by e_zz.
+/// Derivatives of the stresses at a point: of (xx, yy, xy) by (e_xx, e_yy, gamma_xy); and around an axis of (xx, yy, xy) by e_zz, of s_zz by the others, and
+/// of s_zz by e_zz.
 struct PointStiffness {
   Stiffness plane;
-  Vec<3> across;
+  Vec<3> across, along;
   Real around;
 };
 
 inline PointStiffness elastic_point(const material::Elasticity& elastic)
 {
-  return {elastic_stiffness(elastic), elastic.lame * Vec<3>(1, 1, 0), p_wave_modulus(elastic)};
+  const Vec<3> across = elastic.lame * Vec<3>(1, 1, 0);
+  return {elastic_stiffness(elastic), across, across, p_wave_modulus(elastic)};
 }
 
 /// Of the elastic stiffness C and the law's D that with the viscosity eta and the least stiffness m, C - (1 - m)/(1 + eta) (C - D).
@@ -88,19 +88,13 @@ PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material
     for (int j = 0; j < 3; ++j) all(i, j) = tangent(order[i], j);
     all(i, 3) = around[order[i]];
   }
-  all = ((all + all.transpose()) / 2).eval();
-  if constexpr (has_indefinite_tangent<Law>()) {
-    // Of the shear stiffness, which water in the pores does not change.
-    const Real least = min_eigenvalue * std::max(std::abs(all(0, 0) - 2 * all(0, 1) + all(1, 1)) / 2, std::abs(all(2, 2)));
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> own{Eigen::Matrix4d(all)};
-    all = own.eigenvectors() * own.eigenvalues().cwiseMax(least).asDiagonal() * own.eigenvectors().transpose();
-  }
+  if constexpr (!has_unsymmetric_tangent<Law>()) all = ((all + all.transpose()) / 2).eval();
   const Stiffness d = all.topLeftCorner<3, 3>();
-  const Vec<3> across = all.topRightCorner<3, 1>();
+  const Vec<3> across = all.topRightCorner<3, 1>(), along = all.bottomLeftCorner<1, 3>();
   const PointStiffness elastic = elastic_point(law.elastic);
   const Real lost = (1 - min_stiffness) / (1 + viscosity);
   return {elastic.plane - lost * (elastic.plane - d), elastic.across - lost * (elastic.across - across),
-          elastic.around - lost * (elastic.around - all(3, 3))};
+          elastic.along - lost * (elastic.along - along), elastic.around - lost * (elastic.around - all(3, 3))};
 }
 
 /// Rotates the tensor among the state variables of a law that has one in use.

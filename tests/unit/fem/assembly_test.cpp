@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/assembly.hpp"
 
+#include "material/hardening_soil.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "samples/critical_state_soils.hpp"
 #include "samples/fem_sample_bed.hpp"
 #include "samples/fem_sample_problem.hpp"
 
@@ -69,10 +71,14 @@ TEST_P(MatrixOf, is_the_derivative_of_the_soils_residual_and_the_identity_where_
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
   for (Index row = 0; row < n; ++row)
     for (Index k = model.pattern.first[row]; k < model.pattern.first[row + 1]; ++k)
-      matrix(row, model.pattern.column[k]) = matrix(model.pattern.column[k], row) = entries[k];
-  // The matrix keeps a millionth of the elastic stiffness (entries up to some 5e6 N/m2) of which the residual knows nothing. Central differences are off by
-  // rounding of 1e-11 N/m over the step, 1e-3, and by the square of the step over the strain increments.
-  constexpr Real step = 1e-8, allowed = 20;
+      if (const Index column = model.pattern.column[k]; column == row)
+        matrix(row, row) = entries[k];
+      else
+        matrix(row, column) = entries[k], matrix(column, row) = entries[model.unsymmetric ? model.pattern.entry_count() + k : k];
+  // The matrix keeps a millionth of the elastic stiffness (entries up to some 5e6 N/m2 where the modulus is that of elastic_soil) of which the residual knows
+  // nothing. Central differences are off by rounding of 1e-11 N/m over the step, 1e-3, and by the square of the step over the strain increments.
+  constexpr Real step = 1e-8;
+  const Real allowed = 20 * p_wave_modulus(elasticity(GetParam().soil)) / oedometer_modulus;
   Real largest = 0;
   for (Index column = 0; column < n; ++column) {
     const auto after = residual_at(column, step), before = residual_at(column, -step);
@@ -87,6 +93,26 @@ TEST_P(MatrixOf, is_the_derivative_of_the_soils_residual_and_the_identity_where_
 }
 
 const SymTensor<2> pressed{{-2e4, -4e4, -2e4, 0}};
+
+material::HardeningSoil hardening_soil()
+{
+  material::HardeningSoil law;
+  law.density = 1000;
+  law.friction_angle = 36 * pi / 180;
+  law.dilation_angle = 4 * pi / 180;
+  law.secant_modulus = law.oedometer_modulus = 2.5e7;
+  law.unloading_modulus = 7.5e7;
+  law.stiffness_exponent = 0.5;
+  law.poisson_ratio = 0.2;
+  law.max_pressure = 4e5;
+  return law;
+}
+
+/// Soil whose matrix is unsymmetric; it shears.
+Tried sheared(const char* name, const material::Material& soil, bool around_axis = false)
+{
+  return {.name = name, .soil = soil, .strain = {4e-4, -1e-3, 3e-4}, .first_stress = pressed, .around_axis = around_axis};
+}
 
 INSTANTIATE_TEST_SUITE_P(
     At, MatrixOf,
@@ -104,7 +130,9 @@ INSTANTIATE_TEST_SUITE_P(
               .strain = {5e-2, -6e-2, 3e-2},
               .first_stress = pressed},
         Tried{.name = "soil_that_comes_apart", .soil = plastic_soil(0, 35, 0), .strain = {0.1, 0.1, 0}, .stiff = false},
-        Tried{.name = "elastic_soil_around_an_axis", .around_axis = true},
+        sheared("hypoplastic_sand", sample_hypoplastic()), sheared("hardening_soil", hardening_soil()),
+        sheared("hypoplastic_sand_around_an_axis", sample_hypoplastic(), true),
+        sheared("hardening_soil_around_an_axis", hardening_soil(), true), Tried{.name = "elastic_soil_around_an_axis", .around_axis = true},
         Tried{.name = "associated_flow_around_an_axis",
               .soil = plastic_soil(1e3, 30, 30),
               .strain = {5e-2, -1e-1, 3e-2},

@@ -136,6 +136,40 @@ TEST(DirectSolver, leaves_kept_unknowns_to_the_caller)
   for (int k = 0; k < n; ++k) EXPECT_NEAR(solution[k], x[k], 1e-13 * x.norm()) << k;
 }
 
+TEST(DirectSolver, leaves_kept_unknowns_of_an_unsymmetric_matrix_to_the_caller)
+{
+  constexpr int n = 7;
+  const std::vector<Index> kept{5, 1};
+  const int others[] = {0, 2, 3, 4, 6};
+  Eigen::MatrixXd a(n, n);
+  SparsePattern dense{{0}, {}};
+  std::vector<Real> entries, mirrored;
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < n; ++column) a(row, column) = row == column ? 5 - row : 1. / (1 + row + 2 * column);
+    for (int column = 0; column <= row; ++column) dense.column.push_back(column), entries.push_back(a(row, column));
+    dense.first.push_back(static_cast<Index>(dense.column.size()));
+  }
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column <= row; ++column) mirrored.push_back(row == column ? 0 : a(column, row));
+  entries.insert(entries.end(), mirrored.begin(), mirrored.end());
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, 1, 3), x = a.partialPivLu().solve(b);
+  const Eigen::MatrixXd inverse = a(others, others).inverse();
+  const Eigen::Matrix2d schur = a(kept, kept) - a(kept, others) * inverse * a(others, kept);
+  const Eigen::Vector2d load = b(kept) - a(kept, others) * inverse * b(others);
+
+  DirectSolver solver(dense, kept, MatrixKind::unsymmetric);
+  ASSERT_TRUE(solver.factorize(entries));
+  const std::span<const Real> s = solver.kept_matrix();
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 2; ++column) EXPECT_NEAR(s[2 * row + column], schur(row, column), 1e-13) << row << ", " << column;
+  std::vector<Real> solution(b.begin(), b.end());
+  const std::span<Real> y = solver.condense(solution);
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(y[k], load[k], 1e-13);
+  for (int k = 0; k < 2; ++k) y[k] = x[kept[k]];
+  solver.expand(solution);
+  for (int k = 0; k < n; ++k) EXPECT_NEAR(solution[k], x[k], 1e-12 * x.norm()) << k;
+}
+
 TEST(SparsePattern, finds_the_place_of_an_entry)
 {
   EXPECT_EQ(pattern.index_of(1, 0), 1);
