@@ -281,7 +281,7 @@ void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found)
       found.warn(key, fmt::format("makes bands of {}, and the cells are {}: finer than a quarter of that, deformation localises in bands "
                                   "narrower than those of the soil, and resistance is too small; take mesh.near_size = {} or more",
                                   words_of(*width, "m"), words_of(cell, "m"), words_of(*width / cells_of_band, "m")));
-    else if (norsand != nullptr && strain_in_band(*width, cell) > most_band_strain(*norsand) * (1 + rounding))
+    else if (norsand != nullptr && material::strain_in_band(*width, cell) > most_band_strain(*norsand) * (1 + rounding))
       found.warn(
           key, fmt::format("makes bands of {}, too narrow for cells of {}: these would soften faster than elastic soil unloads, so they "
                            "soften more slowly than the sand, and resistance after the peak is too large; take cells of {} or less",
