@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# From measured peaks and curves of Toyoura sand: the regression of the README, and tests.csv and peaks.csv for berm fit. toyoura.py FOLDER_OF_DATA FOLDER_OF_RESULTS
+# From measured peaks and curves of Toyoura sand: the regression of the README, and curves.csv, volume.csv, peaks.csv and directions.csv for berm fit. toyoura.py FOLDER_OF_DATA FOLDER_OF_RESULTS
 import csv
 import math
 import sys
@@ -104,3 +104,12 @@ with open(f"{out}/peaks.csv", "w") as file:
     for k, r in enumerate(p for p in peaks if p["eps_a_peak_percent"]):
         s3, sine = float(r["sigma3_kPa"]), math.sin(math.radians(float(r["phi_peak_deg"])))
         print(f"P{k + 1},{s3},{r['e']},0,0\nP{k + 1},{s3},{r['e']},{r['eps_a_peak_percent']},{2 * sine / (1 - sine) * s3:.2f}", file=file)
+# Plane-strain peaks at e = 0.7 and 98 kPa: the level that NorSand has there with the keys of toyoura.toml, times the triaxial ratio of each direction, at the
+# strain of that level. bedding.toml finds from them how the level goes with the direction.
+level, strain = 45.62, 1.5
+with open(f"{out}/directions.csv", "w") as file:
+    print("test,sigma3_kPa,e,bedding_rad,eps1_percent,q_kPa", file=file)
+    for d, x in zip(directions, t[1:]):
+        sine = math.sin(math.radians(level * x / t[1]))
+        for at, q in ((0, 0), (strain, 2 * sine / (1 - sine) * 98)):
+            print(f"D{d},98,0.7,{math.radians(90 - d):.6f},{at},{q:.2f}", file=file)

@@ -15,7 +15,25 @@ inline const std::vector<SenselessInput>& senseless_soils()
       "law = \"clay\"\ndensity = \"877 kg/m^3\"\nyoung_modulus = \"7 MPa\"\npoisson_ratio = 0.45\nundrained_strength = \"20 kPa\"\n";
   static const std::string by_stress =
       "law = \"clay\"\ndensity = \"877 kg/m^3\"\nyoung_modulus = \"7 MPa\"\npoisson_ratio = 0.45\nshansep = {ratio = 0.25, ";
+  static const std::string norsand =
+      "material.silt={law=\"norsand\", density=900, critical_friction_angle=\"33 deg\", critical_void_ratio=0.97, "
+      "critical_line_slope=0.013, "
+      "volumetric_coupling=0.3, dilatancy=2, hardening_modulus=300, void_ratio=0.65, rigidity=300, poisson_ratio=0.2, max_pressure=1e5, ";
   static const std::vector<SenselessInput> all = {
+      {"norsand_whose_bands_are_too_narrow_for_the_cells",
+       "bed",
+       warned,
+       {"material.silt.d50", "soften more slowly than the sand", "or less"},
+       {norsand + "d50=1.5e-6}", "body.sand.region_material={near=\"silt\"}"},
+       "",
+       ""},
+      {"undrained_norsand_with_bands",
+       "bed",
+       refused,
+       {"material.silt.d50", "which undrained soil cannot"},
+       {norsand + "d50=2e-4, water={drainage=\"undrained\"}}", "body.sand.region_material={near=\"silt\"}"},
+       "",
+       ""},
       {"percent_as_shansep_ratio",
        "box",
        warned,

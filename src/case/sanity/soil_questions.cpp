@@ -267,18 +267,25 @@ void is_softening_free_of_the_cells(const Scene& s, Findings& found)
 void are_bands_as_wide_as_the_soil_makes_them(const Scene& s, Findings& found)
 {
   using material::cells_of_band;
+  const auto has_grains = [](const auto* law) { return law != nullptr && law->d50; };
   const Real cell = smallest_cell(s.c);
   for (const Soil& soil : yielding(s)) {
+    const auto* mohr_coulomb = soil.material.get_if<material::MohrCoulomb>();
+    const auto* norsand = soil.material.get_if<material::NorSand>();
+    const std::string key = soil.key(has_grains(mohr_coulomb) || has_grains(norsand) ? "d50" : "band_width");
+    if (mohr_coulomb != nullptr && given_band_width(*mohr_coulomb) && !non_associated(*mohr_coulomb))
+      found.warn(key, "does nothing: with dilation_angle = friction_angle shear bands do not lose friction");
     const std::optional<Real> width = band_width(soil.material);
     if (!width) continue;
-    const std::string key = soil.material.get<material::MohrCoulomb>().d50 ? "d50" : "band_width";
-    if (!non_associated(soil.material))
-      found.warn(soil.key(key), "does nothing: with dilation_angle = friction_angle shear bands do not lose friction");
-    else if (cells_of_band * cell < *width * (1 - rounding) && cell > 0)
-      found.warn(soil.key(key),
-                 fmt::format("makes bands of {}, and the cells are {}: finer than a quarter of that, deformation localises in bands "
-                             "narrower than those of the soil, and resistance is too small; take mesh.near_size = {} or more",
-                             words_of(*width, "m"), words_of(cell, "m"), words_of(*width / cells_of_band, "m")));
+    if (cells_of_band * cell < *width * (1 - rounding) && cell > 0)
+      found.warn(key, fmt::format("makes bands of {}, and the cells are {}: finer than a quarter of that, deformation localises in bands "
+                                  "narrower than those of the soil, and resistance is too small; take mesh.near_size = {} or more",
+                                  words_of(*width, "m"), words_of(cell, "m"), words_of(*width / cells_of_band, "m")));
+    else if (norsand != nullptr && material::strain_in_band(*width, cell) > most_band_strain(*norsand) * (1 + rounding))
+      found.warn(
+          key, fmt::format("makes bands of {}, too narrow for cells of {}: these would soften faster than elastic soil unloads, so they "
+                           "soften more slowly than the sand, and resistance after the peak is too large; take cells of {} or less",
+                           words_of(*width, "m"), words_of(cell, "m"), words_of(most_band_strain(*norsand) * *width / cells_of_band, "m")));
   }
 }
 

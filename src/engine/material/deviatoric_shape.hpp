@@ -56,6 +56,13 @@ template <int dim, class T>
 /// p', at least the minimum, and the q which the surface of this shape has, Pa.
 Invariants equivalent_invariants(DeviatoricShape shape, const SymTensor<3>& stress, Real min_pressure);
 
+/// The law in a piece of an increment whose elastic deviator is s, Pa, tension positive: the law itself, unless it goes with the direction.
+template <int dim, class Law, class T>
+[[gnu::always_inline]] inline const Law& in_direction(const Law& law, const SymTensor<dim, T>& /*s*/, const T& /*pressure*/)
+{
+  return law;
+}
+
 /// The update of a law whose surface is not a circle, apart from that of a circle, which must not become slower. Flow stays radial in the deviatoric plane, so
 /// that theta of a piece of the increment is that of its elastic deviator. With q, the plastic deviatoric strain and the shear modulus multiplied by y, 1 / y
 /// and y^2 the return is that to the circle; y is that of its end.
@@ -74,7 +81,9 @@ template <int dim, class Law, class T>
         const T least_slope = zero - 4., most_slope = zero + 0.5;
         for (int k = 0; k < tensor_size<dim>; ++k) s[k] += 2. * along * e[k];
         const T c = cosine_of_three_theta(s, trial.pressure);
-        T y = equivalent_over_actual(equivalent_ratio(T(q_along / elastic.pressure.value), c), c), q{}, last{}, slope{};
+        const auto& here = in_direction<dim>(law, s, trial.pressure);
+        const auto shaped = [&](const T& m) { return law.shape == DeviatoricShape::circle ? one : equivalent_over_actual(m, c); };
+        T y = shaped(equivalent_ratio(T(q_along / elastic.pressure.value), c)), q{}, last{}, slope{};
         auto left = acts;
         for (int pass = 0; pass < most_passes; ++pass) {
           const T square = y * y;
@@ -82,13 +91,13 @@ template <int dim, class Law, class T>
                                        square * trial.strain_square};
           returned = elastic;
           std::copy_n(begin, Law::state_size, state);
-          return_piece(law, equivalent, T(3. * square), acts, returned, state);
+          return_piece(here, equivalent, T(3. * square), acts, returned, state);
           q = returned.part * square_root(trial.q_square(returned.shear.value));
           if (pass == 0) {
             left = left & (returned.part < one);  // y of the elastic stress is exact
             if (!any(left)) break;
           }
-          const T change = equivalent_over_actual(T(y * q / returned.pressure.value), c) - y;
+          const T change = shaped(T(y * q / returned.pressure.value)) - y;
           left = left & (magnitude(change) > T{} + small_change);
           if (!any(left)) break;
           // The secant method, where the step before was not rounding.
@@ -103,6 +112,19 @@ template <int dim, class Law, class T>
       });
 }
 
+/// The same of copies, so that what the circle works on stays in registers.
+template <int dim, class Law, class T>
+[[gnu::always_inline]] inline void update_copies_along(const Law& law, SymTensor<dim, T>& stress, const SymTensor<dim, T>& strain, T* state)
+{
+  SymTensor<dim, T> own_stress = stress;
+  const SymTensor<dim, T> own_strain = strain;
+  T own_state[Law::state_size];
+  std::copy_n(state, Law::state_size, own_state);
+  update_along<dim>(law, own_stress, own_strain, own_state);
+  stress = own_stress;
+  std::copy_n(own_state, Law::state_size, state);
+}
+
 /// Advances `stress` (Pa, tension positive) by an increment, to the surface of a law with `moduli` and a `shape`. return_piece(law, trial, three, acts,
 /// returned, state) returns the elastic result of a piece and changes the state variables of the lanes of the mask `acts`; q of the trial falls by three G
 /// times the plastic deviatoric strain.
@@ -115,14 +137,7 @@ template <int dim, class Law, class T>
                               const SymTensor<dim, T>&) { return_piece(law, trial, 3., acts, returned, state); });
     return;
   }
-  // Of copies, so that what the circle works on stays in registers.
-  SymTensor<dim, T> own_stress = stress;
-  const SymTensor<dim, T> own_strain = strain;
-  T own_state[Law::state_size];
-  std::copy_n(state, Law::state_size, own_state);
-  update_along<dim>(law, own_stress, own_strain, own_state);
-  stress = own_stress;
-  std::copy_n(own_state, Law::state_size, state);
+  update_copies_along<dim>(law, stress, strain, state);
 }
 
 }  // namespace berm::material

@@ -138,7 +138,7 @@ bool non_associated(const L&)
   return false;
 }
 
-/// The width of the soil's shear bands, m; empty where it is not given, or where the law needs none.
+/// The width of the soil's shear bands, m; empty where it is not given, or where the law does not localise.
 template <Law L>
 std::optional<Real> band_width(const L&)
 {

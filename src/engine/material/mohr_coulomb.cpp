@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/mohr_coulomb.hpp"
 
-#include "core/usual.hpp"
 #include "material/describe_elasticity.hpp"
 #include "material/principal_axes.hpp"
 #include "material/shear_band.hpp"
@@ -28,18 +27,12 @@ void describe(Describe& d, MohrCoulomb& law)
           {.meaning = "angle of dilation, not larger than friction_angle", .unit = "rad", .range = {0, steepest}});
   d.value("tension_cutoff", law.tension_cutoff,
           {.meaning = "tension cut-off; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
-  d.value("band_width", law.band_width,
-          {.meaning = "width of the soil's shear bands: where cells make wider bands, the friction is that of the narrower ones; left out: "
-                      "resistance with dilation_angle below friction_angle depends on the cells",
-           .unit = "m",
-           .range = positive});
-  d.value("d50", law.d50, {.meaning = "median size of the grains, for a band_width of 15 d50", .unit = "m", .range = positive});
+  describe_bands(d, law);
   d.value("max_opening", law.max_opening,
           {.meaning = "limit of the stored tensile volumetric strain, which must close before the soil carries compression again; 0: "
                       "none is stored; absent: "
                       "0.2 where dilation_angle is above 0, else 0",
            .range = {0, 1}});
-  declare_usual(d, {{"d50", {1e-6, 0.2}}});
   take_surface_strength(law);
 }
 
@@ -48,27 +41,23 @@ void check(Describe& d, const std::string& path, const MohrCoulomb& law)
   d.check(law.dilation_angle <= law.friction_angle, path + ".dilation_angle",
           "the dilation angle cannot be larger than the friction angle");
   d.check(!law.shansep || law.friction_angle == 0, path + ".shansep", "gives the undrained strength: it needs friction_angle = 0");
-  d.check(!law.band_width || !law.d50, path + ".d50", "is another way to give band_width; keep one of them");
+  check_bands(d, path, law);
 }
 
 std::optional<Real> band_width(const MohrCoulomb& law)
 {
-  constexpr Real grains = 15;
-  if (law.d50) return grains * *law.d50;
-  return law.band_width;
+  return non_associated(law) ? given_band_width(law) : std::nullopt;
 }
 
 MohrCoulomb with_grain_size(MohrCoulomb law, Real d50)
 {
-  law.band_width.reset();
-  law.d50 = d50;
-  return law;
+  return with_grains(std::move(law), d50);
 }
 
 MohrCoulomb regularised_for(MohrCoulomb law, Real size)
 {
   const std::optional<Real> width = band_width(law);
-  if (!width || !non_associated(law)) return law;
+  if (!width) return law;
   const Real angle = friction_angle_in_cells(*strength_at_rest(law), *width, size);
   const Real share = std::tan(angle) / std::tan(law.friction_angle);
   law.friction_angle = angle;

@@ -77,7 +77,7 @@ inline std::optional<Strength> strength_at_rest(const MohrCoulomb& law)
 {
   return Strength{law.cohesion, law.cohesion_gradient, law.friction_angle, law.dilation_angle};
 }
-/// Of the soil, or 15 d50 [Muehlhaus and Vardoulakis, Geotechnique 37 (1987): 8 to 10 d50 where bands begin, 10 to 20 as they grow].
+/// Empty where flow is associated: then bands lose nothing.
 std::optional<Real> band_width(const MohrCoulomb& law);
 MohrCoulomb with_grain_size(MohrCoulomb law, Real d50);
 /// Friction and cohesion fall by the same share. [Davis 1968]

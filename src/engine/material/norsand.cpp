@@ -11,6 +11,11 @@ namespace {
 
 constexpr Real kilopascal = 1e3;
 
+bool is_undrained(const NorSand& law)
+{
+  return law.water && law.water->drainage == Drainage::undrained;
+}
+
 }  // namespace
 
 void describe(Describe& d, NorSand& law)
@@ -46,6 +51,17 @@ void describe(Describe& d, NorSand& law)
           {.meaning = "largest past p' over that at the start, at the same q / p'", .range = {1, infinity}});
   d.value("rigidity", law.rigidity, {.meaning = "G / p'; 200 to 1000", .range = positive, .required = true});
   describe_deviatoric_shape(d, law.deviatoric_shape);
+  d.value("bedding_loss", law.bedding_loss,
+          {.meaning =
+               "fraction of the dilatancy that is lost where sigma_1 lies along the bedding instead of square to it, as in the tests "
+               "that gave dilatancy; 0.1 to 0.4 in poured sand",
+           .range = {0, 0.9}});
+  d.value("bedding_curvature", law.bedding_curvature,
+          {.meaning = "c: with sigma_1 at an angle a to the normal of the bedding, bedding_loss t (1 + c (1 - t)) is lost, t = sin^2 a",
+           .range = {-1, 3}});
+  d.value("bedding_angle", law.bedding_angle,
+          {.meaning = "of the bedding planes to the x axis, from x to y; they stay so in space", .unit = "rad"});
+  describe_bands(d, law);
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},
                     {"critical_void_ratio", {0.4, 2.5}},
@@ -64,6 +80,9 @@ void check(Describe& d, const std::string& path, const NorSand& law)
   d.check(law.dilatancy * law.critical_line_slope < critical_slope(law.critical_friction_angle), path + ".dilatancy",
           "times critical_line_slope must be less than M: no sand dilates so much");
   check_pressures(d, path, law);
+  check_bands(d, path, law);
+  d.check(!given_band_width(law) || !is_undrained(law), path + (law.d50 ? ".d50" : ".band_width"),
+          "is a width for sand that softens as it dilates, which undrained soil cannot");
 }
 
 Elasticity elasticity(const NorSand& law)
@@ -100,6 +119,33 @@ void initial_state(const NorSand& law, const SymTensor<3>& stress, Real* state)
   state[0] = std::max(std::exp(log_image), law.min_pressure);
 }
 
+std::optional<Real> band_width(const NorSand& law)
+{
+  return given_band_width(law);
+}
+
+NorSand with_grain_size(NorSand law, Real d50)
+{
+  return is_undrained(law) ? law : with_grains(std::move(law), d50);
+}
+
+Real most_band_strain(const NorSand& law)
+{
+  const Real psi = law.void_ratio ? *law.void_ratio - law.critical_void_ratio : law.state_parameter.value_or(0);
+  if (psi >= 0) return infinity;
+  return 1.5 * law.rigidity / (law.dilatancy * law.dilatancy * -psi * (1 + law.critical_void_ratio));
+}
+
+NorSand regularised_for(NorSand law, Real size)
+{
+  const std::optional<Real> width = band_width(law);
+  if (!width) return law;
+  law.band_strain = std::max(Real(1), std::min(strain_in_band(*width, size), most_band_strain(law)));
+  law.band_width.reset();
+  law.d50.reset();
+  return law;
+}
+
 PreparedNorSand prepare(const NorSand& law)
 {
   const Real slope = critical_slope(law.critical_friction_angle), lambda = law.critical_line_slope;
@@ -115,6 +161,12 @@ PreparedNorSand prepare(const NorSand& law)
   prepared.dilatancy = law.dilatancy;
   prepared.hardening = law.hardening_modulus;
   prepared.hardening_slope = law.hardening_slope;
+  prepared.band_strain = law.band_strain;
+  prepared.bedding_loss = law.bedding_loss;
+  prepared.bedding_curvature = law.bedding_curvature;
+  prepared.normal_xx = (1 - std::cos(2 * law.bedding_angle)) / 2;
+  prepared.normal_yy = 1 - prepared.normal_xx;
+  prepared.normal_xy = -std::sin(2 * law.bedding_angle);
   return prepared;
 }
 

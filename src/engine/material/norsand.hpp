@@ -3,6 +3,7 @@
 
 #include "material/deviatoric_shape.hpp"
 #include "material/law_queries.hpp"
+#include "material/shear_band.hpp"
 
 namespace berm::material {
 
@@ -19,6 +20,16 @@ namespace berm::material {
 /// second limit of eta keeps soil that was unloaded from more than its peak strength. All of it is of triaxial compression; in other directions eta is that
 /// of deviatoric_shape.hpp, and the plastic deviatoric strain the one that goes with it. Sources: Jefferies, Geotechnique 43 (1993); Jefferies and Shuttle
 /// (2005); Jefferies and Been, Soil liquefaction (2015).
+///
+/// Bedding: D_min goes with the direction of the deviator s to the normal n of the bedding, which is fixed in space,
+///
+///   D_min = chi_tc psi (1 - bedding_loss t (1 + bedding_curvature (1 - t))),   t = 2/3 (1 - k),   k = 3/2 n s n / q (compression positive),
+///
+/// where t = sin^2 of the angle between sigma_1 and n in triaxial compression. A polynomial in the projection of the load on n [Pietruszczak and Mroz, Comput.
+/// Geotech. 26 (2001)], the load being the direction of the deviator [Dafalias, Papadimitriou and Li, J. Eng. Mech. 130 (2004)].
+///
+/// Length: soil that softens, p_i / p' above its bound at eta_max with D_min < 0, does so in a band. With band_strain = s, d log(p_i) and the plastic part of
+/// the change of e are s-fold, the strain in a band of the soil's own width (shear_band.hpp).
 ///
 /// State: the image pressure p_i, Pa, and the void ratio e.
 struct NorSand {
@@ -42,6 +53,12 @@ struct NorSand {
   Real min_pressure = 100;  ///< Pa
   Real max_pressure = 0;    ///< Pa
   DeviatoricShape deviatoric_shape = DeviatoricShape::circle;
+  Real bedding_loss = 0;  ///< of D_min
+  Real bedding_curvature = 0;
+  Real bedding_angle = 0;               ///< rad, of the bedding to the x axis
+  std::optional<Real> band_width = {};  ///< m, of shear bands
+  std::optional<Real> d50 = {};         ///< m, of the grains: bands are 15 of them wide
+  Real band_strain = 1;                 ///< of this law: strain of the soil's bands over that of the cells (regularised_for)
   std::optional<PoreWater> water = {};
 
   bool operator==(const NorSand&) const = default;
@@ -49,7 +66,7 @@ struct NorSand {
 
 void describe(Describe& d, NorSand& law);
 
-/// One of void_ratio and state_parameter is given; min_pressure < max_pressure; chi_tc critical_line_slope < M.
+/// One of void_ratio and state_parameter is given; min_pressure < max_pressure; chi_tc critical_line_slope < M; no length in undrained soil.
 void check(Describe& d, const std::string& path, const NorSand& law);
 
 /// The moduli at max_pressure, which no particle exceeds.
@@ -62,7 +79,20 @@ std::vector<FieldInfo> state_fields(const NorSand& law);
 /// p_i with which the yield surface passes through the stress times overconsolidation_ratio; e that is given, or that of psi at this p'.
 void initial_state(const NorSand& law, const SymTensor<3>& stress, Real* state);
 
-struct PreparedNorSand {
+std::optional<Real> band_width(const NorSand& law);
+NorSand with_grain_size(NorSand law, Real d50);
+/// With band_strain 4 size / band_width, but at most most_band_strain.
+NorSand regularised_for(NorSand law, Real size);
+
+/// Beyond this band_strain soil could soften faster than its elasticity unloads: there
+///
+///   -d eta / d(plastic deviatoric strain) <= s chi_tc (1 + e) chi_tc |psi| = 3/2 rigidity,   half of the elastic 3 G / p',
+///
+/// with the psi of the start at p' = 1 kPa and e at most Gamma. Infinite where the sand is loose.
+Real most_band_strain(const NorSand& law);
+
+/// The numbers of the law, the dilatancy apart.
+struct NorSandConstants {
   static constexpr int state_size = 2;
   static constexpr bool elastic_is_largest = true;
 
@@ -72,9 +102,18 @@ struct PreparedNorSand {
   Real slope = 0;              ///< M
   Real gamma = 0, lambda = 0;  ///< of e_c over log(p' / 1 Pa)
   Real coupling = 0;           ///< N chi_i
-  Real dilatancy = 0;          ///< chi_tc
   Real hardening = 0, hardening_slope = 0;
+  Real band_strain = 1;
+  Real bedding_loss = 0, bedding_curvature = 0;
+  Real normal_xx = 0, normal_yy = 1, normal_xy = 0;  ///< n_x^2, n_y^2 and 2 n_x n_y of the normal of the bedding
 };
+
+/// N is a vector where the dilatancy goes with the direction.
+template <class N>
+struct PreparedNorSandOf : NorSandConstants {
+  N dilatancy{};  ///< chi_tc
+};
+using PreparedNorSand = PreparedNorSandOf<Real>;
 
 PreparedNorSand prepare(const NorSand& law);
 
@@ -89,8 +128,8 @@ struct ImageState {
 /// eta_max is kept between these parts of M_i, and M_i above this part of M: far from the critical state the formulas have no meaning.
 constexpr Real least_bound = -0.5, most_bound = 1, least_slope = 0.2;
 
-template <class T>
-[[gnu::always_inline]] inline ImageState<T> image_state(const PreparedNorSand& law, const T& void_ratio, const T& log_pressure,
+template <class N, class T>
+[[gnu::always_inline]] inline ImageState<T> image_state(const PreparedNorSandOf<N>& law, const T& void_ratio, const T& log_pressure,
                                                         const T& log_image)
 {
   const T zero{}, one = T{} + 1.;
@@ -118,7 +157,7 @@ template <class T>
 /// Where the elastic stress lies beyond the tip of the surface, eta = 0: the plastic volumetric strain of a return to it, with a hardening that is that of the
 /// tip; the iteration is that of one unknown.
 template <class T, class Mask>
-[[gnu::always_inline]] inline T strain_to_tip(const PreparedNorSand& law, const Trial<T>& trial, Mask left, const T& log_image,
+[[gnu::always_inline]] inline T strain_to_tip(const NorSandConstants& law, const Trial<T>& trial, Mask left, const T& log_image,
                                               const T& hardening)
 {
   constexpr int max_iterations = 20;
@@ -138,9 +177,9 @@ template <class T, class Mask>
 ///   x = (M_i - eta) y,   q_trial - 3 G y = eta p',   u = H (p' / p_i)^2 (exp(-D_min / M_i) - p_i / p') y,
 ///
 /// where p'(x), G(p'), M_i and D_min are exact at the end. Newton's iteration; a lane that has converged does not change any more, so that it does not depend
-/// on the others.
-template <class T, class N, class Mask>
-[[gnu::noinline]] void return_to_image_surface(const PreparedNorSand& law, const Trial<T>& trial, const N& three, const T& void_ratio,
+/// on the others. in_bands: where the soil softens at the beginning, u is band_strain-fold, and log(1 + e) changes by (1 - band_strain) x beside the volume.
+template <bool in_bands, class D, class T, class N, class Mask>
+[[gnu::noinline]] void return_to_image_surface(const PreparedNorSandOf<D>& law, const Trial<T>& trial, const N& three, T& void_ratio,
                                                const Mask& yields, Returned<T>& returned, T& image)
 {
   constexpr int max_iterations = 40;
@@ -148,8 +187,14 @@ template <class T, class N, class Mask>
   const T zero{}, one = T{} + 1., most_step = T{} + 0.5, old = logarithm(image);
   const T log_begin = logarithm(trial.pressure), psi = void_ratio - law.gamma + law.lambda * log_begin;
   T log_pressure = logarithm_of(returned.pressure, log_begin), x{}, y{}, u{};
-  const T rate = larger(law.hardening - law.hardening_slope * psi, zero);
+  T rate = larger(law.hardening - law.hardening_slope * psi, zero);
   ImageState<T> s = image_state(law, void_ratio, log_pressure, old);
+  T more{}, loose = void_ratio;  // band_strain - 1 where the soil softens; e of the iteration
+  if constexpr (in_bands) {
+    const auto softens = yields & (s.r > s.bound) & (s.bound > zero);
+    more = softens ? zero + (law.band_strain - 1) : zero;
+    rate = softens ? rate * law.band_strain : rate;
+  }
 
   const T least = smaller(logarithm(zero + law.moduli.min_pressure) - old, zero);
 
@@ -182,11 +227,21 @@ template <class T, class N, class Mask>
     const T c = u - (soft ? least : hardened), acts = soft ? zero : one;
     const T shear_change = -shear.change * p.change;
     const T q_change = q_trial > zero ? trial.q_square_change(shear.value) * shear_change * 0.5 / (q_trial > zero ? q_trial : one) : zero;
-    const T a_x = 1. + s.slope * s.below_p * change * y, a_y = s.slope * s.below, a_u = (s.slope_i * s.below + s.slope * s.below_i) * y;
-    const T b_x = (q_change - three * y * shear_change) * per_pressure - q * per_pressure * change - s.slope * s.below_p * change;
+    T a_x = 1. + s.slope * s.below_p * change * y;
+    const T a_y = s.slope * s.below, a_u = (s.slope_i * s.below + s.slope * s.below_i) * y;
+    T b_x = (q_change - three * y * shear_change) * per_pressure - q * per_pressure * change - s.slope * s.below_p * change;
     const T b_y = -three * shear.value * per_pressure, b_u = -s.slope_i * (1. + s.below) - s.slope * s.below_i;
-    const T c_x = -acts * rate * y * (drive_bound * s.bound_p - drive_r) * change, c_y = -acts * rate * drive;
+    T c_x = -acts * rate * y * (drive_bound * s.bound_p - drive_r) * change;
+    const T c_y = -acts * rate * drive;
     const T c_u = 1. - acts * rate * y * (drive_bound * s.bound_i + drive_r);
+
+    if constexpr (in_bands) {
+      // e moves psi and psi_i alike, as log(p') and log(p_i) together do.
+      const T e_x = -more * (1. + loose) * (1 / law.lambda), below_e = s.below_i + s.below_p;
+      a_x += e_x * y * (s.slope_i * s.below + s.slope * below_e);
+      b_x -= e_x * (s.slope_i * (1. + s.below) + s.slope * below_e);
+      c_x -= e_x * acts * rate * y * drive_bound * (s.bound_i + s.bound_p);
+    }
 
     const T yu = b_y * c_u - b_u * c_y, ux = b_u * c_x - b_x * c_u, xy = b_x * c_y - b_y * c_x;
     const T per = one / (a_x * yu + a_y * ux + a_u * xy);
@@ -204,7 +259,8 @@ template <class T, class N, class Mask>
     const PressureAfter<T> next = pressure_after(law.moduli, trial.pressure, trial.compression - x);
     take(left, returned, next, shear_modulus(law.moduli, trial.pressure, next));
     log_pressure = logarithm_of(returned.pressure, log_begin);
-    s = image_state(law, void_ratio, log_pressure, old + u);
+    if constexpr (in_bands) loose = left ? void_ratio + (1. + void_ratio) * (exponential(-more * x) - 1.) : loose;
+    s = image_state(law, loose, log_pressure, old + u);
     left = left & (size > zero + small_step);
   }
   // What has not converged comes to lie on the surface all the same.
@@ -212,19 +268,42 @@ template <class T, class N, class Mask>
   const T on_surface = returned.pressure.value * s.slope * larger(1. + s.below, zero), q = left ? smaller(q_trial, on_surface) : iterated;
   returned.part = to_side ? (q_trial > zero ? q / (q_trial > zero ? q_trial : one) : one) : returned.part;
   image = to_side ? image * exponential(u) : image;
+  if constexpr (in_bands) void_ratio = to_side ? loose : void_ratio;
+}
+
+/// A law whose bedding acts.
+struct BeddedNorSand : PreparedNorSand {};
+
+/// The law of a piece of an increment whose elastic deviator is s, Pa, tension positive. Where q is less than a thousandth of p', k tends to 0.
+template <int dim, class T>
+[[gnu::always_inline]] inline PreparedNorSandOf<T> in_direction(const BeddedNorSand& law, const SymTensor<dim, T>& s, const T& pressure)
+{
+  const T square = 1.5 * double_dot(s, s), q = square_root(square), small = pressure * 1e-3;
+  const T along = law.normal_xx * s[0] + law.normal_yy * s[1] + law.normal_xy * s[3];
+  const T k = -1.5 * along * square / (square * q + small * small * small), t = (1. - k) * (2. / 3);
+  PreparedNorSandOf<T> here;
+  static_cast<NorSandConstants&>(here) = law;
+  here.dilatancy = law.dilatancy * (1. - law.bedding_loss * t * (1. + law.bedding_curvature * (1. - t)));
+  return here;
 }
 
 /// Returns the elastic result of a piece of an increment, as update_with_shape asks for it.
-template <class T, class N, class Mask>
-[[gnu::always_inline]] inline void return_piece(const PreparedNorSand& law, const Trial<T>& trial, const N& three, const Mask& acts,
+template <class D, class T, class N, class Mask>
+[[gnu::always_inline]] inline void return_piece(const PreparedNorSandOf<D>& law, const Trial<T>& trial, const N& three, const Mask& acts,
                                                 Returned<T>& returned, T* state)
 {
-  const T least = T{} + law.moduli.min_pressure, void_ratio = (1. + state[1]) * exponential(-trial.compression) - 1.;
+  const T least = T{} + law.moduli.min_pressure;
+  T void_ratio = (1. + state[1]) * exponential(-trial.compression) - 1.;
   T image = larger(state[0], least);
   const ImageState<T> s = image_state(law, void_ratio, logarithm_of(returned.pressure, logarithm(trial.pressure)), logarithm(image));
   const T q = square_root(trial.q_square(returned.shear.value));
   const decltype(T{} < T{}) outside = acts & (q > returned.pressure.value * s.slope * (1. + s.below));
-  if (any(outside)) return_to_image_surface(law, trial, three, void_ratio, outside, returned, image);
+  if (any(outside)) {
+    if (law.band_strain > 1) [[unlikely]]
+      return_to_image_surface<true>(law, trial, three, void_ratio, outside, returned, image);
+    else
+      return_to_image_surface<false>(law, trial, three, void_ratio, outside, returned, image);
+  }
   state[0] = acts ? larger(image, least) : state[0];
   state[1] = acts ? void_ratio : state[1];
 }
@@ -234,7 +313,10 @@ template <int dim, class T>
 [[gnu::always_inline]] inline void update(const PreparedNorSand& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
                                           T* state)
 {
-  update_with_shape<dim>(law, stress, increment.strain, state);
+  if (law.bedding_loss > 0) [[unlikely]]
+    update_copies_along<dim>(BeddedNorSand{law}, stress, increment.strain, state);
+  else
+    update_with_shape<dim>(law, stress, increment.strain, state);
 }
 
 }  // namespace berm::material

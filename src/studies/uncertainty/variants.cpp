@@ -82,7 +82,7 @@ std::optional<settings::Case> with_grain_size(settings::Case c, Real d50)
 {
   bool changed = false;
   for (auto& [name, soil] : c.material) {
-    if (!non_associated(soil) || band_width(soil)) continue;
+    if (band_width(soil)) continue;
     material::Material with = material::with_grain_size(soil, d50);
     const std::optional<Real> width = band_width(with);
     if (!width || *width >= material::cells_of_band * base::near_cell_size(c)) continue;

@@ -98,11 +98,25 @@ template <>
 struct Sample<NorSand> {
   static constexpr bool linear = false;
   static constexpr Real shear_part = 0.3;
-  static std::vector<NorSand> laws() { return of_each_shape(sample_norsand()); }
+  static std::vector<NorSand> laws()
+  {
+    std::vector<NorSand> laws = of_each_shape(sample_norsand());
+    for (int k = 0; k < 2; ++k) {
+      NorSand bedded = laws[k], in_bands = laws[k];
+      bedded.bedding_loss = 0.3, bedded.bedding_curvature = 1, bedded.bedding_angle = 0.5;
+      in_bands.band_strain = 8;
+      laws.push_back(bedded);
+      laws.push_back(in_bands);
+    }
+    return laws;
+  }
   static Real outside(const PreparedNorSand& law, const SymTensor<3>& stress, const Real* state)
   {
     const Invariants now = equivalent(law, stress);
-    const ImageState<Real> s = image_state(law, state[1], std::log(now.pressure), std::log(state[0]));
+    SymTensor<3> deviator = stress;
+    for (int k = 0; k < 3; ++k) deviator[k] -= trace(stress) / 3;
+    const auto here = in_direction<3>(BeddedNorSand{law}, deviator, now.pressure);
+    const ImageState<Real> s = image_state(here, state[1], std::log(now.pressure), std::log(state[0]));
     return now.q / now.pressure - s.slope * (1 + s.below);
   }
   static Real accuracy(const PreparedNorSand& law, const SymTensor<3>& stress) { return accuracy_of(law, stress); }

@@ -278,8 +278,8 @@ BandedSoil banded_soil(Run run)
 {
   BandedSoil soil;
   for (const auto& [name, material] : run.settings.material)
-    if (const std::optional<Real> width = band_width(material); width && *width < soil.width && non_associated(material))
-      soil.strength = *strength_at_rest(material), soil.width = *width;
+    if (const std::optional<Real> width = band_width(material); width && *width < soil.width)
+      if (const std::optional<material::Strength> strength = strength_at_rest(material)) soil.strength = *strength, soil.width = *width;
   const Real near = near_cells(run).first;
   if (soil.width < infinity) soil.cells = sheared_cell_sizes(run).value_or(CellSizes{near, near});
   return soil;
@@ -294,7 +294,7 @@ TrustMeasure friction_of_cells()
           [](Run run) {
             return can_form_bands(run.settings) &&
                    std::any_of(run.settings.material.begin(), run.settings.material.end(),
-                               [](const auto& named) { return band_width(named.second) && non_associated(named.second); });
+                               [](const auto& named) { return band_width(named.second) && strength_at_rest(named.second); });
           },
           [](Run run) {
             const BandedSoil soil = banded_soil(run);
