@@ -129,15 +129,15 @@ private:
   int evaluations_ = 0;
 };
 
-// The bounds: a number without any, z, is x = (1 + sin z) / 2 of their width.
+// The bounds: a number without any, z, is x = (1 - cos z) / 2 of their width. z is not near 0 but at a bound: differences are taken by steps in proportion to it.
 Vector inside(const Vector& z)
 {
-  return (1 + z.array().sin()) / 2;
+  return (1 - z.array().cos()) / 2;
 }
 Vector outside(const Vector& x)
 {
   constexpr Real off = 1e-3;  // at a bound itself no difference shows where to go
-  return (2 * x.array().max(off).min(1 - off) - 1).asin();
+  return (1 - 2 * x.array().max(off).min(1 - off)).acos();
 }
 
 Vector start_of(const FitCase& c)
@@ -270,7 +270,7 @@ FittedSoil fit_soil(const FitCase& c, const std::vector<MeasuredTest>& tests)
     Vector x = begin;
     for (Eigen::Index k = 0; n > 0 && k < x.size(); ++k) x[k] = anywhere(random);
     const fit::LeastSquares found = fit::least_squares(function, outside(x), static_cast<int>(problem.rows()),
-                                                       {.difference = accuracy, .evaluations = 100, .tolerance = 1e-4});
+                                                       {.difference = accuracy, .evaluations = 100, .tolerance = 1e-5});
     if (!std::isfinite(found.norm)) continue;
     soil.misfits.push_back(found.norm);
     if (best.size() == 0 || found.norm <= *std::min_element(soil.misfits.begin(), soil.misfits.end()))
