@@ -41,7 +41,7 @@ std::map<std::string, Scatter> scatter_of(const std::string& name, const FitCase
   return all;
 }
 
-/// With the truth within 1.96 standard errors in 95 of 100 on average, fewer than 87 have a chance of 1 in 2100 for each key (binomial), 1 in 100 over all of 24; where a key scatters 1.2 times as
+/// With the truth within 1.96 standard errors in 95 of 100 on average, fewer than 87 have a chance of 1 in 2100 for each key (binomial), 1 in 80 over all of 26; where a key scatters 1.2 times as
 /// much as its standard error says, it is 90 on average. Fewer than 90 would have 1 in 87 for each key, one in four over all. Tests are so many that they tell each key to a standard error of
 /// 2.5 %: then 95 of 100 lie within 5 %.
 void expect_within_errors(const std::map<std::string, Scatter>& all)
