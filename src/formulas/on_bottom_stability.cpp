@@ -89,8 +89,8 @@ constexpr Table<10, 5> short_waves{weight_M,  // by N, at K = 5
 
 PeakLoads f109_peak_loads(Real K, Real M)
 {
-  constexpr Source source{Label::fit, "DNV-RP-F109", "K > 0, M >= 0"};
-  const bool in_range = K > 0 && M >= 0;
+  constexpr Source source{Label::fit, "DNV-RP-F109", "K > 0, M >= 0; M <= 10 where K < 2.5"};
+  const bool in_range = K > 0 && M >= 0 && (K >= peak_K.front() || M <= peak_M.back());
   const Real short_waves_too = std::max(Real(1), peak_K.front() / K);
   return {formula(horizontal_peak.at(M, K) * short_waves_too, source, in_range), formula(vertical_peak.at(M, K), source, in_range)};
 }

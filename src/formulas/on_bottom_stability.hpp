@@ -13,7 +13,7 @@ struct PeakLoads {
 };
 
 /// C_Y and C_Z of the largest loads in an oscillation, F = C rho D/2 (U + V)^2: a table over K and M, straight between its entries; below K = 2.5 C_Y is that at 2.5 times 2.5/K, C_Z that at
-/// 2.5; beyond K = 140 and M = 10 that at the end. [fit: DNV-RP-F109]
+/// 2.5; beyond K = 140 and M = 10 that at the end. Not valid where both K < 2.5 and M > 10: hardly a wave. [fit: DNV-RP-F109]
 PeakLoads f109_peak_loads(Real K, Real M);
 
 /// The parts of the loads that are left where the pipe is embedded by w/D, lies in a trench of a depth over D with walls of an angle (rad, 5 to 45 deg), or on a seabed through which water flows:

@@ -14,8 +14,9 @@ namespace {
 
 void describe_wind_sea(Describe& d, WindSea& sea)
 {
-  d.value("significant_height", sea.height, {.meaning = "significant wave height H_s", .unit = "m", .range = positive, .required = true});
-  d.value("peak_period", sea.period, {.meaning = "period T_p of the largest density", .unit = "s", .range = positive, .required = true});
+  d.value("significant_height", sea.height,
+          {.meaning = "significant wave height H_s", .unit = "m", .range = {0, 30, true, false}, .required = true});
+  d.value("peak_period", sea.period, {.meaning = "period T_p of the largest density", .unit = "s", .range = {1, 30}, .required = true});
 }
 
 }  // namespace
@@ -69,7 +70,8 @@ void describe(Describe& d, Current& current)
 
 void describe(Describe& d, Pipe& pipe)
 {
-  d.value("diameter", pipe.diameter, {.meaning = "outer diameter, with coating", .unit = "m", .range = positive, .required = true});
+  d.value("diameter", pipe.diameter,
+          {.meaning = "outer diameter, with coating", .unit = "m", .range = {0, 10, true, false}, .required = true});
   d.value("submerged_weight", pipe.weight, {.meaning = "submerged weight", .unit = "N/m", .range = positive, .required = true});
   d.value("embedment", pipe.embedment,
           {.meaning = "embedment of the invert; absent: on sand that under the weight [Verley and Sotberg 1994], else 0",
@@ -174,6 +176,10 @@ SeaCase read_sea_case(const std::filesystem::path& file, const std::vector<std::
                         wind.period, length, wind.height));
       c.spectrum = formulas::WaveSpectrum::jonswap(wind.height, wind.period, c.peakedness);
     }
+    constexpr Real still = 1e-3;  // m/s
+    if (const Real velocity = formulas::waves_at_seabed(*c.spectrum, c.sea.depth).velocity; !(velocity > still))
+      throw KeyError(
+          fmt::format("sea.depth: the waves do not reach the seabed: U_s is {:.2g} m/s in {:.4g} m of water", velocity, c.sea.depth));
   } catch (const KeyError& error) {
     throw input::LocatedError(places.located(error));
   }

@@ -21,6 +21,7 @@ TEST(F109PeakLoads, of_short_oscillations_grow_across_and_of_long_ones_stay)
   EXPECT_DOUBLE_EQ(f109_peak_loads(500, 20).horizontal.value, 1);
   EXPECT_DOUBLE_EQ(f109_peak_loads(500, 20).vertical.value, 0.9);
   EXPECT_FALSE(f109_peak_loads(0, 0).horizontal.valid);
+  EXPECT_FALSE(f109_peak_loads(1, 20).horizontal.valid) << "a current with hardly a wave";
 }
 
 TEST(F109PeakLoads, become_less_with_the_current_at_the_same_velocity)

@@ -52,6 +52,8 @@ TEST_F(SeaSettings, say_what_is_wrong_with_a_sea)
   const std::string all = std::string(wind) + rest;
   EXPECT_NE(fault(all, {"sea.depth=\"5 m\""}).find("such waves break"), std::string::npos) << fault(all, {"sea.depth=\"5 m\""});
   EXPECT_NE(fault(all, {"sea.peak_period=\"3 s\""}).find("too steep"), std::string::npos) << fault(all, {"sea.peak_period=\"3 s\""});
+  EXPECT_NE(fault(all, {"sea.depth=\"2 km\""}).find("the waves do not reach the seabed"), std::string::npos);
+  EXPECT_NE(fault(all, {"pipe.diameter=250"}).find("at most 10 m"), std::string::npos) << fault(all, {"pipe.diameter=250"});
   EXPECT_NE(fault(all, {"record.step=\"3 s\""}).find("does not resolve the waves"), std::string::npos);
   EXPECT_NE(fault(all, {"bed.trench_depth=\"1 m\""}).find("from 5 to 45 deg"), std::string::npos);
   EXPECT_NE(fault(all, {"pipe.embedment=\"1 m\""}).find("more than the diameter"), std::string::npos);
