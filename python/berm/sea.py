@@ -15,13 +15,15 @@ from .run import default_folder
 
 @dataclass(frozen=True)
 class SeaLoads:
-    """What a sea state does to a pipe. quantities: all numbers of summary.json, SI, NaN where there is none. records, waves: load histories
-    of each seed, the whole sea state and its largest waves (time_s, H_N_m, V_N_m). answer: in words."""
+    """What a sea state does to a pipe. quantities: all numbers of summary.json, SI, NaN where there is none. By seed: records,
+    loads on a pipe at rest in the whole sea state (time_s, H_N_m, V_N_m); waves, the water in its largest waves (time_s, water_m_s);
+    tracks, where the pipe went (time_s, u_m, w_m), empty without [soil]. answer: in words."""
 
     folder: Path
     quantities: dict[str, float]
     records: list[Path]
     waves: list[Path]
+    tracks: list[Path]
     answer: str
 
 
@@ -42,5 +44,6 @@ def sea(
         quantities={name: float("nan") if q["value"] is None else float(q["value"]) for name, q in summary["quantities"].items()},
         records=of_seeds("record"),
         waves=of_seeds("waves"),
+        tracks=of_seeds("track"),
         answer=summary["text"]["answer"],
     )

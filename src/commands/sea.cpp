@@ -10,8 +10,10 @@ namespace {
 std::string sea_state(const CaseOptions& options, const std::string& text, const std::filesystem::path& folder)
 {
   const auto begin = std::chrono::steady_clock::now();
-  sea::SeaResults results{.settings = sea::read_sea_case(options.files.front(), options.overrides), .input = text, .answer = {}};
+  sea::SeaResults results{
+      .settings = sea::read_sea_case(options.files.front(), options.overrides), .input = text, .answer = {}, .moved = {}};
   results.answer = sea::answer_of(results.settings);
+  results.moved = sea::displacements_of(results.settings, results.answer);
   results.wall_s = std::chrono::duration<Real>(std::chrono::steady_clock::now() - begin).count();
   sea::write_results(results, folder);
   return sea::words_of_results(results);

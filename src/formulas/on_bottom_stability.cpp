@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formulas/on_bottom_stability.hpp"
 
+#include "settings/water_loads.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -98,13 +100,9 @@ PeakLoads f109_peak_loads(Real K, Real M)
 LoadReductions f109_load_reductions(Real embedment, Real trench_depth, Real trench_angle, bool permeable)
 {
   constexpr Source source{Label::fit, "DNV-RP-F109", "w/D >= 0; trench walls of 5 to 45 deg, z_t/D >= 0"};
-  const Real angle = trench_angle / degree - 5;
-  const bool trench = trench_depth > 0, in_range = embedment >= 0 && (!trench || within(angle, 0, 40));
-  const Real in_trench_y = trench ? 1 - 0.18 * std::pow(angle, 0.25) * std::pow(trench_depth, 0.42) : 1;
-  const Real in_trench_z = trench ? 1 - 0.14 * std::pow(angle, 0.43) * std::pow(trench_depth, 0.46) : 1;
-  const Real embedded_z = embedment < 0.1 ? 1 : std::max(1 - 1.3 * (embedment - 0.1), Real(0));
-  return {formula(std::max(1 - 1.4 * embedment, 0.3) * std::max(in_trench_y, Real(0)), source, in_range),
-          formula(embedded_z * std::max(in_trench_z, Real(0)) * (permeable ? 0.7 : 1), source, in_range)};
+  const bool in_range = embedment >= 0 && (!(trench_depth > 0) || within(trench_angle / degree, 5, 45));
+  const settings::WaterReductions left = settings::water_reductions(embedment, trench_depth, trench_angle, permeable);
+  return {formula(left.horizontal, source, in_range), formula(left.vertical, source, in_range)};
 }
 
 Formula f109_weight_for_half_diameter(Real K, Real M, Real N)

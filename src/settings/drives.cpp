@@ -82,6 +82,11 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
   }
   for (std::size_t k = 0; k < load_columns.size(); ++k) {
     if (stage.loads.columns[k].empty()) continue;
+    if (load_columns[k].quantity == LoadQuantity::water) {
+      drives[axes.along] = {By::force, 1, 0, true};
+      drives[axes.up] = {By::force, down, 0, true};
+      continue;
+    }
     const auto [freedom, sign] = freedom_of<dim>(load_columns[k].along, axes);
     if (freedom != none)
       drives[freedom] = {load_columns[k].quantity == LoadQuantity::force ? By::force : By::velocity, sign, drives[freedom].spring, true};
@@ -110,6 +115,7 @@ LoadedFreedom freedom_of(LoadAlong along, const Axes<dim>& axes)
   case LoadAlong::rotation_y:
   case LoadAlong::rotation_z:
     break;
+  case LoadAlong::water:
   case LoadAlong::temperature:
   case LoadAlong::far_temperature:
   case LoadAlong::pressure:
@@ -125,7 +131,11 @@ template <int dim>
 int load_column_of(const StageSettings& stage, const Axes<dim>& axes, int freedom)
 {
   for (std::size_t k = 0; k < load_columns.size(); ++k)
-    if (!stage.loads.columns[k].empty() && freedom_of<dim>(load_columns[k].along, axes).freedom == freedom) return static_cast<int>(k);
+    if (const LoadColumn& column = load_columns[k];
+        !stage.loads.columns[k].empty() &&
+        (column.quantity == LoadQuantity::water ? freedom == axes.along || freedom == axes.up
+                                                : freedom_of<dim>(column.along, axes).freedom == freedom))
+      return static_cast<int>(k);
   return none;
 }
 

@@ -2,6 +2,8 @@
 // Tests: tests/unit/input/load_history_test.cpp
 #include "settings/load_checks.hpp"
 
+#include "bodies/rigid/shape.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -41,6 +43,8 @@ bool is_driven_otherwise(const StageSettings& s, const LoadColumn& column)
     return turn(s.drive.rotation_y);
   case LoadAlong::rotation_z:
     return turn(s.drive.rotation_z);
+  case LoadAlong::water:
+    return s.velocity || s.force || s.vertical_force || s.vertical_velocity || s.vertical == Vertical::fixed;
   case LoadAlong::temperature:
   case LoadAlong::far_temperature:
   case LoadAlong::pressure:
@@ -120,7 +124,8 @@ std::string fault_of_ramp(const StageSettings& s)
 std::string fault_of_inertia(const Case& c, const StageSettings& s, const LoadColumn& column)
 {
   for (const auto& [name, rigid] : c.rigid) {
-    if (column.quantity != LoadQuantity::force || (!s.rigid.empty() && name != s.rigid)) continue;
+    if ((column.quantity != LoadQuantity::force && column.quantity != LoadQuantity::water) || (!s.rigid.empty() && name != s.rigid))
+      continue;
     if (!(rigid.mass > 0) && !(is_turn(column.along) && rigid.moment_of_inertia))
       return fmt::format(": column {} of its load history {} [rigid.{}], which therefore needs a mass{}", column.name,
                          is_turn(column.along) ? "turns" : "moves", name, is_turn(column.along) ? " or a moment_of_inertia" : "");
@@ -140,12 +145,27 @@ std::string fault_of_column(const Case& c, const StageSettings& s, std::size_t k
   }
   if (s.loads.columns[k].size() != s.load_times.size()) return key + "needs as many values as load_times has times";
   for (std::size_t other = k + 1; other < load_columns.size(); ++other)
-    if (load_columns[other].along == column.along && !s.loads.columns[other].empty())
+    if (is_driven_by(column.along, load_columns[other].along) && !s.loads.columns[other].empty())
       return key + fmt::format("cannot be combined with {}: a degree of freedom is driven in one way only", load_columns[other].key);
   if (is_driven_otherwise(s, column)) return key + "drives what another key of the stage drives: leave one of them out";
-  if (c.method == Method::fem && column.quantity != LoadQuantity::force)
-    return key + "the finite element method has no time: it takes a load history of forces, not of velocities or displacements";
+  if (column.quantity == LoadQuantity::water && !s.water) return key + "needs [stage.water], with the coefficients of its forces";
+  if (c.method == Method::fem && column.quantity != LoadQuantity::force && column.quantity != LoadQuantity::water)
+    return key + "the finite element method has no time: it takes a load history of forces or of water, not of velocities or displacements";
   return fault_of_inertia(c, s, column);
+}
+
+/// The pipe moves with and against the water: neither its time nor its shape can be another.
+std::string fault_of_water(const Case& c, const StageSettings& s)
+{
+  constexpr Real flat = 5 * degree * (1 - 1e-9);
+  if (!s.water) return "";
+  if (s.loads.of("water").empty()) return "water: is for a load history with the velocity of water: time_s,water_m_s";
+  if (s.time_scale != 1) return "time_scale: is 1 with [stage.water]: the forces depend on the velocity of the pipe, and so on its time";
+  for (const auto& [name, rigid] : c.rigid)
+    if ((s.rigid.empty() || name == s.rigid) && !bodies::pipe_section(rigid.shape))
+      return fmt::format("water: is for a circular pipe, and [rigid.{}] is none", name);
+  if (s.water->trench_depth > 0 && !(s.water->trench_angle >= flat)) return "water.trench_angle: of a trench is from 5 to 45 deg";
+  return "";
 }
 
 }  // namespace
@@ -203,6 +223,8 @@ std::vector<std::size_t> columns_for(const Case& c, const StageSettings& stage)
       return drive && space && !mirrored("x") && !mirrored("z");
     case LoadAlong::rotation_z:
       return drive && space && !mirrored("x");
+    case LoadAlong::water:
+      return stage.kind == StageKind::drag && c.geometry == Geometry::plane_strain;
     case LoadAlong::temperature:
     case LoadAlong::far_temperature:
       return line && (!c.pipeline || c.pipeline->expansion > 0);
@@ -227,6 +249,7 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
   if (s.load_times.empty() && s.load_factors.empty() && s.loads.empty()) return "";
   if (const std::string fault = fault_of_times(s); !fault.empty()) return fault;
   if (!s.loads.empty() && !s.load_factors.empty()) return "load_factors: cannot be combined with loads, which are not factors";
+  if (const std::string fault = fault_of_water(c, s); !fault.empty()) return fault;
   if (s.loads.empty() && (s.kind == StageKind::drive || s.kind == StageKind::pipeline))
     return fmt::format("load_factors: multiply what a push or a drag drives; a {} has a load history with columns, such as {}",
                        s.kind == StageKind::drive ? "drive" : "stage of kind pipeline",
@@ -238,9 +261,7 @@ std::string fault_of_loads(const Case& c, const StageSettings& s)
     if (!fault.empty()) return fault;
   const bool short_form = s.kind == StageKind::push || s.kind == StageKind::drag;
   const LoadAlong main = s.kind == StageKind::push ? LoadAlong::downwards : LoadAlong::horizontal;
-  bool by_column = false;
-  for (std::size_t k = 0; k < load_columns.size(); ++k)
-    by_column = by_column || (load_columns[k].along == main && !s.loads.columns[k].empty());
+  const bool by_column = s.loads.drives(main);
   if (short_form && !by_column && s.velocity.has_value() == s.force.has_value())
     return s.loads.empty() ? ": needs either velocity or force, and not both"
                            : fmt::format(": needs either velocity, force or a column {} of its load history, and not two of them",

@@ -17,6 +17,11 @@ std::size_t index_of_key(std::string_view key)
 
 }  // namespace
 
+bool is_driven_by(LoadAlong along, LoadAlong column)
+{
+  return column == along || (column == LoadAlong::water && (along == LoadAlong::horizontal || along == LoadAlong::downwards));
+}
+
 bool LoadSettings::empty() const
 {
   return std::all_of(columns.begin(), columns.end(), [](const auto& column) { return column.empty(); });
@@ -25,14 +30,15 @@ bool LoadSettings::empty() const
 bool LoadSettings::has_force() const
 {
   for (std::size_t k = 0; k < columns.size(); ++k)
-    if (load_columns[k].quantity == LoadQuantity::force && !columns[k].empty()) return true;
+    if (const LoadQuantity of = load_columns[k].quantity; (of == LoadQuantity::force || of == LoadQuantity::water) && !columns[k].empty())
+      return true;
   return false;
 }
 
 bool LoadSettings::drives(LoadAlong along) const
 {
   for (std::size_t k = 0; k < columns.size(); ++k)
-    if (load_columns[k].along == along && !columns[k].empty()) return true;
+    if (is_driven_by(along, load_columns[k].along) && !columns[k].empty()) return true;
   return false;
 }
 

@@ -18,6 +18,7 @@ enum class LoadAlong {
   rotation_x,
   rotation_y,
   rotation_z,
+  water,        ///< across and up: the water moves
   temperature,  ///< from here on loads of the line (PipelineLoads)
   far_temperature,
   pressure,
@@ -26,8 +27,8 @@ enum class LoadAlong {
   pull
 };
 
-/// What the values of a column of a load history are: forces or moments, velocities, or displacements and angles since the stage began; or loads of the line.
-enum class LoadQuantity { force, velocity, displacement, of_line };
+/// What the values of a column of a load history are: forces or moments, velocities, or displacements and angles since the stage began; the velocity of water, which makes forces; or loads of the line.
+enum class LoadQuantity { force, velocity, displacement, water, of_line };
 
 /// A kind of column of a load history.
 struct LoadColumn {
@@ -39,7 +40,7 @@ struct LoadColumn {
   const char* meaning;
 };
 
-constexpr std::array<LoadColumn, 33> load_columns = {{
+constexpr std::array<LoadColumn, 34> load_columns = {{
     {"H", "H", "N/m", LoadQuantity::force, LoadAlong::horizontal, "in a drag: force along x"},
     {"V", "V", "N/m", LoadQuantity::force, LoadAlong::downwards, "in a push or a drag: downward force"},
     {"u", "u", "m/s", LoadQuantity::velocity, LoadAlong::horizontal, "in a drag: velocity along x"},
@@ -79,6 +80,8 @@ constexpr std::array<LoadColumn, 33> load_columns = {{
      "in a drive in space: angular velocity about z"},
     {"rotation_z_angle", "rotation_z", "rad", LoadQuantity::displacement, LoadAlong::rotation_z,
      "in a drive in space: angle about z since the start of the stage, the integral of the angular velocity"},
+    {"water", "water", "m/s", LoadQuantity::water, LoadAlong::water,
+     "in a drag of a pipe: velocity of the water across it; [stage.water] has the coefficients of its forces"},
     {"temperature", "temperature", "K", LoadQuantity::of_line, LoadAlong::temperature,
      "in a stage of kind pipeline: rise of temperature since the line was laid"},
     {"far_temperature", "far_temperature", "K", LoadQuantity::of_line, LoadAlong::far_temperature,
@@ -90,12 +93,15 @@ constexpr std::array<LoadColumn, 33> load_columns = {{
     {"pull", "pull", "N", LoadQuantity::of_line, LoadAlong::pull, "in a stage of kind pipeline: effective tension at the far end"},
 }};
 
+/// Whether a column of the second drives the first: water drives a drag along and downwards.
+bool is_driven_by(LoadAlong along, LoadAlong column);
+
 /// Forces, velocities and displacements of a driven body, or loads of the line, that vary together: a value at each of the stage's load_times, linear between them, constant after.
 struct LoadSettings {
   std::array<std::vector<Real>, load_columns.size()> columns;  ///< by load_columns, SI; an empty one drives nothing
 
   bool empty() const;
-  /// Whether a column is of forces or moments.
+  /// Whether a column is of forces or moments, or of water that makes forces.
   bool has_force() const;
   /// Whether a column drives this freedom.
   bool drives(LoadAlong along) const;

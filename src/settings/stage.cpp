@@ -151,6 +151,9 @@ void describe(Describe& d, StageSettings& stage)
       "loads", stage.loads,
       {.meaning =
            "instead of factors: forces, velocities and displacements at these times, which drive the degrees of freedom that they name"});
+  d.optional_table("water", stage.water,
+                   {.meaning = "forces on the pipe of a drag by the velocity of the water that its load history has: by Morison's "
+                               "equation, with the present velocity and embedment of the pipe"});
   d.value("load_repeat", stage.load_repeat,
           {.meaning = "number of times the load history runs, one after the other; displacements must end where they started",
            .range = {1, 1e6}});
@@ -255,6 +258,7 @@ Real max_load(const StageSettings& stage, std::size_t k)
   const std::vector<Real>& values = stage.loads.columns[k];
   switch (load_columns[k].quantity) {
   case LoadQuantity::force:
+  case LoadQuantity::water:
   case LoadQuantity::of_line:
     return max_size(values);
   case LoadQuantity::velocity:
@@ -288,6 +292,17 @@ Real load_of_column(const StageSettings& stage, std::size_t k, Real since)
 {
   const Real value = interpolated(stage, stage.loads.columns[k], since);
   return load_columns[k].quantity == LoadQuantity::velocity ? value / stage.time_scale : value;
+}
+
+WaterMotion water_at(const StageSettings& stage, Real since)
+{
+  const std::vector<Real>&t = stage.load_times, &u = stage.loads.of("water");
+  const auto after = std::upper_bound(t.begin(), t.end(), since);
+  if (after == t.begin()) return {u.front(), 0};
+  if (after == t.end()) return {u.back(), 0};
+  const std::size_t k = after - t.begin();
+  const Real slope = (u[k] - u[k - 1]) / (t[k] - t[k - 1]);
+  return {u[k - 1] + slope * (since - t[k - 1]), slope};
 }
 
 void repeat_load_history(StageSettings& stage)

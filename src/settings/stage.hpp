@@ -3,6 +3,7 @@
 
 #include "core/describe.hpp"
 #include "settings/loads.hpp"
+#include "settings/water_loads.hpp"
 
 namespace berm::settings {
 
@@ -106,12 +107,13 @@ struct StageSettings {
   /// a jump: before it the first value, from it on the second.
   std::vector<Real> load_times;
   std::vector<Real> load_factors;
-  LoadSettings loads;               ///< instead of factors: forces, velocities or displacements at these times
-  int load_repeat = 1;              ///< how often the record runs, one run behind the other; 1 once a case is read
-  Real time_scale = 1;              ///< s of the run for each s of the record; automatic_time_scale until a case is read
-  Real strength_recovery = 0;       ///< share of the strength lost by remoulding that the soil has regained when the stage begins
-  std::optional<Real> damping;      ///< local damping of all bodies in this stage, instead of their own
-  bool zero_displacements = false;  ///< displacements that are written count from where the stage begins
+  LoadSettings loads;                  ///< instead of factors: forces, velocities or displacements at these times
+  std::optional<WaterSettings> water;  ///< of a column of water
+  int load_repeat = 1;                 ///< how often the record runs, one run behind the other; 1 once a case is read
+  Real time_scale = 1;                 ///< s of the run for each s of the record; automatic_time_scale until a case is read
+  Real strength_recovery = 0;          ///< share of the strength lost by remoulding that the soil has regained when the stage begins
+  std::optional<Real> damping;         ///< local damping of all bodies in this stage, instead of their own
+  bool zero_displacements = false;     ///< displacements that are written count from where the stage begins
   Until until;
   Real equilibrium = 0.01;  ///< geostatic: largest out-of-balance force over the weight that is accepted
 };
@@ -147,6 +149,9 @@ Real load_factor(const StageSettings& stage, Real since);
 /// The value of column k (of load_columns) of the load history at a time since the stage began, s: a force, a velocity or a displacement. A velocity grows as the
 /// time is shortened, so that the travel stays that of the record.
 Real load_of_column(const StageSettings& stage, std::size_t k, Real since);
+
+/// What the water of its load history does at a time since the stage began, s; the acceleration is the slope of the record.
+WaterMotion water_at(const StageSettings& stage, Real since);
 
 /// The largest factor of its load history, by size; 1 without one.
 Real max_load_factor(const StageSettings& stage);

@@ -109,6 +109,7 @@ void check_load_history(Describe& d, const Case& c, const StageSettings& s, cons
   const bool given = !s.load_times.empty() || !s.load_factors.empty() || !s.loads.empty();
   d.check(given || !s.load_history.empty() || s.time_scale == 1, path + ".time_scale", "is for a load history, and there is none");
   d.check(given || !s.load_history.empty() || s.load_repeat == 1, path + ".load_repeat", "is for a load history, and there is none");
+  d.check(given || !s.load_history.empty() || !s.water, path + ".water", "is for a load history, and there is none");
   if (!given && s.load_history.empty()) return;
   d.check(s.kind == StageKind::push || s.kind == StageKind::drag || s.kind == StageKind::drive || s.kind == StageKind::pipeline, path,
           "only a push, a drag, a drive or the loads of a pipeline have a load history");

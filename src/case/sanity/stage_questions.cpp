@@ -445,6 +445,7 @@ void is_the_mass_that_of_the_weight(const Scene& s, Findings& found)
     if (rigid == none || !bodies::pipe_section(s.c.rigid[rigid].second.shape)) continue;
     const auto& column = stage.loads.of("V");
     Real weight = stage.vertical_force.value_or(column.empty() ? 0 : *std::max_element(column.begin(), column.end()));
+    if (stage.water) weight = s.gravity * mass_in_water(*stage.water, s.rigids[rigid].width);
     if (stage.kind == StageKind::drag && weight == 0 && stage.vertical == settings::Vertical::hold) weight = force_before(s, k).value_or(0);
     const std::optional<Direction> drive = only_force(s, stage);
     const bool sinks = drive && drive->axis == s.up && drive->sign == -s.up_sign,
@@ -454,9 +455,10 @@ void is_the_mass_that_of_the_weight(const Scene& s, Findings& found)
     if (!moves || !(mass < rounding * weight / s.gravity)) continue;
     const char* unit = s.c.force_dimension() == 2 ? "kg/m" : "kg";
     found.warn(fmt::format("rigid.{}.mass", s.c.rigid[rigid].first),
-               fmt::format("is {}, less than its weight in water over g, {}: how it moves in stage \"{}\" depends on its mass; take "
-                           "that, the displaced water and the added mass, {} or more",
-                           words_of(mass, unit), words_of(weight / s.gravity, unit), stage.name,
+               fmt::format("is {}, less than its weight in water over g{}, {}: how it moves in stage \"{}\" depends on its mass; take "
+                           "that{}, {} or more",
+                           words_of(mass, unit), stage.water ? " with displaced water and added mass" : "",
+                           words_of(weight / s.gravity, unit), stage.name, stage.water ? "" : ", the displaced water and the added mass",
                            words_of(rounded_up(weight / s.gravity), unit)));
     return;
   }

@@ -243,7 +243,7 @@ FemLoads LoadSteps::loads_after(Real dt) const
   for (int f = 0; f < bodies::freedoms<2>; ++f) {
     const bodies::Drive& drive = now.drive[f];
     loads.rigid[f] = {drive.by_force,
-                      drive.by_force ? drive_now(model_.model, stage(), drive, f, since + dt) : travel(f, since, since + dt),
+                      drive.by_force ? drive_now(model_.model, state_.state, stage(), drive, f, since + dt) : travel(f, since, since + dt),
                       mass_of_body(f), f < 2 ? body.velocity[f] : body.angular_velocity};
     if (loads.rigid[f].mass > 0 && dt == 0) loads.rigid[f] = {};  // held while time stands still
   }

@@ -115,6 +115,15 @@ Vec<dim> reaction_after(const Model<dim>& model, const settings::StageSettings& 
 }  // namespace
 
 template <int dim>
+Real load_of_water(const Model<dim>& model, const State<dim>& state, const settings::StageSettings& stage, int freedom, Real since)
+{
+  const Index driven = model.driven[state.stage.index];
+  const settings::WaterForce force = water_force(*stage.water, water_at(stage, since), width_of<dim>(model.rigid_bodies[driven].shape),
+                                                 state.rigid_bodies[driven].velocity[model.axes.along], travel_of(model, state, driven).w);
+  return freedom == model.axes.along ? force.H : force.V;
+}
+
+template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state)
 {
   StageState<dim>& now = state.stage;
@@ -162,7 +171,8 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
       return -torque[f - dim];
   };
   const auto present_force = [&](int f) {
-    return same_body && f < dim && before[f].by_force ? drive_now(model, model.stages[now.index - 1], before[f], f, since) : balance(f);
+    return same_body && f < dim && before[f].by_force ? drive_now(model, state, model.stages[now.index - 1], before[f], f, since)
+                                                      : balance(f);
   };
   for (int f = 0; f < bodies::freedoms<dim>; ++f) {
     const settings::FreedomDrive& drive = drives[f];
@@ -348,7 +358,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
       for (int f = 0; f < bodies::freedoms<dim>; ++f) {
         now.by_force[f] = state.stage.drive[f].by_force;
         const int displacement = displacement_column_of(stage, model.axes, f);
-        now.value[f] = displacement == none ? drive_now(model, stage, state.stage.drive[f], f, since)
+        now.value[f] = displacement == none ? drive_now(model, state, stage, state.stage.drive[f], f, since)
                                             : velocity_to(stage, state.stage, body, rigid, f, displacement, since, dt);
         if (stage.until.force && !now.by_force[f] && f == main_freedom(model, stage)) {
           now.value[f] *= velocity_factor(model, state, now.value[f]);
@@ -376,6 +386,7 @@ void move_rigids(const Model<dim>& model, State<dim>& state)
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template RigidTravel travel_of(const Model<dim>&, const State<dim>&, Index);                                                             \
+  template Real load_of_water(const Model<dim>&, const State<dim>&, const settings::StageSettings&, int, Real);                            \
   template void drive_otherwise(const Model<dim>&, State<dim>&, int, bool, Real);                                                          \
   template bool lifts(const Model<dim>&, const State<dim>&);                                                                               \
   template bool force_reached(const Model<dim>&, const State<dim>&, Real);                                                                 \

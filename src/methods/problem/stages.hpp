@@ -62,11 +62,17 @@ int main_freedom(const Model<dim>& model, const settings::StageSettings& stage)
   return stage.kind == settings::StageKind::push ? model.axes.up : model.axes.along;
 }
 
-/// The same of a freedom of the driven body that no displacement drives: a column of the load history gives its value; factors multiply what a push drives down and a drag along x, and
-/// nothing else.
+/// The force of the water on the driven body along a freedom of its drag, N/m: across, or downwards.
 template <int dim>
-Real drive_now(const Model<dim>& model, const settings::StageSettings& stage, const bodies::Drive& drive, int freedom, Real since)
+Real load_of_water(const Model<dim>& model, const State<dim>& state, const settings::StageSettings& stage, int freedom, Real since);
+
+/// The same of a freedom of the driven body that no displacement drives: a column of the load history gives its value; factors multiply what a push drives down and a drag along x, and
+/// nothing else. Water makes forces by where the body is and how it moves.
+template <int dim>
+Real drive_now(const Model<dim>& model, const State<dim>& state, const settings::StageSettings& stage, const bodies::Drive& drive,
+               int freedom, Real since)
 {
+  if (stage.water && freedom < dim) return ramped(stage, drive, since, load_of_water(model, state, stage, freedom, since));
   if (const int column = load_column_of(stage, model.axes, freedom); column != none)
     return ramped(stage, drive, since, load_of_column(stage, static_cast<std::size_t>(column), since));
   return ramped(stage, drive, since, freedom == main_freedom(model, stage) ? load_factor(stage, since) : 1);

@@ -55,7 +55,7 @@ LoadRecord realisation(const SeaCase& c, const RecordFactors& factors, unsigned 
   record.step = c.record.step.value_or(2 * pi / c.spectrum->peak() / 40);
   Components parts = components_of(c, seed, record.step);
   const auto rows = static_cast<std::size_t>(c.sea.duration / record.step) + 1;
-  const Real area = c.sea.water_density * c.pipe.diameter / 2, mass = c.sea.water_density * pi * c.pipe.diameter * c.pipe.diameter / 4;
+  const settings::WaterSettings water = water_of(c);
   for (std::size_t row = 0; row < rows; ++row) {
     Real velocity = 0, acceleration = 0;
     for (std::size_t n = 0; n < parts.frequency.size(); ++n) {
@@ -67,20 +67,20 @@ LoadRecord realisation(const SeaCase& c, const RecordFactors& factors, unsigned 
     }
     const Real u = factors.direction * velocity + factors.current, a = factors.direction * acceleration;
     record.velocity.push_back(u), record.acceleration.push_back(a);
-    record.H.push_back(factors.horizontal * (area * c.pipe.drag * std::abs(u) * u + mass * c.pipe.inertia * a));
-    record.V.push_back(c.pipe.weight - factors.vertical * area * c.pipe.lift * u * u);
+    const settings::WaterForce force = water_force(water, {u, a}, c.pipe.diameter, 0, factors.embedment);
+    record.H.push_back(force.H), record.V.push_back(force.V);
   }
   return record;
 }
 
 std::vector<LoadWave> waves_of(const LoadRecord& record)
 {
-  const std::vector<Real>& H = record.H;
-  const Real mean = std::accumulate(H.begin(), H.end(), Real(0)) / static_cast<Real>(H.size());
+  const std::vector<Real>&H = record.H, &u = record.velocity;
+  const Real mean = std::accumulate(u.begin(), u.end(), Real(0)) / static_cast<Real>(u.size());
   std::vector<LoadWave> waves;
   std::optional<std::size_t> begin;
-  for (std::size_t row = 1; row < H.size(); ++row) {
-    if (!(H[row - 1] < mean && H[row] >= mean)) continue;
+  for (std::size_t row = 1; row < u.size(); ++row) {
+    if (!(u[row - 1] < mean && u[row] >= mean)) continue;
     if (begin) {
       const auto [least, most] =
           std::minmax_element(H.begin() + static_cast<std::ptrdiff_t>(*begin), H.begin() + static_cast<std::ptrdiff_t>(row));

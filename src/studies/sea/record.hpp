@@ -16,22 +16,19 @@ struct LoadRecord {
 
 /// Factors of a sea on a pipe.
 struct RecordFactors {
-  Real direction = 1;                 ///< on the velocity of the waves
-  Real current = 0;                   ///< m/s
-  Real horizontal = 1, vertical = 1;  ///< on the loads
+  Real direction = 1;  ///< on the velocity of the waves
+  Real current = 0;    ///< m/s
+  Real embedment = 0;  ///< m, of the pipe
 };
 
-/// One realisation: Gaussian, from components that are multiples of 1/duration, with forces by Morison's equation:
-///
-///   H = r_y (rho D/2 C_D |u| u + rho pi D^2/4 C_M du/dt),   V = w_s - r_z rho D/2 C_L u^2.
-///
+/// One realisation: Gaussian, from components that are multiples of 1/duration, with the forces on a pipe at rest (settings::water_force).
 /// The same seed gives the same numbers on every machine.
 LoadRecord realisation(const SeaCase& c, const RecordFactors& factors, unsigned seed);
 
-/// A wave of H from one upward crossing of its mean to the next.
+/// A wave from one upward crossing of the mean velocity to the next.
 struct LoadWave {
   std::size_t begin = 0, end = 0;  ///< rows
-  Real crest = 0, trough = 0;      ///< N/m, of H
+  Real crest = 0, trough = 0;      ///< N/m, of H on a pipe at rest
   Real size() const { return std::max(crest, -trough); }
 };
 std::vector<LoadWave> waves_of(const LoadRecord& record);

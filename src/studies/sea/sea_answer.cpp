@@ -68,8 +68,7 @@ SeaAnswer answer_of(const SeaCase& c)
   a.stable_weight = formulas::f109_weight_for_half_diameter(n.K, n.M, n.N);
   a.stable_weight.value *= c.bed.unit_weight ? c.pipe.weight / n.L : nan;
 
-  const RecordFactors factors{
-      .direction = a.direction_factor, .current = a.current, .horizontal = a.left.horizontal.value, .vertical = a.left.vertical.value};
+  const RecordFactors factors{.direction = a.direction_factor, .current = a.current, .embedment = a.embedment};
   for (int seed = 1; seed <= c.record.seeds; ++seed) {
     a.records.push_back(realisation(c, factors, static_cast<unsigned>(seed)));
     a.waves_of_record.push_back(waves_of(a.records.back()));

@@ -4,7 +4,7 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "run_folder/build.hpp"
-#include "text/base64_zlib.hpp"
+#include "sea/displacement_report.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 
@@ -28,19 +28,12 @@ struct Quantity {
   bool in_range = true;
 };
 
-struct MeanAndScatter {
-  Real mean = 0, deviation = 0;
-};
-
 template <class Get>
 MeanAndScatter over_seeds(const SeaAnswer& a, const Get& get)
 {
-  const auto n = static_cast<Real>(a.extremes.size());
-  MeanAndScatter found;
-  for (const Extremes& extremes : a.extremes) found.mean += get(extremes) / n;
-  if (n < 2) return {found.mean, nan};
-  for (const Extremes& extremes : a.extremes) found.deviation += std::pow(get(extremes) - found.mean, 2) / (n - 1);
-  return {found.mean, std::sqrt(found.deviation)};
+  std::vector<Real> values;
+  for (const Extremes& extremes : a.extremes) values.push_back(get(extremes));
+  return mean_and_scatter(values);
 }
 
 std::vector<Quantity> quantities(const SeaResults& results)
@@ -53,7 +46,7 @@ std::vector<Quantity> quantities(const SeaResults& results)
   const MeanAndScatter H = over_seeds(a, [](const Extremes&e) { return e.H; }),
                        V = over_seeds(a, [](const Extremes&e) { return e.least_V; }),
                        u = over_seeds(a, [](const Extremes&e) { return e.velocity; });
-  return {
+  std::vector<Quantity> all = {
       {"significant_height", "H_s", "significant wave height, of the spectrum", a.height, "m", ""},
       {"direction_factor", "R_D", "factor of the directions on the velocity", a.direction_factor, "1", waves},
       {"significant_velocity", "U_s", "significant velocity at the seabed, square to the pipe", a.waves.velocity, "m/s", waves},
@@ -86,6 +79,19 @@ std::vector<Quantity> quantities(const SeaResults& results)
       {"largest_H_deviation", "", "its standard deviation", H.deviation, "N/m", morison},
       {"least_V", "", "least V of a realisation, mean", V.mean, "N/m", morison},
   };
+  if (results.moved) {
+    const MovedPipe moved = moved_pipe(c, *results.moved);
+    const std::string soil = "macro-element";
+    all.insert(all.end(), {{"displacement", "", "largest displacement in a realisation, mean", moved.largest.mean, "m", soil},
+                           {"displacement_deviation", "", "its standard deviation", moved.largest.deviation, "m", soil},
+                           {"displacement_largest", "", "the largest of all realisations", moved.largest_of_all, "m", soil},
+                           {"displacement_end", "", "displacement at the end of a realisation, mean", moved.end.mean, "m", soil},
+                           {"half_cycle", "", "largest displacement between two turns, mean", moved.half_cycle.mean, "m", soil},
+                           {"largest_embedment", "", "largest embedment in a realisation, mean", moved.embedment.mean, "m", soil},
+                           {"displacement_of_largest_waves", "", "largest displacement in the largest waves of seed 1",
+                            moved.waves_of_first.largest, "m", soil}});
+  }
+  return all;
 }
 
 std::string title_of(const SeaResults& results)
@@ -122,29 +128,38 @@ std::vector<std::string> answer_in_words(const SeaResults& results)
     words.push_back(
         fmt::format("Lift is more than the weight in {} of {} realisations: the pipe leaves the seabed.", lifted, a.extremes.size()));
   words.emplace_back("Loads are those of a pipe at rest, with its embedment at the start: as it moves with the water they become less.");
+  if (results.moved)
+    for (std::string& sentence : words_of(c, *results.moved)) words.push_back(std::move(sentence));
   return words;
 }
 
-std::string csv_of(const std::vector<LoadRow>& rows)
+std::string csv_of(const std::vector<WaveRow>& rows)
 {
-  std::string csv = "time_s,H_N_m,V_N_m\n";
-  for (const LoadRow& row : rows) csv += fmt::format("{:.7g},{:.6g},{:.6g}\n", row.time, row.H, row.V);
+  std::string csv = "time_s,water_m_s\n";
+  for (const WaveRow& row : rows) csv += fmt::format("{:.7g},{:.6g}\n", row.time, row.velocity);
   return csv;
 }
 
-std::vector<LoadRow> all_rows(const LoadRecord& record)
+std::string csv_of(const LoadRecord& record)
 {
-  std::vector<LoadRow> rows;
-  for (std::size_t row = 0; row < record.H.size(); ++row) rows.push_back({record.time(row), record.H[row], record.V[row]});
-  return rows;
+  std::string csv = "time_s,H_N_m,V_N_m\n";
+  for (std::size_t row = 0; row < record.H.size(); ++row)
+    csv += fmt::format("{:.7g},{:.6g},{:.6g}\n", record.time(row), record.H[row], record.V[row]);
+  return csv;
 }
 
 std::string stage_toml(const SeaResults& results)
 {
+  const settings::WaterSettings water = water_of(results.settings);
+  const std::string trench = water.trench_depth > 0 ? fmt::format("trench_depth = \"{:.6g} m\"\ntrench_angle = \"{:.6g} deg\"\n",
+                                                                  water.trench_depth, water.trench_angle / degree)
+                                                    : "";
   return fmt::format(
-      "# The {} largest waves of seed 1, one after the other; record_1.csv is the whole sea state. H_N_m acts across, V_N_m is the "
-      "submerged weight less lift.\n[[stage]]\nname = \"storm\"\nkind = \"drag\"\nload_history = \"waves_1.csv\"\n",
-      results.settings.record.waves);
+      "# The velocity of the water in the {} largest waves of seed 1, one after the other. The mass of the pipe is {:.4g} kg/m, with "
+      "displaced water and added mass.\n[[stage]]\nname = \"storm\"\nkind = \"drag\"\nload_history = \"waves_1.csv\"\n\n[stage.water]\n"
+      "density = \"{:.6g} kg/m^3\"\ndrag = {:.6g}\ninertia = {:.6g}\nlift = {:.6g}\nweight = \"{:.6g} N/m\"\npermeable = {}\n{}",
+      results.settings.record.waves, mass_of(results.settings), water.density, water.drag, water.inertia, water.lift, water.weight,
+      water.permeable, trench);
 }
 
 std::string storm_toml(const SeaResults& results)
@@ -200,27 +215,21 @@ bool draw_spectra(const SeaResults& results, const fs::path& folder)
   return plot::draw_figure(folder, "spectrum", figure);
 }
 
-bool draw_waves(const std::vector<LoadRow>& rows, const fs::path& folder)
+bool draw_waves(const std::vector<WaveRow>& rows, const fs::path& folder)
 {
   plot::Figure figure;
-  figure.title = "Loads of the largest waves of seed 1 (waves_1.csv)";
+  figure.title = "Loads on a pipe at rest in the largest waves of seed 1 (waves_1.csv)";
   figure.x_label = "time (s)";
   figure.y_label = "N/m";
   figure.more = "set key below\n";
   figure.width = 900, figure.height = 420;
   figure.curves = {{"H, across", plot::curve_style(0, 0), {}, {}}, {"V, submerged weight less lift", plot::curve_style(1, 0), {}, {}}};
-  for (const LoadRow& row : rows) {
+  for (const WaveRow& row : rows) {
     for (plot::FigureCurve& curve : figure.curves) curve.x.push_back(row.time);
     figure.curves[0].y.push_back(row.H);
     figure.curves[1].y.push_back(row.V);
   }
   return plot::draw_figure(folder, "waves", figure);
-}
-
-std::string picture(const fs::path& folder, const char* name, const char* alt)
-{
-  return fmt::format("<div class=\"pictures\"><img src=\"data:image/png;base64,{}\" alt=\"{}\"></div>\n",
-                     text::base64(io::read_text_file(folder / (std::string(name) + ".png"))), alt);
 }
 
 std::string page_html(const SeaResults& results, bool spectra, bool waves, const fs::path& folder)
@@ -229,6 +238,7 @@ std::string page_html(const SeaResults& results, bool spectra, bool waves, const
   for (const std::string& sentence : answer_in_words(results)) html += text::html_paragraph(sentence);
   if (spectra) html += picture(folder, "spectrum", "spectra");
   if (waves) html += picture(folder, "waves", "loads over time");
+  if (results.moved) html += displacement_section(results.settings, *results.moved, folder);
   html += "<h2>Numbers</h2>\n<table>\n" + text::plain_row({"", "", "value", "unit", "by"}, 2, 2, "th");
   for (const Quantity& q : quantities(results))
     html += text::plain_row({text::html_text(q.symbol), text::html_text(q.meaning), fmt::format("{:.4g}", q.value), q.unit,
@@ -251,17 +261,6 @@ std::string page_html(const SeaResults& results, bool spectra, bool waves, const
 
 }  // namespace
 
-std::vector<LoadRow> load_history_of(const SeaCase& c, const LoadRecord& record, const std::vector<LoadWave>& waves)
-{
-  const Real ramp = pi / c.spectrum->peak();  // half a period
-  std::vector<LoadRow> rows = {{0, 0, c.pipe.weight}};
-  Real time = ramp;
-  for (const LoadWave& wave : waves)
-    for (std::size_t row = wave.begin; row < wave.end; ++row, time += record.step) rows.push_back({time, record.H[row], record.V[row]});
-  rows.push_back({time + ramp, 0, c.pipe.weight});
-  return rows;
-}
-
 void write_results(const SeaResults& results, const fs::path& folder)
 {
   const SeaAnswer& a = results.answer;
@@ -270,17 +269,20 @@ void write_results(const SeaResults& results, const fs::path& folder)
   std::error_code ignored;
   for (const char* old : {"spectrum.png", "waves.png"}) fs::remove(folder / old, ignored);
   for (int seed = 1; seed <= most_seeds; ++seed)
-    for (const char* of : {"record", "waves"}) fs::remove(folder / fmt::format("{}_{}.csv", of, seed), ignored);
+    for (const char* of : {"record", "waves", "track"}) fs::remove(folder / fmt::format("{}_{}.csv", of, seed), ignored);
   io::write_atomically(folder / "case.toml", results.input);
   io::write_atomically(folder / "stage.toml", stage_toml(results));
   io::write_atomically(folder / "storm.toml", storm_toml(results));
-  std::vector<LoadRow> first;
+  std::vector<WaveRow> first;
   for (std::size_t k = a.records.size(); k-- > 0;) {
     const auto largest = largest_waves(a.waves_of_record[k], static_cast<std::size_t>(results.settings.record.waves));
     first = load_history_of(results.settings, a.records[k], largest);
-    io::write_atomically(folder / fmt::format("record_{}.csv", k + 1), csv_of(all_rows(a.records[k])));
+    io::write_atomically(folder / fmt::format("record_{}.csv", k + 1), csv_of(a.records[k]));
     io::write_atomically(folder / fmt::format("waves_{}.csv", k + 1), csv_of(first));
   }
+  if (results.moved)
+    for (std::size_t k = 0; k < results.moved->seeds.size(); ++k)
+      io::write_atomically(folder / fmt::format("track_{}.csv", k + 1), csv_of(results.moved->seeds[k]));
   const bool spectra = draw_spectra(results, folder), waves = draw_waves(first, folder);
   io::write_atomically(folder / page_file, page_html(results, spectra, waves, folder));
   io::write_atomically(folder / "summary.json", summary_json(results));

@@ -6,6 +6,7 @@
 #include "input/reader.hpp"
 #include "input/table_file.hpp"
 #include "os/error.hpp"
+#include "os/read_file.hpp"
 
 #include <fmt/format.h>
 
@@ -85,6 +86,10 @@ void describe(Describe& d, Pipe& pipe)
            .required = true});
   d.value("lift", pipe.lift,
           {.meaning = "lift coefficient C_L of a pipe on the seabed, often 0.9 to 1.3", .range = {0, 10}, .required = true});
+  d.value("mass", pipe.mass,
+          {.meaning = "mass with contents, displaced water and added mass; absent: w_s/g + C_M rho pi D^2/4",
+           .unit = "kg/m",
+           .range = positive});
 }
 
 void describe(Describe& d, Bed& bed)
@@ -104,6 +109,21 @@ void describe(Describe& d, Bed& bed)
   d.value("safety_factor", bed.safety_factor, {.meaning = "safety factor on the loads, gamma_SC", .range = {0.5, 5}});
 }
 
+void describe(Describe& d, Soil& soil)
+{
+  d.value("macro_element", soil.macro_element,
+          {.meaning =
+               "folder of berm macro-element, or its macro_element.json, of this pipe in this soil, seen from this file's folder: it gives "
+               "the displacement of each realisation",
+           .required = true});
+  d.value("laying_force", soil.laying_force,
+          {.meaning = "vertical force with which the pipe was laid; absent: its submerged weight", .unit = "N/m", .range = positive});
+  d.value("runs", soil.runs,
+          {.meaning =
+               "run folders of stages through waves_SEED.csv of this sea state, whose displacements are to stand beside, seen from this "
+               "file's folder"});
+}
+
 void describe(Describe& d, Record& record)
 {
   d.value("seeds", record.seeds, {.meaning = "number of realisations of the sea state", .range = {1, 100}});
@@ -119,10 +139,12 @@ void describe(Describe& d, SeaCase& c)
   d.optional_table("current", c.current, {.meaning = "steady current"});
   d.table("pipe", c.pipe, {.meaning = "pipe or cable on the seabed"});
   d.table("bed", c.bed, {.meaning = "seabed, and what is asked of the pipe"});
+  d.optional_table("soil", c.soil, {.meaning = "what finds the displacement of the pipe in the sea state"});
   d.table("record", c.record, {.meaning = "loads over time"});
   constexpr Real flat = 5 * degree * (1 - 1e-9);
   d.check(c.bed.trench_depth == 0 || c.bed.trench_angle >= flat, "bed.trench_angle", "of a trench is from 5 to 45 deg");
   d.check(c.pipe.embedment.value_or(0) <= c.pipe.diameter, "pipe.embedment", "is more than the diameter: waves do not reach the pipe");
+  d.check(!c.soil || c.soil->laying_force.value_or(infinity) >= c.pipe.weight, "soil.laying_force", "is less than the submerged weight");
   if (const auto* wind = std::get_if<Jonswap>(&c.sea.spectrum))
     d.check(c.record.step.value_or(0) <= wind->period / 8, "record.step", "is more than an eighth of T_p: it does not resolve the waves");
 }
@@ -149,7 +171,33 @@ formulas::WaveSpectrum read_spectrum(const std::filesystem::path& file)
   return formulas::WaveSpectrum::table(std::move(frequency), std::move(density));
 }
 
+macro_element::Parameters read_macro_element(const std::filesystem::path& named, Real diameter)
+{
+  constexpr std::uintmax_t max_bytes = 1'000'000;
+  constexpr Real same = 0.01;
+  const std::filesystem::path file = std::filesystem::is_directory(named) ? named / "macro_element.json" : named;
+  const FileBytes found = read_file(file, max_bytes);
+  if (!found.fault.empty()) throw KeyError(fmt::format("soil.macro_element: {}: {}", file.string(), found.fault));
+  macro_element::Parameters parameters = macro_element::parameters_in(found.bytes, file.string());
+  if (std::abs(parameters.diameter / diameter - 1) > same)
+    throw KeyError(
+        fmt::format("soil.macro_element: is of a pipe of {:.4g} m, and pipe.diameter is {:.4g} m", parameters.diameter, diameter));
+  return parameters;
+}
+
 }  // namespace
+
+settings::WaterSettings water_of(const SeaCase& c)
+{
+  return {.density = c.sea.water_density,
+          .drag = c.pipe.drag,
+          .inertia = c.pipe.inertia,
+          .lift = c.pipe.lift,
+          .weight = c.pipe.weight,
+          .permeable = c.bed.permeable,
+          .trench_depth = c.bed.trench_depth,
+          .trench_angle = c.bed.trench_angle};
+}
 
 SeaCase read_sea_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
@@ -157,6 +205,7 @@ SeaCase read_sea_case(const std::filesystem::path& file, const std::vector<std::
   for (const std::string& override : overrides) input::apply_override(document, override);
   SeaCase c;
   read(document, c);
+  c.folder = file.parent_path();
   const input::Places places(std::move(document));
   try {
     if (const auto* table = std::get_if<SpectrumTable>(&c.sea.spectrum)) {
@@ -180,6 +229,7 @@ SeaCase read_sea_case(const std::filesystem::path& file, const std::vector<std::
     if (const Real velocity = formulas::waves_at_seabed(*c.spectrum, c.sea.depth).velocity; !(velocity > still))
       throw KeyError(
           fmt::format("sea.depth: the waves do not reach the seabed: U_s is {:.2g} m/s in {:.4g} m of water", velocity, c.sea.depth));
+    if (c.soil) c.macro_element = read_macro_element(c.folder / c.soil->macro_element, c.pipe.diameter);
   } catch (const KeyError& error) {
     throw input::LocatedError(places.located(error));
   }

@@ -4,6 +4,8 @@
 #include "core/describe.hpp"
 #include "formulas/waves.hpp"
 #include "input/catalogue.hpp"
+#include "macro_element/parameters.hpp"
+#include "settings/water_loads.hpp"
 
 #include <filesystem>
 
@@ -40,6 +42,7 @@ struct Pipe {
   Real diameter = 0, weight = 0;         ///< m; submerged, N/m
   std::optional<Real> embedment;         ///< m
   Real drag = 0, inertia = 0, lift = 0;  ///< C_D, C_M, C_L of Morison's equation
+  std::optional<Real> mass;              ///< kg/m, with contents, displaced water and added mass; absent: mass_in_water
 };
 
 struct Bed {
@@ -48,6 +51,13 @@ struct Bed {
   bool permeable = false;
   Real trench_depth = 0, trench_angle = 0;  ///< m, rad
   Real safety_factor = 1;                   ///< on loads
+};
+
+/// What finds the displacement of the pipe.
+struct Soil {
+  std::string macro_element;         ///< file
+  std::optional<Real> laying_force;  ///< N/m; absent: the submerged weight
+  std::vector<std::string> runs;     ///< folders, of runs through a table of the largest waves
 };
 
 struct Record {
@@ -63,13 +73,19 @@ struct SeaCase {
   std::optional<Current> current;
   Pipe pipe;
   Bed bed;
+  std::optional<Soil> soil;
   Record record;
 
   std::optional<formulas::WaveSpectrum> spectrum;  ///< as read
   Real peakedness = 1;                             ///< of it; 1 of a table
+  std::optional<macro_element::Parameters> macro_element;
+  std::filesystem::path folder;  ///< that its files are named from
 };
 
 void describe(Describe& d, SeaCase& c);
+
+/// The coefficients of the water on its pipe.
+settings::WaterSettings water_of(const SeaCase& c);
 
 /// Reads an input of berm sea and the table of its spectrum; overrides KEY=VALUE as for --set. Throws InputError.
 SeaCase read_sea_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});

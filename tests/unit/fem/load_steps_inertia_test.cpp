@@ -62,6 +62,22 @@ TEST(LoadStepsInertia, a_force_beyond_the_resistance_accelerates_the_mass_of_the
   }
 }
 
+// m dv/dt = c (U - v)^2, c by the embedment: x = U t - m/c ln(1 + c U t/m). Two per cent as above.
+TEST(LoadStepsInertia, water_takes_the_body_along)
+{
+  settings::Case c = pulled_pipe(0);
+  constexpr Real U = 0.8;
+  settings::StageSettings& pull = c.stage.back();
+  pull.loads.of("H").clear(), pull.loads.of("V").clear();
+  pull.loads.of("water") = {U, U};
+  pull.water = settings::WaterSettings{.density = 1000, .drag = 1, .weight = V};
+  const bodies::RigidState<2> pipe = pulled(c);
+  const Real w = -pipe.displacement[1], left = 1 - 1.4 * w / D, per_mass = left * 1000 * D / 2 / mass;
+  const Real way = U * duration - std::log(1 + per_mass * U * duration) / per_mass;
+  EXPECT_NEAR(pipe.displacement[0] - slid, way, 0.02 * way);
+  EXPECT_NEAR(pipe.velocity[0], U - U / (1 + per_mass * U * duration), 0.02 * U);
+}
+
 TEST(LoadStepsInertia, a_body_without_mass_has_nothing_that_stops_it)
 {
   settings::Case c = pulled_pipe(0.25);

@@ -9,27 +9,10 @@
 namespace berm::sea::this_file {
 namespace {
 
-TEST(LoadHistory, has_the_largest_waves_one_after_the_other_between_ramps)
-{
-  const SeaCase c = sample_sea();
-  LoadRecord record;
-  record.step = 0.5;
-  for (int row = 0; row < 10; ++row) record.H.push_back(row), record.V.push_back(100 + row);
-  const std::vector<LoadRow> rows = load_history_of(c, record, {{1, 3, 0, 0}, {6, 7, 0, 0}});
-  ASSERT_EQ(rows.size(), 5u);
-  EXPECT_EQ(rows[0].H, 0);
-  EXPECT_EQ(rows[0].V, 400);
-  EXPECT_NEAR(rows[1].time, 5, 1e-12) << "half a period of 10 s";
-  EXPECT_EQ(rows[1].H, 1);
-  EXPECT_EQ(rows[3].H, 6);
-  EXPECT_NEAR(rows[3].time, 6, 1e-12);
-  EXPECT_EQ(rows[4].H, 0);
-}
-
 TEST(SeaReport, leaves_all_its_files)
 {
   const TemporaryFolder folder;
-  SeaResults results{.settings = sample_sea(), .input = "# the <input>\n", .answer = {}};
+  SeaResults results{.settings = sample_sea(), .input = "# the <input>\n", .answer = {}, .moved = {}};
   results.settings.record.seeds = 2;
   results.answer = answer_of(results.settings);
   write_results(results, folder / "out");
@@ -43,6 +26,8 @@ TEST(SeaReport, leaves_all_its_files)
   EXPECT_NE(page.find("# the &lt;input&gt;"), std::string::npos);
   EXPECT_EQ(record.rfind("time_s,H_N_m,V_N_m\n0,", 0), 0u) << record.substr(0, 60);
   EXPECT_NE(folder.read("out/stage.toml").find("load_history = \"waves_1.csv\""), std::string::npos);
+  EXPECT_EQ(folder.read("out/waves_1.csv").rfind("time_s,water_m_s\n0,0\n", 0), 0u);
+  EXPECT_NE(folder.read("out/stage.toml").find("weight = \"400 N/m\"\npermeable = true"), std::string::npos);
   EXPECT_NE(words_of_results(results).find("absolute lateral stability"), std::string::npos);
 
   results.settings.record.seeds = 1;

@@ -85,7 +85,7 @@ Stage stage_of(const StageSettings& s, Real held_force)
     return stage;
   }
   stage.direction = s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0 ? -1 : 1;
-  stage.by_force = s.force || !s.loads.of("H").empty();
+  stage.by_force = s.force || !s.loads.of("H").empty() || s.water;
   stage.varies = stage.by_force && !s.load_times.empty();
   stage.holds_V = s.vertical == settings::Vertical::hold && !s.vertical_velocity && !s.loads.drives(settings::LoadAlong::downwards);
   if (s.vertical_force) stage.V_ramp = s.ramp;

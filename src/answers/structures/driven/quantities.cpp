@@ -73,7 +73,7 @@ Prescribed given_by_drag(const Stage& stage, Real u)
   Prescribed given;
   given.u = meets(u, s.until.displacement);
   given.H = stage.by_force;
-  given.V_always = s.vertical_force || !s.loads.of("V").empty();
+  given.V_always = s.vertical_force || !s.loads.of("V").empty() || s.water;
   given.w_always = s.vertical == settings::Vertical::fixed && !s.vertical_velocity;
   return given;
 }
