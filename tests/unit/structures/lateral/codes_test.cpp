@@ -93,6 +93,26 @@ TEST(CodeMethods, of_clay_stand_beside_a_run_with_what_they_choose)
   EXPECT_EQ(code_curves(run), "") << "no slices";
 }
 
+TEST(CodeMethods, of_sand_are_apis_with_friction_on_the_shaft)
+{
+  record::RunRecord record = MadePile{}.record();
+  material::MohrCoulomb sand = MadePush::sand();
+  sand.friction_angle = 35 * degree;
+  record.settings.material[0].second = sand;
+  record.settings.contact[0].second.friction_angle = 25 * degree;
+  const LateralRun run(record);
+  const std::vector<CodeMethod> codes = code_methods(run);
+  ASSERT_EQ(codes.size(), 1u);
+  // 5 kN/m3, 2 m deep, D = 2 m: C1 z + C2 D = 2 (3.1 + 3.4) by the figure, A = 3 - 0.8.
+  EXPECT_NEAR(codes[0].p(2, 1).value, 2.2 * 2 * 6.5 * 10e3, 0.06 * 286e3);
+  EXPECT_NEAR(codes[0].p(2, -1).value, -codes[0].p(2, 1).value, 1e-6);
+  const std::optional<AxialCode> axial = axial_code(run);
+  ASSERT_TRUE(axial);
+  EXPECT_FALSE(axial->clay);
+  EXPECT_NEAR(axial->shaft_force(), 0.5 * 5e3 * 64 * std::tan(25 * degree) * 2 * pi, 1) << "K = 1, the mean over 8 m";
+  EXPECT_NEAR(axial->base.value, 20 * 40e3 * pi, 1) << "N_q = 20";
+}
+
 TEST(AxialCode, sums_the_friction_over_the_shaft)
 {
   const record::RunRecord record = MadePile{}.record();
