@@ -93,6 +93,7 @@ ExportFiles shape_files(const record::RunRecord& run)
 
 ExportFiles py_files(const record::RunRecord& run)
 {
+  if (!run.settings.pipeline) return pile_files(run);
   const std::set<std::string> stages = line_stages(run);
   const std::vector<Real> places = slices::LineOfCase(run.settings).places;
   const Real half = base::averaging_half(base::body_scale(run));

@@ -15,6 +15,7 @@ namespace {
 constexpr const char* of_probes = "points pt 7 ps 1.5 lc rgb '#1764ab'";
 constexpr const char* of_swipe = "lines lw 2 lc rgb '#2f8f4e'";
 constexpr const char* of_curve = "lines lw 2 lc rgb '#c8452f' dt '-'";
+constexpr const char* of_code = "lines lw 2 lc rgb '#d08a00' dt '.'";
 constexpr const char* of_points = "linespoints pt 9 ps 1.8 lw 2 lc rgb '#8155a6'";
 
 constexpr const char* of_sections[] = {"points pt 7 ps 1.5 lc rgb '#1764ab'", "points pt 5 ps 1.5 lc rgb '#2f8f4e'"};
@@ -48,7 +49,7 @@ void add_published(plot::Figure& figure, const std::vector<base::PublishedCurve>
 {
   for (const base::PublishedCurve& curve : curves) {
     if ((curve.*x).empty() || (curve.*y).empty()) continue;
-    plot::FigureCurve drawn{curve.title, (curve.*x).size() > 2 ? of_curve : of_points, curve.*x, curve.*y};
+    plot::FigureCurve drawn{curve.title, curve.of_code ? of_code : (curve.*x).size() > 2 ? of_curve : of_points, curve.*x, curve.*y};
     for (Real& value : drawn.x) value *= x_scale;
     for (Real& value : drawn.y) value *= y_scale;
     figure.curves.push_back(drawn);

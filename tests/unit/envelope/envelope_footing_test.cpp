@@ -198,6 +198,40 @@ TEST(FootingFormulas, are_those_of_a_strip_on_uniform_clay_and_say_where_they_do
   EXPECT_NE(published(footing({"material.clay.cohesion_gradient=10e3"})).remark, "");
 }
 
+/// The curve of a code with this beginning of its title.
+const base::PublishedCurve& code_curve(const base::PublishedEnvelope& envelope, const std::string& begin)
+{
+  for (const base::PublishedCurve& curve : envelope.curves)
+    if (curve.of_code && curve.title.starts_with(begin)) return curve;
+  throw std::runtime_error("no curve " + begin);
+}
+
+TEST(FootingFormulas, have_the_surface_of_the_code_in_all_three_planes)
+{
+  const auto published = [](const settings::Case& c) { return structures::structure_of(c).published_envelope(c, {{}, {}, nan}); };
+  const base::PublishedEnvelope strip = published(footing());  // B = 1 m, s_u = 10 kPa
+  const base::PublishedCurve &VH = code_curve(strip, "ISO 19901-4 ["), &VM = code_curve(strip, "ISO 19901-4, effective"),
+                             &HM = code_curve(strip, "ISO 19901-4, V = 0.5");
+  EXPECT_NEAR(VH.V.front(), 5.14 * 10e3, 1e-6);
+  EXPECT_NEAR(VH.V[VH.V.size() - 2], 0.5 * 5.14 * 10e3, 1e-6) << "where it slides";
+  EXPECT_NEAR(VH.H.back(), 10e3, 1e-6);
+  EXPECT_EQ(VH.V.back(), 0);
+  // M = V (1 - V/V_max) B/2: largest at half of V_max.
+  EXPECT_NEAR(*std::ranges::max_element(VM.M), 5.14 * 10e3 / 8, 1e-6);
+  EXPECT_NEAR(VM.M.back(), 0, 1e-9);
+  // At V = V_max/2 without H e = B/4; it slides at H = s_u B.
+  EXPECT_NEAR(*std::ranges::max_element(HM.M), 0.5 * 5.14 * 10e3 / 4, 1);
+  EXPECT_NEAR(HM.H.back(), 10e3, 1);
+  EXPECT_NEAR(HM.M.back(), 0, 1);
+  // On a square of 1 m V_max is 1.18 times that.
+  const base::PublishedEnvelope square = published(footing_in_space());
+  EXPECT_NEAR(code_curve(square, "ISO 19901-4 [").V.front(), 1.18 * 5.14 * 10e3, 1e-6);
+  // 0.2 m deep: d_c = 0.3 atan 0.2, and passive and active resistance of 4 s_u z.
+  const base::PublishedCurve deep = code_curve(published(footing({"rigid.footing.center=[0, 0.05]"})), "ISO 19901-4 [");
+  EXPECT_NEAR(deep.H.back(), 10e3 + 4 * 10e3 * 0.2, 1e-6);
+  EXPECT_NEAR(deep.V.front(), (1 + 0.3 * std::atan(0.2)) * 5.14 * 10e3, 10) << "the clay of the sample has no weight to speak of";
+}
+
 /// The base carries as much shear as the clay and parts from it. Elements of B/20 at the base widen it by a part d: wip_footing has 1.3 % with B/50 at a smooth edge, to first order, and a
 /// rough one has two jumps of the stress there: 8 % at most. V grows with 1 + d, M with its square. H is that of the interface, within Newton's tolerance.
 TEST(FootingEnvelope, of_a_rough_strip_on_clay_is_that_of_Green_and_above_that_on_its_effective_width)

@@ -30,6 +30,7 @@ inline constexpr Real section_levels[] = {0.5, 0.75};
 struct PublishedCurve {
   std::string title;  ///< with its label, and its range where the structure is not in it
   std::vector<Real> V, H, M = {};
+  bool of_code = false;  ///< drawn as a design code's
 };
 
 /// The title of a curve by a formula.

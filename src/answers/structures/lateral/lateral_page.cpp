@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "soil_plot/panels.hpp"
+#include "structures/lateral/code_page.hpp"
 #include "structures/lateral/lateral_results.hpp"
 #include "structures/lateral/p_y.hpp"
 #include "text/html.hpp"
@@ -99,7 +100,9 @@ std::string lateral_key_results(const LateralRuns& runs, const std::string& id)
   for (const LateralRun& run : runs)
     if (!run.empty() && !run.H_curve().empty()) known.push_back(run);
   if (known.empty()) return "";
-  std::string html = lateral_table(known, id + "-sideways-end") + travel_table(known, id + "-sideways-u");
+  std::string html;
+  for (const LateralRun& run : known) html += code_curves(run);
+  html += lateral_table(known, id + "-sideways-end") + travel_table(known, id + "-sideways-u");
   for (const LateralRun& run : known) html += py_table(run, fmt::format("{}-p-y-{}", id, run.number));
   return html;
 }

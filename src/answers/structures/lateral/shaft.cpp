@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "structures/driven/report.hpp"
+#include "structures/lateral/code_page.hpp"
 #include "structures/lateral/lateral_page.hpp"
 #include "structures/lateral/lateral_results.hpp"
 #include "structures/lateral/p_y.hpp"
@@ -76,6 +77,7 @@ base::Reading load_of(const penetration::Penetrometer& how)
           .words = [](Run run, const base::DisplayUnits&) { return lateral_words(LateralRun(run)); },
           .key_results = [&how](const base::Runs& runs,
                                 const base::DisplayUnits&) { return lateral_key_results(lateral_runs(runs), how.word); },
+          .published = [&how](const base::Runs& runs, const base::DisplayUnits&) { return code_values(lateral_runs(runs), how.word); },
           .draw_report_curves =
               [&how](const base::Runs& runs, const base::PublishedPoints&, const std::filesystem::path& folder) {
                 return draw_lateral_figures(lateral_runs(runs), how.word, folder);

@@ -13,7 +13,8 @@ inline constexpr Real associated = 1e-3;
 /// or beyond the walls.
 base::EmbeddedBody embedded_footing(const settings::Case& c);
 
-/// For a footing on uniform clay: of a strip Green's V and H, and the moments on its effective width; of a round one its V; the H at which any slides. For associated sand V alone.
+/// For a footing on uniform clay: of a strip Green's V and H, and the moments on its effective width; of a round one its V; the H at which any slides. For associated sand V. The surface of ISO 19901-4 of
+/// all, on a level bed: in clay whose strength may grow, to a depth of a width; on the surface of sand.
 base::PublishedEnvelope footing_envelope(const settings::Case& c);
 
 }  // namespace berm::penetration

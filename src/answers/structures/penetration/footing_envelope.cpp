@@ -10,6 +10,7 @@
 #include "structures/base/driven_body.hpp"
 #include "structures/base/kind.hpp"
 #include "structures/base/little_cohesion.hpp"
+#include "structures/penetration/code_envelope.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -80,7 +81,7 @@ base::EmbeddedBody embedded_in(const settings::Case& c)
 struct OnSoil {
   base::EmbeddedBody footing;
   Real area = 0;  ///< m2 (of a strip m2 per metre run); NaN where it is not known
-  bool strip = false, round = false, at_surface = false;
+  bool strip = false, round = false, level = false, at_surface = false;
   settings::BodySoil soil;
   material::Strength strength;
   const contact::ContactSettings* contact = nullptr;
@@ -100,6 +101,28 @@ Real area_of(const settings::Case& c, Real width)
   if (bodies::is_round_from_above(shape)) return pi * width * width / 4;
   const auto* box = std::get_if<bodies::BoxSettings>(&shape);
   return box == nullptr ? nan : width * box->size[2];
+}
+
+formulas::FoundationBase base_of_code(const OnSoil& on)
+{
+  using Shape = formulas::FoundationBase::Shape;
+  const Real B = on.footing.width;
+  return {on.strip   ? Shape::strip
+          : on.round ? Shape::circle
+                     : Shape::rectangle,
+          B, on.strip || on.round ? 0 : on.area / B, std::max(Real(0), on.footing.embedment)};
+}
+
+/// The clay as the code has it: at the base, its growth over a width below it, its mean above.
+formulas::ClayOfFoundation clay_of_code(const OnSoil& on, Real roughness, Real gravity)
+{
+  constexpr int slices = 20;
+  const Real depth = std::max(Real(0), on.footing.embedment), B = on.footing.width;
+  const auto strength = [&](Real z) { return strength_at_rest(on.soil.at("", z))->cohesion; };
+  Real above = 0;
+  for (int k = 0; k < slices; ++k) above += strength((k + 0.5) / slices * depth) / slices;
+  return {strength(depth), (strength(depth + B) - strength(depth)) / B, above, std::min(roughness, Real(1)),
+          gravity * on.soil.mass_above("", depth)};
 }
 
 /// The largest H/(B s_u) that the whole width of a strip carries beside v = V/(B s_u).
@@ -153,7 +176,24 @@ void add_inclined(const OnSoil& on, Real slides_at, PublishedEnvelope& published
   published.curves.push_back(curve);
 }
 
-PublishedEnvelope for_clay(const OnSoil& on)
+Formula times(Formula formula, Real unit)
+{
+  return formula.value *= unit, formula;
+}
+
+/// What is exact, or a bound, of a strip on uniform clay that carries `ratio` s_u along its base.
+void add_strip(const OnSoil& on, Real ratio, PublishedEnvelope& published)
+{
+  add_inclined(on, ratio, published);
+  add_effective_width(on, ratio, published);
+  const bool sticks = rules_of(on.contact->scheme).tied || std::isinf(on.contact->tension);
+  if (!sticks) return;
+  const Formula arc = times(on.here(formulas::strip_moment_of_arc()), published.unit * on.footing.width);
+  published.numbers.push_back({"M_max_arc", arc, true});
+  published.curves.push_back({base::titled("arc through both edges, an upper bound", arc), {0}, {}, {arc.value}});
+}
+
+PublishedEnvelope for_clay(const OnSoil& on, Real gravity)
 {
   PublishedEnvelope published;
   const Real strength = strength_at_rest(on.soil.at("", 0))->cohesion;
@@ -164,7 +204,6 @@ PublishedEnvelope for_clay(const OnSoil& on)
     published.remark = "the formulas for clay have adhesion to the base, not friction: there is no curve to compare with";
     return published;
   }
-  const auto times = [](Formula formula, Real unit) { return formula.value *= unit, formula; };
   constexpr formulas::Source sliding{formulas::Label::exact, "the base slides", "at the surface, V up to half of V_max"};
   const Real growth = (strength_at_rest(on.soil.at("", on.footing.width))->cohesion - strength) / strength;
   if (on.strip || on.round) {
@@ -175,15 +214,9 @@ PublishedEnvelope for_clay(const OnSoil& on)
   }
   published.numbers.push_back({"H_max", times(on.here(formulas::formula(ratio, sliding, true)), published.unit)});
   if (growth != 0)
-    published.remark = "the strength grows with depth, and the curves are those of uniform clay: there is none to compare with";
-  if (!on.strip || growth != 0) return published;
-  add_inclined(on, ratio, published);
-  add_effective_width(on, ratio, published);
-  const bool sticks = rules_of(on.contact->scheme).tied || std::isinf(on.contact->tension);
-  if (!sticks) return published;
-  const Formula arc = times(on.here(formulas::strip_moment_of_arc()), published.unit * on.footing.width);
-  published.numbers.push_back({"M_max_arc", arc, true});
-  published.curves.push_back({base::titled("arc through both edges, an upper bound", arc), {0}, {}, {arc.value}});
+    published.remark = "the strength grows with depth: Green's curve and that of the effective width are of uniform clay and not shown";
+  if (on.strip && growth == 0) add_strip(on, ratio, published);
+  if (on.level) add_code_on_clay(base_of_code(on), clay_of_code(on, ratio, gravity), published);
   return published;
 }
 
@@ -192,7 +225,9 @@ PublishedEnvelope for_sand(const OnSoil& on, Real unit_weight)
   PublishedEnvelope published;
   published.unit = unit_weight * on.footing.width * on.area;
   published.unit_name = "(γ' D A)";
-  published.remark = "no formula is shown for horizontal load and moment on sand";
+  if (on.at_surface)
+    add_code_on_sand(base_of_code(on), {on.strength.friction_angle, unit_weight},
+                     rules_of(on.contact->scheme).tied ? on.strength.friction_angle : on.contact->friction_angle, published);
   if (!on.strip && !on.round) return published;
   const Real phi = on.strength.friction_angle;
   const bool tied = rules_of(on.contact->scheme).tied;
@@ -222,14 +257,18 @@ PublishedEnvelope footing_envelope(const settings::Case& c)
   const std::optional<material::Material> material = base::touched_material(c);
   const std::optional<material::Strength> strength = material ? strength_at_rest(*material) : std::nullopt;
   if (!soil || !strength) return unknown;
-  OnSoil on{embedded_footing(c),     0, c.geometry == settings::Geometry::plane_strain, false, false, *soil, *strength,
-            base::contact_of_body(c)};
+  OnSoil on{.footing = embedded_footing(c),
+            .strip = c.geometry == settings::Geometry::plane_strain,
+            .soil = *soil,
+            .strength = *strength,
+            .contact = base::contact_of_body(c)};
   on.area = area_of(c, on.footing.width);
   on.round = !on.strip && bodies::is_round_from_above(c.rigid[main_rigid(c)].second.shape);
-  on.at_surface = problem::ground_of(c).line.level() && std::abs(on.footing.embedment) <= base_tolerance * on.footing.width;
+  on.level = problem::ground_of(c).line.level();
+  on.at_surface = on.level && std::abs(on.footing.embedment) <= base_tolerance * on.footing.width;
   if (std::isnan(on.area)) return unknown;
   const Real unit_weight = base::body_scale(c).unit_weight;
-  if (strength->friction_angle == 0 && strength->cohesion > 0) return for_clay(on);
+  if (strength->friction_angle == 0 && strength->cohesion > 0) return for_clay(on, base::body_scale(c).gravity_level * standard_gravity);
   if (strength->friction_angle > 0 && unit_weight > 0 &&
       base::has_little_cohesion(strength->cohesion, strength->friction_angle, unit_weight, on.footing.width))
     return for_sand(on, unit_weight);
