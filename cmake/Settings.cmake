@@ -70,6 +70,7 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate) # zlib streams of frames, in a third of the time of zlib
 pkg_check_modules(MICROHTTPD REQUIRED IMPORTED_TARGET libmicrohttpd) # the server of `berm desk`
+pkg_check_modules(XLSXWRITER REQUIRED IMPORTED_TARGET xlsxwriter) # tables as .xlsx
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # SHA-256 of what a run is made from
 # HDF5 without MPI.
 find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)

@@ -9,6 +9,7 @@
 #include "springs/line_formats.hpp"
 #include "structures/structures.hpp"
 #include "study/study_settings.hpp"
+#include "workbook/workbook.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -20,9 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char *xlsx = "xlsx", *imperial = "imperial";
+
 struct Options {
   std::vector<std::string> folders;
-  std::string format = "table", output;
+  std::string format = "table", units, output;
   springs::Selection selection;
 };
 
@@ -47,6 +50,13 @@ const auto* find_format(const List& formats, const std::string& name)
 std::vector<Job> jobs_from(const std::string& from, Options& options)
 {
   std::vector<Job> jobs;
+  if (options.format == xlsx) {
+    std::string name = fs::absolute(from / fs::path()).parent_path().filename().string();
+    const workbook::Units units = options.units == imperial ? workbook::Units::imperial : workbook::Units::si;
+    jobs.push_back({.name = name, .from = from, .files = {{name + ".xlsx", xlsx_of(workbook::sheets_of(from, units))}}});
+    return jobs;
+  }
+  if (!options.units.empty()) throw InputError("--units is for --to xlsx: the files of other programs have their own units");
   if (const springs::LineFormat* format = find_format(springs::line_formats, options.format)) {
     if (!options.selection.state.empty() || !options.selection.travels.empty())
       throw InputError(fmt::format("--state and --travels choose springs: they cannot be combined with --to {}", format->name));
@@ -121,7 +131,10 @@ Command add_export(CLI::App& program)
     }
   };
   list(springs::formats), list(springs::line_formats);
+  names.emplace_back(xlsx), words += "; xlsx: the numbers and all tables of a folder of any command, a sheet a table";
   app->add_option("--to", options->format, words + " (default: table)")->check(one_of(names));
+  app->add_option("--units", options->units, "of --to xlsx: SI, or imperial (ft, lbf, lbf/ft ...) (default: SI)")
+      ->check(one_of({"SI", imperial}));
   app->add_option("--state", options->selection.state,
                   "state of the pipe: touchdown, laid, flooded, emptied, operation, after_DRAG (default: operation, else touchdown)");
   app->add_option("--travels", options->selection.travels, "drags, separated by commas (default: those in that state)")
