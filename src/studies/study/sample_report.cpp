@@ -142,7 +142,7 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
   const std::vector<Estimate> estimates = estimates_of(plan);
   io::write_atomically(output / "estimates.csv", csv_of(estimate_lines(study, estimates, exact)));
   io::write_atomically(output / "distribution.csv", csv_of(spread_lines(study, estimates, exact)));
-  io::write_atomically(output / "sensitivity.csv", csv_of(sensitivity_lines(study, estimates, exact, false)));
+  if (!axis->parameter.empty()) io::write_atomically(output / "sensitivity.csv", csv_of(sensitivity_lines(study, estimates, exact, false)));
   const std::size_t texts = other_axes(study).size() + 1;
   const bool drawn = *axis->sample_from > 0;
   std::string text = "## Low, best and high\n\n";
