@@ -126,6 +126,21 @@ class Study:
         except (ValueError, TypeError, IndexError) as error:
             raise RunError(f"{file}: {error}") from None
 
+    @cached_property
+    def distribution(self) -> list[dict[str, str | float]]:
+        """Mean, scatter, lognormal distribution and the probability of a limit, of each measure and combination: distribution.csv, by its
+        heads (NaN: not known). Empty without a sample. Throws RunError."""
+        file = self.folder / "distribution.csv"
+        if not file.is_file():
+            return []
+        try:
+            with file.open(newline="", encoding="utf-8") as opened:
+                heads, *rows = list(csv.reader(opened))
+            first = heads.index("measure") + 1
+            return [dict(zip(heads, [*row[:first], *(float(cell or "nan") for cell in row[first:])])) for row in rows]
+        except ValueError as error:
+            raise RunError(f"{file}: {error}") from None
+
     def table(self) -> Any:
         """A pandas.DataFrame with a row for each run: names, kind, what the sample gave it, key results. Needs python3-pandas."""
         pandas = imported("pandas", "python3-pandas")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings/body_soil.hpp"
 
+#include "material/clay.hpp"
+#include "material/ngi_adp.hpp"
 #include "os/error.hpp"
 #include "settings/case.hpp"
 
@@ -11,14 +13,41 @@ namespace berm::settings {
 namespace {
 
 /// The number of a material in the list, which it is added to where no equal one is there.
+/// One that varies at random is no other's equal.
 Index add(BodySoil& soil, const Case& c, const std::string& name)
 {
   const material::Material& material = c.material[index_of(c.material, name)].second;
-  const auto found = std::find(soil.materials.begin(), soil.materials.end(), material);
-  if (found != soil.materials.end()) return static_cast<Index>(found - soil.materials.begin());
+  const auto varies = [&](const std::string& other) {
+    return std::any_of(c.random_field.begin(), c.random_field.end(), [&](const auto& field) { return field.second.material == other; });
+  };
+  for (std::size_t k = 0; k < soil.materials.size(); ++k)
+    if (soil.names[k] == name || (soil.materials[k] == material && !varies(name) && !varies(soil.names[k]))) return static_cast<Index>(k);
   soil.materials.push_back(material);
   soil.names.push_back(name);
   return static_cast<Index>(soil.materials.size()) - 1;
+}
+
+/// Whether the stiffness of a material is that of its strength by a rigidity index.
+bool has_rigidity_index(const material::Material& material)
+{
+  const auto* clay = material.get_if<material::Clay>();
+  const auto* adp = material.get_if<material::NgiAdp>();
+  return (clay != nullptr && clay->rigidity_index) || (adp != nullptr && adp->rigidity_index);
+}
+
+/// The random fields of the materials of a body.
+void add_fields(BodySoil& soil, const Case& c)
+{
+  for (const auto& [name, field] : c.random_field) {
+    const auto material = std::find(soil.names.begin(), soil.names.end(), field.material);
+    if (material == soil.names.end()) continue;
+    const auto number = static_cast<std::size_t>(material - soil.names.begin());
+    const std::vector<FieldInfo> own = local_fields(soil.materials[number]);
+    const auto place = std::find_if(own.begin(), own.end(), [&, &field = field](const FieldInfo& f) { return f.name == field.property; });
+    if (place == own.end()) continue;  // of a visitor that does not throw
+    soil.fields.push_back({"random_field." + name, field, static_cast<Index>(number), static_cast<std::size_t>(place - own.begin()),
+                           place->name != stiffness_word && has_rigidity_index(soil.materials[number])});
+  }
 }
 
 Real size_of_gravity(const Case& c)
@@ -98,6 +127,22 @@ material::Material BodySoil::at(const std::string& region, Real depth) const
   return at_depth(materials[material_index_at(region, depth)], depth, vertical_stress(region, depth));
 }
 
+material::Material BodySoil::at(const std::string& region, const SoilPlace& place) const
+{
+  material::Material there = at(region, place.depth);
+  if (fields.empty()) return there;
+  const Index number = material_index_at(region, place.depth);
+  std::vector<Real> own = local_values(there);
+  for (const SoilField& field : fields) {
+    if (field.material != number) continue;
+    const Real deviation = field.settings.log_deviation();
+    const Real over_mean = std::exp(deviation * field.values->at(place) - deviation * deviation / 2);
+    own[field.place] *= over_mean;
+    if (field.with_stiffness) own.back() *= over_mean;
+  }
+  return with_local_values(there, own.data());
+}
+
 material::Material BodySoil::in_fill(Index material, Real depth) const
 {
   return at_depth(materials[material], depth, gravity * density(materials[material]) * depth);
@@ -140,15 +185,33 @@ BodySoil soil_of(const Case& c, const bodies::BodySettings& body)
     for (material::Material& material : soil.materials)
       if (differs_from(ratio, material)) material = with_inertia_density(material, density(material) / ratio);
   }
+  if (!c.random_field.empty()) add_fields(soil, c);
   if (soil.materials.size() > 1) return soil;
   soil.layers.clear();
   soil.of_region.clear();
   return soil;
 }
 
+void make_random_fields(BodySoil& soil, const SoilPlace& lower, const SoilPlace& upper)
+{
+  for (SoilField& field : soil.fields) {
+    const material::Material& material = soil.materials[field.material];
+    const Real deviation = field.settings.log_deviation();
+    std::vector<RandomField::Known> known;
+    for (const SoundingSettings& sounding : field.settings.sounding)
+      for (std::size_t k = 0; k < sounding.depth.size(); ++k) {
+        const Real depth = sounding.depth[k], mean = local_values(at_depth(material, depth, soil.vertical_stress("", depth)))[field.place];
+        if (!(mean > 0))
+          throw KeyError(fmt::format("{}.sounding: {:.4g} m deep the mean of {} is 0", field.path, depth, field.settings.property));
+        known.push_back({{sounding.x, depth, sounding.z}, std::log(sounding.value[k] / mean) / deviation + deviation / 2});
+      }
+    field.values = std::make_shared<const RandomField>(field.settings, field.path, lower, upper, known);
+  }
+}
+
 bool varies(const BodySoil& soil)
 {
-  return soil.materials.size() > 1 || varies(soil.materials.front());
+  return soil.materials.size() > 1 || !soil.fields.empty() || varies(soil.materials.front());
 }
 
 std::vector<FieldInfo> local_fields(const BodySoil& soil)
@@ -159,10 +222,10 @@ std::vector<FieldInfo> local_fields(const BodySoil& soil)
   return fields;
 }
 
-std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth)
+std::vector<Real> local_values(const BodySoil& soil, const std::string& region, const SoilPlace& place)
 {
   if (!varies(soil)) return {};
-  return local_values(soil, soil.material_index_at(region, depth), soil.at(region, depth));
+  return local_values(soil, soil.material_index_at(region, place.depth), soil.at(region, place));
 }
 
 std::vector<Real> local_values(const BodySoil& soil, Index material, const material::Material& there)

@@ -3,6 +3,9 @@
 
 #include "bodies/body_settings.hpp"
 #include "material/material.hpp"
+#include "settings/random_field.hpp"
+
+#include <memory>
 
 namespace berm::settings {
 
@@ -14,6 +17,16 @@ struct SoilLayer {
   Index material;
 };
 
+/// A property of a material of a body that varies at random.
+struct SoilField {
+  std::string path;  ///< "random_field.NAME"
+  RandomFieldSettings settings;
+  Index material;                                  ///< of the body
+  std::size_t place;                               ///< of the property among material::local_values
+  bool with_stiffness = false;                     ///< the stiffness follows the strength, by a rigidity index
+  std::shared_ptr<const RandomField> values = {};  ///< once the mesh is known (make_random_fields)
+};
+
 /// The materials of a body, which all have one law, and where each of them lies at the start.
 struct BodySoil {
   std::vector<material::Material> materials;  ///< each once; the first is that of what no layer or region names
@@ -23,11 +36,14 @@ struct BodySoil {
   Real gravity = 0;                                   ///< m/s2, size
   std::optional<Real> vertical_stress_at_start = {};  ///< Pa, compression positive, where it is the same everywhere
   std::vector<Index> of_fill = {};                    ///< by place in BodySettings::fill
+  std::vector<SoilField> fields = {};
 
   /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
   Index material_index_at(const std::string& region, Real depth) const;
-  /// The material there, with its strength and stiffness.
+  /// The material there, with its strength and stiffness: where they vary at random with their means.
   material::Material at(const std::string& region, Real depth) const;
+  /// The same with those of the place.
+  material::Material at(const std::string& region, const SoilPlace& place) const;
   /// Of a fill so far below its top, m, under its own weight.
   material::Material in_fill(Index material, Real depth) const;
   /// Mass of the soil above a depth over area, kg/m2, that gives the weight: of the layers; in bodies without layers of the material there alone.
@@ -43,12 +59,15 @@ BodySoil soil_of_one(const material::Material& material, const std::string& name
 /// material: the inertia densities of the others follow, where water does not flow.
 BodySoil soil_of(const Case& c, const bodies::BodySettings& body);
 
+/// Draws the random fields of a body for the part of the bed between two places; what their soundings know has its mean by the depth. Throws KeyError.
+void make_random_fields(BodySoil& soil, const SoilPlace& lower, const SoilPlace& upper);
+
 /// Whether the particles of a body differ in strength, stiffness or material: then each keeps its own.
 bool varies(const BodySoil& soil);
 
 /// What these particles keep, after the state variables of the law: strength, stiffness, and the material's number where there are several.
 std::vector<FieldInfo> local_fields(const BodySoil& soil);
-std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth);
+std::vector<Real> local_values(const BodySoil& soil, const std::string& region, const SoilPlace& place);
 std::vector<Real> local_values(const BodySoil& soil, Index material, const material::Material& there);
 
 /// The material of a particle, from its extra numbers.

@@ -472,6 +472,8 @@ void describe(Describe& d, Case& c)
            "for slopes, trenches and layers; automatic = the second where the ground is not level (in the plane), else the first"});
   d.table("mesh", c.mesh, {.meaning = "the background mesh", .required = true});
   d.named_tables("material", c.material, {.meaning = "materials", .required = true});
+  d.named_tables("random_field", c.random_field,
+                 {.meaning = "strength or stiffness that varies at random from place to place, by a lognormal distribution"});
   d.named_tables("body", c.body, {.meaning = "deformable bodies", .required = true});
   d.named_tables("rigid", c.rigid, {.meaning = "rigid bodies"});
   d.named_tables("contact", c.contact, {.meaning = "contacts of a deformable body with a rigid one or another deformable one"});
@@ -499,6 +501,7 @@ void describe(Describe& d, Case& c)
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   for (auto& [name, body] : c.body) find_k0(d, c, "body." + name, body);
   check_bodies(d, c);
+  check_random_fields(d, c);
   check_earthworks(d, c);
   check_initial_state(d, c);
   check_rigids(d, c);

@@ -11,6 +11,7 @@
 #include "material/material.hpp"
 #include "mesh/mesh_settings.hpp"
 #include "settings/pipeline_settings.hpp"
+#include "settings/random_field_settings.hpp"
 #include "settings/stage.hpp"
 
 namespace berm::settings {
@@ -107,6 +108,7 @@ struct Case {
   InitialState initial_state = InitialState::automatic;
   mesh::MeshSettings mesh;
   std::vector<std::pair<std::string, material::Material>> material;
+  std::vector<std::pair<std::string, RandomFieldSettings>> random_field;
   std::vector<std::pair<std::string, bodies::BodySettings>> body;
   std::vector<std::pair<std::string, bodies::RigidSettings>> rigid;
   std::vector<std::pair<std::string, contact::ContactSettings>> contact;

@@ -37,6 +37,10 @@ Case with_reduced_strength(Case c)
   const Real factor = c.safety->factor;
   for (auto& [name, soil] : c.material)
     if (const std::optional<material::Material> weaker = with_strength_over(soil, factor)) soil = *weaker;
+  for (auto& [name, field] : c.random_field)
+    for (SoundingSettings& sounding : field.sounding)
+      for (Real& value : sounding.value)
+        if (field.property != stiffness_word) value /= factor;
   for (auto& [name, contact] : c.contact) {
     weaken(contact.friction_angle, contact.adhesion, factor);
     contact.tension /= factor;

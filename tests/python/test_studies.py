@@ -54,6 +54,14 @@ def test_estimates_are_quantiles_of_the_sample(sampled: berm.Study) -> None:
     assert np.isclose(estimate.middle, np.median(draws)) and np.isclose(estimate.mean, draws.mean())
 
 
+def test_distribution_is_that_of_the_draws(sampled: berm.Study) -> None:
+    (spread,) = sampled.distribution
+    draws = sampled.values("H_end_of_drag", "draw") / 1000
+    assert spread["case"] == "pipe" and np.isclose(spread["standard deviation"], draws.std(ddof=1))
+    assert np.isclose(spread["lognormal median"], np.exp(np.log(draws).mean()))
+    assert np.isclose(spread["standard error of the mean"], draws.std(ddof=1) / np.sqrt(len(draws)))
+
+
 def test_springs_have_low_best_and_high(sampled: berm.Study) -> None:
     springs = sampled.springs
     assert set(springs["springs"]) == {"low", "best", "high"}

@@ -55,6 +55,7 @@ void do_loads_keep_their_soil(const Scene& s, Findings& found);
 // The soil.
 void does_gravity_point_down(const Scene& s, Findings& found);
 void is_the_soil_a_soil(const Scene& s, Findings& found);
+void do_cells_resolve_the_random_soil(const Scene& s, Findings& found);
 void is_the_strength_by_stress_that_of_clay(const Scene& s, Findings& found);
 void does_the_strength_grow_as_that_of_clay(const Scene& s, Findings& found);
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found);

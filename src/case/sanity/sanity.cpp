@@ -48,6 +48,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           are_earthworks_done_while_the_body_rests,
                                                           do_loads_keep_their_soil,
                                                           is_the_soil_a_soil,
+                                                          do_cells_resolve_the_random_soil,
                                                           is_the_soil_as_heavy_as_in_water,
                                                           is_the_strength_by_stress_that_of_clay,
                                                           does_the_strength_grow_as_that_of_clay,

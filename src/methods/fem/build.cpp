@@ -64,7 +64,7 @@ void set_first_stress(const settings::Case& c, const FemModel& model, FemState& 
     for (int q = 0; q < triangle_points; ++q) {
       const Index body = model.mesh.body[cell];
       const settings::BodySoil& soil = model.soil_of(cell);
-      const Real depth = model.depth[cell][q];
+      const Real depth = model.place[cell][q].depth;
       refuse_no_strength(soil, model.region_of(cell), depth, model.model.bodies[body].name);
       state.points[cell][q].stress =
           soil.layers.empty()

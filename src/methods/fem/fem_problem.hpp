@@ -28,9 +28,9 @@ struct FemModel {
   problem::Model<2> model;  ///< its mesh is that of the corners
   QuadraticMesh mesh;
   CellField<std::array<ShapeAtPoint, triangle_points>> shape;
-  CellField<Real> cell_size;                             ///< m, root of the element's area
-  CellField<std::array<Real, triangle_points>> density;  ///< kg/m3, at the integration points, that gives the weight
-  CellField<std::array<Real, triangle_points>> depth;    ///< m, of the integration points below the bed's surface at the start
+  CellField<Real> cell_size;                                          ///< m, root of the element's area
+  CellField<std::array<Real, triangle_points>> density;               ///< kg/m3, at the integration points, that gives the weight
+  CellField<std::array<settings::SoilPlace, triangle_points>> place;  ///< m, of the integration points at the start
   std::vector<FemContactPoint> contact;     ///< contact by contact; in large deformations where they are at the start of the increment
   std::vector<BoundarySide> contact_sides;  ///< in large deformations: those that may come into contact before the next remeshing
   std::vector<std::vector<bodies::Fillet>>
@@ -53,7 +53,7 @@ struct FemModel {
   /// The material at an integration point of a cell, with its strength and stiffness there and the friction of such cells.
   material::Material soil_at(Index cell, int q) const
   {
-    return regularised_for(soil_of(cell).at(region_of(cell), depth[cell][q]), model.mesh.size(cell));
+    return regularised_for(soil_of(cell).at(region_of(cell), place[cell][q]), model.mesh.size(cell));
   }
   const settings::BodySoil& soil_of(Index cell) const { return model.bodies[mesh.body[cell]].soil; }
   const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }

@@ -96,9 +96,10 @@ Real stiffest_at_contact(const FemModel& model, const NodeField<Vec<2>>& was_at,
   Real stiffest = 0;
   for (const FemContactPoint& point : model.contact) {
     if (point.contact != contact) continue;
-    const Real depth = std::max(model.model.soil_depth(was_at[point.node]), least);
-    stiffest = std::max(stiffest, modulus(soil.at("", depth)));
-    for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, modulus(soil.at(region, depth)));
+    settings::SoilPlace place = model.model.soil_place(was_at[point.node]);
+    place.depth = std::max(place.depth, least);
+    stiffest = std::max(stiffest, modulus(soil.at("", place)));
+    for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, modulus(soil.at(region, place)));
   }
   return stiffest;
 }
@@ -121,9 +122,9 @@ void set_adhesion(FemModel& model, const NodeField<Vec<2>>& was_at)
   for (FemContactPoint& point : model.contact) {
     const problem::Contact& contact = model.model.contacts[point.contact];
     const settings::BodySoil& soil = model.model.bodies[contact.body].soil;
-    const Real depth = model.model.soil_depth(was_at[point.node]);
-    const material::Material there = soil.at("", depth);
-    const Index number = soil.material_index_at("", depth);
+    const settings::SoilPlace place = model.model.soil_place(was_at[point.node]);
+    const material::Material there = soil.at("", place);
+    const Index number = soil.material_index_at("", place.depth);
     const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(there)), 0);
     point.adhesion = contact.adhesion_law.at(there, undisturbed.data(), 0, number);
     point.friction =
@@ -215,7 +216,7 @@ void make_contact(FemModel& model, const NodeField<Vec<2>>& was_at, const std::v
 void fill_shapes(const NodeField<Vec<2>>& was_at, FemModel& model)
 {
   model.shape.assign(model.mesh.nodes.size());
-  model.depth.assign(model.mesh.nodes.size());
+  model.place.assign(model.mesh.nodes.size());
   model.density.assign(model.mesh.nodes.size());
   model.cell_size.assign(model.mesh.nodes.size(), 0);
   model.weight = 0;
@@ -228,9 +229,9 @@ void fill_shapes(const NodeField<Vec<2>>& was_at, FemModel& model)
       model.cell_size[cell] += shape.area;
       if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
       if (model.model.mesh.metric == mesh::Metric::axisymmetric) turn_around_axis(shape, position_of(shape, nodes));
-      model.depth[cell][q] = model.model.soil_depth(position_of(shape, first));
+      model.place[cell][q] = model.model.soil_place(position_of(shape, first));
       const settings::BodySoil& soil = model.soil_of(cell);
-      model.density[cell][q] = density(soil.materials[soil.material_index_at(model.region_of(cell), model.depth[cell][q])]);
+      model.density[cell][q] = density(soil.materials[soil.material_index_at(model.region_of(cell), model.place[cell][q].depth)]);
     }
   }
   for (Real& size : model.cell_size) size = std::sqrt(size);

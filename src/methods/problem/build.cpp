@@ -51,10 +51,25 @@ template <int dim>
 bodies::SoilAtPoint soil_at(const Model<dim>& model, const Body<dim>& body, Index cell, const Vec<dim>& x)
 {
   const std::string& region = model.mesh.region_names[model.mesh.region[cell]];
-  const Real depth = model.soil_depth(x), gravity = -model.axes.sign * model.gravity[model.axes.up];
+  const settings::SoilPlace place = model.soil_place(x);
+  const Real depth = place.depth, gravity = -model.axes.sign * model.gravity[model.axes.up];
   refuse_no_strength(body.soil, region, depth, body.name);
   return {inertia_density(body.soil.at(region, depth)), gravity * body.soil.mass_above(region, std::max(Real(0), depth)), depth,
-          local_values(body.soil, region, depth)};
+          local_values(body.soil, region, place)};
+}
+
+/// Draws the random fields of a body over the whole mesh.
+template <int dim>
+void draw_random_fields(const Model<dim>& model, settings::BodySoil& soil)
+{
+  if (soil.fields.empty()) return;
+  settings::SoilPlace lower{infinity, 0, infinity}, upper{-infinity, 0, -infinity};
+  for (const Vec<dim>& x : model.mesh.position) {
+    const settings::SoilPlace place = model.soil_place(x);
+    lower = {std::min(lower.x, place.x), 0, std::min(lower.z, place.z)};
+    upper = {std::max(upper.x, place.x), std::max(upper.depth, place.depth), std::max(upper.z, place.z)};
+  }
+  make_random_fields(soil, lower, upper);
 }
 
 /// Over the particles where they are at the start, means by their volume.
@@ -73,7 +88,7 @@ settings::SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, con
   particles.visit([&](Index cell, Index b, int l) {
     const bodies::Particle<dim> p = particles.read(b, l);
     const settings::SoilWaves here =
-        settings::waves_of(body.soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_depth(p.x)));
+        settings::waves_of(body.soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_place(p.x)));
     widen(here);
     all.mean_speed += p.volume * here.mean_speed;
     all.mean_density += p.volume * here.mean_density;
@@ -102,7 +117,7 @@ void set_law_state(const Model<dim>& model, const settings::BodySoil& soil, bodi
     std::copy_n(p.stress.c, tensor_size<dim>, stress.c);
     std::array<Real, material::max_state> state{};
     if (own)
-      initial_state(soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_depth(p.x)), stress, state.data());
+      initial_state(soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_place(p.x)), stress, state.data());
     else
       initial_state(soil.materials.front(), stress, state.data());
     for (int k = 0; k < size; ++k) particles.state(b)[k][l] = state[k];
@@ -213,7 +228,8 @@ Model<dim> make_model(const settings::Case& of_whole, mesh::Mesh<dim> mesh)
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     model.depth_slices.push_back(depth_slices_of(c.rigid[r].second.depth_slices, model, model.rigid_bodies[r]));
   for (const auto& [name, settings] : c.body) {
-    const settings::BodySoil soil = soil_of(c, settings);
+    settings::BodySoil soil = soil_of(c, settings);
+    draw_random_fields(model, soil);
     const material::Material& first = soil.materials.front();
     model.bodies.push_back({name, soil, nodal_damping(model.mesh, name, settings), density(first) / inertia_density(first)});
   }

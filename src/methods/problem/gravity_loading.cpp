@@ -153,7 +153,7 @@ private:
   /// The soil in the middle of a cell.
   material::Material soil_in(const settings::BodySoil& soil, Index cell) const
   {
-    return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], depth_of(cell));
+    return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], model_.soil_place(model_.mesh.centroid(cell)));
   }
   Real stress_above(const settings::BodySoil& soil, Index cell) const
   {

@@ -127,6 +127,13 @@ struct Model {
   {
     return axes.depth(x, ground.laid_down.level() ? surface : ground.laid_down.height(x[axes.along]));
   }
+  /// Where a point of the soil is, for what varies from place to place.
+  settings::SoilPlace soil_place(const Vec<dim>& x) const
+  {
+    settings::SoilPlace place{x[axes.along], soil_depth(x)};
+    if constexpr (dim == 3) place.z = x[3 - axes.up - axes.along];
+    return place;
+  }
 };
 
 /// How a traction or a head grows or falls: the fraction of it that acts goes from one value to another since `begin_time`.

@@ -216,7 +216,7 @@ void set_own(const fem::FemModel& model, const fem::FemState& state, const std::
       const settings::BodySoil& soil = model.soil_of(cell);
       const std::vector<Real> values = local_values(
           soil, model.region_of(cell),
-          model.model.soil_depth(model.settings.large_deformation ? state.place_at(fem::Moment::start)[node] : model.mesh.position[node]));
+          model.model.soil_place(model.settings.large_deformation ? state.place_at(fem::Moment::start)[node] : model.mesh.position[node]));
       ++cells[node];
       for (const OwnField& field : own)
         if (const int place = field.place[model.mesh.body[cell]]; place != none && !values.empty()) {
@@ -239,7 +239,7 @@ void set_pore_pressure_ratio(const fem::FemModel& model, Frame<2>& frame)
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
     if (pore_pressure_index(model.soil_of(cell).materials.front()) == none) continue;
     for (int q = 0; q < fem::triangle_points; ++q) {
-      const Real above = overburden(model.model, model.mesh.body[cell], model.region_of(cell), model.depth[cell][q]);
+      const Real above = overburden(model.model, model.mesh.body[cell], model.region_of(cell), model.place[cell][q].depth);
       for (const Index node : model.mesh.nodes[cell]) at_rest[node].sum += above, ++at_rest[node].count;
     }
   }

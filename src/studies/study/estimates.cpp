@@ -40,7 +40,7 @@ Swing swing_of(const Group& group, std::size_t along, const StudyAxis& axis, std
   return swing;
 }
 
-Estimate estimate_of(const Group& group, std::size_t along, const StudyAxis& axis, std::size_t measure)
+Estimate estimate_of(const Group& group, std::size_t along, const StudyAxis& axis, std::size_t measure, const std::optional<Real>& limit)
 {
   Estimate estimate{};
   estimate.names = group[0]->names;
@@ -58,6 +58,7 @@ Estimate estimate_of(const Group& group, std::size_t along, const StudyAxis& axi
   estimate.middle = sample_quantile(numbers, 0.5);
   estimate.high = sample_quantile(numbers, 0.95);
   estimate.mean = mean_of(numbers);
+  estimate.spread = spread_of(numbers, limit);
   for (std::size_t j = 0; j < axis.parameter.size(); ++j) estimate.swing.push_back(swing_of(group, along, axis, j, measure));
   const auto size = [](Real value) { return std::isnan(value) ? -1 : std::abs(value); };
   std::stable_sort(estimate.swing.begin(), estimate.swing.end(), [&](const Swing& a, const Swing& b) {
@@ -90,7 +91,8 @@ std::vector<Estimate> estimates_of(const StudyPlan& plan)
   std::vector<Estimate> estimates;
   for (const Group& group : groups)
     for (std::size_t m = 0; m < plan.study.measure.size(); ++m)
-      if (is_wanted(plan.study.measure[m], *group[0])) estimates.push_back(estimate_of(group, along, *axis, m));
+      if (is_wanted(plan.study.measure[m], *group[0]))
+        estimates.push_back(estimate_of(group, along, *axis, m, plan.study.measure[m].limit));
   return estimates;
 }
 
@@ -103,24 +105,6 @@ void warn_of_small_sample(const std::filesystem::path& file, const Study& study)
     io::warn("{}: a sample of {} rows is too small for 5 and 95 %{}: take {} at least, 50 to 100 for a reliable number", file.string(),
              rows, rows < 10 ? ", which stay empty" : "", least);
 }
-
-namespace {
-
-/// The place of each value in order, from 0; equal ones have the mean of theirs.
-std::vector<Real> places_of(const std::vector<Real>& values)
-{
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<Real> places(values.size());
-  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
-    while (end < order.size() && values[order[end]] == values[order[first]]) ++end;
-    for (std::size_t k = first; k < end; ++k) places[order[k]] = static_cast<Real>(first + end - 1) / 2;
-  }
-  return places;
-}
-
-}  // namespace
 
 Real sample_quantile(std::vector<Real> values, Real p)
 {
@@ -138,18 +122,30 @@ Real mean_of(const std::vector<Real>& values)
   return values.empty() ? nan : std::accumulate(values.begin(), values.end(), Real(0)) / static_cast<Real>(values.size());
 }
 
-Real rank_correlation(const std::vector<Real>& x, const std::vector<Real>& y)
+Spread spread_of(const std::vector<Real>& numbers, const std::optional<Real>& limit)
 {
-  if (x.size() < 3) return nan;
-  const std::vector<Real> of_x = places_of(x), of_y = places_of(y);
-  const Real middle = static_cast<Real>(x.size() - 1) / 2;
-  Real xy = 0, xx = 0, yy = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xy += (of_x[k] - middle) * (of_y[k] - middle);
-    xx += (of_x[k] - middle) * (of_x[k] - middle);
-    yy += (of_y[k] - middle) * (of_y[k] - middle);
+  Spread spread;
+  const auto count = static_cast<Real>(numbers.size());
+  const auto deviation = [&](Real mean, const auto& of) {
+    Real squares = 0;
+    for (const Real number : numbers) squares += std::pow(of(number) - mean, 2);
+    return numbers.size() > 1 ? std::sqrt(squares / (count - 1)) : nan;
+  };
+  spread.deviation = deviation(mean_of(numbers), [](Real number) { return number; });
+  if (!numbers.empty() && *std::min_element(numbers.begin(), numbers.end()) > 0) {
+    Real sum = 0;
+    for (const Real number : numbers) sum += std::log(number);
+    spread.log_mean = sum / count;
+    spread.log_deviation = deviation(spread.log_mean, [](Real number) { return std::log(number); });
   }
-  return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : nan;
+  if (!limit || numbers.empty()) return spread;
+  const auto below = static_cast<Real>(std::count_if(numbers.begin(), numbers.end(), [&](Real number) { return number < *limit; }));
+  const Real likely = (below + 1) / (count + 2);
+  spread.below = below / count;
+  spread.below_error = std::sqrt(likely * (1 - likely) / count);
+  if (*limit > 0 && spread.log_deviation > 0)
+    spread.below_by_lognormal = standard_normal_share((std::log(*limit) - spread.log_mean) / spread.log_deviation);
+  return spread;
 }
 
 }  // namespace berm::study

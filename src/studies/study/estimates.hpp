@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/types.hpp"
+#include "study/rank_correlation.hpp"
 #include "study/study.hpp"
 
 #include <vector>
@@ -17,6 +18,15 @@ struct Swing {
   Real width() const { return std::abs(high - low); }
 };
 
+/// How the numbers of a sample scatter; NaN where it is not known.
+struct Spread {
+  Real deviation = nan;                      ///< standard deviation, by n - 1
+  Real log_mean = nan, log_deviation = nan;  ///< of the logarithm, of numbers that are all positive: the lognormal distribution
+  Real below = nan;                          ///< part of the numbers that lie below a limit
+  Real below_error = nan;                    ///< its standard error, sqrt(p (1 - p)/n) with p = (k + 1)/(n + 2) of k below it
+  Real below_by_lognormal = nan;             ///< the same by the lognormal distribution
+};
+
 /// What a sample tells of a measure, for one combination of all other axes. Numbers are those of the measure, NaN where they are not known.
 struct Estimate {
   std::vector<std::string> names;  ///< the case, and the values of the other axes
@@ -24,6 +34,7 @@ struct Estimate {
   Real best;               ///< with all parameters at their medians
   Real low, middle, high;  ///< quantiles of 5, 50 and 95 % (sample_quantile)
   Real mean;
+  Spread spread = {};
   std::size_t numbers = 0, failed = 0;  ///< rows of the sample that have a number, and runs of it that failed
   std::vector<Swing> swing;             ///< the widest first, of the unknown the largest correlation
 };
@@ -44,8 +55,7 @@ Real sample_quantile(std::vector<Real> values, Real p);
 /// NaN without values.
 Real mean_of(const std::vector<Real>& values);
 
-/// Spearman's rank correlation, from -1 to 1: the correlation of the places that the pairs have in order of x and in order of y; equal ones share their places.
-/// NaN with fewer than three pairs or where x or y does not vary.
-Real rank_correlation(const std::vector<Real>& x, const std::vector<Real>& y);
+/// The spread of these numbers, with the probability that one lies below the limit, if there is one.
+Spread spread_of(const std::vector<Real>& numbers, const std::optional<Real>& limit);
 
 }  // namespace berm::study

@@ -77,11 +77,23 @@ void describe(Describe& d, StudySample& sample)
   constexpr int most = 100'000;
   d.value("size", sample.size, {.meaning = "number of rows", .range = {1, most}, .required = true});
   d.value("seed", sample.seed, {.meaning = "another seed makes another sample", .range = not_negative});
-  d.array("parameter", sample.parameter, {.meaning = "uncertain parameters", .required = true});
+  d.array("parameter", sample.parameter, {.meaning = "uncertain parameters"});
+  d.value("seeds", sample.seeds,
+          {.meaning =
+               "keys that get another whole number in each row of the sample, such as random_field.*.seed: each row has a realisation of "
+               "its own"});
+  d.array("correlation", sample.correlation, {.meaning = "parameters that are not independent"});
 }
 
 void check(Describe& d, const StudySample& sample)
 {
+  std::vector<std::string> names;
+  for (const SampleParameter& parameter : sample.parameter) names.push_back(parameter.name);
+  check(d, sample.correlation, names, sample.size);
+  d.check(!sample.parameter.empty() || !sample.seeds.empty(), "sample", "varies nothing: give it a parameter, or seeds");
+  for (const std::string& key : sample.seeds) d.check(key.find('=') == std::string::npos, "sample.seeds", "a key has no =");
+  d.check(sample.seeds.empty() || static_cast<Real>(sample.size) * (1. + sample.seed) < 2e9, "sample.seed",
+          "is too large: seeds of the rows are whole numbers up to 2e9, (seed - 1) size + 1 and so on");
   for (std::size_t j = 0; j < sample.parameter.size(); ++j) {
     const SampleParameter& parameter = sample.parameter[j];
     const std::string path = fmt::format("sample.parameter[{}]", j);
@@ -102,11 +114,13 @@ StudyAxis sample_axis(const StudySample& sample)
 {
   StudyAxis axis{"sample", {}, {}, {}};
   std::vector<Real> medians;
+  std::vector<std::string> names;
   for (const SampleParameter& parameter : sample.parameter) {
     axis.parameter.push_back({parameter.name, is_bare(parameter.distribution.unit) ? "" : parameter.distribution.unit});
     medians.push_back(quantile(parameter.distribution, 0.5));
+    names.push_back(parameter.name);
   }
-  axis.value.push_back(value_at(sample, "best", medians));
+  if (!sample.parameter.empty()) axis.value.push_back(value_at(sample, "best", medians));
   for (std::size_t j = 0; j < sample.parameter.size(); ++j)
     for (const auto& [word, share] : {std::pair(" low", low_share), std::pair(" high", high_share)}) {
       std::vector<Real> numbers = medians;
@@ -115,11 +129,14 @@ StudyAxis sample_axis(const StudySample& sample)
     }
   axis.sample_from = axis.value.size();
   const auto rows = static_cast<std::size_t>(sample.size);
-  const std::vector<std::vector<Real>> shares = latin_hypercube(sample.parameter.size(), rows, static_cast<std::uint64_t>(sample.seed));
+  const std::vector<std::vector<Real>> shares = with_rank_correlations(
+      latin_hypercube(sample.parameter.size(), rows, static_cast<std::uint64_t>(sample.seed)), sample.correlation, names);
   for (std::size_t k = 0; k < rows; ++k) {
     std::vector<Real> numbers;
     for (std::size_t j = 0; j < sample.parameter.size(); ++j) numbers.push_back(quantile(sample.parameter[j].distribution, shares[j][k]));
     axis.value.push_back(value_at(sample, fmt::format("{}", k + 1), numbers));
+    for (const std::string& key : sample.seeds)
+      axis.value.back().set.push_back(fmt::format("{}={}", key, std::max(0, sample.seed - 1) * sample.size + static_cast<int>(k) + 1));
   }
   return axis;
 }
@@ -171,11 +188,6 @@ std::vector<std::vector<Real>> latin_hypercube(std::size_t parameters, std::size
 }
 
 namespace {
-
-Real standard_normal_share(Real z)
-{
-  return 0.5 * std::erfc(-z / std::sqrt(2.));
-}
 
 bool is_unbounded(const Distribution& d)
 {
@@ -251,6 +263,11 @@ Real quantile(const Distribution& d, Real p)
   const Real from = d.min && !logarithm_ends ? halves.share(Halves::along(d, *d.min)) : 0,
              to = d.max ? halves.share(Halves::along(d, *d.max)) : 1;
   return Halves::back(d, halves.at(from + p * (to - from)));
+}
+
+Real standard_normal_share(Real z)
+{
+  return 0.5 * std::erfc(-z / std::sqrt(2.));
 }
 
 Real standard_normal_quantile(Real p)

@@ -3,6 +3,7 @@
 
 #include "core/describe.hpp"
 #include "core/types.hpp"
+#include "study/rank_correlation.hpp"
 #include "study/study_axis.hpp"
 
 #include <cstdint>
@@ -33,6 +34,9 @@ void check(Describe& d, const std::string& path, const Distribution& distributio
 /// best - low below it, z the quantile of the standard normal distribution; where min or max is given, p is the share of what is left between them.
 Real quantile(const Distribution& distribution, Real p);
 
+/// (1 + erf(z / sqrt 2)) / 2: the share of the standard normal distribution below z.
+Real standard_normal_share(Real z);
+
 /// z with (1 + erf(z / sqrt 2)) / 2 = p, to 1e-14; at most 9 in size.
 Real standard_normal_quantile(Real p);
 
@@ -48,6 +52,8 @@ struct SampleParameter {
 struct StudySample {
   int size = 0, seed = 1;
   std::vector<SampleParameter> parameter;
+  std::vector<std::string> seeds = {};  ///< keys that get another whole number in each row
+  std::vector<SampleCorrelation> correlation = {};
 };
 
 void describe(Describe& d, SampleParameter& parameter);
@@ -55,8 +61,8 @@ void describe(Describe& d, StudySample& sample);
 /// Says at [sample] what does not fit together.
 void check(Describe& d, const StudySample& sample);
 
-/// The axis of a sample: the value "best", then "NAME low" and "NAME high" of each parameter, then the rows of the sample, "1", "2", ... Numbers have six digits, so that they are
-/// the same wherever exp and log differ in their last bits.
+/// The axis of a sample: the value "best", then "NAME low" and "NAME high" of each parameter, then the rows of the sample, "1", "2", ... A sample of seeds alone has but the rows. Numbers have six
+/// digits, so that they are the same wherever exp and log differ in their last bits.
 StudyAxis sample_axis(const StudySample& sample);
 
 /// The rows of the sample as a table that read_table reads.

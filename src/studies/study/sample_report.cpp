@@ -59,6 +59,32 @@ std::vector<Words> estimate_lines(const Study& study, const std::vector<Estimate
   return lines;
 }
 
+/// Mean, scatter, the lognormal distribution and the probability of the limit.
+std::vector<Words> spread_lines(const Study& study, const std::vector<Estimate>& estimates, WriteNumber number)
+{
+  const bool limits = std::any_of(study.measure.begin(), study.measure.end(), [](const StudyMeasure& m) { return m.limit.has_value(); });
+  Words heads = {"measure",
+                 "mean",
+                 "standard error of the mean",
+                 "standard deviation",
+                 "coefficient of variation",
+                 "lognormal median",
+                 "lognormal deviation of ln"};
+  if (limits) heads = joined(heads, {"limit", "probability below", "above", "standard error", "below by lognormal"});
+  std::vector<Words> lines = {joined(other_axes(study), heads)};
+  for (const Estimate& e : estimates) {
+    const Spread& s = e.spread;
+    Words line =
+        joined(begin_of(study, e), {number(e.mean), number(s.deviation / std::sqrt(static_cast<Real>(e.numbers))), number(s.deviation),
+                                    number(s.deviation / std::abs(e.mean)), number(std::exp(s.log_mean)), number(s.log_deviation)});
+    if (limits)
+      line = joined(line, {number(study.measure[e.measure].limit.value_or(nan)), number(s.below), number(1 - s.below),
+                           number(s.below_error), number(s.below_by_lognormal)});
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 /// `in_words`: the parameter's own values in the unit that suits, else in SI.
 std::vector<Words> sensitivity_lines(const Study& study, const std::vector<Estimate>& estimates, WriteNumber number, bool in_words)
 {
@@ -115,7 +141,8 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
   if (axis == nullptr) return "";
   const std::vector<Estimate> estimates = estimates_of(plan);
   io::write_atomically(output / "estimates.csv", csv_of(estimate_lines(study, estimates, exact)));
-  io::write_atomically(output / "sensitivity.csv", csv_of(sensitivity_lines(study, estimates, exact, false)));
+  io::write_atomically(output / "distribution.csv", csv_of(spread_lines(study, estimates, exact)));
+  if (!axis->parameter.empty()) io::write_atomically(output / "sensitivity.csv", csv_of(sensitivity_lines(study, estimates, exact, false)));
   const std::size_t texts = other_axes(study).size() + 1;
   const bool drawn = *axis->sample_from > 0;
   std::string text = "## Low, best and high\n\n";
@@ -123,7 +150,8 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
   text += fmt::format(
       "5, 50 and 95 % of a sample of {} rows: the k-th of n numbers in order stands for (k - 1/2) / n, and between two it is linear.{}\n",
       axis->value.size() - *axis->sample_from,
-      drawn ? " best: the run with all parameters at their medians. The sample is samples.csv." : "");
+      fmt::format("{}{}", drawn ? " best: the run with all parameters at their medians." : "",
+                  study.sample ? " The sample is samples.csv." : ""));
   if (std::any_of(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.failed > 0; }))
     text += "Runs that failed are not in these numbers: where they are at one end of the sample, that end is missing.\n";
   Words pictures;
@@ -133,11 +161,17 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
     if (draw_tornado(output, name, plan, estimate)) pictures.push_back(name);
   }
   for (const std::string& picture : pictures) text += fmt::format("\n![{0}]({0}.png)\n", picture);
-  text += "\n## Effect of each parameter\n\n";
-  text += markdown_of(sensitivity_lines(study, estimates, rounded, true), texts + 1);
-  if (drawn) text += "Swing: one parameter at its 5 % and 95 % value, all others at their medians. ";
-  text += "Rank correlation: over the sample, from -1 to 1 (Spearman).\n\n## All runs\n\n";
-  return text;
+  text += "\n## Distribution\n\n" + markdown_of(spread_lines(study, estimates, rounded), texts);
+  text += "Of the same numbers. Lognormal: median and standard deviation of ln. Standard error of a probability: sqrt(p (1 - p)/n), p = (k "
+          "+ 1)/(n + 2) of k "
+          "numbers below the limit.\n";
+  if (!axis->parameter.empty()) {
+    text += "\n## Effect of each parameter\n\n";
+    text += markdown_of(sensitivity_lines(study, estimates, rounded, true), texts + 1);
+    if (drawn) text += "Swing: one parameter at its 5 % and 95 % value, all others at their medians. ";
+    text += "Rank correlation: over the sample, from -1 to 1 (Spearman).\n";
+  }
+  return text + "\n## All runs\n\n";
 }
 
 }  // namespace berm::study

@@ -13,7 +13,7 @@ namespace berm::study {
 /// for each figure. Throws RunError.
 void write_study_report(const StudyPlan& plan, const std::filesystem::path& output);
 
-/// Writes what the sample of a study tells: OUTPUT/estimates.csv, sensitivity.csv and a tornado picture for each measure and combination of the other axes. Returns the same as Markdown, with
+/// Writes what the sample of a study tells: OUTPUT/estimates.csv, distribution.csv, sensitivity.csv and a tornado picture for each measure and combination of the other axes. Returns the same as Markdown, with
 /// the pictures; "" of a study without a sample. Throws RunError.
 std::string write_sample_report(const StudyPlan& plan, const std::filesystem::path& output);
 

@@ -123,7 +123,7 @@ void add_axis(const input::Document& document, const input::Node& node, const st
   if (axis.sample_from && sample_of(study) != nullptr)
     refuse(document, node, path,
            "is a second sample; put all columns into one file, or give the rows a column `name` where they are chosen and not drawn");
-  if (const auto [key, by] = set_twice(study.axis, axis.value[0], axis.name); !key.empty())
+  if (const auto [key, by] = set_twice(study.axis, axis.value.back(), axis.name); !key.empty())
     refuse(document, node, path, fmt::format("{} is set twice, here and by {}", key, by));
   study.axis.push_back(axis);
 }
@@ -180,6 +180,7 @@ void describe(Describe& d, StudyMeasure& measure)
   d.value("unit", measure.unit, {.meaning = "unit that is shown; absent: the SI unit of the number"});
   d.value("scale", measure.scale, {.meaning = "shown number over the number in SI units"});
   d.value("cases", measure.cases, {.meaning = "only for these cases; absent = all"});
+  d.value("limit", measure.limit, {.meaning = "number, as shown, for whose two sides a sample tells the probability"});
 }
 
 void describe(Describe& d, StudyFigure& figure)
@@ -201,7 +202,7 @@ void describe(Describe& d, Study& study)
   d.array(case_key, study.cases, {.meaning = "cases to run", .required = true});
   d.array("axis", study.axis, {.meaning = "what is varied"});
   d.array("table", study.table, {.meaning = "files whose rows are varied"});
-  d.optional_table("sample", study.sample, {.meaning = "Latin hypercube of uncertain parameters"});
+  d.optional_table("sample", study.sample, {.meaning = "Latin hypercube of uncertain parameters, and seeds of random fields"});
   d.array("skip", study.skip, {.meaning = "combinations that are left out"});
   d.array("measure", study.measure, {.meaning = "columns of the table", .required = true});
   d.array("figure", study.figure, {.meaning = "figures of history curves"});

@@ -31,6 +31,7 @@ struct StudyMeasure {
   std::string unit;                ///< as it is shown, after scaling; "": the SI unit of the first number
   Real scale = 1;                  ///< shown number over the SI number
   std::vector<std::string> cases;  ///< only for these; empty = all
+  std::optional<Real> limit = {};  ///< as shown: a sample tells how probable numbers below it are
 };
 
 /// History curves of all rows over one another.

@@ -192,7 +192,8 @@ std::vector<fs::path> all_examples()
     if (entry.path().extension() != ".toml") continue;
     const std::string text = text_of_file(entry.path());
     const bool of_tests = text.find("\n[[test]]") != std::string::npos || text.find("\n[[measured]]") != std::string::npos ||
-                          text.find("\n[contours]") != std::string::npos || text.find("\n[sea]") != std::string::npos;
+                          text.find("\n[contours]") != std::string::npos || text.find("\n[sea]") != std::string::npos ||
+                          text.find("\n[[measure]]") != std::string::npos;
     const bool other = of_tests || name == "expected.toml" || name == "study.toml";
     if (!other) cases.push_back(fs::relative(entry.path(), examples));
   }

@@ -87,6 +87,30 @@ TEST(SampleStatistics, the_mean_is_that_of_all)
 {
   EXPECT_NEAR(mean_of(ten()), 5.5, rounding);
 }
+TEST(SampleStatistics, spread_is_that_of_numbers_and_of_their_logarithms)
+{
+  // 1, e, e^2: deviations by n - 1; two of three lie below 5, of which (2 + 1)/(3 + 2) makes the error.
+  const Real e = std::exp(1.);
+  const Spread spread = spread_of({e, 1, e * e}, 5);
+  const Real mean = (1 + e + e * e) / 3;
+  EXPECT_NEAR(spread.deviation, std::sqrt((std::pow(1 - mean, 2) + std::pow(e - mean, 2) + std::pow(e * e - mean, 2)) / 2), rounding);
+  EXPECT_NEAR(spread.log_mean, 1, rounding);
+  EXPECT_NEAR(spread.log_deviation, 1, rounding);
+  EXPECT_NEAR(spread.below, 2. / 3, rounding);
+  EXPECT_NEAR(spread.below_error, std::sqrt(0.6 * 0.4 / 3), rounding);
+  EXPECT_NEAR(spread.below_by_lognormal, 0.5 * std::erfc(-(std::log(5.) - 1) / std::sqrt(2.)), rounding);
+}
+TEST(SampleStatistics, spread_knows_no_lognormal_of_negative_numbers_and_no_scatter_of_one)
+{
+  const Spread negative = spread_of({-1, 2}, {});
+  EXPECT_TRUE(std::isnan(negative.log_mean) && std::isnan(negative.below));
+  EXPECT_NEAR(negative.deviation, 3 / std::sqrt(2.), rounding);
+  EXPECT_TRUE(std::isnan(spread_of({1}, {}).deviation));
+  EXPECT_TRUE(std::isnan(spread_of({}, 1).below));
+  const Spread none_below = spread_of({2, 3, 4, 5}, 1);
+  EXPECT_EQ(none_below.below, 0);
+  EXPECT_NEAR(none_below.below_error, std::sqrt(5. / 36 / 4), rounding) << "no number below is no certainty";
+}
 TEST(SampleStatistics, rank_correlation_knows_order_alone)
 {
   EXPECT_NEAR(rank_correlation({1, 2, 3, 4}, {1, 10, 100, 1e9}), 1, rounding);

@@ -51,6 +51,27 @@ TEST(Sample, is_another_with_another_seed)
   sample.seed = 4;
   EXPECT_NE(samples_csv(sample_axis(sample)), samples_csv(one));
 }
+TEST(Sample, gives_each_row_a_seed_of_its_own_and_none_to_best_low_and_high)
+{
+  StudySample sample = strength_and_factor();
+  sample.seeds = {"random_field.*.seed"};
+  const StudyAxis axis = sample_axis(sample);
+  EXPECT_EQ(axis.value[0].set.size(), 4u);
+  EXPECT_EQ(axis.value[5].set.back(), "random_field.*.seed=25");  // the third sample of 12 rows
+  EXPECT_EQ(axis.value.back().set.back(), "random_field.*.seed=36");
+  EXPECT_NE(samples_csv(axis).find("random_field.*.seed"), std::string::npos);
+}
+TEST(Sample, of_seeds_alone_has_its_rows_alone)
+{
+  StudySample sample;
+  sample.size = 5;
+  sample.seeds = {"a.seed", "b.seed"};
+  const StudyAxis axis = sample_axis(sample);
+  EXPECT_EQ(axis.sample_from, std::optional<std::size_t>(0));
+  ASSERT_EQ(axis.value.size(), 5u);
+  EXPECT_EQ(axis.value[4].set, (Words{"a.seed=5", "b.seed=5"}));
+  EXPECT_TRUE(axis.parameter.empty());
+}
 TEST(Sample, as_a_table_is_the_same_rows)
 {
   const TemporaryFolder folder;

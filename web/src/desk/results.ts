@@ -41,6 +41,7 @@ export async function results_of(made: string[]): Promise<HTMLElement[]> {
   const pictures = made.filter((each) => each.endsWith(".png")).map((each) => picture_of(each, each.split("/").pop()!.replace(/\.png$/, "").replace(/^tornado\./, "Tornado: ")));
   return [
     ...(await table("estimates.csv", "Low, best and high estimate")),
+    ...(await table("distribution.csv", "Distribution: mean, scatter, lognormal fit, probability of a limit")),
     ...(await table("sensitivity.csv", "Sensitivity: one parameter low or high, all others at their best")),
     make("div", "pictures", ...(await Promise.all(pictures))),
     ...(await table("results.csv", "All runs")),
