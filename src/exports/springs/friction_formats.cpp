@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Programs that know coefficients of friction and no curves.
+#include "route/route_report.hpp"
 #include "springs/written_springs.hpp"
 #include "study/study_report.hpp"
 
@@ -92,11 +93,7 @@ ExportFiles buckpy_files(const Design& design)
        "Hydrotest are travels of the flooded pipe and those with hydro or flood in their name, operation are all others; an empty cell is "
        "not "
        "known from these runs."});
-  Words head = {"Pipeline", "Friction Set"};
-  for (const char* what : {"Axial", "Lateral Hydrotest", "Lateral Operation"})
-    for (const char* column : {"LE", "BE", "HE", "Fit Bounds"}) head.push_back(fmt::format("{} {}", what, column));
-  head.emplace_back("Soil Description");
-  text += study::csv_line(head);
+  text += study::csv_line(route::buckpy_columns());
   std::vector<const Lateral*> hydrotest, operation;
   for (const Lateral& l : design.best.lateral)
     if (!l.only_berm())
