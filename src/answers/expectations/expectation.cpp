@@ -66,7 +66,8 @@ void check_element(Describe& d, const std::string& path, const Expectation& e, c
 {
   const bool of_tests =
       std::any_of(all.run.begin(), all.run.end(), [&](const auto& run) { return run.first == e.run && !run.second.is_run(); });
-  d.check(!of_tests || e.observable.column.empty(), path + ".column", "a run with element, fit, cyclic, sea or route = true has quantities alone");
+  d.check(!of_tests || e.observable.column.empty(), path + ".column",
+          "a run with element, fit, cyclic, sea or route = true has quantities alone");
 }
 
 /// A number of which nobody says what it is for, and where it is from, proves nothing.
@@ -192,7 +193,8 @@ void describe(Describe& d, Expectations& all)
   const std::vector<std::string> names = names_of(all.run);
   for (const auto& [name, run] : all.run) d.check(!run.fast || !run.is_long, "run." + name + ".long", "the run is fast");
   for (const auto& [name, run] : all.run)
-    d.check(run.is_run() || !run.uncertainty, "run." + name + ".uncertainty", "element tests, fits, storms, sea states and routes have no bands");
+    d.check(run.is_run() || !run.uncertainty, "run." + name + ".uncertainty",
+            "element tests, fits, storms, sea states and routes have no bands");
   for (const auto& [name, run] : all.run)
     d.check(run.element + run.fit + run.cyclic + run.sea + run.route <= 1, "run." + name,
             "has two of element, fit, cyclic, sea and route = true: it is one of them");

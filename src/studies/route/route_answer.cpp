@@ -216,13 +216,58 @@ Real force_at(const RouteCase& c, Real kp)
                            c.pipe.lay_tension);
 }
 
-/// The largest within a section: it is linear between KPs.
-Real largest_force(const RouteCase& c, const Section& s)
+/// What a length holds of the compression: of a buried line, whose axial resistance no formula here has, all of it.
+Real held_by(const Resistances& soil, Real length)
 {
-  Real largest = std::max(force_at(c, s.from), force_at(c, s.to));
-  for (const Real kp : c.operation.kp)
-    if (kp > s.from && kp < s.to) largest = std::max(largest, force_at(c, kp));
-  return largest;
+  return std::isnan(soil.axial_breakout.high) ? infinity : soil.axial_breakout.high * length;
+}
+
+/// The least of what heat and pressure make, and of what lies between here and each free end, with the high axial breakout.
+struct Compression {
+  const RouteCase& c;
+  const std::vector<SectionAnswer>& answers;
+
+  Real at_rest(Real kp) const { return force_at(c, kp); }
+  Real from_begin(Real kp) const { return between(c.section.front().from, kp); }
+  Real to_end(Real kp) const { return between(kp, c.section.back().to); }
+
+  /// What the line holds between two places.
+  Real between(Real from, Real to) const
+  {
+    if (c.operation.ends == Ends::anchored) return infinity;
+    Real held = 0;
+    for (std::size_t k = 0; k < answers.size(); ++k)
+      if (const Real length = std::min(to, c.section[k].to) - std::max(from, c.section[k].from); length > 0)
+        held += held_by(answers[k].soil, length);
+    return held;
+  }
+
+  /// Along a section. All three are linear between its ends and the KPs of the operation.
+  std::vector<ForceAt> along(const Section& s) const
+  {
+    std::vector<Real> places = {s.from};
+    for (const Real kp : c.operation.kp)
+      if (kp > s.from && kp < s.to) places.push_back(kp);
+    places.push_back(s.to);
+    const std::size_t pieces = places.size() - 1;
+    for (std::size_t k = 0; k < pieces; ++k)
+      for (const auto& [one, other] : {std::pair(&Compression::at_rest, &Compression::from_begin),
+                                       {&Compression::at_rest, &Compression::to_end},
+                                       {&Compression::from_begin, &Compression::to_end}}) {
+        const Real begin = (this->*one)(places[k]) - (this->*other)(places[k]),
+                   end = (this->*one)(places[k + 1]) - (this->*other)(places[k + 1]);
+        if (begin * end < 0 && std::isfinite(begin * end)) places.push_back(std::lerp(places[k], places[k + 1], begin / (begin - end)));
+      }
+    std::ranges::sort(places);
+    std::vector<ForceAt> forces;
+    for (const Real kp : places) forces.push_back({kp, std::min({at_rest(kp), from_begin(kp), to_end(kp)})});
+    return forces;
+  }
+};
+
+Real largest(const std::vector<ForceAt>& forces)
+{
+  return std::ranges::max(forces, {}, &ForceAt::force).force;
 }
 
 void screen_lateral(Screening& found, const beam::Section& steel, const Resistances& soil, const std::optional<Real>& radius)
@@ -234,7 +279,7 @@ void screen_lateral(Screening& found, const beam::Section& steel, const Resistan
     if (const Real P = hobbs_smallest_force(one, weak); P < found.hobbs) found.hobbs = P, found.lobes = lobes, mode = one;
   if (found.lobes == 0) found.hobbs = nan;
   if (radius) found.curve = formulas::curve_buckling_force(soil.lateral_breakout.low, *radius).value;
-  const Real P_0 = found.constrained_force;
+  const Real P_0 = found.compression;
   found.lateral = P_0 / (std::isnan(found.curve) ? found.hobbs : std::min(found.hobbs, found.curve));
   const auto buckle = [&](Real axial) {
     return hobbs_buckle_at(mode, {steel.bending_stiffness, steel.axial_stiffness, soil.lateral_residual.best, axial}, P_0);
@@ -253,17 +298,23 @@ std::vector<SectionAnswer> answer_of(const RouteCase& c, const FromRun& from_run
 {
   const beam::Section steel = section_of(steel_of(c.pipe));
   std::vector<SectionAnswer> answers;
-  for (const Section& s : c.section) {
-    SectionAnswer& answer = answers.emplace_back();
-    answer.soil = s.run.empty() ? by_formulas(c.pipe, s) : from_run(c.folder / s.run, c.pipe);
+  for (const Section& s : c.section)
+    answers.emplace_back().soil = s.run.empty() ? by_formulas(c.pipe, s) : from_run(c.folder / s.run, c.pipe);
+  const Compression compression{c, answers};
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    const Section& s = c.section[k];
+    SectionAnswer& answer = answers[k];
+    answer.compression = compression.along(s);
     Screening& found = answer.screening;
-    found.constrained_force = largest_force(c, s);
+    found.constrained_force = std::max(force_at(c, s.from), force_at(c, s.to));
+    for (const Real kp : c.operation.kp)
+      if (kp > s.from && kp < s.to) found.constrained_force = std::max(found.constrained_force, force_at(c, kp));
+    found.compression = largest(answer.compression);
     if (!s.cover) {
       screen_lateral(found, steel, answer.soil, s.curve_radius);
     } else if (s.prop_height > 0) {
-      found.download = found.constrained_force > 0
-                           ? formulas::palmer_download(found.constrained_force, steel.bending_stiffness, c.pipe.laying, s.prop_height).value
-                           : 0;
+      const formulas::Formula held = formulas::palmer_download(found.compression, steel.bending_stiffness, c.pipe.laying, s.prop_height);
+      found.download = found.compression > 0 ? held.value : 0;
       found.upheaval = found.download / (c.pipe.operation + answer.soil.uplift.low);
     }
   }

@@ -28,20 +28,27 @@ struct Resistances {
 
 /// Whether the line leaves its place, with the resistance that makes that more likely.
 struct Screening {
-  Real constrained_force = 0;    ///< P_0, N, the larger of those at both ends of the section
+  Real constrained_force = 0;    ///< P_0, N, the largest in the section
+  Real compression = 0;          ///< N, the largest that there is: where the line moves at its ends, what axial resistance holds of it
   Real hobbs = nan;              ///< N, the smallest P_0 that has a buckle, of modes of two to four lobes
   int lobes = 0;                 ///< of that
   Real curve = nan;              ///< N, the force that pushes the line out of the curve it is laid in
-  Real lateral = nan;            ///< P_0 over the smaller of the two
-  formulas::HobbsBuckle buckle;  ///< at P_0, with the best residual resistances; NaN where there is none
+  Real lateral = nan;            ///< compression over the smaller of the two
+  formulas::HobbsBuckle buckle;  ///< at that compression, with the best residual resistances; NaN where there is none
   Bounds anchor_spacing;         ///< m, between the virtual anchors of that buckle: low with the high axial residual
   Real feed_in = nan;            ///< m, that the line lengthens into it
   Real download = nan;           ///< N/m, that holds a buried line down on its prop
   Real upheaval = nan;           ///< that over the weight in operation and the low uplift resistance
 };
 
+/// The compression at a place of the route.
+struct ForceAt {
+  Real kp, force;  ///< m, N
+};
+
 struct SectionAnswer {
   Resistances soil;
+  std::vector<ForceAt> compression;  ///< where its slope changes, and at both ends of the section
   Screening screening;
 };
 

@@ -53,7 +53,8 @@ void add(std::vector<Quantity>& list, const char* low, const char* best, const c
 
 std::vector<Quantity> quantities(const SectionAnswer& answer)
 {
-  const auto& [soil, screening] = answer;
+  const Resistances& soil = answer.soil;
+  const Screening& screening = answer.screening;
   std::vector<Quantity> list = {{"V", "vertical force in operation", "N/m", soil.V}};
   add(list, "embedment_LE", "embedment", "embedment_HE", "embedment", "m", soil.embedment);
   add(list, "vertical_stiffness_LE", "vertical_stiffness", "vertical_stiffness_HE", "vertical force over the embedment", "N/m^2",
@@ -65,8 +66,9 @@ std::vector<Quantity> quantities(const SectionAnswer& answer)
   add(list, "axial_breakout_LE", "axial_breakout", "axial_breakout_HE", "axial breakout resistance", "N/m", soil.axial_breakout);
   add(list, "axial_residual_LE", "axial_residual", "axial_residual_HE", "axial residual resistance", "N/m", soil.axial_residual);
   add(list, "uplift_LE", "uplift", "uplift_HE", "uplift resistance", "N/m", soil.uplift);
-  list.push_back({"constrained_force", "effective compression where the line does not move", "N", screening.constrained_force});
-  list.push_back({"hobbs_force", "smallest of these that has a lateral buckle, low resistances [Hobbs 1984]", "N", screening.hobbs});
+  list.push_back({"constrained_force", "effective compression of a line that does not move, largest", "N", screening.constrained_force});
+  list.push_back({"compression", "effective compression that the axial resistance to the ends holds, largest", "N", screening.compression});
+  list.push_back({"hobbs_force", "smallest compression that has a lateral buckle, low resistances [Hobbs 1984]", "N", screening.hobbs});
   list.push_back({"curve_force", "compression that pushes the line out of its curve, low lateral resistance", "N", screening.curve});
   list.push_back({"lateral_utilisation", "compression over the smaller of the two", "1", screening.lateral});
   list.push_back({"buckle_amplitude", "amplitude of a buckle at that compression, best residual resistances [Hobbs 1984]", "m",
@@ -103,20 +105,29 @@ std::string worst_words(const RouteResults& results, Real Screening::*utilisatio
 Words answer_in_words(const RouteResults& results)
 {
   Words words;
+  const Real length = results.settings.section.back().to - results.settings.section.front().from;
   for (std::string line : {worst_words(results, &Screening::lateral, "The line may buckle sideways", "The line does not buckle sideways"),
                            worst_words(results, &Screening::upheaval, "The buried line may come up", "The buried line stays down")})
     if (!line.empty()) words.push_back(line);
   for (std::size_t k = 0; k < results.answer.size(); ++k) {
     const Screening& s = results.answer[k].screening;
-    if (s.lateral > 1 && std::isfinite(s.anchor_spacing.best))
-      words.push_back(fmt::format(
-          "{}: {:.4g} MN where the line does not move, {:.4g} MN needed for a buckle of {} lobes{}; virtual anchors of one lie {:.4g} m "
-          "apart ({:.4g} to {:.4g} m with the high and the low axial residual), and it takes {:.3g} m.",
-          name_of(results, k), s.constrained_force / 1e6, s.hobbs / 1e6, s.lobes,
-          std::isnan(s.curve) ? "" : fmt::format(", {:.4g} MN in the curve", s.curve / 1e6), s.anchor_spacing.best, s.anchor_spacing.low,
-          s.anchor_spacing.high, s.feed_in));
-    for (const std::string& doubt : results.answer[k].soil.doubts) words.push_back(name_of(results, k) + ": " + doubt + ".");
+    if (!(s.lateral > 1)) continue;
+    std::string line = fmt::format("{}: {:.4g} MN ({:.4g} MN of a line that does not move), {:.4g} MN needed for a buckle of {} lobes{}",
+                                   name_of(results, k), s.compression / 1e6, s.constrained_force / 1e6, s.hobbs / 1e6, s.lobes,
+                                   std::isnan(s.curve) ? "" : fmt::format(", {:.4g} MN in the curve", s.curve / 1e6));
+    if (const Bounds& apart = s.anchor_spacing; apart.best > length)
+      line += fmt::format(
+          ". Virtual anchors of one would lie {:.4g} m apart, more than the route is long: it takes the whole line, and Hobbs's "
+          "amplitude is more than it can have",
+          apart.best);
+    else if (std::isfinite(apart.best))
+      line += fmt::format("; virtual anchors of one lie {:.4g} m apart ({:.4g} to {:.4g} m with the high and the low axial residual), and "
+                          "it takes {:.3g} m",
+                          apart.best, apart.low, apart.high, s.feed_in);
+    words.push_back(line + ".");
   }
+  for (std::size_t k = 0; k < results.answer.size(); ++k)
+    for (const std::string& doubt : results.answer[k].soil.doubts) words.push_back(name_of(results, k) + ": " + doubt + ".");
   words.emplace_back("A screening: a straight or evenly curved line on a level bed, formulas of an exposed pipe where there is no cover.");
   return words;
 }
@@ -200,7 +211,7 @@ struct Course {
 };
 
 bool draw(const RouteResults& results, const fs::path& folder, const char* name, const char* title, const char* unit, Real scale,
-          const std::vector<Course>& courses)
+          const std::vector<Course>& courses, const std::vector<plot::FigureCurve>& more = {})
 {
   plot::Figure figure;
   figure.title = title;
@@ -208,6 +219,7 @@ bool draw(const RouteResults& results, const fs::path& folder, const char* name,
   figure.y_label = unit;
   figure.more = plot::from_zero;
   figure.width = 900, figure.height = 380;
+  figure.curves = more;
   for (const Course& course : courses) {
     plot::FigureCurve curve{course.title, plot::curve_style(course.color, course.dash), {}, {}};
     bool known = false;
@@ -241,10 +253,13 @@ Words draw_all(const RouteResults& results, const fs::path& folder)
     drawn.emplace_back("lateral");
   if (draw(results, folder, "axial", "Axial resistance", "kN/m", 1000, both(&Resistances::axial_breakout, &Resistances::axial_residual)))
     drawn.emplace_back("axial");
+  plot::FigureCurve compression{"with the axial resistance to the ends", plot::curve_style(3, 0), {}, {}};
+  for (const SectionAnswer& a : results.answer)
+    for (const ForceAt& at : a.compression) compression.x.push_back(at.kp / 1000), compression.y.push_back(at.force / 1e6);
   if (draw(results, folder, "buckling", "Effective compression", "MN", 1e6,
-           {{"where the line does not move", 0, 0, [](const SectionAnswer& a) { return a.screening.constrained_force; }},
-            {"needed for a lateral buckle", 1, 0, [](const SectionAnswer& a) { return a.screening.hobbs; }},
-            {"that leaves the curve", 2, 0, [](const SectionAnswer& a) { return a.screening.curve; }}}))
+           {{"needed for a lateral buckle", 1, 0, [](const SectionAnswer& a) { return a.screening.hobbs; }},
+            {"that leaves the curve", 2, 0, [](const SectionAnswer& a) { return a.screening.curve; }}},
+           {compression}))
     drawn.emplace_back("buckling");
   return drawn;
 }

@@ -39,6 +39,8 @@ void describe(Describe& d, Operation& operation)
           {.meaning = "rise of the temperature since laying", .unit = "K", .range = {-300, 1000}, .required = true});
   d.value("pressure_rise", operation.pressure,
           {.meaning = "rise of the internal pressure since laying", .unit = "Pa", .range = {-1e9, 1e9}, .required = true});
+  d.choice("ends", operation.ends, {"free", "anchored"},
+           {.meaning = "ends of the line: free, so that its compression builds up by axial resistance, or anchored"});
 }
 
 void describe(Describe& d, Section& s)
@@ -48,9 +50,8 @@ void describe(Describe& d, Section& s)
   d.value("kp_to", s.to, {.meaning = "where it ends", .unit = "m", .required = true});
   d.value("run", s.run,
           {.meaning = "folder of a run, or of a study with a sample, seen from this file's folder: its springs instead of formulas"});
-  d.value(
-      "undrained_strength", s.strength,
-      {.meaning = "s_u of clay at the seabed: [low, best, high], or [best]; absent: sand", .unit = "Pa", .range = not_negative});
+  d.value("undrained_strength", s.strength,
+          {.meaning = "s_u of clay at the seabed: [low, best, high], or [best]; absent: sand", .unit = "Pa", .range = not_negative});
   d.value("undrained_strength_gradient", s.gradient, {.meaning = "increase of s_u with depth", .unit = "Pa/m", .range = not_negative});
   d.value("submerged_unit_weight", s.unit_weight, {.meaning = "submerged unit weight of the soil", .unit = "N/m^3", .range = positive});
   d.value("sensitivity", s.sensitivity,
@@ -101,7 +102,7 @@ void check_section(Describe& d, const Section& s, const std::string& path)
   if (s.is_clay()) {
     d.check(s.strength.front() > 0 || s.gradient > 0, path + "undrained_strength", "is 0 at all depths");
     d.check(!s.adhesion_factor.empty(), path + "adhesion_factor", "is needed of clay");
-    d.check(s.friction_angle.empty(), path + "friction_angle", "does not go with undrained_strength");
+    d.check(s.friction_angle.empty(), path + "friction_angle", "cannot be combined with undrained_strength");
     return;
   }
   d.check(!s.friction_angle.empty(), path + "friction_angle", "is needed of sand; clay has undrained_strength");
@@ -134,7 +135,7 @@ void describe(Describe& d, RouteCase& c)
   for (std::size_t k = 0; k < c.section.size(); ++k) {
     const std::string path = fmt::format("section[{}].", k);
     check_section(d, c.section[k], path);
-    d.check(k == 0 || c.section[k].from >= c.section[k - 1].to, path + "kp_from", "lies before the end of the section before");
+    d.check(k == 0 || c.section[k].from == c.section[k - 1].to, path + "kp_from", "is not where the section before ends");
   }
 }
 

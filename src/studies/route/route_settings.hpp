@@ -19,9 +19,13 @@ struct Pipe {
   std::optional<Real> lay_factor;  ///< largest V of laying over the weight; absent: by F114
 };
 
+/// What holds the ends of the line.
+enum class Ends { free, anchored };
+
 /// Temperature and pressure since laying, by KP: one number each, or as many as KPs.
 struct Operation {
   std::vector<Real> kp, temperature, pressure;  ///< m, K, Pa
+  Ends ends = Ends::free;
 };
 
 /// Low, best and high, or the best alone.

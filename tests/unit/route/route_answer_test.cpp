@@ -73,7 +73,10 @@ TEST(RouteAnswer, lay_factor_by_f114_is_that_of_the_resistance_where_the_pipe_co
 // Hobbs by a search over the length, 1 cm apart, with h = 772.37 and f = 150.33 N/m: 0.704553 MN with three lobes, before 0.706501 with four and 0.712166 with two.
 TEST(RouteAnswer, screens_by_the_lowest_of_hobbs_modes_with_low_resistances)
 {
-  const Screening s = answer_of(sample_route(), no_run).front().screening;
+  RouteCase anchored = sample_route();
+  anchored.operation.ends = Ends::anchored;
+  const Screening s = answer_of(anchored, no_run).front().screening;
+  EXPECT_EQ(s.compression, s.constrained_force);
   EXPECT_NEAR(s.constrained_force, 3332948, 10);
   EXPECT_EQ(s.lobes, 3);
   EXPECT_NEAR(s.hobbs, 704553, 50);
@@ -87,13 +90,27 @@ TEST(RouteAnswer, screens_by_the_lowest_of_hobbs_modes_with_low_resistances)
   EXPECT_NEAR(s.feed_in, std::pow(s.constrained_force - s.buckle.compression, 2) / (3184696561. * 70.1546), 1e-4 * s.feed_in);
 }
 
-TEST(RouteAnswer, screens_a_curve_by_its_radius_and_takes_the_hotter_end)
+// From a free end at KP 0 the high axial resistance of clay, 270.60 N/m, holds 4000 x 270.60 = 1.08239 MN at KP 4. In sand it grows on by f = high of sand, and P_0 falls by
+// 3184.697 MN x 1.17e-5 x 48 K/12 km = 149.04 N/m from 2.73677 MN: they meet after (2736773 - 1082386)/(f + 149.04) m. The landfall beyond holds all.
+TEST(RouteAnswer, compression_builds_up_from_free_ends_by_axial_resistance)
+{
+  const std::vector<SectionAnswer> answers = answer_of(sample_route(), no_run);
+  EXPECT_EQ(answers[0].compression.front().force, 0);
+  EXPECT_NEAR(answers[0].screening.compression, 1082386, 30);
+  const Real f = answers[1].soil.axial_breakout.high, after = (2736773 - 1082386) / (f + 149.044);
+  ASSERT_EQ(answers[1].compression.size(), 3u);
+  EXPECT_NEAR(answers[1].compression[1].kp, 4000 + after, 0.5);
+  EXPECT_NEAR(answers[1].screening.compression, 1082386 + f * after, 50);
+  EXPECT_NEAR(answers[1].compression[2].force, 1618945, 10) << "P_0 at KP 11.5";
+  EXPECT_NEAR(answers[1].screening.constrained_force, 2736773, 10) << "64 K at KP 4";
+}
+
+TEST(RouteAnswer, screens_a_curve_by_its_radius)
 {
   const std::vector<SectionAnswer> answers = answer_of(sample_route(), no_run);
   const Screening& s = answers[1].screening;
-  EXPECT_NEAR(s.constrained_force, 2736773, 10) << "64 K at KP 4";
   EXPECT_NEAR(s.curve, answers[1].soil.lateral_breakout.low * 1500, 1e-6);
-  EXPECT_NEAR(s.lateral, s.constrained_force / std::min(s.curve, s.hobbs), 1e-12);
+  EXPECT_NEAR(s.lateral, s.compression / std::min(s.curve, s.hobbs), 1e-12);
 }
 
 // Uplift at H = 0.96195 m: least F114 of loose sand, 8500 (0.8 D + D^2 (1/2 - pi/8)) + 0.29 x 8500 H^2 = 4579.2 N/m, on vertical planes 4624.1, largest F114 of dense

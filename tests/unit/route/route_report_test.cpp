@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "route/route_report.hpp"
 
-#include "sample_route.hpp"
 #include "run_folder/csv_line.hpp"
+#include "sample_route.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

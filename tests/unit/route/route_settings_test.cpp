@@ -12,7 +12,8 @@ namespace {
 const std::string good =
     "[pipe]\ndiameter = \"0.3 m\"\nwall = \"15 mm\"\nweight_laying = \"700 N/m\"\nweight_operation = \"900 N/m\"\nlay_factor = 2\n"
     "[operation]\nkp = [\"0 km\", \"10 km\"]\ntemperature_rise = [\"80 K\", \"20 K\"]\npressure_rise = [\"10 MPa\"]\n"
-    "[[section]]\nname = \"a\"\nkp_from = \"0 km\"\nkp_to = \"10 km\"\nundrained_strength = [\"1 kPa\", \"2 kPa\", \"3 kPa\"]\nadhesion_factor = [0.5]\n"
+    "[[section]]\nname = \"a\"\nkp_from = \"0 km\"\nkp_to = \"10 km\"\nundrained_strength = [\"1 kPa\", \"2 kPa\", \"3 "
+    "kPa\"]\nadhesion_factor = [0.5]\n"
     "submerged_unit_weight = \"5 kN/m^3\"\n";
 
 RouteCase read_text(const std::string& text, const std::vector<std::string>& set = {})
@@ -48,14 +49,15 @@ TEST(RouteSettings, are_refused_where_they_make_no_sense)
   for (const auto& [set, told] : {std::pair("section.a.kp_to=\"0 km\"", "is not beyond kp_from"),
                                   {"section.a.undrained_strength=[\"3 kPa\", \"2 kPa\", \"1 kPa\"]", "has to rise from low to high"},
                                   {"section.a.undrained_strength=[\"2 kPa\", \"3 kPa\"]", "has to be one number"},
-                                  {"section.a.friction_angle=[\"30 deg\"]", "does not go with undrained_strength"},
+                                  {"section.a.friction_angle=[\"30 deg\"]", "cannot be combined with undrained_strength"},
                                   {"pipe.wall=\"0.2 m\"", "half of the diameter"},
                                   {"pipe.steel_diameter=\"0.4 m\"", "more than the outer diameter"},
                                   {"operation.temperature_rise=[\"1 K\", \"2 K\", \"3 K\"]", "has 3 numbers"}})
     EXPECT_NE(words({set}).find(told), std::string::npos) << set << ": " << words({set});
   const std::string second = "[[section]]\nkp_from = \"9 km\"\nkp_to = \"12 km\"\nsubmerged_unit_weight = \"9 kN/m^3\"\n";
-  EXPECT_NE(words({}, second + "friction_angle = [\"30 deg\"]\ninterface_angle = [\"25 deg\"]\n").find("before the end of the section before"),
-            std::string::npos);
+  EXPECT_NE(
+      words({}, second + "friction_angle = [\"30 deg\"]\ninterface_angle = [\"25 deg\"]\n").find("is not where the section before ends"),
+      std::string::npos);
   EXPECT_NE(words({}, second).find("friction_angle"), std::string::npos) << words({}, second);
 }
 
