@@ -108,7 +108,21 @@ Real sensitivity_of(const record::RunRecord& run)
   return clay == nullptr ? 1 : clay->sensitivity;
 }
 
-Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
+/// Undrained resistance that is remoulded, and grows by consolidation under the V of the state. OCR is by the flooded pipe, where it was.
+void consolidate(Axial& axial, Real D, const driven::State& state, const driven::States& states, Real roughness, const AxialClay& clay)
+{
+  const driven::State* flooded = driven::find_state(states, "flooded");
+  const Real preload = flooded != nullptr && flooded->row <= state.row ? flooded->V / state.V : 1,
+             remoulded = axial.undrained / axial.sensitivity;
+  const formulas::Formula grown =
+      formulas::axial_consolidated(D, state.w, state.V, clay.consolidation, {*clay.strength_ratio, clay.exponent, roughness, preload});
+  axial.undrained = std::max(remoulded, grown.value);
+  axial.set_up.push_back({"consolidation", clay.consolidation, remoulded, axial.undrained});
+  axial.strength = fmt::format("clay consolidated to U = {:.3g} (s_u/sigma'_v = {:.3g})", clay.consolidation, *clay.strength_ratio);
+  axial.undrained_source = citation(grown.source);
+}
+
+Axial axial_of(const driven::DrivenRun& run, const driven::State& state, const driven::States& states, const AxialClay& clay)
 {
   Axial axial;
   if (state.V <= 0) return axial;
@@ -141,6 +155,11 @@ Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
     axial.sensitivity = std::max(contact->adhesion_sensitivity, contact->adhesion > 0 ? 1 : sensitivity_of(run.record));
     axial.undrained_source = citation(undrained.source) + ", with the " +
                              (contact->adhesion > 0 ? "adhesion of the case" : "strength of undisturbed clay at the invert");
+    if (clay.strength_ratio) consolidate(axial, D, state, states, contact->adhesion_factor > 0 ? contact->adhesion_factor : 1, clay);
+    if (clay.interface_angle && std::isnan(axial.drained)) {
+      const formulas::Formula drained = formulas::axial_drained(D, state.w, *clay.interface_angle, state.V);
+      axial.drained = drained.value, axial.drained_source = citation(drained.source);
+    }
   }
   axial.residual = axial.breakout() / axial.sensitivity;
   axial.mobilise(D);
@@ -429,9 +448,10 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
       springs.lateral.push_back(lateral_of(path, k, found == results.drags.end() ? driven::DragResults{} : *found, run.scale));
       springs.lateral.back().state = life_at(states, path.drags[k]);
     }
-  springs.axial = axial_of(run, state);
+  springs.axial = axial_of(run, state, states, selection.clay);
   if (work) {  // the strength that it takes is that of undisturbed soil
-    springs.axial.undrained = nan;
+    springs.axial.undrained = nan, springs.axial.strength.clear(), springs.axial.sensitivity = 1;
+    springs.axial.residual = springs.axial.drained;
     if (std::isnan(springs.axial.drained)) springs.axial = {};
   }
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);

@@ -118,11 +118,19 @@ struct Springs {
   std::vector<std::string> missing;  ///< lines: which springs these runs do not tell, and why
 };
 
+/// What a run in undrained strengths does not know of the clay at the pipe, for its axial resistance.
+struct AxialClay {
+  std::optional<Real> strength_ratio{};   ///< (s_u/sigma'_v)_nc: its resistance is that after consolidation
+  Real exponent = 0, consolidation = 1;   ///< m of OCR^m; U
+  std::optional<Real> interface_angle{};  ///< rad: drained, for after many cycles
+};
+
 /// Which springs of a run.
 struct Selection {
   std::string state{};                 ///< "" = operation, else touchdown
   std::vector<std::string> travels{};  ///< drags; none: those that begin in that state, before the next one, and do not lay the pipe
   bool whole_life = false;             ///< without travels: the drags of all states, but those that lay the pipe
+  AxialClay clay{};
 };
 
 /// Of a run of a pipe in the plane. Throws RunError where it is no such run, or has neither push nor drag, InputError where it has no such state or travel.

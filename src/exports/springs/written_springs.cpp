@@ -35,8 +35,8 @@ std::string axial_strength_words(const Springs& s)
   if (!(axial.breakout() > 0)) return "";
   std::string words;
   if (axial.undrained > 0 && !axial.strength.empty())
-    words =
-        fmt::format("Axial breakout {:.4g} N/m has the strength of {}, without set-up by consolidation", axial.undrained, axial.strength);
+    words = fmt::format("Axial breakout {:.4g} N/m has the strength of {}{}", axial.undrained, axial.strength,
+                        axial.set_up.empty() ? ", without set-up by consolidation" : "");
   if (axial.sensitivity > 1)
     words += fmt::format("; remoulded it is 1/{:.3g} of that (sensitivity): axial residual {:.4g} N/m", axial.sensitivity, axial.residual);
   for (const SetUp& rest : axial.set_up)

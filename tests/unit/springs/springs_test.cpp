@@ -221,6 +221,23 @@ TEST(Springs, along_the_axis_of_a_flowline_in_sensitive_clay_fall_from_breakout_
   EXPECT_NEAR(s.vertical.rebound, 0.88 * 214316 / 0.55, 1) << "stiffness of the soil at the invert";
 }
 
+// V = 300 N/m in operation at w = 0.29 D, alpha 0.4, U = 0.5; a ratio of 4, which is no clay's, as the strength of this small pipe is large beside its V.
+TEST(Springs, along_the_axis_of_consolidated_clay_grow_with_V_from_the_remoulded_strength)
+{
+  constexpr Real D = 0.02;
+  const Springs plain = springs_of(lived_pipe());
+  const Springs s = springs_of(lived_pipe(), {.clay = {.strength_ratio = 4, .consolidation = 0.5, .interface_angle = 30 * degree}});
+  const Real zeta = formulas::wedging_factor(D, 0.29 * D).value;
+  EXPECT_NEAR(s.axial.undrained, 0.4 * 4 * zeta * 0.5 * 300, 1e-6);
+  ASSERT_EQ(s.axial.set_up.size(), 1u);
+  EXPECT_EQ(s.axial.set_up[0].degree, 0.5);
+  EXPECT_NEAR(s.axial.set_up[0].before, plain.axial.undrained, 1e-9) << "sensitivity 1";
+  EXPECT_NEAR(s.axial.cyclic().high, std::max(s.axial.undrained, zeta * std::tan(30 * degree) * 300), 1e-6) << "drained";
+  EXPECT_EQ(springs_of(lived_pipe(), {.clay = {.strength_ratio = 0.01}}).axial.undrained, plain.axial.undrained)
+      << "no less than remoulded";
+  EXPECT_NE(s.axial.undrained_source.find("DNV-RP-F114"), std::string::npos);
+}
+
 TEST(Springs, along_the_axis_are_none_of_a_pipe_that_is_lifted)
 {
   MadeRun lifted = run_with_peak();
