@@ -48,6 +48,7 @@ add_custom_command(OUTPUT ${BERM_SHARE}/man/man1/berm.1 DEPENDS berm VERBATIM
   COMMAND berm params --json-schema fit > ${BERM_SHARE}/berm/fit.schema.json
   COMMAND berm params --json-schema cyclic > ${BERM_SHARE}/berm/cyclic.schema.json
   COMMAND berm params --json-schema sea > ${BERM_SHARE}/berm/sea.schema.json
+  COMMAND berm params --json-schema route > ${BERM_SHARE}/berm/route.schema.json
   COMMAND berm params --json-schema study > ${BERM_SHARE}/berm/study.schema.json)
 add_custom_target(berm_manual ALL DEPENDS ${BERM_SHARE}/man/man1/berm.1)
 install(DIRECTORY ${BERM_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT berm PATTERN "*.1" EXCLUDE)

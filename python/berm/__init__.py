@@ -26,6 +26,7 @@ from .macro_element import macro_element
 from .parameters import Parameter, parameters
 from .program import check, export, find_program, fmu, include_folder, new, report, springs, version
 from .quantity import Quantity
+from .route import Route, route
 from .run import Run, run
 from .sea import SeaLoads, sea
 from .study import Estimate, Row, Study, open, study
@@ -44,6 +45,7 @@ __all__ = [
     "Parameter",
     "Push",
     "Quantity",
+    "Route",
     "Row",
     "Run",
     "RunError",
@@ -63,6 +65,7 @@ __all__ = [
     "open",
     "parameters",
     "report",
+    "route",
     "run",
     "sea",
     "springs",

@@ -193,13 +193,26 @@ def export(
     output: PathLike | None = None,
     state: str | None = None,
     travels: Sequence[str] = (),
+    strength_ratio: float | None = None,
+    ocr_exponent: float | None = None,
+    consolidation: float | None = None,
+    interface_angle: float | None = None,
     program: PathLike | None = None,
 ) -> list[Path]:
     """Springs of runs or studies for other programs (table, json, abaqus, orcaflex, ansys, sima, calculix, opensees, moordyn, buckpy), to
-    FOLDER/export or `output`; of a state of the pipe (None: operation) and these drags (none: those in it). Returns the files. Throws
+    FOLDER/export or `output`; of a state of the pipe (None: operation) and these drags (none: those in it). strength_ratio and what follows
+    it: of clay that consolidated at the pipe, for its axial spring; the angle in degrees. Returns the files. Throws
     InputError and RunError."""
     words = ["export", *folders, "--to", to, *(["-o", output] if output is not None else [])]
     words += [*(["--state", state] if state is not None else []), *(["--travels", ",".join(travels)] if travels else [])]
+    clay = {
+        "strength-ratio": strength_ratio,
+        "ocr-exponent": ocr_exponent,
+        "consolidation": consolidation,
+        "interface-angle": interface_angle,
+    }
+    for name, value in clay.items():
+        words += [f"--{name}", str(value)] if value is not None else []
     return [Path(line) for line in call(words, program=program).text.splitlines()]
 
 

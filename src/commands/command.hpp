@@ -30,6 +30,7 @@ Command add_element(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_cyclic(CLI::App& program);
 Command add_sea(CLI::App& program);
+Command add_route(CLI::App& program);
 Command add_desk(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_params(CLI::App& program);

@@ -6,6 +6,7 @@
 #include "expectations/expectation.hpp"
 #include "input/catalogue.hpp"
 #include "input/structure_words.hpp"
+#include "route/route_settings.hpp"
 #include "sea/sea_settings.hpp"
 #include "soil_fit/fit_settings.hpp"
 #include "study/study_settings.hpp"
@@ -25,6 +26,7 @@ constexpr Schema schemas[] = {{"case", "A case of berm", input::case_catalogue},
                               {"fit", "A fit of berm", soil_fit::fit_catalogue},
                               {"cyclic", "A storm on contours, of berm", cyclic::cyclic_catalogue},
                               {"sea", "A sea state on a pipe, of berm", sea::sea_catalogue},
+                              {"route", "A line along a route, of berm", route::route_catalogue},
                               {"study", "A study of berm", study::study_catalogue},
                               {"expected", "Numbers that runs of berm are expected to give", expectations::expected_catalogue}};
 
@@ -45,7 +47,8 @@ int print_list(bool markdown)
       {"Element tests, the input of berm element (beside the materials, as in a case)", without_material(element::element_catalogue())},
       {"Fits, the input of berm fit (beside the material, as in a case)", without_material(soil_fit::fit_catalogue())},
       {"Storms on contours, the input of berm cyclic (beside the material, as in a case)", without_material(cyclic::cyclic_catalogue())},
-      {"Sea states on a pipe, the input of berm sea", sea::sea_catalogue()}};
+      {"Sea states on a pipe, the input of berm sea", sea::sea_catalogue()},
+      {"Lines along a route, the input of berm route", route::route_catalogue()}};
   const input::Listed of_case = input::case_catalogue();
   fmt::print("{}", markdown ? input::parameter_page(of_case, others) : input::parameter_table(of_case, others));
   return 0;
@@ -60,11 +63,13 @@ Command add_params(CLI::App& program)
     std::string schema_of;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* app = program.add_subcommand("params", "list all parameters of a case, of element tests, of fits, of storms and of sea states");
+  CLI::App* app =
+      program.add_subcommand("params", "list all parameters of a case, of element tests, of fits, of storms, of sea states and of routes");
   CLI::Option* markdown = app->add_flag("--markdown", options->markdown, "as Markdown");
-  app->add_option("--json-schema", options->schema_of,
-                  "as JSON Schema (draft 4), for editors: of a case, element tests, a fit, a storm, a sea state, a study, or expected.toml")
-      ->check(one_of({"case", "element", "fit", "cyclic", "sea", "study", "expected"}))
+  app->add_option(
+         "--json-schema", options->schema_of,
+         "as JSON Schema (draft 4), for editors: of a case, element tests, a fit, a storm, a sea state, a route, a study, or expected.toml")
+      ->check(one_of({"case", "element", "fit", "cyclic", "sea", "route", "study", "expected"}))
       ->excludes(markdown);
   return {app, [options] { return options->schema_of.empty() ? print_list(options->markdown) : print_schema(options->schema_of); }};
 }

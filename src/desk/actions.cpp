@@ -98,6 +98,7 @@ const std::vector<JobKind>& job_kinds()
                                              {"fit", {}},
                                              {"cyclic", {}},
                                              {"sea", {}},
+                                             {"route", {}},
                                              {"uncertainty", {}}};
   return kinds;
 }
@@ -105,7 +106,7 @@ const std::vector<JobKind>& job_kinds()
 /// Whether a job computes no runs: it has one thread, and replaces earlier results with --force.
 bool is_quick(const std::string& kind)
 {
-  return kind == "element" || kind == "fit" || kind == "cyclic" || kind == "sea";
+  return kind == "element" || kind == "fit" || kind == "cyclic" || kind == "sea" || kind == "route";
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ constexpr Source interface {
 };
 constexpr Source displacement{Label::fit, "DNVGL-RP-F114", "D > 0", "table 4-2"};
 
+constexpr Source by_load{Label::fit, "DNV-RP-F114", "w > 0, V >= 0, 0 <= U <= 1", "with V the load under which the clay has consolidated"};
+
 constexpr Real mm = 1e-3;
 
 }  // namespace
@@ -38,6 +40,12 @@ Formula axial_undrained(Real diameter, Real embedment, Real strength)
   return formula(strength * diameter * contact_angle(diameter, embedment), interface, embedment > 0);
 }
 
+Formula axial_consolidated(Real diameter, Real embedment, Real V, Real U, const ConsolidatedInterface& clay)
+{
+  const Real strength = clay.roughness * clay.ratio * std::pow(std::max(clay.preload_ratio, Real(1)), clay.exponent);
+  return formula(strength * wedging_factor(diameter, embedment).value * U * V, by_load, embedment > 0 && V >= 0 && within(U, 0, 1));
+}
+
 Formula skirt_friction(Real outer, Real inner, Real depth, Real strength)
 {
   constexpr Source both_faces{Label::exact, "shear strength over both faces", "z > 0"};
@@ -47,6 +55,11 @@ Formula skirt_friction(Real outer, Real inner, Real depth, Real strength)
 Estimates f114_axial_breakout_displacement(Real D)
 {
   return estimates(std::min(1.25 * mm, 0.0025 * D), std::min(5 * mm, 0.01 * D), std::max(50 * mm, 0.01 * D), displacement, D > 0);
+}
+
+Estimates f114_axial_residual_displacement(Real D)
+{
+  return estimates(std::min(7.5 * mm, 0.015 * D), std::min(30 * mm, 0.06 * D), std::max(250 * mm, 0.5 * D), displacement, D > 0);
 }
 
 }  // namespace berm::formulas

@@ -24,7 +24,22 @@ Formula axial_undrained(Real diameter, Real embedment, Real strength);
 /// soil inside at the level of the bed. [exact: where it acts over both faces]
 Formula skirt_friction(Real outer_diameter, Real inner_diameter, Real depth, Real strength);
 
+/// What clay at the surface of a pipe carries once it has consolidated under the pipe.
+struct ConsolidatedInterface {
+  Real ratio;              ///< s_u/sigma'_v of the normally consolidated clay
+  Real exponent = 0;       ///< m of OCR^m
+  Real roughness = 1;      ///< alpha: share of the clay's strength that the surface has
+  Real preload_ratio = 1;  ///< OCR: largest V so far over that of now; 1 where it is less
+};
+
+/// Undrained axial resistance, N/m, after the share U of the excess pore pressure under the load V has gone: alpha (s_u/sigma'_v)_nc OCR^m zeta U V.
+/// [fit: DNV-RP-F114, with U = 1]
+Formula axial_consolidated(Real diameter, Real embedment, Real V, Real U, const ConsolidatedInterface& clay);
+
 /// Axial displacement at breakout, m: min(1.25 mm, 0.0025 D), min(5 mm, 0.01 D), max(50 mm, 0.01 D). [fit: DNV-RP-F114]
 Estimates f114_axial_breakout_displacement(Real diameter);
+
+/// Axial displacement from which the resistance is residual, m: min(7.5 mm, 0.015 D), min(30 mm, 0.06 D), max(250 mm, 0.5 D). [fit: DNV-RP-F114]
+Estimates f114_axial_residual_displacement(Real diameter);
 
 }  // namespace berm::formulas

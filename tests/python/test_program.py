@@ -282,6 +282,22 @@ def test_a_sea_state_gives_loads_and_load_histories(tmp_path: Path) -> None:
         berm.sea(sea, tmp_path / "out")
 
 
+def test_a_route_gives_springs_by_kp(tmp_path: Path) -> None:
+    line = tmp_path / "route.toml"
+    line.write_text(
+        '[pipe]\ndiameter = "0.4 m"\nwall = "15 mm"\nweight_laying = "1 kN/m"\nweight_operation = "1.2 kN/m"\nlay_factor = 2\n'
+        '[operation]\ntemperature_rise = ["60 K"]\npressure_rise = ["10 MPa"]\n'
+        '[[section]]\nname = "a"\nkp_from = "0 km"\nkp_to = "3 km"\nfriction_angle = ["33 deg"]\ninterface_angle = ["28 deg"]\n'
+        'submerged_unit_weight = "9 kN/m^3"\n'
+    )
+    found = berm.route(line, tmp_path / "out")
+    assert found.rows[0]["section"] == "a" and found.rows[0]["kp_to_km"] == "3"
+    assert np.isclose(found.quantities["a.axial_breakout"], found.quantities["a.axial_residual"]), "sand does not remould"
+    assert "buckle sideways" in found.answer
+    with pytest.raises(berm.InputError, match="--force"):
+        berm.route(line, tmp_path / "out")
+
+
 def test_the_header_of_laws_is_found() -> None:
     assert (berm.include_folder() / "berm" / "law.h").is_file()
 

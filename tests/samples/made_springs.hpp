@@ -31,9 +31,11 @@ inline springs::Springs made_springs(Real factor = 1)
   s.lateral[0].u_residual = 0.2;
   s.lateral[1].berm = s.lateral[1].end = 1129 * factor;
   s.vertical.curve = {{0.025, 500 * factor}, {0.05, 1200 * factor}, {0.1, 2000 * factor}};
+  s.vertical.preload = 2000 * factor;
   s.vertical.unloading = {{"unload", 1860, 1000, -104219.65}};
   s.axial.undrained = 240 * factor;
   s.axial.undrained_source = "White and Randolph 2007";
+  s.axial.residual = s.axial.undrained;
   s.axial.mobilise(s.diameter);
   return s;
 }
@@ -47,7 +49,8 @@ inline springs::Design made_design(const springs::Springs& best = made_springs()
     for (springs::Lateral& l : draws.back().lateral)
       for (Real* force : {&l.peak, &l.residual, &l.berm, &l.end}) *force *= 1 + 0.05 * k;
     for (springs::Point& p : draws.back().vertical.curve) p.F *= 1 + 0.05 * k;
-    draws.back().axial.undrained *= 1 + 0.05 * k;
+    draws.back().vertical.preload *= 1 + 0.05 * k;
+    for (Real* force : {&draws.back().axial.undrained, &draws.back().axial.residual}) *force *= 1 + 0.05 * k;
   }
   springs::Design design = design_of_sample("line", best, draws);
   design.provenance = {"written by berm 0", "a title\nof two lines"};

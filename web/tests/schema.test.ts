@@ -16,9 +16,9 @@ const source = from_environment("BERM_SOURCE");
 const folder = mkdtempSync(join(tmpdir(), "berm-schema-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
-const kinds = ["case", "element", "fit", "cyclic", "sea", "study", "expected"] as const;
+const kinds = ["case", "element", "fit", "cyclic", "sea", "route", "study", "expected"] as const;
 type Kind = (typeof kinds)[number];
-const at_least: Record<Kind, number> = { case: 100, element: 2, fit: 2, cyclic: 2, sea: 1, study: 3, expected: 50 };
+const at_least: Record<Kind, number> = { case: 100, element: 2, fit: 2, cyclic: 2, sea: 1, route: 1, study: 3, expected: 50 };
 
 const schema_files = Object.fromEntries(
   kinds.map((kind) => {
@@ -37,12 +37,12 @@ const value_of = (text: string): unknown => getStaticTOMLValue(parseTOML(text));
 
 /** The inputs among the examples. */
 function examples(): Record<Kind, string[]> {
-  const found: Record<Kind, string[]> = { case: [], element: [], fit: [], cyclic: [], sea: [], study: [], expected: [] };
+  const found: Record<Kind, string[]> = { case: [], element: [], fit: [], cyclic: [], sea: [], route: [], study: [], expected: [] };
   for (const name of readdirSync(join(source, "examples"), { recursive: true }) as string[]) {
     if (!name.endsWith(".toml")) continue;
     const file = join(source, "examples", name), text = readFileSync(file, "utf8");
     const has = (table: string) => text.includes(`\n${table}`);
-    found[name.endsWith("expected.toml") ? "expected" : has("[[test]]") ? "element" : has("[[measured]]") ? "fit" : has("[storm]") ? "cyclic" : has("[sea]") ? "sea" : has("[[case]]") ? "study" : "case"].push(file);
+    found[name.endsWith("expected.toml") ? "expected" : has("[[test]]") ? "element" : has("[[measured]]") ? "fit" : has("[storm]") ? "cyclic" : has("[sea]") ? "sea" : has("[[section]]") ? "route" : has("[[case]]") ? "study" : "case"].push(file);
   }
   return found;
 }

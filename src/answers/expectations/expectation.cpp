@@ -66,7 +66,8 @@ void check_element(Describe& d, const std::string& path, const Expectation& e, c
 {
   const bool of_tests =
       std::any_of(all.run.begin(), all.run.end(), [&](const auto& run) { return run.first == e.run && !run.second.is_run(); });
-  d.check(!of_tests || e.observable.column.empty(), path + ".column", "a run with element, fit, cyclic or sea = true has quantities alone");
+  d.check(!of_tests || e.observable.column.empty(), path + ".column",
+          "a run with element, fit, cyclic, sea or route = true has quantities alone");
 }
 
 /// A number of which nobody says what it is for, and where it is from, proves nothing.
@@ -127,6 +128,7 @@ void describe(Describe& d, VerificationRun& run)
   d.value("fit", run.fit, {.meaning = "whether the case is an input of berm fit"});
   d.value("cyclic", run.cyclic, {.meaning = "whether the case is an input of berm cyclic"});
   d.value("sea", run.sea, {.meaning = "whether the case is an input of berm sea"});
+  d.value("route", run.route, {.meaning = "whether the case is an input of berm route"});
   d.value("uncertainty", run.uncertainty, {.meaning = "whether the bands of its results are found, too (berm run --uncertainty)"});
   d.value("fast", run.fast, {.meaning = "whether the run takes a few seconds and belongs to the tests"});
   d.value("long", run.is_long, {.meaning = "whether the run takes ten minutes or more and is left out of the whole book"});
@@ -191,10 +193,11 @@ void describe(Describe& d, Expectations& all)
   const std::vector<std::string> names = names_of(all.run);
   for (const auto& [name, run] : all.run) d.check(!run.fast || !run.is_long, "run." + name + ".long", "the run is fast");
   for (const auto& [name, run] : all.run)
-    d.check(run.is_run() || !run.uncertainty, "run." + name + ".uncertainty", "element tests, fits, storms and sea states have no bands");
+    d.check(run.is_run() || !run.uncertainty, "run." + name + ".uncertainty",
+            "element tests, fits, storms, sea states and routes have no bands");
   for (const auto& [name, run] : all.run)
-    d.check(run.element + run.fit + run.cyclic + run.sea <= 1, "run." + name,
-            "has two of element, fit, cyclic and sea = true: it is one of them");
+    d.check(run.element + run.fit + run.cyclic + run.sea + run.route <= 1, "run." + name,
+            "has two of element, fit, cyclic, sea and route = true: it is one of them");
   std::vector<std::string> needed;
   for (std::size_t k = 0; k < all.expect.size(); ++k) {
     const std::string path = fmt::format("expect[{}]", k);

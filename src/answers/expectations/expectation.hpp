@@ -19,10 +19,11 @@ struct VerificationRun {
   bool fit = false;                     ///< a soil fitted to tests (berm fit) instead of a run
   bool cyclic = false;                  ///< a storm on contours (berm cyclic) instead of a run
   bool sea = false;                     ///< a sea state on a pipe (berm sea) instead of a run
+  bool route = false;                   ///< a line along a route (berm route) instead of a run
   bool uncertainty = false;             ///< run with the bands of its results
 
   /// The command of berm that does it.
-  std::string command() const { return element ? "element" : fit ? "fit" : cyclic ? "cyclic" : sea ? "sea" : "run"; }
+  std::string command() const { return element ? "element" : fit ? "fit" : cyclic ? "cyclic" : sea ? "sea" : route ? "route" : "run"; }
   bool is_run() const { return command() == "run"; }
 };
 

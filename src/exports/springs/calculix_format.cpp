@@ -32,7 +32,7 @@ std::string calculix_lines(const WrittenSpring& spring, Real diameter)
   case Direction::lateral:
     return spring_lines("BERM_LATERAL", 2, both_ways(spring.points));
   default:
-    return spring_lines("BERM_VERTICAL", 3, from_above_the_surface(upwards_positive(spring.points, diameter), diameter));
+    return spring_lines("BERM_VERTICAL", 3, from_above_the_surface(upwards_positive(from_rest(spring.points), diameter), diameter));
   }
 }
 
@@ -62,8 +62,8 @@ ExportFiles calculix_files(const Design& design)
                     "To be included behind the elements of the set, before the first step. The numbers below *SPRING are "
                     "the freedom: here x lies along the pipe, y across it, z points up.",
                     "Take *STEP, NLGEOM: without it CalculiX 2.20 continues with the first slope, without a message.",
-                    "Beyond its ends the force is constant. The vertical spring is relative to the surface of the bed, and starts a "
-                    "millionth of D above it."});
+                    "Beyond its ends the force is constant. The vertical spring starts a millionth of D above the pipe without load.",
+                    spring.direction == Direction::vertical ? rest_words(*springs) : ""});
       text += remark("** ", fmt::format("{} estimate: {}", set, spring.origin)) + calculix_lines(spring, springs->diameter);
       files.push_back({fmt::format("springs_{}_{}.inp", set, calculix_name(spring)), std::move(text)});
     }

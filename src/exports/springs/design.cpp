@@ -28,6 +28,36 @@ struct Place {
   std::string spring, travel, source;
 };
 
+/// Those along the axis; `formula` gives their places.
+template <class A, class Formula, class Visit>
+void for_each_axial_number(A& axial, const Formula& formula, const Visit& visit)
+{
+  const bool undrained = !std::isnan(axial.undrained);
+  const std::string& source = undrained ? axial.undrained_source : axial.drained_source;
+  visit(formula("axial", axial.wedging_source), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
+  visit(formula("axial", axial.drained_source), "drained", Kind::force, "drained resistance under the V of the state", axial.drained);
+  visit(formula("axial", axial.undrained_source), axial.strength == "undisturbed clay" ? "undrained_undisturbed" : "undrained", Kind::force,
+        axial.strength.empty() ? "undrained resistance" : "undrained resistance, " + axial.strength, axial.undrained);
+  visit(formula("axial", axial.settled_source), "consolidated", Kind::force, "drained resistance once no excess pore pressure is left",
+        axial.settled);
+  visit(formula("axial", source), "residual", Kind::force,
+        axial.sensitivity > 1 ? "residual resistance: the undrained one, remoulded, over the sensitivity"
+                              : "residual resistance: that of breakout",
+        axial.residual);
+  for (auto& rest : axial.set_up) {
+    const Place computed{"axial", rest.stage, "computed effective normal force"};
+    visit(computed, rest.stage + ".U", Kind::ratio, "degree of consolidation at the end of the rest", rest.degree);
+    visit(computed, rest.stage + ".before", Kind::force, "friction of the interface before the rest", rest.before);
+    visit(computed, rest.stage + ".after", Kind::force, "friction of the interface after the rest: set-up", rest.after);
+  }
+  const Place displacement = formula("axial", axial_displacement_source());
+  for (const auto& [name, of, words] : {std::tuple("u_breakout", &axial.u_breakout, "at axial breakout"),
+                                        {"u_residual", &axial.u_residual, "from which the axial resistance is residual"}})
+    for (const auto& [end, number, estimate] : {std::tuple("_LE", &of->low, "low"), {"", &of->best, "best"}, {"_HE", &of->high, "high"}})
+      visit(displacement, std::string(name) + end, Kind::displacement, std::string(estimate) + " estimate of the displacement " + words,
+            *number);
+}
+
 /// The one list of the numbers of springs: visit(place, name, kind, meaning, number).
 template <class S, class Visit>
 void for_each_number(S& springs, const Visit& visit)
@@ -50,31 +80,24 @@ void for_each_number(S& springs, const Visit& visit)
     visit(drag, "travel", Kind::displacement, "travel of the drag: no data beyond it", l.travel);
   }
   for (auto& point : springs.vertical.curve)
-    visit(Place{"vertical", point.x > springs.vertical.pushed_to ? "" : "push", "computed"},
-          fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force,
-          point.x > springs.vertical.pushed_to ? "largest V that the bed has carried at this depth or above it: the preload that it "
-                                                 "carries again before the pipe penetrates further"
-                                               : "V in the push at an embedment",
-          point.F);
+    visit(Place{"vertical", "push", "computed"}, fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force,
+          "V in the push at an embedment", point.F);
   for (auto& u : springs.vertical.unloading)
     visit(Place{"vertical", u.stage, "computed"}, u.stage + ".stiffness", Kind::stiffness,
           u.V_end < u.V_begin ? "stiffness of unloading, the slope of the line fitted to w over V"
                               : "stiffness of loading in the bed, the slope of the line fitted to w over V",
           u.stiffness);
+  const auto formula = [](const std::string& spring, const std::string& source) {
+    return Place{spring, "", source.empty() ? "formula" : source};
+  };
+  visit(formula("vertical", springs.vertical.rebound_source), "rebound", Kind::stiffness,
+        "stiffness of unloading and reloading by a formula: the spring has it where no stage gives one", springs.vertical.rebound);
   const Place state{"vertical", "", springs.state_origin.empty() ? "computed" : "computed, " + springs.state_origin};
   visit(state, "embedment", Kind::displacement, "embedment in the state", springs.embedment);
   visit(state, "V", Kind::force, "vertical force in the state", springs.V);
-  const auto formula = [](const std::string& source) { return Place{"axial", "", source.empty() ? "formula" : source}; };
-  auto& axial = springs.axial;
-  visit(formula(axial.wedging_source), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
-  visit(formula(axial.drained_source), "drained", Kind::force, "drained resistance under the V of the state", axial.drained);
-  visit(formula(axial.undrained_source), axial.strength == "undisturbed clay" ? "undrained_undisturbed" : "undrained", Kind::force,
-        axial.strength.empty() ? "undrained resistance" : "undrained resistance, " + axial.strength, axial.undrained);
-  const std::string from = " estimate of the displacement at axial breakout";
-  const Place breakout = formula(axial_breakout_source());
-  visit(breakout, "breakout_LE", Kind::displacement, "low" + from, axial.breakout_low);
-  visit(breakout, "breakout", Kind::displacement, "best" + from, axial.breakout);
-  visit(breakout, "breakout_HE", Kind::displacement, "high" + from, axial.breakout_high);
+  visit(state, "preload", Kind::force, "largest V that the bed has carried, which it carries again before the pipe penetrates further",
+        springs.vertical.preload);
+  for_each_axial_number(springs.axial, formula, visit);
 }
 
 /// A number that may be written.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Programs that know coefficients of friction and no curves.
+#include "route/route_report.hpp"
 #include "springs/written_springs.hpp"
 #include "study/study_report.hpp"
 
@@ -38,10 +39,8 @@ Words coefficients_of(const Design& design, const Coefficient& coefficient)
 
 Words axial_estimates(const Design& design)
 {
-  return coefficients_of(design, [](const Springs& s) {
-    const Points points = axial_spring(s);
-    return points.empty() || !(axial_V(s) > 0) ? nan : points.back().F / axial_V(s);
-  });
+  return coefficients_of(design,
+                         [](const Springs& s) { return s.axial.breakout() > 0 && axial_V(s) > 0 ? s.axial.breakout() / axial_V(s) : nan; });
 }
 
 /// Breakout of a travel; none of it where it is not there.
@@ -59,13 +58,20 @@ std::string description(const Design& design, const char* condition, const Later
   return fmt::format("; {}: {} over V = {:.4g} N/m ({})", condition, peak_words(*travel), travel->V, origin_of(design.best, *travel));
 }
 
+std::string axial_residual_words(const Springs& s)
+{
+  return axial_V(s) > 0 ? fmt::format(", residual {:.4g} over V = {:.4g} N/m", s.axial.residual / axial_V(s), axial_V(s)) : "";
+}
+
 Words row_of(const Design& design, const Lateral* hydrotest, const Lateral* operation)
 {
   const Lateral* named = operation != nullptr ? operation : hydrotest;
   Words row = {"", named == nullptr ? design.name : design.name + " " + named->stage};
   for (const Words& numbers : {axial_estimates(design), lateral_estimates(design, hydrotest), lateral_estimates(design, operation)})
     row.insert(row.end(), numbers.begin(), numbers.end());
-  row.push_back((axial_spring(design.best).empty() ? "axial: not known" : axial_title(design.best) + ": " + axial_origin(design.best)) +
+  row.push_back((axial_spring(design.best).empty()
+                     ? "axial: not known"
+                     : axial_title(design.best) + ": " + axial_origin(design.best) + axial_residual_words(design.best)) +
                 description(design, "hydrotest", hydrotest) + description(design, "operation", operation));
   return row;
 }
@@ -81,16 +87,13 @@ ExportFiles buckpy_files(const Design& design)
        "Not run in BuckPy: columns are those of its page Getting Started. Fit bounds are written as its source compares them, LE_BE_HE; "
        "its "
        "page writes LE-BE-HE.",
+       "Axial is breakout; the axial residual is in the description.",
        "LE, BE, HE: 95, 50 and 5 % probability of exceedance. Low and high have the forces of a sample at 5 and at 95 %, over the V of the "
        "best run. Without a sample there is only BE.",
        "Hydrotest are travels of the flooded pipe and those with hydro or flood in their name, operation are all others; an empty cell is "
        "not "
        "known from these runs."});
-  Words head = {"Pipeline", "Friction Set"};
-  for (const char* what : {"Axial", "Lateral Hydrotest", "Lateral Operation"})
-    for (const char* column : {"LE", "BE", "HE", "Fit Bounds"}) head.push_back(fmt::format("{} {}", what, column));
-  head.emplace_back("Soil Description");
-  text += study::csv_line(head);
+  text += study::csv_line(route::buckpy_columns());
   std::vector<const Lateral*> hydrotest, operation;
   for (const Lateral& l : design.best.lateral)
     if (!l.only_berm())
@@ -134,7 +137,7 @@ ExportFiles moordyn_files(const Design& design)
       text += remark("# ", fmt::format("{} estimate, MoorDyn-F: {}", set, origin_of(s, l))) + option(friction, "MU_KT", words);
       text += axial.empty() || !(axial_V(s) > 0) ? "# MU_KA is not known from these runs\n"
                                                  : remark("# ", "MU_KA, " + axial_title(s) + ": " + axial_origin(s)) +
-                                                       option(axial.back().F / axial_V(s), "MU_KA", "axial resistance over V");
+                                                       option(s.axial.residual / axial_V(s), "MU_KA", "axial residual over V");
       text += option(ratio, "MC", ratio_words) + bottom;
     }
     if (s.lateral.empty()) text += "# there is no travel, and so no friction across\n" + bottom;

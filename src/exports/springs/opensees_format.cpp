@@ -23,7 +23,7 @@ std::string list_of(const Points& points, Real Point::*number)
 /// The material goes on with the last slope.
 Points opensees_points(const WrittenSpring& spring, Real diameter)
 {
-  if (spring.direction == Direction::vertical) return upwards_positive(spring.points, diameter);
+  if (spring.direction == Direction::vertical) return upwards_positive(from_rest(spring.points), diameter);
   return both_ways(spring.direction == Direction::axial ? spring.points : level_beyond(spring.points, diameter));
 }
 
@@ -61,7 +61,7 @@ ExportFiles opensees_files(const Design& design)
   return by_estimate(design, "py", [&](const std::string& set, const Springs& s) {
     std::string text = comments(
         design, "# ",
-        {"N and m: forces per length of pipe over displacements, both ways. Vertical: upwards positive, from the surface of the bed.",
+        {"N and m: forces per length of pipe over displacements, both ways. Vertical: upwards positive. " + rest_words(s),
          "Not run in OpenSees: by the reference of OpenSeesPy for ElasticMultiLinear and zeroLength.",
          "ElasticMultiLinear unloads along its loading curve: for monotonic motion of the pipe, not for cycles. There are no data beyond "
          "the ends; lateral and axial springs are constant there, the vertical one continues with its last slope.",

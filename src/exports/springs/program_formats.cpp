@@ -60,9 +60,9 @@ ExportFiles abaqus_files(const Design& design)
       if (const Points axial = axial_spring(s); !axial.empty())
         text += remark("** ", axial_title(s) + ": " + axial_origin(s)) + abaqus_lines("AXIAL", both_ways(axial));
       // Downwards only: a pipe that is lifted meets nothing.
-      if (Points push = push_of(s); push.size() > 1) {
-        push.insert(push.begin(), {-s.diameter, 0});
-        text += remark("** ", "vertical: " + push_origin(s)) + abaqus_lines("VERTICAL", push);
+      if (Points vertical = from_rest(vertical_spring(s)); vertical.size() > 1) {
+        vertical.insert(vertical.begin(), {-s.diameter, 0});
+        text += remark("** ", "vertical: " + vertical_origin(s) + ". " + rest_words(s)) + abaqus_lines("VERTICAL", vertical);
       } else {
         text += remark("** ", "VERTICAL is missing: " + s.vertical.without_curve);
       }
@@ -92,7 +92,7 @@ ExportFiles orcaflex_files(const Design& design)
       else
         text += fmt::format("# {}, {} estimate{}: a profile of the seabed's tangential resistance, {}, over the normal reaction "
                             "({:.6g} kN/m)\n",
-                            spring.direction == Direction::axial ? axial_title(s) + ", resistance" : "lateral resistance", set,
+                            spring.direction == Direction::axial ? axial_title(s) + ", breakout and residual" : "lateral resistance", set,
                             spring.direction == Direction::axial ? ", by formula" : ", stage " + one_line(spring.travel),
                             spring.direction == Direction::axial ? "axial" : "lateral", spring.V / kilo) +
                 "deflection (m),effective friction coefficient\n";
@@ -127,12 +127,14 @@ ExportFiles ansys_files(const Design& design)
         points = both_ways(spring.points);
         what = axial_title(s) + ", by formula";
       } else {
-        // With the point of the other quadrant no more than the twenty that the element takes, the first and the last among them.
-        const Points& push = spring.points;
-        const std::size_t count = std::min<std::size_t>(push.size(), 19);
+        // With the point of the other quadrant no more than the twenty that the element takes: those up to the preload, and the last.
+        const Points all = from_rest(spring.points);
+        const std::size_t count = std::min<std::size_t>(all.size(), 19), first = std::min<std::size_t>(all.size(), 3);
         points = {{-s.diameter, 0}};
-        for (std::size_t k = 0; k < count; ++k) points.push_back(push[k * (push.size() - 1) / (count - 1)]);
-        what = "vertical, downwards positive; nothing where the pipe is lifted";
+        for (std::size_t k = 0; k < first; ++k) points.push_back(all[k]);
+        for (std::size_t k = first; k < count; ++k)
+          points.push_back(all[first - 1 + (k - first + 1) * (all.size() - first) / (count - first)]);
+        what = "vertical, downwards positive; nothing where the pipe is lifted. " + rest_words(s);
       }
       text += remark("! ", fmt::format("{}: {}; {}", number, what, spring.origin)) + combin39(number, points);
     }
@@ -149,6 +151,11 @@ ExportFiles sima_files(const Design& design)
     const Points axial = axial_spring(s);
     const NormalStiffness normal = normal_stiffness(s);
     if (!std::isnan(normal.value)) text += remark("' ", "STFBOT: " + normal.origin);
+    if (s.V > 0 && normal.value > 0 && s.embedment > 0)
+      text += remark("' ",
+                     fmt::format("STFBOT is linear: with the flat bottom at w = {:.4g} m below the surface of the bed the pipe lies at w = "
+                                 "{:.4g} m under V = {:.4g} N/m, as in the state",
+                                 s.embedment - s.V / normal.value, s.embedment, s.V));
     const bool undrained = !std::isnan(s.axial.undrained);
     if (!axial.empty())
       text += remark("' ", "STFAXI and FRIAXI, " + axial_title(s) + ": " + axial_origin(s)) +
@@ -169,10 +176,10 @@ ExportFiles sima_files(const Design& design)
                             identifier(fmt::format("{}{}{}", residual ? "R" : "B", number, set), 8));
         text += std::isnan(normal.value) ? "'STFBOT DAMBOT: not known from these runs; put your own here\n"
                                          : fmt::format("'STFBOT DAMBOT\n{:.6g} 0\n", normal.value / kilo);
-        const Real axial_normal = undrained ? l.V : axial_V(s);
-        text += axial.empty() || !(axial_normal > 0) ? "'STFAXI FRIAXI DAMAXI\n0 0 0\n"
-                                                     : fmt::format("'STFAXI FRIAXI DAMAXI\n{:.6g} {:.6g} 0\n",
-                                                                   axial[1].F / axial[1].x / kilo, axial.back().F / axial_normal);
+        const Real axial_normal = undrained ? l.V : axial_V(s), axial_force = residual ? s.axial.residual : s.axial.breakout();
+        text += axial.empty() || !(axial_normal > 0)
+                    ? "'STFAXI FRIAXI DAMAXI\n0 0 0\n"
+                    : fmt::format("'STFAXI FRIAXI DAMAXI\n{:.6g} {:.6g} 0\n", axial[1].F / axial[1].x / kilo, axial_force / axial_normal);
         text += fmt::format("'STFLAT FRILAT DAMLAT ILTOR\n{:.6g} {:.6g} 0 0\n", l.stiffness() / kilo, H / l.V);
       }
     }

@@ -2,12 +2,14 @@
 #include "springs/springs.hpp"
 
 #include "formulas/axial.hpp"
+#include "formulas/rebound.hpp"
 #include "input/message_text.hpp"
 #include "material/clay.hpp"
 #include "os/error.hpp"
 #include "structures/base/soil_words.hpp"
 #include "structures/driven/resistance.hpp"
 #include "structures/driven/run_points.hpp"
+#include "structures/pipe/axial_results.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -82,12 +84,19 @@ Unloading unloading_of(const std::string& stage, std::vector<Index> rows, const 
   return {stage, V[rows.front()], V[rows.back()], stiffness_of(rows, w, V)};
 }
 
+/// The soil at an embedment.
+std::optional<material::Material> soil_at(const record::RunRecord& run, Real w)
+{
+  const std::optional<settings::BodySoil> soil = base::touched_soil(run);
+  if (!soil) return {};
+  return soil->at("", base::soil_depth(run.settings, run.ground, w));
+}
+
 /// The strength of the soil at an embedment, Pa; 0 where it has friction or none is known.
 Real strength_at(const record::RunRecord& run, Real w)
 {
-  const std::optional<settings::BodySoil> soil = base::touched_soil(run);
-  if (!soil) return 0;
-  const std::optional<material::Strength> strength = strength_at_rest(soil->at("", base::soil_depth(run.settings, run.ground, w)));
+  const std::optional<material::Material> soil = soil_at(run, w);
+  const std::optional<material::Strength> strength = soil ? strength_at_rest(*soil) : std::nullopt;
   return strength && strength->friction_angle == 0 ? strength->cohesion : 0;
 }
 
@@ -99,7 +108,21 @@ Real sensitivity_of(const record::RunRecord& run)
   return clay == nullptr ? 1 : clay->sensitivity;
 }
 
-Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
+/// Undrained resistance that is remoulded, and grows by consolidation under the V of the state. OCR is by the flooded pipe, where it was.
+void consolidate(Axial& axial, Real D, const driven::State& state, const driven::States& states, Real roughness, const AxialClay& clay)
+{
+  const driven::State* flooded = driven::find_state(states, "flooded");
+  const Real preload = flooded != nullptr && flooded->row <= state.row ? flooded->V / state.V : 1,
+             remoulded = axial.undrained / axial.sensitivity;
+  const formulas::Formula grown =
+      formulas::axial_consolidated(D, state.w, state.V, clay.consolidation, {*clay.strength_ratio, clay.exponent, roughness, preload});
+  axial.undrained = std::max(remoulded, grown.value);
+  axial.set_up.push_back({"consolidation", clay.consolidation, remoulded, axial.undrained});
+  axial.strength = fmt::format("clay consolidated to U = {:.3g} (s_u/sigma'_v = {:.3g})", clay.consolidation, *clay.strength_ratio);
+  axial.undrained_source = citation(grown.source);
+}
+
+Axial axial_of(const driven::DrivenRun& run, const driven::State& state, const driven::States& states, const AxialClay& clay)
 {
   Axial axial;
   if (state.V <= 0) return axial;
@@ -116,7 +139,12 @@ Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
         axial.wedging = force.N_eff / force.V, axial.wedging_source = "computed effective normal force over V, " + state.stage;
         axial.drained = std::tan(contact->friction_angle) * force.N_eff;
         axial.drained_source = "axial_friction_of_" + state.stage + ": friction of the interface times the computed effective normal force";
+        axial.settled = drained.value, axial.settled_source = citation(drained.source);
       }
+    const std::vector<std::string>& stages = run.record.history.stage;
+    for (const pipe::AxialGain& gain : pipe::axial_gains(run.record))
+      if (std::ranges::find(stages, gain.stage) - stages.begin() <= state.row)
+        axial.set_up.push_back({gain.stage, gain.degree, gain.before, gain.after});
   }
   const Real strength = strength_at(run.record, state.w),
              adhesion = contact->adhesion > 0 ? contact->adhesion : contact->adhesion_factor * strength;
@@ -127,7 +155,13 @@ Axial axial_of(const driven::DrivenRun& run, const driven::State& state)
     axial.sensitivity = std::max(contact->adhesion_sensitivity, contact->adhesion > 0 ? 1 : sensitivity_of(run.record));
     axial.undrained_source = citation(undrained.source) + ", with the " +
                              (contact->adhesion > 0 ? "adhesion of the case" : "strength of undisturbed clay at the invert");
+    if (clay.strength_ratio) consolidate(axial, D, state, states, contact->adhesion_factor > 0 ? contact->adhesion_factor : 1, clay);
+    if (clay.interface_angle && std::isnan(axial.drained)) {
+      const formulas::Formula drained = formulas::axial_drained(D, state.w, *clay.interface_angle, state.V);
+      axial.drained = drained.value, axial.drained_source = citation(drained.source);
+    }
   }
+  axial.residual = axial.breakout() / axial.sensitivity;
   axial.mobilise(D);
   return axial;
 }
@@ -139,7 +173,10 @@ void carry_to_prototype(Springs& s, Real scale)
     for (Point& point : points) point.x *= scale, point.F *= scale;
   };
   s.scale = scale;
-  for (Real* number : {&s.V, &s.diameter, &s.embedment, &s.weight, &s.strength, &s.axial.drained, &s.axial.undrained}) *number *= scale;
+  for (Real* number : {&s.V, &s.diameter, &s.embedment, &s.weight, &s.strength, &s.axial.drained, &s.axial.undrained, &s.axial.settled,
+                       &s.axial.residual, &s.vertical.preload})
+    *number *= scale;
+  for (SetUp& rest : s.axial.set_up) rest.before *= scale, rest.after *= scale;
   s.axial.mobilise(s.diameter);  // its millimetres are those of the prototype
   for (Lateral& l : s.lateral) {
     for (Real* number : {&l.V, &l.peak, &l.u_peak, &l.largest, &l.u_largest, &l.residual, &l.berm, &l.end, &l.u_residual, &l.travel})
@@ -148,21 +185,27 @@ void carry_to_prototype(Springs& s, Real scale)
     carry(l.curve);
   }
   carry(s.vertical.curve);
-  s.vertical.pushed_to *= scale;
   for (Unloading& u : s.vertical.unloading)
     for (Real* number : {&u.V_begin, &u.V_end}) *number *= scale;
 }
 
 }  // namespace
 
-void Axial::mobilise(Real diameter)
+Range Axial::cyclic() const
 {
-  if (std::isnan(drained) && std::isnan(undrained)) return;
-  const formulas::Estimates u = formulas::f114_axial_breakout_displacement(diameter);
-  breakout_low = u.low.value, breakout = u.best.value, breakout_high = u.high.value;
+  return {std::min(residual, breakout()), breakout(),
+          std::max({breakout(), std::isnan(drained) ? breakout() : drained, std::isnan(settled) ? breakout() : settled})};
 }
 
-std::string axial_breakout_source()
+void Axial::mobilise(Real diameter)
+{
+  if (std::isnan(breakout())) return;
+  const auto range = [](const formulas::Estimates& u) { return Range{u.low.value, u.best.value, u.high.value}; };
+  u_breakout = range(formulas::f114_axial_breakout_displacement(diameter));
+  u_residual = range(formulas::f114_axial_residual_displacement(diameter));
+}
+
+std::string axial_displacement_source()
 {
   return formulas::citation(formulas::f114_axial_breakout_displacement(1).best.source);
 }
@@ -262,20 +305,24 @@ void check_travels(const driven::Path& path, const std::vector<std::string>& tra
   }
 }
 
-/// V over w of the push, then the largest V so far at each state to this one that is deeper than all before.
-Points carried(const driven::Results& results, const driven::States& states, const driven::State& state, Real D)
+/// V over w of the push.
+Points virgin_of(const driven::Results& results, Real D)
 {
   Points curve;
-  Real most = 0;
-  const auto add = [&](Real w, Real V) {
-    most = std::max(most, V);
-    if (curve.empty() || w > curve.back().x + driven::same_point * D) curve.push_back({w, std::max(V, most)});
-  };
-  for (const driven::PushPoint& p : results.push) curve.push_back({p.w, p.V}), most = std::max(most, p.V);
-  if (const auto& end = results.push_end) add(end->w, end->V);
-  for (const driven::State& one : states)
-    if (one.row <= state.row && one.name != "touchdown" && std::isfinite(one.V)) add(one.w, one.V);
+  for (const driven::PushPoint& p : results.push) curve.push_back({p.w, p.V});
+  if (const auto& end = results.push_end)
+    if (curve.empty() || end->w > curve.back().x + driven::same_point * D) curve.push_back({end->w, end->V});
   return curve;
+}
+
+/// The largest V of the push and of the states up to this one.
+Real preload_of(const Points& virgin, const driven::Results& results, const driven::States& states, const driven::State& state)
+{
+  Real most = results.push_end ? results.push_end->V : 0;
+  for (const Point& p : virgin) most = std::max(most, p.F);
+  for (const driven::State& one : states)
+    if (one.row <= state.row && one.V > most) most = one.V;
+  return most;
 }
 
 /// The row from which on the bed is that of the state: what was found before is of soil that was dug, placed or moved away since.
@@ -289,13 +336,12 @@ Vertical vertical_of(const driven::DrivenRun& run, const driven::Results& result
                      const driven::State& state, const std::optional<driven::SoilWork>& work)
 {
   Vertical vertical;
-  const Real D = run.scale.width;
   const std::vector<Index>& pushed = path.push.rows;
   if (!pushed.empty() && pushed.front() < bed_since(work)) {
     vertical.without_curve = fmt::format("the push was into a bed that no longer exists in state {}: {}", state.name, work->words);
   } else if (!starts_embedded(run)) {
-    vertical.curve = carried(results, states, state, D);
-    if (results.push_end) vertical.pushed_to = results.push_end->w + driven::same_point * D;
+    vertical.curve = virgin_of(results, run.scale.width);
+    vertical.preload = preload_of(vertical.curve, results, states, state);
   } else if (!pushed.empty()) {
     vertical.unloading.push_back(unloading_of("push", pushed, run.history));
   }
@@ -304,6 +350,11 @@ Vertical vertical_of(const driven::DrivenRun& run, const driven::Results& result
   for (const driven::OtherPush& push : path.other_pushes)
     if (!push.lifts && push.rows.front() <= next && push.rows.front() >= bed_since(work))
       vertical.unloading.push_back(unloading_of(push.stage, push.rows, run.history));
+  if (const std::optional<material::Material> soil = soil_at(run.record, state.w); soil && !vertical.curve.empty()) {
+    const material::YoungPoisson elastic = young_poisson(*soil);
+    const formulas::Formula rebound = formulas::pipe_rebound_stiffness(elastic.shear_modulus(), elastic.poisson_ratio);
+    if (rebound.valid) vertical.rebound = rebound.value, vertical.rebound_source = citation(rebound.source);
+  }
   return vertical;
 }
 
@@ -397,9 +448,10 @@ Springs springs_of(const record::RunRecord& record, const Selection& selection)
       springs.lateral.push_back(lateral_of(path, k, found == results.drags.end() ? driven::DragResults{} : *found, run.scale));
       springs.lateral.back().state = life_at(states, path.drags[k]);
     }
-  springs.axial = axial_of(run, state);
+  springs.axial = axial_of(run, state, states, selection.clay);
   if (work) {  // the strength that it takes is that of undisturbed soil
-    springs.axial.undrained = nan;
+    springs.axial.undrained = nan, springs.axial.strength.clear(), springs.axial.sensitivity = 1;
+    springs.axial.residual = springs.axial.drained;
     if (std::isnan(springs.axial.drained)) springs.axial = {};
   }
   if (has_prototype(run.scale)) carry_to_prototype(springs, run.scale.gravity_level);

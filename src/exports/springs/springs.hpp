@@ -55,32 +55,51 @@ struct Unloading {
 
 /// How the bed resists the pipe downwards.
 struct Vertical {
-  /// V over the embedment: at multiples of 0.05 D and at the end of the push. Beyond that, in each state as far as that of these springs, the largest V that the
-  /// bed has carried at this depth or above it, which it carries again before the pipe is pushed deeper. None where the pipe lay in the bed from the start.
-  Points curve;
+  Points
+      curve;  ///< virgin: V over the embedment in the push, at multiples of 0.05 D and at its end. None where the pipe lay in the bed from the start
   std::string without_curve;  ///< why there is none: it follows "no vertical spring: "
-  Real pushed_to = infinity;  ///< m: points beyond it are of later states
+  Real preload = nan;         ///< N/m, the largest V that the bed has carried, up to the state
   std::vector<Unloading> unloading;
+  Real rebound = nan;          ///< N/m2, V over w for small changes of V, by a formula with the elasticity of the soil at the invert
+  std::string rebound_source;  ///< the formula
+};
+
+/// What a rest in which the clay consolidated did to the axial resistance: mu times the computed effective normal force.
+struct SetUp {
+  std::string stage;
+  Real degree;         ///< U at its end
+  Real before, after;  ///< N/m
+};
+
+/// Low, best and high.
+struct Range {
+  Real low = nan, best = nan, high = nan;
 };
 
 /// How the bed resists the pipe along its axis; nothing where V of the state is not positive. A run in the plane across the pipe cannot compute it: it is by formula,
-/// but for the normal force on a pipe in soil with water.
+/// but for the normal force on a pipe in soil with water. From its breakout it falls to the residual: of clay that is undrained the remoulded one.
 struct Axial {
-  Real wedging = nan;                                            ///< normal force around the contact over V
-  Real drained = nan;                                            ///< N/m, at V of the state, with the friction of the interface
-  Real undrained = nan;                                          ///< N/m, with its adhesion over the length of the contact
-  std::string wedging_source, drained_source, undrained_source;  ///< the formula, or the quantity of the run
+  Real wedging = nan;    ///< normal force around the contact over V
+  Real drained = nan;    ///< N/m, at V of the state, with the friction of the interface
+  Real undrained = nan;  ///< N/m, with its adhesion over the length of the contact
+  Real settled = nan;    ///< N/m, the drained one once no excess pore pressure is left, where `drained` is of a computed normal force
+  Real residual = nan;   ///< N/m: the undrained one over the sensitivity, else the drained one
+  std::string wedging_source, drained_source, undrained_source, settled_source;  ///< the formula, or the quantity of the run
   std::string strength;  ///< what the undrained resistance is of: "undisturbed clay", "given adhesion"; "" without one
   Real sensitivity = 1;  ///< of that clay or its interface, the larger: undisturbed strength over that remoulded
-  Real breakout_low = nan, breakout = nan,
-       breakout_high = nan;  ///< m, displacement at which it is mobilised: estimates of a formula; NaN without resistance
+  std::vector<SetUp> set_up;
+  Range u_breakout, u_residual;  ///< m, displacements at which the two are mobilised: estimates of a formula; NaN without resistance
 
-  /// Takes these displacements for a pipe of this diameter, m.
+  /// N/m: the undrained resistance where it is known, else the drained one.
+  Real breakout() const { return std::isnan(undrained) ? drained : undrained; }
+  /// N/m, what it may be after many cycles: remoulded and undrained at least, without excess pore pressure at most.
+  Range cyclic() const;
+  /// Takes the displacements for a pipe of this diameter, m.
   void mobilise(Real diameter);
 };
 
 /// The work and clause that they are from.
-std::string axial_breakout_source();
+std::string axial_displacement_source();
 
 /// What the bed does to the pipe of a run, as it is in a state: what pushes and drags found before a fill or an excavation at the pipe is no spring of it. In the size of the prototype where the run is a centrifuge's.
 struct Springs {
@@ -99,11 +118,19 @@ struct Springs {
   std::vector<std::string> missing;  ///< lines: which springs these runs do not tell, and why
 };
 
+/// What a run in undrained strengths does not know of the clay at the pipe, for its axial resistance.
+struct AxialClay {
+  std::optional<Real> strength_ratio{};   ///< (s_u/sigma'_v)_nc: its resistance is that after consolidation
+  Real exponent = 0, consolidation = 1;   ///< m of OCR^m; U
+  std::optional<Real> interface_angle{};  ///< rad: drained, for after many cycles
+};
+
 /// Which springs of a run.
 struct Selection {
   std::string state{};                 ///< "" = operation, else touchdown
   std::vector<std::string> travels{};  ///< drags; none: those that begin in that state, before the next one, and do not lay the pipe
   bool whole_life = false;             ///< without travels: the drags of all states, but those that lay the pipe
+  AxialClay clay{};
 };
 
 /// Of a run of a pipe in the plane. Throws RunError where it is no such run, or has neither push nor drag, InputError where it has no such state or travel.

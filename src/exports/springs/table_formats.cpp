@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/springs/formats_test.cpp
-#include "springs/formats.hpp"
+#include "springs/written_springs.hpp"
 #include "structures/base/invalid_answer.hpp"
 #include "study/study_report.hpp"
 
@@ -83,12 +83,17 @@ std::string curves_csv(const Design& design)
   text += study::csv_line({"spring", "estimate", "displacement (m)", "resistance (N/m)", "run", "state", "travel", "source"});
   const auto add = [&](const std::string& spring, const std::string& estimate, const Points& points, const Springs& s,
                        const std::string& travel) {
-    for (const Point& p : points) text += study::csv_line({spring, estimate, exact(p.x), exact(p.F), s.run, s.state, travel, "computed"});
+    const std::string source = spring == "axial" ? axial_title(s) + ": " + axial_origin(s) : "computed";
+    for (const Point& p : points) text += study::csv_line({spring, estimate, exact(p.x), exact(p.F), s.run, s.state, travel, source});
   };
   for (const auto& [set, springs] : sets_of(design)) {
     for (const Lateral& l : springs->lateral) add("lateral " + l.stage, set, l.spring(), *springs, l.stage);
-    add("vertical", set, springs->vertical.curve, *springs, "push");
+    add("vertical", set, vertical_spring(*springs), *springs, "push");
+    add("vertical virgin", set, springs->vertical.curve, *springs, "push");
+    add("axial", set, axial_spring(*springs), *springs, "");
   }
+  for (const auto& [set, estimate] : {std::pair("best, low displacements", &Range::low), {"best, high displacements", &Range::high}})
+    add("axial", set, axial_spring(design.best, estimate), design.best, "");
   for (const Lateral& l : design.best.lateral) add("lateral " + l.stage, "computed", l.curve, design.best, l.stage);
   return text;
 }
@@ -105,9 +110,17 @@ Json json_of(const Points& points)
   return list;
 }
 
+Json json_of(const Range& range)
+{
+  return {number(range.low), number(range.best), number(range.high)};
+}
+
 Json json_of(const Springs& s)
 {
-  Json lateral = Json::array(), unloading = Json::array();
+  Json lateral = Json::array(), unloading = Json::array(), set_up = Json::array();
+  for (const SetUp& rest : s.axial.set_up)
+    set_up.push_back(
+        {{"stage", rest.stage}, {"U", number(rest.degree)}, {"before_N_m", number(rest.before)}, {"after_N_m", number(rest.after)}});
   for (const Lateral& l : s.lateral) {
     Json mobilised = Json::array();
     for (const Real u : l.mobilised) mobilised.push_back(number(u));
@@ -139,7 +152,14 @@ Json json_of(const Springs& s)
           {"embedment_m", number(s.embedment)},
           {"missing", s.missing},
           {"lateral", lateral},
-          {"vertical", {{"curve", json_of(s.vertical.curve)}, {"unloading", unloading}, {"refused", refused_stiffnesses(s)}}},
+          {"vertical",
+           {{"spring", json_of(vertical_spring(s))},
+            {"virgin", json_of(s.vertical.curve)},
+            {"preload_N_m", number(s.vertical.preload)},
+            {"stiffness_N_m2", number(normal_stiffness(s).value)},
+            {"stiffness_source", normal_stiffness(s).origin},
+            {"unloading", unloading},
+            {"refused", refused_stiffnesses(s)}}},
           {"axial",
            {{"wedging", number(s.axial.wedging)},
             {"drained_N_m", number(s.axial.drained)},
@@ -148,7 +168,14 @@ Json json_of(const Springs& s)
             {"undrained_sensitivity", number(s.axial.sensitivity)},
             {"drained_source", s.axial.drained_source},
             {"undrained_source", s.axial.undrained_source},
-            {"breakout_m", number(s.axial.breakout)}}}};
+            {"consolidated_N_m", number(s.axial.settled)},
+            {"breakout_N_m", number(s.axial.breakout())},
+            {"residual_N_m", number(s.axial.residual)},
+            {"after_cycles_N_m", {number(s.axial.cyclic().low), number(s.axial.cyclic().high)}},
+            {"set_up", set_up},
+            {"breakout_m", json_of(s.axial.u_breakout)},
+            {"residual_m", json_of(s.axial.u_residual)},
+            {"spring", json_of(axial_spring(s))}}}};
 }
 
 }  // namespace

@@ -28,15 +28,58 @@ std::string state_words(const Springs& s)
   return (s.state.empty() ? "state at the end of the push" : "state " + s.state) + within;
 }
 
-/// Of undrained clay: that its axial resistance is neither remoulded nor set up.
+/// What the axial resistance is of, and between which it may be later.
 std::string axial_strength_words(const Springs& s)
 {
-  if (!(s.axial.undrained > 0) || s.axial.strength.empty()) return "";
-  std::string words = "The axial spring has the strength of " + s.axial.strength + ": not remoulded, and without set-up by consolidation";
-  if (s.axial.sensitivity > 1)
-    words += fmt::format("; remoulded it is 1/{:.3g} of that (sensitivity), {:.4g} N/m", s.axial.sensitivity,
-                         s.axial.undrained / s.axial.sensitivity);
+  const Axial& axial = s.axial;
+  if (!(axial.breakout() > 0)) return "";
+  std::string words;
+  if (axial.undrained > 0 && !axial.strength.empty())
+    words = fmt::format("Axial breakout {:.4g} N/m has the strength of {}{}", axial.undrained, axial.strength,
+                        axial.set_up.empty() ? ", without set-up by consolidation" : "");
+  if (axial.sensitivity > 1)
+    words += fmt::format("; remoulded it is 1/{:.3g} of that (sensitivity): axial residual {:.4g} N/m", axial.sensitivity, axial.residual);
+  for (const SetUp& rest : axial.set_up)
+    words += fmt::format("{}Axial set-up in {}: {:.4g} to {:.4g} N/m at U = {:.3g}", words.empty() ? "" : ". ", rest.stage, rest.before,
+                         rest.after, rest.degree);
+  if (const Range band = axial.cyclic(); band.high > band.low * (1 + 1e-9))
+    words += fmt::format("{}After cycles the axial resistance is between {:.4g} ({}) and {:.4g} N/m ({})", words.empty() ? "" : ". ",
+                         band.low, axial.residual < axial.breakout() ? "undrained, remoulded" : "that of breakout", band.high,
+                         band.high > axial.breakout() ? "drained, no excess pore pressure left"
+                         : std::isnan(axial.drained)  ? "that of breakout: the drained one is not known without friction of the interface"
+                                                      : "that of breakout");
   return words;
+}
+
+/// V over w of the push from the surface on.
+Points virgin_curve(const Springs& s)
+{
+  Points points{{0, 0}};
+  for (const Point& p : s.vertical.curve)
+    if (p.x > points.back().x) points.push_back(p);
+  return points;
+}
+
+Real deepest_virgin(const Springs& s)
+{
+  return s.vertical.curve.empty() ? 0 : s.vertical.curve.back().x;
+}
+
+/// Whether the pipe lies in the bed under a load in the state.
+bool lies_in_state(const Springs& s)
+{
+  return s.V > 0 && s.embedment > 0;
+}
+
+/// Steep enough that the pipe does not rise out of the bed before it is without load.
+Real state_stiffness(const Springs& s)
+{
+  return std::max(normal_stiffness(s).value, s.V / s.embedment);
+}
+
+Real preload_of(const Springs& s)
+{
+  return std::isnan(s.vertical.preload) ? s.V : std::max(s.vertical.preload, s.V);
 }
 
 std::string run_words(const Springs& s)
@@ -77,7 +120,7 @@ std::string axial_origin(const Springs& s)
   const std::string& source = undrained ? s.axial.undrained_source : s.axial.drained_source;
   return sentence({run_words(s), state_words(s), "no travel: a plane across the pipe has none along it",
                    undrained ? "undrained" : "drained", source.empty() ? "by a formula with the interface of the case" : "by " + source,
-                   "displacement by " + axial_breakout_source()});
+                   "displacements by " + axial_displacement_source()});
 }
 
 std::string axial_title(const Springs& s)
@@ -85,25 +128,27 @@ std::string axial_title(const Springs& s)
   return std::isnan(s.axial.undrained) ? "axial, drained" : s.axial.strength.empty() ? "axial" : "axial, " + s.axial.strength;
 }
 
-std::string push_origin(const Springs& s)
+std::string vertical_origin(const Springs& s)
 {
-  const Real deepest = s.vertical.curve.empty() ? nan : s.vertical.curve.back().x;
-  const auto unloading = std::ranges::find_if(s.vertical.unloading, [](const Unloading& u) { return is_stiffness(u.stiffness); });
+  const Points points = vertical_spring(s);
+  if (!lies_in_state(s)) return sentence({run_words(s), "from the surface of the bed down", "travel push", "computed, virgin curve"});
+  const Real preload = preload_of(s);
   return sentence(
-      {run_words(s), "from the surface of the bed down", "travel push", "computed",
-       "virgin curve: it is followed where V is larger than ever before",
-       unloading == s.vertical.unloading.end()
-           ? "stiffness of unloading and reloading not known"
-           : fmt::format("unloading and reloading have {:.4g} N/m2 (stage {}; springs.csv has it)", unloading->stiffness, unloading->stage),
-       s.embedment > deepest * (1 + 1e-6) ? fmt::format("it ends at w = {:.4g} m, above the pipe in {}", deepest, state_words(s))
-                                          : "for " + state_words(s)});
+      {run_words(s), state_words(s), "travel push",
+       fmt::format("computed: unloading and reloading have {:.4g} N/m2 ({}), from V = 0 at w = {:.4g} m to the preload of {:.4g} N/m",
+                   state_stiffness(s), normal_stiffness(s).origin, points.back().x - from_rest(points).back().x, preload),
+       deepest_virgin(s) > points.back().x * (1 - 1e-9) ? "the virgin curve beyond"
+                                                        : "beyond it the last slope of the virgin curve, which was not followed so deep"});
 }
 
-Points axial_spring(const Springs& s)
+Points axial_spring(const Springs& s, Real Range::*estimate)
 {
-  const Real F = std::isnan(s.axial.undrained) ? s.axial.drained : s.axial.undrained;
+  const Real F = s.axial.breakout(), residual = s.axial.residual;
   if (!(F > 0)) return {};
-  return {{0, 0}, {s.axial.breakout, F}, {s.diameter, F}};
+  Points points{{0, 0}, {s.axial.u_breakout.*estimate, F}};
+  if (residual < F) points.push_back({s.axial.u_residual.*estimate, residual});
+  points.push_back({std::max(s.diameter, 2 * points.back().x), points.back().F});
+  return points;
 }
 
 Real axial_V(const Springs& s)
@@ -112,12 +157,46 @@ Real axial_V(const Springs& s)
   return s.lateral.empty() ? nan : s.lateral[0].V;
 }
 
-Points push_of(const Springs& s)
+Points vertical_spring(const Springs& s)
 {
+  const Points virgin = virgin_curve(s);
+  if (virgin.size() < 2 || !lies_in_state(s)) return virgin.size() < 2 ? Points{} : virgin;
+  const Real k = state_stiffness(s), preload = preload_of(s);
   Points points{{0, 0}};
-  for (const Point& p : s.vertical.curve)
-    if (p.x > points.back().x) points.push_back(p);
+  const auto add = [&](Real x, Real F) {
+    if (x > points.back().x * (1 + 1e-12)) points.push_back({x, F});
+  };
+  add(s.embedment - s.V / k, 0);
+  add(s.embedment, s.V);
+  add(s.embedment + (preload - s.V) / k, preload);
+  const std::size_t known = points.size();
+  for (const Point& p : virgin)
+    if (p.F > points.back().F) add(p.x, p.F);
+  if (points.size() > known) return points;
+  const Point &end = virgin.back(), &before = virgin[virgin.size() - 2];
+  const Real slope = end.F > before.F ? (end.F - before.F) / (end.x - before.x) : end.F / end.x, more = 0.1 * s.diameter;
+  add(points.back().x + more, points.back().F + std::min(slope, k) * more);
   return points;
+}
+
+Points from_rest(Points vertical)
+{
+  std::size_t last = 0;
+  while (last + 1 < vertical.size() && !(vertical[last + 1].F > 0)) ++last;
+  vertical.erase(vertical.begin(), vertical.begin() + static_cast<std::ptrdiff_t>(last));
+  const Real rest = vertical.empty() ? 0 : vertical.front().x;
+  for (Point& p : vertical) p.x -= rest;
+  return vertical;
+}
+
+std::string rest_words(const Springs& s)
+{
+  const Points all = vertical_spring(s);
+  if (all.size() < 2) return "";
+  return fmt::format(
+      "Vertical displacements are from the pipe without load, {:.6g} m below the surface of the bed: under V of the state it lies as "
+      "deep as there.",
+      all.back().x - from_rest(all).back().x);
 }
 
 std::vector<WrittenSpring> springs_to_write(const Springs& s)
@@ -128,7 +207,8 @@ std::vector<WrittenSpring> springs_to_write(const Springs& s)
       all.push_back({Direction::lateral, l.stage, std::move(points), l.V, origin_of(s, l)});
   if (Points points = axial_spring(s); !points.empty())
     all.push_back({Direction::axial, "", std::move(points), axial_V(s), axial_origin(s)});
-  if (Points points = push_of(s); points.size() > 1) all.push_back({Direction::vertical, "push", std::move(points), nan, push_origin(s)});
+  if (Points points = vertical_spring(s); points.size() > 1)
+    all.push_back({Direction::vertical, "push", std::move(points), nan, vertical_origin(s)});
   return all;
 }
 
@@ -144,7 +224,7 @@ Points both_ways(const Points& spring)
 Points upwards_positive(const Points& push, Real lift)
 {
   Points points;
-  for (auto p = push.rbegin(); p != push.rend(); ++p) points.push_back(p->x > 0 ? Point{-p->x, -p->F} : Point{0, 0});
+  for (auto p = push.rbegin(); p != push.rend(); ++p) points.push_back({0 - p->x, 0 - p->F});
   points.push_back({lift, 0});
   return points;
 }
@@ -159,8 +239,9 @@ NormalStiffness normal_stiffness(const Springs& s)
 {
   for (const Unloading& u : s.vertical.unloading)
     if (is_stiffness(u.stiffness)) return {u.stiffness, sentence({run_words(s), "travel " + u.stage, "slope, computed"})};
-  if (const Points push = push_of(s); push.size() > 1)
-    return {push.back().F / push.back().x, "secant to the end of the push: " + push_origin(s)};
+  if (is_stiffness(s.vertical.rebound)) return {s.vertical.rebound, "by " + s.vertical.rebound_source};
+  if (const Points push = virgin_curve(s); push.size() > 1)
+    return {push.back().F / push.back().x, sentence({run_words(s), "travel push", "secant to its end, computed"})};
   return {};
 }
 
@@ -188,7 +269,8 @@ std::string comments(const Design& design, const std::string& mark, const std::v
   for (const std::string& line : design.provenance) text += remark(mark, line);
   for (const std::string& line : design.best.missing) text += remark(mark, line);
   if (const std::string line = axial_strength_words(design.best); !line.empty()) text += remark(mark, line);
-  for (const std::string& line : remarks) text += remark(mark, line);
+  for (const std::string& line : remarks)
+    if (!line.empty()) text += remark(mark, line);
   if (design.best.scale != 1) text += fmt::format("{}prototype: {:.6g} times the size of the model\n", mark, design.best.scale);
   return text;
 }

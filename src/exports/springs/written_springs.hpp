@@ -26,16 +26,20 @@ const char* peak_words(const Lateral& lateral);
 /// Where a lateral, the axial and the vertical spring are from: run, state, travel, formula.
 std::string origin_of(const Springs& springs, const Lateral& lateral);
 std::string axial_origin(const Springs& springs);
-std::string push_origin(const Springs& springs);
+std::string vertical_origin(const Springs& springs);
 /// "axial, undisturbed clay": what the axial spring is called, with whose strength it has.
 std::string axial_title(const Springs& springs);
 
-/// From the displacement of breakout on the axial resistance stays; none where nothing is mobilised.
-Points axial_spring(const Springs& springs);
+/// Straight to the breakout, and down to the residual where that is less; level from there on. None where nothing is mobilised.
+Points axial_spring(const Springs& springs, Real Range::*estimate = &Range::best);
 /// N/m, the vertical force under which the pipe slides along its axis: that of the state, else that of the first drag.
 Real axial_V(const Springs& springs);
-/// V over the embedment from the surface on.
-Points push_of(const Springs& springs);
+/// V over the embedment, of the pipe as it lies in the state: nothing down to where it would rise to without load, then the line of unloading and reloading through the state to
+/// the preload, then the virgin curve, with its last slope for another tenth of the diameter where it has not been followed so deep. Without V in the state the virgin curve.
+Points vertical_spring(const Springs& springs);
+/// The same over the way down from the pipe without load, for elements that begin there; what says where that is.
+Points from_rest(Points vertical);
+std::string rest_words(const Springs& springs);
 
 /// A spring that resists both ways: its points mirrored, from the least displacement on.
 Points both_ways(const Points& spring);
@@ -44,7 +48,7 @@ Points upwards_positive(const Points& push, Real lift);
 /// Level for another `length` beyond its last point, for programs that go on with the last slope.
 Points level_beyond(Points spring, Real length);
 
-/// N/m^2, V over w for small changes of V: of the first stage that unloads or reloads, else of the whole push; NaN where neither is known.
+/// N/m^2, V over w for small changes of V: of the first stage that unloads or reloads, else by the formula, else of the whole push; NaN where none is known.
 struct NormalStiffness {
   Real value = nan;
   std::string origin;

@@ -10,6 +10,7 @@
 #include "jobs/batch.hpp"
 #include "os/error.hpp"
 #include "os/interrupt.hpp"
+#include "route/route_settings.hpp"
 #include "run_folder/build.hpp"
 #include "sea/sea_settings.hpp"
 #include "simulation/simulate.hpp"
@@ -143,6 +144,8 @@ std::vector<jobs::Job> jobs_of(const std::vector<Example>& examples, const fs::p
           cyclic::read_cyclic_case(file, run.set);
         else if (run.sea)
           sea::read_sea_case(file, run.set);
+        else if (run.route)
+          route::read_route_case(file, run.set);
         else if (run.element)
           element::read_element_case(file, run.set);
         else

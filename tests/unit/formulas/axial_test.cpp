@@ -70,5 +70,29 @@ TEST(Axial, friction_of_a_skirt_acts_on_both_of_its_faces)
   EXPECT_FALSE(skirt_friction(4, 0, 1, 3e3).valid);
 }
 
+TEST(Axial, residual_displacements_are_those_of_a_public_program)
+{
+  // Sivamanikantakumar122, surfacelaid_psi_backend.py: min(7.5, 0.015 D), min(30, 0.06 D), max(250, 0.5 D) mm.
+  const Estimates small = f114_axial_residual_displacement(0.1), large = f114_axial_residual_displacement(0.6);
+  EXPECT_NEAR(small.low.value, 1.5e-3, 1e-12);
+  EXPECT_NEAR(small.best.value, 6e-3, 1e-12);
+  EXPECT_NEAR(small.high.value, 0.25, 1e-12);
+  EXPECT_NEAR(large.low.value, 7.5e-3, 1e-12);
+  EXPECT_NEAR(large.best.value, 30e-3, 1e-12);
+  EXPECT_NEAR(large.high.value, 0.3, 1e-12);
+}
+
+// By hand: D = 0.4 m, w = 0.1 m: b = acos(0.5) = 60 deg, zeta = 2 sin 60/(pi/3 + sin 60 cos 60) = 1.7320508/1.4802103 = 1.1701383; OCR = 1.5, m = 0.8:
+// 1.3831618; 0.5 x 0.25 x 1.3831618 x 1.1701383 x 1200 N/m = 242.77 N/m.
+TEST(Axial, of_consolidated_clay_grows_with_the_load_it_carried_and_the_part_that_it_consolidated_under)
+{
+  const ConsolidatedInterface clay{0.25, 0.8, 0.5, 1.5};
+  EXPECT_NEAR(axial_consolidated(0.4, 0.1, 1200, 1, clay).value, 242.77, 0.01);
+  EXPECT_NEAR(axial_consolidated(0.4, 0.1, 1200, 0.5, clay).value, 242.77 / 2, 0.01);
+  EXPECT_NEAR(axial_consolidated(0.4, 0.1, 1200, 1, {0.25, 0.8, 0.5, 0.7}).value, 0.125 * 1.1701383 * 1200, 0.01)
+      << "never overconsolidated";
+  EXPECT_FALSE(axial_consolidated(0.4, 0.1, 1200, 1.1, clay).valid);
+}
+
 }  // namespace
 }  // namespace berm::formulas::this_file

@@ -80,8 +80,8 @@ TEST(CalculixFormat, has_a_file_for_each_spring_with_force_before_displacement)
   EXPECT_EQ(vertical.set, "BERM_VERTICAL");
   EXPECT_EQ(vertical.freedom, 3);
   ASSERT_EQ(vertical.points.size(), 5u);
-  EXPECT_EQ(vertical.points[0].F, -2000) << "downwards is negative";
-  EXPECT_EQ(vertical.points[3].x, 0.5e-6) << "a pipe at the surface has the stiffness of the bed";
+  EXPECT_EQ(vertical.points[1].F, -2000) << "downwards is negative";
+  EXPECT_EQ(vertical.points[3].x, 0.5e-6) << "a pipe without load has the stiffness of the bed";
   EXPECT_EQ(vertical.points[3].F, 0);
   EXPECT_EQ(vertical.points[4].F, 0) << "nothing where the pipe is lifted";
 }
@@ -240,21 +240,27 @@ TEST_F(Calculix, long_pipe_whose_springs_yield_moves_as_far_as_plasticity_says)
     EXPECT_NEAR(u[40 + static_cast<std::size_t>(x)][1], w_inside(x), 0.01 * w_inside(0)) << x << " m from the force";
 }
 
-/// Each node carries as much as its spring: the pipe goes straight down to where V of the push is the load.
-TEST_F(Calculix, pipe_under_its_weight_sinks_to_where_the_push_has_it)
+/// Each node carries as much as its spring: under V of the state the pipe lies at its embedment. Unloading has 1e5 N/m2, and the push ends with 1.6e4.
+TEST_F(Calculix, pipe_under_V_of_the_state_lies_at_its_embedment)
 {
   Design design;
   design.best = made_springs();
+  design.best.vertical.unloading = {{"unload", 2000, 1000, 1e5}};
+  const Springs& s = design.best;
   Pipe pipe;
   pipe.sections = 11;
   pipe.E = 2.1e11;
   pipe.springs = text_of(calculix_files(design), "springs_best_vertical.inp");
   pipe.set = "BERM_VERTICAL";
   pipe.held = "AXIS, 2, 2\n1, 1, 1\n4001, 2, 2\n";
-  pipe.loads = "AXIS, 3, -1600.\n";
-  const auto u = computed(pipe);
-  ASSERT_EQ(u.size(), 11u);
-  for (const auto& node : u) EXPECT_NEAR(node[2], -0.075, 1e-5) << "between 1200 N/m at 0.05 m and 2000 N/m at 0.1 m";
+  const Real rest = s.embedment - s.V / 1e5;
+  for (const auto& [V, w] : {std::pair(s.V, s.embedment), std::pair(500., s.embedment - 500 / 1e5),
+                             std::pair(1600., s.embedment + 600 / 1e5), std::pair(2400., s.embedment + 1000 / 1e5 + 400 / 1.6e4)}) {
+    pipe.loads = fmt::format("AXIS, 3, {:.8e}\n", -V);
+    const auto u = computed(pipe);
+    ASSERT_EQ(u.size(), 11u);
+    for (const auto& node : u) EXPECT_NEAR(rest - node[2], w, 1e-5) << V << " N/m";
+  }
 }
 
 /// A bar on springs: k_end = EA/l (tanh(L/l) + r)/(1 + r tanh(L/l)) with l^2 = EA/k and r = k h/2 l/EA of the far end, whose node has the spring of a whole metre h

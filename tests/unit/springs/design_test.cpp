@@ -96,16 +96,14 @@ TEST(Design, counts_no_stiffness_that_is_negative_or_zero)
   EXPECT_EQ(e.low, 2e5);
 }
 
-TEST(Design, says_of_a_V_beyond_the_push_at_which_depths_the_bed_has_carried_it)
+TEST(Design, has_the_preload_of_the_bed_beside_the_virgin_curve)
 {
   Springs best = with_peak(60);
   best.vertical.curve = {{0.001, 100}, {0.002, 200}};
-  best.vertical.pushed_to = 0.0015;
+  best.vertical.preload = 250;
   const Design design = design_of_sample("pipe", best, draws());
   EXPECT_EQ(estimate(design, "vertical", "V_at_w_0.05D").meaning, "V in the push at an embedment");
-  EXPECT_EQ(
-      estimate(design, "vertical", "V_at_w_0.1D").meaning,
-      "largest V that the bed has carried at this depth or above it: the preload that it carries again before the pipe penetrates further");
+  EXPECT_EQ(estimate(design, "vertical", "preload").best, 250);
 }
 
 TEST(Design, has_low_and_high_of_ten_draws_and_not_of_nine)

@@ -157,10 +157,12 @@ TEST(Formats, of_tables_have_run_state_travel_and_source_of_each_number_at_the_e
   ends(line_of("springs.csv", "spring,"), ",meaning,run,state,travel,source");
   ends(line_of("springs.csv", "lateral sweep_1,peak,"), ",b1,operation,sweep_1,computed");
   ends(line_of("springs.csv", "axial,undrained,"), ",b1,operation,,White and Randolph 2007");
-  ends(line_of("springs.csv", "axial,breakout,"), ",b1,operation,,\"DNVGL-RP-F114, table 4-2\"");
+  ends(line_of("springs.csv", "axial,u_breakout,"), ",b1,operation,,\"DNVGL-RP-F114, table 4-2\"");
   ends(line_of("springs.csv", "vertical,embedment,"), ",b1,operation,,\"computed, end of stage unload\"");
   ends(line_of("curves.csv", "lateral sweep_2,low,"), ",b1 (forces at 5 % of 11 runs),operation,sweep_2,computed");
+  ends(line_of("springs.csv", "axial,residual,"), ",b1,operation,,White and Randolph 2007");
   ends(line_of("curves.csv", "vertical,best,"), ",b1,operation,push,computed");
+  ends(line_of("curves.csv", "vertical virgin,best,"), ",b1,operation,push,computed");
 }
 
 TEST(Formats, never_have_a_stiffness_that_is_negative_or_none_and_say_why)
@@ -202,7 +204,11 @@ TEST(Formats, of_abaqus_is_force_then_displacement_ascending_through_the_origin_
   for (Point& p : push) std::swap(p.x, p.F);
   expect_ascending(push);
   EXPECT_EQ(push.front().F, 0) << "a pipe that is lifted meets nothing";
-  EXPECT_NEAR(push.back().F, 4e5 * 0.002, 1e-2);
+  ASSERT_EQ(push.size(), 5u) << "lifted, without load, the state, the preload, beyond it";
+  EXPECT_EQ(push[1].x, 0);
+  EXPECT_EQ(push[1].F, 0);
+  EXPECT_NEAR(push[2].F, 80, 1e-4);
+  EXPECT_NEAR(push[3].F, 4e5 * 0.002, 1e-2) << "the end of the push";
   EXPECT_EQ(text[0], '*');
   for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 256u) << line;
 }
@@ -219,13 +225,16 @@ TEST(Formats, of_orcaflex_is_the_resistance_over_the_normal_reaction)
     EXPECT_NEAR(profile[k].F, spring[k].F / 80, 1e-5);
   }
   const Points reaction = pairs_behind(text, "penetration (m),normal reaction (kN/m)");
-  EXPECT_NEAR(reaction.back().F, 0.8, 1e-5) << "kN/m";
+  ASSERT_EQ(reaction.size(), 5u);
+  EXPECT_NEAR(reaction[2].x, design.best.embedment, 1e-6);
+  EXPECT_NEAR(reaction[2].F, 0.08, 1e-5) << "kN/m: under V of the state the pipe lies at its embedment";
 }
 
 TEST(Formats, of_ansys_has_no_more_points_than_the_element_takes_and_none_at_the_same_place)
 {
   Design design = sample_design();
   design.best.vertical.curve.clear();
+  design.best.V = nan;
   for (int k = 1; k <= 50; ++k) design.best.vertical.curve.push_back({0.001 * k, std::sqrt(0.001 * k)});
   const std::string text = file(ansys_files(design), "springs_best.mac").text;
   int springs = 0;

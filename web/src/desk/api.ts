@@ -54,7 +54,7 @@ export type Status = "queued" | "running" | "stopped" | "failed" | "finished";
 export interface About { version: string; folder: string; cores: number }
 export interface Kind { kind: string; title: string; group: string; question: string; sizes: string[]; soils: string[]; example: string }
 /** What an input is, by its first tables. */
-export type InputKind = "case" | "study" | "element" | "fit" | "cyclic" | "sea";
+export type InputKind = "case" | "study" | "element" | "fit" | "cyclic" | "sea" | "route";
 export interface Soil { soil: string; material: string; title: string; source: string; trust: string }
 export interface FileOf { path: string; title?: string; modified?: string | number }
 export interface RunState { path: string; case: string; status: Status; progress: number | null; time_left_s: number | null; began_here: boolean; can_resume: boolean }

@@ -12,10 +12,10 @@ import { bytes_words, duration_words, hurry, picture_of, say } from "./words";
 
 /** A study has cases, an input of element tests has tests, one of a fit measured ones, one of contours a storm. */
 export function kind_of(text: string): InputKind {
-  return /^\[\[case\]\]/m.test(text) ? "study" : /^\[\[test\]\]/m.test(text) ? "element" : /^\[\[measured\]\]/m.test(text) ? "fit" : /^\[storm\]/m.test(text) ? "cyclic" : /^\[sea\]/m.test(text) ? "sea" : "case";
+  return /^\[\[case\]\]/m.test(text) ? "study" : /^\[\[test\]\]/m.test(text) ? "element" : /^\[\[measured\]\]/m.test(text) ? "fit" : /^\[storm\]/m.test(text) ? "cyclic" : /^\[sea\]/m.test(text) ? "sea" : /^\[\[section\]\]/m.test(text) ? "route" : "case";
 }
 
-const run_words: Record<InputKind, string> = { case: "Run", study: "Run the study", element: "Run the tests", fit: "Fit the soil", cyclic: "Cyclic strength", sea: "Sea state" };
+const run_words: Record<InputKind, string> = { case: "Run", study: "Run the study", element: "Run the tests", fit: "Fit the soil", cyclic: "Cyclic strength", sea: "Sea state", route: "Springs by KP" };
 
 export class CaseView implements Place {
   readonly element = make("div", "case_view");
