@@ -29,18 +29,29 @@ struct OtherUnit {
   double size;
 };
 
+/// One of a unit in SI; none where berm does not know its dimension.
+std::optional<input::SiQuantity> one_of(const std::string& unit)
+{
+  try {
+    return input::to_si("1 " + unit);
+  } catch (const input::UnitError&) {
+    return {};
+  }
+}
+
 /// The imperial unit of a quantity of that unit; none of another dimension.
 std::optional<OtherUnit> imperial_of(const std::string& unit)
 {
-  constexpr std::array units = {"ft", "lbf", "lbf/ft", "lbf/ft^2", "lbf/ft^3", "ft/s", "lb/ft", "lb/ft^3", "ft^2", "ft^3", "ft lbf", "in"};
+  constexpr std::array units = {"ft", "lbf", "lbf/ft", "lbf/ft^2", "lbf/ft^3", "ft/s", "lb/ft", "lb/ft^3", "ft^2", "ft^3"};
   constexpr double small = 0.01;  // m, of a unit of length that becomes inches
-  if (!input::is_quantity("1 " + unit)) return {};
-  for (const char* other : units)
-    if (const input::SiQuantity one = input::to_si("1 " + unit);
-        input::same_dimension(one.unit, input::to_si(std::string("1 ") + other).unit)) {
-      const std::string name = std::string(other) == "ft" && one.value <= small ? "in" : other;
-      return OtherUnit{name, input::to_si("1 " + name).value / one.value};
-    }
+  const std::optional<input::SiQuantity> one = one_of(unit);
+  if (!one) return {};
+  for (const char* other : units) {
+    const std::optional<input::SiQuantity> of = one_of(other);
+    if (!of || !input::same_dimension(one->unit, of->unit)) continue;
+    const std::string name = std::string(other) == "ft" && one->value <= small ? "in" : other;
+    return OtherUnit{name, one_of(name)->value / one->value};
+  }
   return {};
 }
 
@@ -54,7 +65,7 @@ std::optional<Named> unit_in(const std::string& column)
   for (std::size_t at = column.find('_'); at != std::string::npos; at = column.find('_', at + 1)) {
     std::string unit = column.substr(at + 1);
     if (const std::size_t over = unit.find('_'); over != std::string::npos) unit[over] = '/';
-    if (unit.find('_') == std::string::npos && input::is_quantity("1 " + unit)) return Named{column.substr(0, at), unit};
+    if (unit.find('_') == std::string::npos && one_of(unit)) return Named{column.substr(0, at), unit};
   }
   return {};
 }
@@ -87,7 +98,7 @@ Sheet results_of(const run_folder::RunSummary& summary, Units units)
 
 Sheet table_of(const fs::path& file, Units units)
 {
-  Sheet sheet{.name = file.stem().string()};
+  Sheet sheet{.name = file.stem().string(), .rows = {}};
   std::string text = io::read_text_file(file);
   if (!text.ends_with('\n')) text += '\n';
   std::vector<std::string> fields;
@@ -156,8 +167,8 @@ std::string xlsx_of(const std::vector<Sheet>& sheets)
   const fs::path file = scratch.path() / "tables.xlsx";
   lxw_workbook_options options{};
   options.constant_memory = LXW_TRUE;
-  const std::string temporary = scratch.path().string();
-  options.tmpdir = temporary.c_str();
+  std::string temporary = scratch.path().string();
+  options.tmpdir = temporary.data();
   lxw_workbook* book = workbook_new_opt(file.c_str(), &options);
   if (book == nullptr) throw RunError("a workbook cannot be made");
   lxw_format* bold = workbook_add_format(book);

@@ -48,6 +48,15 @@ SeaAnswer answer_of(const SeaCase& c)
   a.direction_factor = formulas::wave_direction_factor(c.sea.direction, c.sea.spreading.value_or(infinity));
   a.height = formulas::height_of(*c.spectrum);
   a.waves = formulas::waves_at_seabed(*c.spectrum, c.sea.depth);
+  if (c.bed.grain_size) {
+    formulas::BedFlow flow{.velocity = a.waves.velocity, .period = a.waves.period};
+    if (c.current) {
+      flow.current = c.current->velocity, flow.height = c.current->height, flow.roughness = c.current->roughness;
+      flow.angle = c.sea.direction - c.current->direction;
+    }
+    a.shields = formulas::shields_parameter(flow, *c.bed.grain_size);
+    a.critical_shields = formulas::critical_shields(*c.bed.grain_size);
+  }
   a.waves.velocity *= a.direction_factor;
   if (c.current)
     a.current = formulas::current_on_pipe(c.current->velocity, c.current->height, c.current->roughness, c.current->direction, D).value;

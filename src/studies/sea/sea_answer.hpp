@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formulas/on_bottom_stability.hpp"
+#include "formulas/sediment.hpp"
 #include "sea/record.hpp"
 
 namespace berm::sea {
@@ -27,6 +28,9 @@ struct SeaAnswer {
   Real horizontal = 0, vertical = 0;  ///< F_Y, F_Z, N/m, of the design oscillation by DNV-RP-F109
   Real passive = 0;                   ///< F_R, N/m
   formulas::Formula stable_weight;    ///< for half a diameter, w_s, N/m; NaN on clay
+
+  std::optional<formulas::Formula> shields,
+      critical_shields;  ///< of the bed in a significant wave of all directions; of sand with a grain size
 
   std::vector<LoadRecord> records;
   std::vector<std::vector<LoadWave>> waves_of_record;  ///< all of them

@@ -79,6 +79,12 @@ std::vector<Quantity> quantities(const SeaResults& results)
       {"largest_H_deviation", "", "its standard deviation", H.deviation, "N/m", morison},
       {"least_V", "", "least V of a realisation, mean", V.mean, "N/m", morison},
   };
+  if (a.shields) {
+    all.push_back({"shields", "theta", "Shields parameter of the bed in a significant wave", a.shields->value, "1", "Soulsby 1997",
+                   a.shields->valid});
+    all.push_back({"critical_shields", "theta_cr", "from which on the sand moves", a.critical_shields->value, "1",
+                   "Soulsby and Whitehouse 1997", a.critical_shields->valid});
+  }
   if (results.moved) {
     const MovedPipe moved = moved_pipe(c, *results.moved);
     const std::string soil = "macro-element";
@@ -123,6 +129,13 @@ std::vector<std::string> answer_in_words(const SeaResults& results)
   const MeanAndScatter H = over_seeds(a, [](const Extremes& e) { return e.H; });
   words.push_back(fmt::format("By Morison's equation the largest |H| is {:.3g} N/m, {:.2g} N/m standard deviation over {} seeds.", H.mean,
                               H.deviation, a.extremes.size()));
+  if (a.shields)
+    words.push_back(
+        fmt::format("In a significant wave the Shields parameter of the bed is {:.2g}, and sand of {:.3g} mm moves from {:.2g} on: {}.",
+                    a.shields->value, 1e3 * *c.bed.grain_size, a.critical_shields->value,
+                    a.shields->value > a.critical_shields->value
+                        ? "the sea moves the bed, and scour, self-burial and backfill change the embedment, which berm does not compute"
+                        : "the bed is at rest but at the pipe, where the flow is faster"));
   const auto lifted = std::count_if(a.extremes.begin(), a.extremes.end(), [](const Extremes& e) { return e.least_V <= 0; });
   if (lifted > 0)
     words.push_back(

@@ -102,6 +102,8 @@ void describe(Describe& d, Bed& bed)
           {.meaning = "submerged unit weight of sand, for the passive resistance; absent: clay, without it",
            .unit = "N/m^3",
            .range = positive});
+  d.value("grain_size", bed.grain_size,
+          {.meaning = "median grain size d_50 of sand: whether the waves move it", .unit = "m", .range = {1e-5, 0.1}});
   d.value("permeable", bed.permeable,
           {.meaning = "whether water flows through the seabed below the pipe: sand, where lift is 0.7 times as large"});
   d.value("trench_depth", bed.trench_depth, {.meaning = "depth of the trench in which the pipe lies", .unit = "m", .range = not_negative});

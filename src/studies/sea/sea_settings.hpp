@@ -48,6 +48,7 @@ struct Pipe {
 struct Bed {
   Real friction = 0;                ///< coefficient
   std::optional<Real> unit_weight;  ///< N/m3, submerged, of sand
+  std::optional<Real> grain_size;   ///< m, median, of sand
   bool permeable = false;
   Real trench_depth = 0, trench_angle = 0;  ///< m, rad
   Real safety_factor = 1;                   ///< on loads

@@ -56,6 +56,20 @@ TEST(SeaAnswer, of_waves_along_the_pipe_is_what_their_spreading_leaves)
   EXPECT_NEAR(answer_of(c).waves.velocity / answer_of(sample_sea()).waves.velocity, 0.5, 1e-12);
 }
 
+TEST(SeaAnswer, tells_whether_the_sea_moves_the_sand)
+{
+  SeaCase c = sample_sea();
+  EXPECT_FALSE(answer_of(c).shields) << "without a grain size";
+  c.bed.grain_size = 0.3e-3;
+  const SeaAnswer storm = answer_of(c);
+  EXPECT_GT(storm.shields->value, storm.critical_shields->value);
+  const formulas::SeabedWaves waves = formulas::waves_at_seabed(*c.spectrum, c.sea.depth);
+  EXPECT_EQ(storm.shields->value, formulas::shields_parameter({.velocity = waves.velocity, .period = waves.period}, 0.3e-3).value);
+  c.sea.direction = 0;
+  c.sea.spreading = 2;
+  EXPECT_EQ(answer_of(c).shields->value, storm.shields->value) << "of all directions";
+}
+
 TEST(LoadClasses, hold_all_waves_of_all_realisations)
 {
   SeaCase c = sample_sea();
