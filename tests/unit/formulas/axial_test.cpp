@@ -94,5 +94,14 @@ TEST(Axial, of_consolidated_clay_grows_with_the_load_it_carried_and_the_part_tha
   EXPECT_FALSE(axial_consolidated(0.4, 0.1, 1200, 1.1, clay).valid);
 }
 
+// By hand: D = 0.4 m, w = 0.2386 D, s_u = 2 kPa + 1.5 kPa/m z, alpha = 0.5: b = acos(1 - 2 x 0.2386) = 1.020664, the arc D b = 0.408266 m, s_u = 2.14316 kPa at the invert.
+TEST(Axial, resistance_and_wedging_of_a_flowline_are_those_of_a_hand_check)
+{
+  constexpr Real D = 0.4, w = 0.2386 * D, alpha = 0.5;
+  EXPECT_NEAR(D * contact_angle(D, w), 0.408266, 1e-6);
+  EXPECT_NEAR(axial_undrained(D, w, alpha * 2143.16).value, 437.489, 1e-3);
+  EXPECT_NEAR(wedging_factor(D, w).value, 1.162708, 1e-6);
+}
+
 }  // namespace
 }  // namespace berm::formulas::this_file

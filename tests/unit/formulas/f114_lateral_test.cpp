@@ -128,5 +128,15 @@ TEST(F114Lateral, work_edition_and_clause_are_told)
   EXPECT_EQ(citation(f114_clay_residual(clay_at(0.2), 100).best.source), "DNV-RP-F114") << "no public source states the clause";
 }
 
+// By hand: w = 0.2 D, s_u = 2 kPa + 1.5 kPa/m z, 2.12 kPa at the invert and 2.06 kPa at half of that depth, B = 0.32 m, r = 0.5, V = 1.2 kN/m.
+// Model 1: 0.5 x 2120 x 0.32 + 0.08 (2.25 x 2060 + 6000 x 0.04). Model 2: 848 (1.7 x 0.2^0.61 + 0.23 (1200/848)^0.83) + 0.6 x 6000 x 0.08^2.
+TEST(F114Lateral, of_a_flowline_is_that_of_a_hand_check)
+{
+  PipeInClay flowline = clay_at(0.2, 0.5);
+  flowline.strength = 2120, flowline.strength_gradient = 1500;
+  EXPECT_NEAR(f114_undrained_lateral_1(flowline, Rear::gap).best.value, 339.2 + 390, 1e-9);
+  EXPECT_NEAR(f114_undrained_lateral_2(flowline, 1200).value, 823.320, 1e-3);
+}
+
 }  // namespace
 }  // namespace berm::formulas::this_file

@@ -182,5 +182,13 @@ TEST(F114Vertical, values_out_of_range_are_told)
   EXPECT_FALSE(f114_undrained_model_1(growing).valid);
 }
 
+// By hand: D = 0.5 m, w = 0.1 D, s_u = 2.296 kPa there, 6 kN/m3: 6 x 0.1^0.25 = 3.37405 < 3.4, sin a = B/D = 0.6, a = 0.643501, A_bm = 0.0102188 m2.
+// Model 2: 3.37405 x 0.5 x 2.296 + 1.5 x 6 x 0.0102188 = 3.8734 + 0.0920 kN/m.
+TEST(F114Vertical, model_2_of_a_pipe_below_a_sounding_is_that_of_a_hand_check)
+{
+  const PipeInClay pipe{.diameter = 0.5, .embedment = 0.05, .strength = 2296, .strength_gradient = 3600, .unit_weight = 6000};
+  EXPECT_NEAR(f114_undrained_model_2(pipe).value, 3965.38, 0.01);
+}
+
 }  // namespace
 }  // namespace berm::formulas::this_file

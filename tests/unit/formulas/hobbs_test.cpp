@@ -71,5 +71,19 @@ TEST(Hobbs, without_friction_or_compression_there_is_no_buckle)
   EXPECT_TRUE(std::isnan(hobbs_buckle_at(HobbsMode::three, pipe_on_sand, -1e5).amplitude));
 }
 
+// By hand, 323.9 mm x 12.7 mm of steel (206 GPa, 1.17e-5/K) that weighs 0.8 kN/m, 24 K, friction 0.6: EI = 31.015 MN m2, EA = 2557.76 MN, P_0 = 718.2 kN, and the longer root of P_0(L) is 58.861 m.
+TEST(Hobbs, mode_three_of_a_12_inch_line_at_24_K_is_that_of_a_hand_check)
+{
+  constexpr Real D = 0.3239, d = D - 2 * 0.0127, E = 206e9, friction = 0.6 * 800;
+  const Real EA = E * pi / 4 * (D * D - d * d);
+  const HotLine line{E * pi / 64 * (std::pow(D, 4) - std::pow(d, 4)), EA, friction, friction};
+  const HobbsBuckle buckle = hobbs_buckle_at(HobbsMode::three, line, EA * 1.17e-5 * 24);
+  EXPECT_NEAR(buckle.constrained_force, 718220.0, 0.5);
+  EXPECT_NEAR(buckle.lobe, 58.8614, 1e-4);
+  EXPECT_NEAR(buckle.compression, 304.899e3, 1);
+  EXPECT_NEAR(buckle.amplitude, 1.91721, 1e-5);
+  EXPECT_NEAR(buckle.moment, 238.480e3, 1);
+}
+
 }  // namespace
 }  // namespace berm::formulas::this_file

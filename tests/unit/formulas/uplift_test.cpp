@@ -134,5 +134,14 @@ TEST(Uplift, is_out_of_range_without_cover_or_where_sand_dilates_more_than_it_ru
   EXPECT_FALSE(ala_uplift_sand(clay()).valid);
 }
 
+// By hand: D = 0.3 m, cover 2 D, 9 kN/m3: H = 0.75 m, weight 9 (0.75 x 0.3 - pi 0.09/8) = 1.7069 kN/m, gamma' H^2 = 5.0625 kN/m. f = K_0 tan phi = 0.4 and 0.6, of phi = 45 degrees.
+TEST(Uplift, of_a_buried_pipe_by_vertical_planes_is_that_of_a_hand_check)
+{
+  BuriedPipe pipe{.diameter = 0.3, .cover = 0.6, .unit_weight = 9e3, .friction_angle = 45 * degree, .k0 = 0.4};
+  EXPECT_NEAR(uplift_vertical_slip(pipe).value, 3731.91, 0.01);
+  pipe.k0 = 0.6;
+  EXPECT_NEAR(uplift_vertical_slip(pipe).value, 4744.41, 0.01);
+}
+
 }  // namespace
 }  // namespace berm::formulas::this_file

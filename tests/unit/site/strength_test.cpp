@@ -83,5 +83,18 @@ TEST(Strength, of_what_is_no_sand_is_refused)
   EXPECT_THROW(friction_angle(made({10, 11}, {0.3e6, 0.3e6}), 10e3, Correlation::kulhawy_mayne), InputError);
 }
 
+// By hand: s_u = 2.116 kPa + 3.6 kPa/m z is 3.70 kPa at 0.44 m; q_t = 14 s_u + 15.81 z of readings of which 0.38, 0.44 and 0.50 m make a layer.
+TEST(Strength, that_is_put_into_a_sounding_comes_back_in_the_middle_of_its_layer)
+{
+  std::vector<Real> depth, q_t;
+  for (int k = 0; k < 10; ++k) {
+    depth.push_back(0.02 + 0.06 * k);
+    q_t.push_back(14 * (2116 + 3600 * depth.back()) + 15810 * depth.back());
+  }
+  const std::vector<Strength> s_u = undrained_strength(made(depth, q_t), 6000, 14).strength;
+  ASSERT_EQ(s_u.size(), 6u);
+  EXPECT_NEAR(s_u[4].value, 3700, 1e-6);
+}
+
 }  // namespace
 }  // namespace berm::site::this_file
