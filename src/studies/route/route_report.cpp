@@ -267,14 +267,14 @@ Words draw_all(const RouteResults& results, const fs::path& folder)
 std::string page_html(const RouteResults& results, const Words& pictures, const fs::path& folder)
 {
   std::string html = fmt::format("<h1>{}</h1>\n", text::html_text(title_of(results)));
-  for (const std::string& sentence : answer_in_words(results)) html += text::html_paragraph(text::html_text(sentence));
+  for (const std::string& sentence : answer_in_words(results)) html += text::html_paragraph(sentence);
   for (const std::string& name : pictures)
     html += fmt::format("<div class=\"pictures\"><img src=\"data:image/png;base64,{}\" alt=\"{}\"></div>\n",
                         text::base64(io::read_text_file(folder / (name + ".png"))), name);
   for (std::size_t k = 0; k < results.answer.size(); ++k) {
     html += fmt::format("<h2>{}, KP {:.3f} to {:.3f}</h2>\n{}<table>\n", text::html_text(name_of(results, k)),
                         results.settings.section[k].from / 1000, results.settings.section[k].to / 1000,
-                        text::html_paragraph(text::html_text(results.answer[k].soil.source), "quiet"));
+                        text::html_paragraph(results.answer[k].soil.source, "quiet"));
     html += text::plain_row({"", "value", "unit"}, 1, 1, "th");
     for (const Quantity& q : quantities(results.answer[k]))
       html += text::plain_row({text::html_text(q.meaning), short_number(q.value), q.unit}, 1, 1, "td");
