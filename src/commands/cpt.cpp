@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/cpt/cpt_report_test.cpp
+// Tests: tests/python/test_program.py
 #include "start/cpt.hpp"
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
