@@ -15,6 +15,7 @@ Matplotlib are loaded by what needs them.
 import importlib
 from typing import Any
 
+from .cpt import Cpt, cpt
 from .curves import Drag, Push
 from .cyclic import CyclicStrength, cyclic
 from .element import element
@@ -34,6 +35,7 @@ from .study import Estimate, Row, Study, open, study
 __version__ = "0.1.0"
 __all__ = [
     "Column",
+    "Cpt",
     "CyclicStrength",
     "Drag",
     "Estimate",
@@ -53,6 +55,7 @@ __all__ = [
     "Stopped",
     "Study",
     "check",
+    "cpt",
     "cyclic",
     "element",
     "export",

@@ -29,6 +29,7 @@ Command add_safety(CLI::App& program);
 Command add_element(CLI::App& program);
 Command add_fit(CLI::App& program);
 Command add_cyclic(CLI::App& program);
+Command add_cpt(CLI::App& program);
 Command add_sea(CLI::App& program);
 Command add_route(CLI::App& program);
 Command add_desk(CLI::App& program);

@@ -28,10 +28,9 @@ namespace berm::commands {
 namespace {
 
 /// All commands, in the order in which --help lists them.
-constexpr Command (*all_commands[])(CLI::App&) = {add_new,    add_draw,          add_check, add_run,      add_report, add_export,
-                                                  add_fmu,    add_macro_element, add_study, add_envelope, add_safety, add_element,
-                                                  add_fit,    add_cyclic,        add_sea,   add_route,    add_desk,   add_verify,
-                                                  add_params, add_completion,    add_man};
+constexpr Command (*all_commands[])(CLI::App&) = {
+    add_new,     add_draw, add_check,  add_run, add_report, add_export, add_fmu,  add_macro_element, add_study,  add_envelope,   add_safety,
+    add_element, add_fit,  add_cyclic, add_cpt, add_sea,    add_route,  add_desk, add_verify,        add_params, add_completion, add_man};
 
 /// What is wrong with the command line, in one line and with the nearest word that exists.
 std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)

@@ -265,6 +265,18 @@ def test_a_storm_on_contours_gives_the_cyclic_strength(tmp_path: Path) -> None:
         berm.cyclic(storm, tmp_path / "out")
 
 
+def test_a_sounding_becomes_layers(tmp_path: Path) -> None:
+    sounding = tmp_path / "sounding.csv"
+    rows = [f"{0.1 * i:.1f},{10 if i > 20 else 0.3},{50 if i > 20 else 12}" for i in range(1, 41)]
+    sounding.write_text("\n".join(["depth_m,q_t_MPa,f_s_kPa", *rows]) + "\n")
+    found = berm.cpt(sounding, tmp_path / "out", n_kt=12, thinnest=0.5)
+    assert [layer["soil"] for layer in found.layers][-1] == "sand"
+    assert found.layers[-1]["top_m"] == pytest.approx(2.05)
+    assert "[material.layer_1]" in found.toml and found.profile.is_file()
+    with pytest.raises(berm.InputError, match="--force"):
+        berm.cpt(sounding, tmp_path / "out")
+
+
 def test_a_sea_state_gives_loads_and_load_histories(tmp_path: Path) -> None:
     sea = tmp_path / "sea.toml"
     sea.write_text(

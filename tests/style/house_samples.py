@@ -40,7 +40,7 @@ SAMPLES = {
             {"CMakeLists.txt": "berm_room(pages/report)\nberm_room(engine/core USES report)\n"},
             {"CMakeLists.txt": "berm_room(answers/structures/pipe)\nberm_room(pipeline/beam USES structures/pipe)\n"},
             {"CMakeLists.txt": "berm_room(attic/core)\n"},
-            {"CMakeLists.txt": "".join(f"berm_room(base/room_{k})\n" for k in range(70))},
+            {"CMakeLists.txt": "".join(f"berm_room(base/room_{k})\n" for k in range(71))},
             {"CMakeLists.txt": "".join(f"berm_room(base/room_{k})\n" for k in range(23)) + "berm_room(run/simulation USES " + " ".join(f"room_{k}" for k in range(23)) + ")\n"},
         ],
         [{"CMakeLists.txt": "berm_room(base/os)\nberm_room(engine/core USES os)\nberm_room(methods/fem USES core)\nberm_room(commands USES fem)\n"}],

@@ -222,6 +222,7 @@ Sounding sounding_of(Table table)
     sounding.depth.push_back(depth[row]);
     sounding.q_t.push_back(all.resistance(row) + (with_u ? (1 - *table.area_ratio) * all.u_2[row] : 0));
     if (!all.f_s.empty()) sounding.f_s.push_back(all.f_s[row]);
+    if (!all.u_2.empty()) sounding.u_2.push_back(all.u_2[row]);
   }
   if (sounding.depth.size() < 2) refuse_few(sounding);
   sounding.notes = table.notes;

@@ -25,6 +25,7 @@ struct Sounding {
   std::vector<Real> depth;  ///< ascending
   std::vector<Real> q_t;    ///< cone resistance, corrected for the pore pressure behind the cone where that is possible, else as measured
   std::vector<Real> f_s;    ///< sleeve friction, NaN where a row has none; empty where the file has none
+  std::vector<Real> u_2;    ///< pore pressure behind the cone, from the seabed on where it corrects q_t, else as in the file; as f_s
   std::string corrected;    ///< how q_t came about, in words
   Index rows = 0;           ///< of the file
   std::vector<LeftOut> left_out;   ///< of these

@@ -23,14 +23,13 @@ void refuse_many(const Sounding& sounding, const StrengthProfile& profile, std::
                                first.middle, first.q_t / 1000, why, profile.without.size(), layers));
 }
 
-Real friction_of(const Layer& layer, Real submerged_unit_weight, Correlation correlation)
-{
-  const Real sigma = submerged_unit_weight * layer.middle;
-  if (correlation == Correlation::robertson_campanella) return std::atan((std::log10(layer.q_t / sigma) + 0.29) / 2.68);
-  return degree * (17.6 + 11 * std::log10(layer.q_t / p_a / std::sqrt(sigma / p_a)));
-}
-
 }  // namespace
+
+Real friction_of(Real q_t, Real effective_stress, Correlation correlation)
+{
+  if (correlation == Correlation::robertson_campanella) return std::atan((std::log10(q_t / effective_stress) + 0.29) / 2.68);
+  return degree * (17.6 + 11 * std::log10(q_t / p_a / std::sqrt(effective_stress / p_a)));
+}
 
 std::vector<Layer> layers_of(const Sounding& sounding)
 {
@@ -79,8 +78,9 @@ StrengthProfile friction_angle(const Sounding& sounding, Real submerged_unit_wei
   std::size_t together = 0;
   const std::vector<Layer> layers = layers_of(sounding);
   for (const Layer& layer : layers) {
-    const Real phi =
-        layer.middle > 0 && layer.q_t > 0 ? std::min(friction_of(layer, submerged_unit_weight, correlation), most_friction_angle) : 0;
+    const Real phi = layer.middle > 0 && layer.q_t > 0
+                         ? std::min(friction_of(layer.q_t, submerged_unit_weight * layer.middle, correlation), most_friction_angle)
+                         : 0;
     if (!(phi >= least_friction_angle)) {
       profile.without.push_back(layer);
       continue;

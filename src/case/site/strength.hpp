@@ -33,6 +33,9 @@ enum class Correlation {
   robertson_campanella  ///< tan phi = (log10(q_t / sigma'_v0) + 0.29) / 2.68: Robertson and Campanella (1983)
 };
 
+/// The angle of one resistance, without a limit.
+Real friction_of(Real q_t, Real effective_stress, Correlation correlation);
+
 /// Angles of friction, of layers put together while they differ by no more than 2 degrees; 45 degrees where the correlation says more. Layers of less than 25 degrees, which are no
 /// sand, are left out. Throws InputError where these are more than a quarter.
 StrengthProfile friction_angle(const Sounding& sounding, Real submerged_unit_weight, Correlation correlation);
