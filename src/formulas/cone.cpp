@@ -54,9 +54,9 @@ Formula cone_unit_weight(Real q_t, Real f_s, Real gamma_w)
 
 Formula cone_relative_density(Real q_t, Real effective_stress)
 {
-  constexpr Source source{Label::recalled, "Kulhawy and Mayne 1990", "normally consolidated sand; D_r <= 1"};
-  const Real D_r = std::sqrt(q_t / p_a / (305 * std::sqrt(effective_stress / p_a)));
-  return formula(D_r, source, D_r <= 1);
+  constexpr Source source{Label::fit, "Jamiolkowski and others 2001", "sand of medium compressibility; 0 <= D_r <= 1"};
+  const Real D_r = 0.268 * std::log(q_t / std::sqrt(effective_stress * p_a)) - 0.675;
+  return formula(D_r, source, within(D_r, 0, 1));
 }
 
 Formula cone_modulus(Real I_c, Real net_resistance)

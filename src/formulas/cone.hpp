@@ -23,7 +23,7 @@ constexpr Real end_of_sand = 2.60;
 /// Total unit weight, gamma/gamma_w = 0.27 log10 R_f[%] + 0.36 log10(q_t/p_a) + 1.236, R_f = f_s/q_t. [fit: Robertson and Cabal 2010]
 Formula cone_unit_weight(Real q_t, Real f_s, Real gamma_w);
 
-/// Relative density of normally consolidated, unaged sand of medium compressibility: D_r^2 = (q_t/p_a)/(305 sqrt(sigma'_v0/p_a)). [recalled: Kulhawy and Mayne 1990]
+/// Relative density of sand of medium compressibility: D_r = 0.268 ln((q_t/p_a)/sqrt(sigma'_v0/p_a)) - 0.675. [fit: Jamiolkowski and others 2001]
 Formula cone_relative_density(Real q_t, Real effective_stress);
 
 /// Young's modulus at some 0.1 % of strain of young uncemented sand: E = 0.015 10^(0.55 I_c + 1.68) (q_t - sigma_v0), I_c < 2.60. [fit: Robertson 2009]

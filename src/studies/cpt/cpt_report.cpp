@@ -38,7 +38,7 @@ constexpr Quantity quantities[] = {
     {"F_r", "F_r", &Reading::F_r, 0.01, "%", ""},
     {"I_c", "I_c", &Reading::I_c, 1, "1", "Robertson 2009"},
     {"unit_weight", "gamma", &Reading::gamma, 1e3, "kN/m3", "Robertson and Cabal 2010"},
-    {"relative_density", "D_r", &Reading::D_r, 1, "1", "Kulhawy and Mayne 1990, recalled: compare with the source"},
+    {"relative_density", "D_r", &Reading::D_r, 1, "1", "Jamiolkowski and others 2001"},
     {"undrained_strength", "s_u", &Reading::s_u, 1e3, "kPa", "(q_t - sigma_v0)/N_kt"},
     {"friction_angle", "phi", &Reading::phi, degree, "deg", "as of berm new --cpt, 45 deg at most"},
     {"young_modulus", "E", &Reading::E, 1e6, "MPa", "Robertson 2009"},

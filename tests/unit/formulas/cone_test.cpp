@@ -68,11 +68,12 @@ TEST(Cone, unit_weight)
 
 TEST(Cone, relative_density)
 {
-  // Q = 122: sqrt(0.4) = 0.6325. At sigma'_v0 = 25 kPa half the resistance has the same. 305 is a D_r of 1, beyond which the formula is out of range.
-  EXPECT_NEAR(cone_relative_density(12.2e6, 100e3).value, 0.6325, 1e-4);
-  EXPECT_NEAR(cone_relative_density(6.1e6, 25e3).value, 0.6325, 1e-4);
-  EXPECT_TRUE(cone_relative_density(30.5e6, 100e3).valid);
-  EXPECT_FALSE(cone_relative_density(31e6, 100e3).valid);
+  // Q = 122: 0.268 x 4.80402 - 0.675 = 0.61248. At sigma'_v0 = 25 kPa half the resistance has the same. D_r is 1 at Q = e^6.25 = 518, 0 at e^2.51866 = 12.41.
+  EXPECT_NEAR(cone_relative_density(12.2e6, 100e3).value, 0.61248, 1e-5);
+  EXPECT_NEAR(cone_relative_density(6.1e6, 25e3).value, 0.61248, 1e-5);
+  EXPECT_TRUE(cone_relative_density(51.7e6, 100e3).valid);
+  EXPECT_FALSE(cone_relative_density(52e6, 100e3).valid);
+  EXPECT_FALSE(cone_relative_density(1.24e6, 100e3).valid);
 }
 
 TEST(Cone, modulus)

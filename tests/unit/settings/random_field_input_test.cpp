@@ -177,7 +177,7 @@ TEST(RandomFieldInput, of_soil_with_a_factor_of_safety_is_divided_with_its_sound
   };
   const Case c = footing_case();
   Case trial = c;
-  trial.safety = SafetySettings{2};
+  trial.safety = SafetySettings{.factor = 2, .movement = {}};
   trial = with_reduced_strength(trial);
   for (const SoilPlace place : {SoilPlace{0.55, 0.52}, SoilPlace{-1, 1.3}})
     EXPECT_NEAR(strength(trial, place) / strength(c, place), 0.5, 1e-9);
