@@ -61,7 +61,7 @@ std::string read_back(const std::filesystem::path& file)
   const std::string script = "import re,sys,zipfile; z=zipfile.ZipFile(sys.argv[1]); "
                              "print(re.findall(r\"name=.(.*?). sheetId\", z.read(\"xl/workbook.xml\").decode())); "
                              "print(re.findall(r\"r=.B3.*?<v>(.*?)</v>\", z.read(\"xl/worksheets/sheet2.xml\").decode()))";
-  FILE* pipe = ::popen(("python3 -c '" + script + "' " + file.string()).c_str(), "r");
+  FILE* pipe = ::popen(("python3 -c '" + script + "' '" + file.string() + "'").c_str(), "r");
   std::string text;
   for (int c; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
   ::pclose(pipe);
