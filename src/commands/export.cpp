@@ -52,7 +52,9 @@ std::vector<Job> jobs_from(const std::string& from, Options& options)
 {
   std::vector<Job> jobs;
   if (options.format == xlsx) {
-    std::string name = fs::absolute(from / fs::path()).parent_path().filename().string();
+    if (!options.selection.state.empty() || !options.selection.travels.empty())
+      throw InputError("--state and --travels choose springs: they cannot be combined with --to xlsx");
+    const std::string name = fs::canonical(from).filename().string();
     const workbook::Units units = options.units == imperial ? workbook::Units::imperial : workbook::Units::si;
     jobs.push_back({.name = name, .from = from, .files = {{name + ".xlsx", xlsx_of(workbook::sheets_of(from, units))}}});
     return jobs;

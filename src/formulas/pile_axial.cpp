@@ -22,6 +22,7 @@ bool is_of_sand(Real interface_angle)
 
 Formula api_clay_friction(Real strength, Real overburden)
 {
+  if (!(overburden > 0)) return formula(nan, clay, false);
   const Real psi = strength / overburden, alpha = std::min(0.5 * std::pow(psi, psi > 1 ? -0.25 : -0.5), Real(1));
   return formula(alpha * strength, clay, strength > 0 && psi <= 3);
 }

@@ -114,7 +114,7 @@ Formula murff_hamilton_factor(const ClayAtPile& clay)
 Real Conic::at(Real x) const
 {
   const Real size = std::abs(x);
-  if (std::isnan(y_u)) return nan;
+  if (!(y_u > 0 && x_u > 0 && k > 0 && n >= 0 && n <= 1)) return nan;  // beyond the lengths that it was fitted to
   if (size >= x_u) return std::copysign(y_u, x);
   const Real u = size / x_u, s = k * size / y_u;
   const Real a = 1 - 2 * n, b = 2 * n * u - (1 - n) * (1 + s), c = (1 - n) * s - n * u * u;

@@ -53,7 +53,10 @@ std::vector<SpringSet> spring_sets(const lateral::LateralRun& run, const std::ve
       for (const Real part : code_points) spring.points.push_back({part * run.width, code.p(curve.z, part * run.width).value});
       set.springs.push_back(std::move(spring));
     }
-    sets.push_back(std::move(set));
+    const auto unknown = [](const DepthSpring& spring) {
+      return std::ranges::any_of(spring.points, [](const Point& point) { return std::isnan(point.F); });
+    };
+    if (std::ranges::none_of(set.springs, unknown)) sets.push_back(std::move(set));  // else not of a pile so slender
   }
   return sets;
 }
@@ -106,16 +109,19 @@ void add_axial(const lateral::LateralRun& run, const std::string& head, ExportFi
   if (!code) return;
   const std::string source = citation(code->base.source);
   std::string t =
-      head + fmt::format("# friction of the shaft per metre of depth, by {}; of the run where a stage moves the pile along its axis\n"
-                         "source,stage,z_m,w_m,t_N_m\n",
-                         source);
+      head +
+      fmt::format(
+          "# friction of the shaft per metre of depth, by {}, within its range; of the run where a stage moves the pile along its axis\n"
+          "source,stage,z_m,w_m,t_N_m\n",
+          source);
   std::string Q = head + fmt::format("# reaction of a closed base by {}\nsource,w_m,Q_N\n", source);
   for (const lateral::AxialCode::Slice& slice : code->shaft)
     for (const Real part : axial_points)
-      t += fmt::format("api,,{:.6g},{:.6g},{:.6g}\n", slice.z, part * run.width, slice.t.value * code->friction_share(part * run.width));
+      if (slice.t.valid)
+        t += fmt::format("api,,{:.6g},{:.6g},{:.6g}\n", slice.z, part * run.width, slice.t.value * code->friction_share(part * run.width));
   for (const depth::TzCurve& curve : depth::tz_curves(run.record)) {
     const auto stage = std::ranges::find(run.record.settings.stage, curve.stage, &settings::StageSettings::name);
-    if (base::goes_sideways(run.record.settings, *stage)) continue;
+    if (stage == run.record.settings.stage.end() || base::goes_sideways(run.record.settings, *stage)) continue;
     for (std::size_t k = 0; k < curve.w.size(); ++k)
       t += fmt::format("computed,{},{:.6g},{:.6g},{:.6g}\n", curve.stage, curve.z, curve.w[k], curve.t[k]);
   }

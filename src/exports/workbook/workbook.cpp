@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ std::optional<OtherUnit> imperial_of(const std::string& unit)
   return {};
 }
 
-/// A column whose name ends with a unit: H_N_m is in N/m.
+/// A column whose name ends with a unit that has an imperial one: H_N_m is in N/m.
 struct Named {
   std::string name, unit;
 };
@@ -65,7 +66,7 @@ std::optional<Named> unit_in(const std::string& column)
   for (std::size_t at = column.find('_'); at != std::string::npos; at = column.find('_', at + 1)) {
     std::string unit = column.substr(at + 1);
     if (const std::size_t over = unit.find('_'); over != std::string::npos) unit[over] = '/';
-    if (unit.find('_') == std::string::npos && one_of(unit)) return Named{column.substr(0, at), unit};
+    if (unit.find('_') == std::string::npos && imperial_of(unit)) return Named{column.substr(0, at), unit};
   }
   return {};
 }
@@ -129,19 +130,28 @@ Sheet table_of(const fs::path& file, Units units)
   return sheet;
 }
 
-/// A name that a sheet may have, and no other of these has.
+std::string in_lower_case(std::string text)
+{
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// A name that a sheet may have, and no other of these has, whatever its case. Excel keeps "history" for itself.
 std::string sheet_name(std::string name, std::vector<std::string>& taken)
 {
   constexpr std::size_t longest = 31;
+  if (in_lower_case(name) == "history") name = "rows of history";
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) > 126) c = '_';
   for (char& c : name)
     if (std::string_view("[]:*?/\\'").find(c) != std::string_view::npos) c = '_';
   name.resize(std::min(name.size(), longest));
   std::string unique = name;
-  for (int k = 2; std::find(taken.begin(), taken.end(), unique) != taken.end(); ++k) {
+  for (int k = 2; std::find(taken.begin(), taken.end(), in_lower_case(unique)) != taken.end(); ++k) {
     const std::string end = fmt::format("_{}", k);
     unique = name.substr(0, longest - end.size()) + end;
   }
-  taken.push_back(unique);
+  taken.push_back(in_lower_case(unique));
   return unique;
 }
 
@@ -176,14 +186,17 @@ std::string xlsx_of(const std::vector<Sheet>& sheets)
   std::vector<std::string> taken;
   for (const Sheet& sheet : sheets) {
     lxw_worksheet* page = workbook_add_worksheet(book, sheet_name(sheet.name, taken).c_str());
+    if (page == nullptr) throw RunError(fmt::format("a workbook cannot have a sheet for {}", sheet.name));
     worksheet_freeze_panes(page, static_cast<lxw_row_t>(sheet.names_row + 1), 0);
     for (std::size_t row = 0; row < sheet.rows.size(); ++row)
       for (std::size_t column = 0; column < sheet.rows[row].size(); ++column) {
         const auto at = std::pair{static_cast<lxw_row_t>(row), static_cast<lxw_col_t>(column)};
-        if (const auto* text = std::get_if<std::string>(&sheet.rows[row][column]))
-          worksheet_write_string(page, at.first, at.second, text->c_str(), row == sheet.names_row ? bold : nullptr);
-        else
-          worksheet_write_number(page, at.first, at.second, std::get<double>(sheet.rows[row][column]), nullptr);
+        const auto* text = std::get_if<std::string>(&sheet.rows[row][column]);
+        const lxw_error error =
+            text != nullptr ? worksheet_write_string(page, at.first, at.second, text->c_str(), row == sheet.names_row ? bold : nullptr)
+                            : worksheet_write_number(page, at.first, at.second, std::get<double>(sheet.rows[row][column]), nullptr);
+        if (error != LXW_NO_ERROR)
+          throw RunError(fmt::format("{} does not go into a workbook: row {}: {}", sheet.name, row + 1, lxw_strerror(error)));
       }
   }
   if (const lxw_error error = workbook_close(book); error != LXW_NO_ERROR)

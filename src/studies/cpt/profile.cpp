@@ -41,7 +41,7 @@ std::vector<Reading> rows_of(const site::Sounding& sounding, const Choice& choic
                     .gamma = gamma,
                     .sigma_v0 = sigma,
                     .effective_stress = effective,
-                    .D_r = sand ? std::min(formulas::cone_relative_density(q_t, effective).value, Real(1)) : nan,
+                    .D_r = sand ? std::clamp(formulas::cone_relative_density(q_t, effective).value, Real(0), Real(1)) : nan,
                     .s_u = sand ? nan : net / choice.N_kt,
                     .phi = sand ? std::min(site::friction_of(q_t, effective, choice.correlation), site::most_friction_angle) : nan,
                     .E = sand ? formulas::cone_modulus(I_c, net).value : nan,

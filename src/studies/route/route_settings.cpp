@@ -108,8 +108,9 @@ void check_section(Describe& d, const Section& s, const std::string& path)
   d.check(!s.friction_angle.empty(), path + "friction_angle", "is needed of sand; clay has undrained_strength");
   d.check(!s.interface_angle.empty(), path + "interface_angle", "is needed of sand");
   d.check(s.strength_ratio.empty() && s.adhesion_factor.empty(), path + "adhesion_factor", "is of clay: it needs undrained_strength");
-  for (std::size_t k = 0; k < s.friction_angle.size() && k < s.interface_angle.size(); ++k)
-    d.check(s.interface_angle[k] <= s.friction_angle[k], path + "interface_angle", "exceeds friction_angle");
+  const auto estimate = [](const std::vector<Real>& values, std::size_t k) { return values.size() == 1 ? values[0] : values[k]; };
+  for (std::size_t k = 0; k < std::max(s.friction_angle.size(), s.interface_angle.size()); ++k)
+    d.check(estimate(s.interface_angle, k) <= estimate(s.friction_angle, k), path + "interface_angle", "exceeds friction_angle");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sea/displacement.hpp"
 
+#include "bodies/rigid/shape.hpp"
 #include "macro_element/under_force.hpp"
 #include "os/error.hpp"
 
@@ -27,11 +28,16 @@ settings::StageSettings whole(const SeaCase& c, const LoadRecord& record)
   return stage;
 }
 
-/// Whether two load histories are the same but for the digits of a file.
+constexpr Real digits = 1e-4;  // of a file
+
+bool close(Real x, Real y)
+{
+  return std::abs(x - y) <= digits * std::max<Real>(1, std::abs(x));
+}
+
+/// Whether two load histories and their water are the same but for the digits of a file.
 bool same(const settings::StageSettings& one, const settings::StageSettings& other)
 {
-  constexpr Real digits = 1e-4;
-  const auto close = [](Real x, Real y) { return std::abs(x - y) <= digits * std::max<Real>(1, std::abs(x)); };
   return std::ranges::equal(one.load_times, other.load_times, close) &&
          std::ranges::equal(one.loads.of("water"), other.loads.of("water"), close);
 }
@@ -59,7 +65,7 @@ settings::StageSettings stage_of_waves(const SeaCase& c, const SeaAnswer& a, std
   return stage;
 }
 
-RunBeside run_beside(const record::RunRecord& run, const std::vector<settings::StageSettings>& waves)
+RunBeside run_beside(const record::RunRecord& run, const std::vector<settings::StageSettings>& waves, Real mass, Real diameter)
 {
   const std::string folder = run.folder.string();
   const auto& stages = run.settings.stage;
@@ -71,6 +77,17 @@ RunBeside run_beside(const record::RunRecord& run, const std::vector<settings::S
         fmt::format("soil.runs: the load history of {} is none of the tables of the largest waves of this sea state, waves_1.csv to "
                     "waves_{}.csv",
                     folder, waves.size()));
+  const settings::WaterSettings &of_run = *stage->water, &of_sea = *table->water;
+  const auto& rigid = run.settings.rigid[stage->rigid.empty() ? 0 : index_of(run.settings.rigid, stage->rigid)].second;
+  const std::optional<bodies::DiskOutline> pipe = bodies::pipe_section(rigid.shape);
+  if (!close(of_run.density, of_sea.density) || !close(of_run.drag, of_sea.drag) || !close(of_run.inertia, of_sea.inertia) ||
+      !close(of_run.lift, of_sea.lift) || !close(of_run.weight, of_sea.weight) || of_run.permeable != of_sea.permeable ||
+      !close(of_run.trench_depth, of_sea.trench_depth) || !close(of_run.trench_angle, of_sea.trench_angle))
+    throw RunError(fmt::format("soil.runs: [stage.water] of {} has other numbers than this sea: paste stage.toml", folder));
+  constexpr Real same_pipe = 0.02;
+  if (!pipe || std::abs(2 * pipe->radius / diameter - 1) > same_pipe || std::abs(rigid.mass / mass - 1) > same_pipe)
+    throw RunError(
+        fmt::format("soil.runs: {} is of another pipe: this one has {:.4g} m and {:.4g} kg/m with added mass", folder, diameter, mass));
   RunBeside beside{.name = run.name,
                    .method = run.settings.method == settings::Method::mpm ? "material points" : "remeshed finite elements",
                    .seed = static_cast<int>(table - waves.begin()) + 1,
@@ -84,6 +101,8 @@ RunBeside run_beside(const record::RunRecord& run, const std::vector<settings::S
   }
   if (beside.track.time.empty()) throw RunError(fmt::format("soil.runs: {} has not come to its stage \"{}\"", folder, stage->name));
   const Real begin = beside.track.time.front();
+  if (beside.track.time.back() - begin < (1 - 1e-3) * stage->load_times.back())
+    throw RunError(fmt::format("soil.runs: {} has not gone through its stage \"{}\": resume it", folder, stage->name));
   for (Real& time : beside.track.time) time -= begin;
   return beside;
 }
@@ -108,7 +127,8 @@ std::optional<Displacements> displacements_of(const SeaCase& c, const SeaAnswer&
     waves.push_back(stage_of_waves(c, a, seed));
     found.waves.push_back(march(soil, laid, waves.back(), mass));
   }
-  for (const std::string& folder : c.soil->runs) found.runs.push_back(run_beside(record::read_run(c.folder / folder), waves));
+  for (const std::string& folder : c.soil->runs)
+    found.runs.push_back(run_beside(record::read_run(c.folder / folder), waves, mass, c.pipe.diameter));
   return found;
 }
 

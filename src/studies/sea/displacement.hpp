@@ -24,8 +24,8 @@ struct RunBeside {
 /// The stage of the largest waves of a seed (from 0).
 settings::StageSettings stage_of_waves(const SeaCase& c, const SeaAnswer& answer, std::size_t seed);
 
-/// A run with a stage through one of these, by seed. Throws RunError where it has none, or has not come to it.
-RunBeside run_beside(const record::RunRecord& run, const std::vector<settings::StageSettings>& waves);
+/// A run with a stage through one of these with the same water and pipe, by seed. Throws RunError where it has none, or has not gone through it.
+RunBeside run_beside(const record::RunRecord& run, const std::vector<settings::StageSettings>& waves, Real mass, Real diameter);
 
 /// How far the pipe moves on its macro-element, and in runs.
 struct Displacements {

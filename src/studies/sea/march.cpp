@@ -58,7 +58,8 @@ private:
   {
     constexpr int most = 20;
     constexpr Real part = 1e-6;
-    const settings::WaterMotion water = water_at(stage_, time + dt);
+    settings::WaterMotion water = water_at(stage_, time + dt);
+    water.acceleration = water_at(stage_, time + dt / 2).acceleration;  // at the end of a row the slope is that of the next
     const Real tolerance = part * (stage_.water->weight + std::abs(now.soil.H));
     Real slope = mass_ / (end_weight * dt * dt) + soil_.horizontal_stiffness, du = dt * now.v;
     Moving next;

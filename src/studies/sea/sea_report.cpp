@@ -280,7 +280,7 @@ void write_results(const SeaResults& results, const fs::path& folder)
   io::make_folder(folder);
   constexpr int most_seeds = 100;
   std::error_code ignored;
-  for (const char* old : {"spectrum.png", "waves.png"}) fs::remove(folder / old, ignored);
+  for (const char* old : {"spectrum.png", "waves.png", "track.png", "distribution.png"}) fs::remove(folder / old, ignored);
   for (int seed = 1; seed <= most_seeds; ++seed)
     for (const char* of : {"record", "waves", "track"}) fs::remove(folder / fmt::format("{}_{}.csv", of, seed), ignored);
   io::write_atomically(folder / "case.toml", results.input);

@@ -150,7 +150,7 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
     EXPECT_NE(answer.find("storm.csv:1: "), std::string::npos) << header << ": " << answer;
     EXPECT_NE(answer.find(words), std::string::npos) << header << ": " << answer;
   };
-  says("time_s,h_N_m", "did you mean \"H_N_m\"? (allowed: factor, H_N_m, V_N_m, u_m_s, w_m_s, u_m, w_m)");
+  says("time_s,h_N_m", "did you mean \"H_N_m\"? (allowed: factor, H_N_m, V_N_m, u_m_s, w_m_s, u_m, w_m, water_m_s)");
   says("time_s,v_N_m", "did you mean \"V_N_m\"?");
   says("time_s,U_mm", "did you mean \"u_m\"?");
   says("time_s,W_N_m", "did you mean \"w_m_s\"?");

@@ -193,7 +193,7 @@ std::vector<fs::path> all_examples()
     const std::string text = text_of_file(entry.path());
     const bool of_tests = text.find("\n[[test]]") != std::string::npos || text.find("\n[[measured]]") != std::string::npos ||
                           text.find("\n[contours]") != std::string::npos || text.find("\n[sea]") != std::string::npos ||
-                          text.find("\n[[measure]]") != std::string::npos;
+                          text.find("\n[[section]]") != std::string::npos || text.find("\n[[measure]]") != std::string::npos;
     const bool other = of_tests || name == "expected.toml" || name == "study.toml";
     if (!other) cases.push_back(fs::relative(entry.path(), examples));
   }

@@ -90,18 +90,31 @@ TEST(RunBeside, is_of_the_waves_of_its_seed)
   settings::StageSettings stage = waves[1];
   stage.name = "storm";
   for (Real& value : stage.loads.of("water")) value *= 1 + 1e-6;  // digits of a file
+  stage.load_times.back() = 2;                                    // its record ends with the run's
+  auto short_waves = waves;
+  short_waves[1].load_times.back() = 2;
   run.settings.stage = {stage};
+  bodies::RigidSettings pipe;
+  pipe.shape = bodies::CircleSettings{{0, 0.1}, 0.25};
+  pipe.mass = 206;
+  run.settings.rigid = {{"pipe", pipe}};
   run.history.columns = {{"time_s", "", "", "", ""}, {"u_m", "", "", "", ""}, {"w_m", "", "", "", ""}};
   run.history.values = {{3, 4, 5}, {0.1, 0.2, 0.4}, {0.01, 0.02, 0.03}};
   run.history.stage = {"lay", "storm", "storm"};
-  const RunBeside beside = run_beside(run, waves);
+  const RunBeside beside = run_beside(run, short_waves, 206, 0.25);
   EXPECT_EQ(beside.seed, 2);
   EXPECT_EQ(beside.track.time, (std::vector<Real>{0, 1, 2})) << "from the end of the stage before";
   EXPECT_EQ(beside.track.u, (std::vector<Real>{0.1, 0.2, 0.4}));
+  EXPECT_THROW(run_beside(run, short_waves, 300, 0.25), RunError) << "another pipe";
+  run.settings.stage[0].water->drag *= 1.1;
+  EXPECT_THROW(run_beside(run, short_waves, 206, 0.25), RunError) << "other coefficients";
+  run.settings.stage[0].water->drag /= 1.1;
+  run.settings.stage[0].load_times.back() = short_waves[1].load_times.back() = 3;
+  EXPECT_THROW(run_beside(run, short_waves, 206, 0.25), RunError) << "it has not come to the end";
   run.settings.stage[0].loads.of("water")[5] += 0.1;
-  EXPECT_THROW(run_beside(run, waves), RunError) << "another sea";
+  EXPECT_THROW(run_beside(run, short_waves, 206, 0.25), RunError) << "another sea";
   run.settings.stage[0].water.reset();
-  EXPECT_THROW(run_beside(run, waves), RunError);
+  EXPECT_THROW(run_beside(run, short_waves, 206, 0.25), RunError);
 }
 
 }  // namespace

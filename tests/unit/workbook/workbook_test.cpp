@@ -68,6 +68,15 @@ std::string read_back(const std::filesystem::path& file)
   return text;
 }
 
+TEST(Workbook, has_sheets_of_names_that_excel_takes)
+{
+  const TemporaryFolder folder;
+  const std::vector<Sheet> sheets = {
+      {.name = "results", .rows = {{"x"}}}, {.name = "Results", .rows = {{"x"}, {1.}, {0.5, 0.5}}}, {.name = "history", .rows = {{"x"}}}};
+  put(folder / "tables.xlsx", xlsx_of(sheets));
+  EXPECT_EQ(read_back(folder / "tables.xlsx"), "['results', 'Results_2', 'rows of history']\n['0.5']\n");
+}
+
 TEST(Workbook, is_read_by_another_program)
 {
   const TemporaryFolder folder;
