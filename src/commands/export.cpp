@@ -47,22 +47,31 @@ const auto* find_format(const List& formats, const std::string& name)
   return found == std::end(formats) ? nullptr : found;
 }
 
+/// What chooses and changes springs is for formats that have them.
+void refuse_without_effect(const Options& options)
+{
+  const bool has_springs = find_format(springs::formats, options.format) != nullptr;
+  if (!options.units.empty() && options.format != xlsx)
+    throw InputError("--units is for --to xlsx: the files of other programs have their own units");
+  if (has_springs) return;
+  if (!options.selection.state.empty() || !options.selection.travels.empty())
+    throw InputError(fmt::format("--state and --travels choose springs: they cannot be combined with --to {}", options.format));
+  if (options.selection.clay.strength_ratio || options.selection.clay.interface_angle)
+    throw InputError(
+        fmt::format("--strength-ratio and --interface-angle are of axial springs: they cannot be combined with --to {}", options.format));
+}
+
 /// What goes out of one folder.
 std::vector<Job> jobs_from(const std::string& from, Options& options)
 {
   std::vector<Job> jobs;
   if (options.format == xlsx) {
-    if (!options.selection.state.empty() || !options.selection.travels.empty())
-      throw InputError("--state and --travels choose springs: they cannot be combined with --to xlsx");
     const std::string name = fs::canonical(from).filename().string();
     const workbook::Units units = options.units == imperial ? workbook::Units::imperial : workbook::Units::si;
     jobs.push_back({.name = name, .from = from, .files = {{name + ".xlsx", xlsx_of(workbook::sheets_of(from, units))}}});
     return jobs;
   }
-  if (!options.units.empty()) throw InputError("--units is for --to xlsx: the files of other programs have their own units");
   if (const springs::LineFormat* format = find_format(springs::line_formats, options.format)) {
-    if (!options.selection.state.empty() || !options.selection.travels.empty())
-      throw InputError(fmt::format("--state and --travels choose springs: they cannot be combined with --to {}", format->name));
     const record::RunRecord run = structures::read_run(from);
     jobs.push_back({.name = run.name, .from = from, .files = format->files(run)});
     return jobs;
@@ -160,6 +169,7 @@ Command add_export(CLI::App& program)
   return {app, [options] {
             messages_to_stderr();
             if (options->interface_degrees) options->selection.clay.interface_angle = *options->interface_degrees * degree;
+            refuse_without_effect(*options);
             for (const Job& job : jobs_of(*options)) write(job);
             return 0;
           }};

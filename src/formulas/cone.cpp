@@ -36,8 +36,7 @@ SoilBehaviour soil_behaviour(Real q_t, Real f_s, Real sigma_v0, Real effective_s
 
 int zone_of(Real I_c)
 {
-  constexpr Real ends[] = {1.31, 2.05, end_of_sand, 2.95, 3.60};
-  return 7 - static_cast<int>(std::upper_bound(std::begin(ends), std::end(ends), I_c) - std::begin(ends));
+  return 7 - static_cast<int>(std::upper_bound(std::begin(zone_ends), std::end(zone_ends), I_c) - std::begin(zone_ends));
 }
 
 const char* name_of_zone(int zone)

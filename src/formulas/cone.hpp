@@ -19,6 +19,7 @@ SoilBehaviour soil_behaviour(Real q_t, Real f_s, Real sigma_v0, Real effective_s
 int zone_of(Real I_c);
 const char* name_of_zone(int zone);
 constexpr Real end_of_sand = 2.60;
+constexpr Real zone_ends[] = {1.31, 2.05, end_of_sand, 2.95, 3.60};  ///< I_c, of zone 7 to 3
 
 /// Total unit weight, gamma/gamma_w = 0.27 log10 R_f[%] + 0.36 log10(q_t/p_a) + 1.236, R_f = f_s/q_t. [fit: Robertson and Cabal 2010]
 Formula cone_unit_weight(Real q_t, Real f_s, Real gamma_w);

@@ -202,16 +202,19 @@ Real max_size(const std::vector<Real>& values)
   return max;
 }
 
-/// Of values at the stage's load_times.
-Real interpolated(const StageSettings& stage, const std::vector<Real>& values, Real since)
+/// Of values at the stage's load_times: the value at a time, and its slope over the record's time.
+struct AlongRecord {
+  Real value, slope;
+};
+AlongRecord along_record(const StageSettings& stage, const std::vector<Real>& values, Real since)
 {
   const std::vector<Real>& t = stage.load_times;
   const Real time = since / stage.time_scale;
   const auto after = std::upper_bound(t.begin(), t.end(), time);
-  if (after == t.begin()) return values.front();
-  if (after == t.end()) return values.back();
+  if (after == t.begin()) return {values.front(), 0};
+  if (after == t.end()) return {values.back(), 0};
   const std::size_t k = after - t.begin();
-  return std::lerp(values[k - 1], values[k], (time - t[k - 1]) / (t[k] - t[k - 1]));
+  return {std::lerp(values[k - 1], values[k], (time - t[k - 1]) / (t[k] - t[k - 1])), (values[k] - values[k - 1]) / (t[k] - t[k - 1])};
 }
 
 /// The largest speed of values at the stage's load_times, by size: that of the steepest row; a jump has none.
@@ -285,24 +288,19 @@ Real speed_of(const StageSettings& stage)
 
 Real load_factor(const StageSettings& stage, Real since)
 {
-  return stage.load_factors.empty() ? 1 : interpolated(stage, stage.load_factors, since) / slower(stage);
+  return stage.load_factors.empty() ? 1 : along_record(stage, stage.load_factors, since).value / slower(stage);
 }
 
 Real load_of_column(const StageSettings& stage, std::size_t k, Real since)
 {
-  const Real value = interpolated(stage, stage.loads.columns[k], since);
+  const Real value = along_record(stage, stage.loads.columns[k], since).value;
   return load_columns[k].quantity == LoadQuantity::velocity ? value / stage.time_scale : value;
 }
 
 WaterMotion water_at(const StageSettings& stage, Real since)
 {
-  const std::vector<Real>&t = stage.load_times, &u = stage.loads.of("water");
-  const auto after = std::upper_bound(t.begin(), t.end(), since);
-  if (after == t.begin()) return {u.front(), 0};
-  if (after == t.end()) return {u.back(), 0};
-  const std::size_t k = after - t.begin();
-  const Real slope = (u[k] - u[k - 1]) / (t[k] - t[k - 1]);
-  return {u[k - 1] + slope * (since - t[k - 1]), slope};
+  const AlongRecord water = along_record(stage, stage.loads.of("water"), since);
+  return {water.value, water.slope};
 }
 
 void repeat_load_history(StageSettings& stage)

@@ -3,6 +3,8 @@
 #include "plot/figure.hpp"
 
 #include "io/atomic_file.hpp"
+#include "text/base64_zlib.hpp"
+#include "text/html.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -77,6 +79,12 @@ Real largest_size(const std::vector<Real>& values)
   for (const Real value : values)
     if (std::isfinite(value)) max = std::max(max, std::abs(value));
   return max;
+}
+
+std::string html_image(const std::filesystem::path& folder, const std::string& name, const std::string& alt)
+{
+  return fmt::format("<img src=\"data:image/png;base64,{}\" alt=\"{}\">\n", text::base64(io::read_text_file(folder / (name + ".png"))),
+                     text::html_text(alt));
 }
 
 }  // namespace berm::plot

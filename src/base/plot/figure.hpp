@@ -32,6 +32,9 @@ struct Figure {
 /// (see draw) or where there is nothing to draw.
 bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format = PlotFormat::png);
 
+/// FOLDER/NAME.png as an image of a page that needs no other file. Throws RunError where it cannot be read.
+std::string html_image(const std::filesystem::path& folder, const std::string& name, const std::string& alt);
+
 /// The same as both.
 bool draw_png_and_svg(const std::filesystem::path& folder, const std::string& name, const Figure& figure);
 

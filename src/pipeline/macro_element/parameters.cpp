@@ -2,6 +2,7 @@
 #include "macro_element/parameters.hpp"
 
 #include "os/error.hpp"
+#include "os/read_file.hpp"
 
 #include <cfloat>
 #include <fmt/format.h>
@@ -143,6 +144,16 @@ Json json_of(const Parameters& p)
 Parameters parameters_in(const std::string& text, const std::string& name)
 {
   return Reader(text, name).parameters();
+}
+
+Parameters read_parameters(const std::filesystem::path& named)
+{
+  constexpr std::uintmax_t max_bytes = 1'000'000;
+  std::error_code ignored;
+  const std::filesystem::path file = std::filesystem::is_directory(named, ignored) ? named / "macro_element.json" : named;
+  const FileBytes found = read_file(file, max_bytes);
+  if (!found.fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), found.fault));
+  return parameters_in(found.bytes, file.string());
 }
 
 }  // namespace berm::macro_element

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <filesystem>
 #include <string>
 
 namespace berm::macro_element {
@@ -20,5 +21,8 @@ nlohmann::ordered_json json_of(const Parameters& parameters);
 
 /// The parameters in the text of a macro_element.json, which messages call `name`. Throws InputError where it is no such file of this version, lacks a parameter or has one out of its range.
 Parameters parameters_in(const std::string& text, const std::string& name);
+
+/// Those of a macro_element.json, or of the folder that has one. Throws InputError as above, and where it cannot be read.
+Parameters read_parameters(const std::filesystem::path& named);
 
 }  // namespace berm::macro_element

@@ -4,7 +4,6 @@
 #include "formulas/axial.hpp"
 #include "macro_element/under_force.hpp"
 #include "os/error.hpp"
-#include "os/read_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -223,11 +222,12 @@ Real laying_force_of(const settings::Case& c)
 void add_macro_elements(beam::Line& line, const settings::Case& c, const std::vector<Real>& across, const std::vector<Real>& all)
 {
   const settings::PipelineSettings& p = *c.pipeline;
-  constexpr std::uintmax_t max_bytes = 1'000'000;
-  const std::string& file = p.far_soil.macro_element;
-  const FileBytes found = read_file(file, max_bytes);
-  if (!found.fault.empty()) throw KeyError(fmt::format("pipeline.far_soil.macro_element: {}: {}", file, found.fault));
-  const macro_element::Parameters parameters = macro_element::parameters_in(found.bytes, file);
+  macro_element::Parameters parameters;
+  try {
+    parameters = macro_element::read_parameters(p.far_soil.macro_element);
+  } catch (const InputError& error) {
+    throw KeyError(fmt::format("pipeline.far_soil.macro_element: {}", error.what()));
+  }
   beam::add_macro_elements(line, parameters, across, macro_element::laid(parameters, laying_force_of(c), p.submerged_weight));
   std::vector<Real> on_slices = all;
   for (std::size_t i = 0; i < all.size(); ++i) on_slices[i] -= across[i];

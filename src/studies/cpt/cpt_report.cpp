@@ -5,7 +5,6 @@
 #include "io/atomic_file.hpp"
 #include "os/control_characters.hpp"
 #include "plot/figure.hpp"
-#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 
@@ -129,7 +128,7 @@ bool draw(const CptResults& results, const Quantity& q, const fs::path& folder)
           fmt::format("set label \"{}\" at 0.1,{:.4g} left front\n", formulas::name_of_zone(layer.zone), (layer.top + layer.base) / 2);
   }
   if (index)
-    for (const Real end : {1.31, 2.05, 2.60, 2.95, 3.60})
+    for (const Real end : formulas::zone_ends)
       for (const Real z : {Real(0), results.profile.layers.back().base, nan}) zones.x.push_back(end), zones.y.push_back(z);
   figure.curves = {limits, curve};
   if (index) figure.curves.insert(figure.curves.begin(), zones);
@@ -203,9 +202,7 @@ void write_results(const CptResults& results, const fs::path& folder)
     std::error_code ignored;
     fs::remove(folder / (name + ".png"), ignored);
     const bool shown = name == "q_t" || name == "F_r" || name == "I_c" || (name == "B_q" && !results.sounding.u_2.empty());
-    if (shown && draw(results, q, folder))
-      pictures += fmt::format("<img src=\"data:image/png;base64,{}\" alt=\"{} over depth\">\n",
-                              text::base64(io::read_text_file(folder / (name + ".png"))), q.symbol);
+    if (shown && draw(results, q, folder)) pictures += plot::html_image(folder, name, fmt::format("{} over depth", q.symbol));
   }
   io::write_atomically(folder / page_file, page_html(results, pictures));
   io::write_atomically(folder / "summary.json", summary_json(results));

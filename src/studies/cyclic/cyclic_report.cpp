@@ -5,7 +5,6 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "run_folder/build.hpp"
-#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 
@@ -150,9 +149,7 @@ std::string page_html(const CyclicResults& results, bool drawn, const fs::path& 
 {
   std::string html = fmt::format("<h1>{}</h1>\n", text::html_text(title_of(results)));
   for (const std::string& sentence : answer(results)) html += text::html_paragraph(sentence);
-  if (drawn)
-    html += fmt::format("<div class=\"pictures\"><img src=\"data:image/png;base64,{}\" alt=\"contours\"></div>\n",
-                        text::base64(io::read_text_file(folder / "contours.png")));
+  if (drawn) html += "<div class=\"pictures\">" + plot::html_image(folder, "contours", "contours") + "</div>\n";
   for (const auto& [name, path] : storms(results)) {
     html += fmt::format("<h2>The storm {}</h2>\n<table>\n{}", name, text::plain_row(headings(results), 1, 5, "th"));
     for (std::size_t k = 0; k < path->parcels.size(); ++k) html += text::plain_row(cells(path->parcels[k], k), 1, 5, "td");

@@ -4,8 +4,8 @@
 #include "element/element_table.hpp"
 #include "io/atomic_file.hpp"
 #include "os/error.hpp"
+#include "plot/figure.hpp"
 #include "run_folder/build.hpp"
-#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 
@@ -80,9 +80,7 @@ std::string page_html(const ElementResults& results, const std::vector<std::stri
   for (const ResultTable& table : result_tables(results.records)) html += table_html(table);
   html += "</div>\n";
   std::string pictures;
-  for (const std::string& figure : figures)
-    pictures += fmt::format("<img src=\"data:image/png;base64,{}\" alt=\"{}\">\n",
-                            text::base64(io::read_text_file(folder / (figure + ".png"))), text::html_text(figure));
+  for (const std::string& figure : figures) pictures += plot::html_image(folder, figure, figure);
   if (!pictures.empty()) html += fmt::format("<h2>Curves</h2>\n<div class=\"pictures\">\n{}</div>\n", pictures);
   html += fmt::format("<h2>Input</h2>\n<pre>{}</pre>\n", text::html_text(io::read_text_file(folder / "case.toml")));
   html += fmt::format(

@@ -5,7 +5,6 @@
 #include "plot/figure.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/csv_line.hpp"
-#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 
@@ -268,9 +267,7 @@ std::string page_html(const RouteResults& results, const Words& pictures, const 
 {
   std::string html = fmt::format("<h1>{}</h1>\n", text::html_text(title_of(results)));
   for (const std::string& sentence : answer_in_words(results)) html += text::html_paragraph(sentence);
-  for (const std::string& name : pictures)
-    html += fmt::format("<div class=\"pictures\"><img src=\"data:image/png;base64,{}\" alt=\"{}\"></div>\n",
-                        text::base64(io::read_text_file(folder / (name + ".png"))), name);
+  for (const std::string& name : pictures) html += "<div class=\"pictures\">" + plot::html_image(folder, name, name) + "</div>\n";
   for (std::size_t k = 0; k < results.answer.size(); ++k) {
     html += fmt::format("<h2>{}, KP {:.3f} to {:.3f}</h2>\n{}<table>\n", text::html_text(name_of(results, k)),
                         results.settings.section[k].from / 1000, results.settings.section[k].to / 1000,

@@ -2,9 +2,7 @@
 // Tests: tests/unit/sea/displacement_test.cpp
 #include "sea/displacement_report.hpp"
 
-#include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
-#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 
@@ -122,8 +120,7 @@ std::vector<std::string> words_of(const SeaCase& c, const Displacements& moved)
 
 std::string picture(const std::filesystem::path& folder, const char* name, const char* alt)
 {
-  return fmt::format("<div class=\"pictures\"><img src=\"data:image/png;base64,{}\" alt=\"{}\"></div>\n",
-                     text::base64(io::read_text_file(folder / (std::string(name) + ".png"))), alt);
+  return "<div class=\"pictures\">" + plot::html_image(folder, name, alt) + "</div>\n";
 }
 
 std::string displacement_section(const SeaCase& c, const Displacements& moved, const std::filesystem::path& folder)

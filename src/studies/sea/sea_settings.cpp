@@ -6,7 +6,6 @@
 #include "input/reader.hpp"
 #include "input/table_file.hpp"
 #include "os/error.hpp"
-#include "os/read_file.hpp"
 
 #include <fmt/format.h>
 
@@ -175,12 +174,13 @@ formulas::WaveSpectrum read_spectrum(const std::filesystem::path& file)
 
 macro_element::Parameters read_macro_element(const std::filesystem::path& named, Real diameter)
 {
-  constexpr std::uintmax_t max_bytes = 1'000'000;
   constexpr Real same = 0.01;
-  const std::filesystem::path file = std::filesystem::is_directory(named) ? named / "macro_element.json" : named;
-  const FileBytes found = read_file(file, max_bytes);
-  if (!found.fault.empty()) throw KeyError(fmt::format("soil.macro_element: {}: {}", file.string(), found.fault));
-  macro_element::Parameters parameters = macro_element::parameters_in(found.bytes, file.string());
+  macro_element::Parameters parameters;
+  try {
+    parameters = macro_element::read_parameters(named);
+  } catch (const InputError& error) {
+    throw KeyError(fmt::format("soil.macro_element: {}", error.what()));
+  }
   if (std::abs(parameters.diameter / diameter - 1) > same)
     throw KeyError(
         fmt::format("soil.macro_element: is of a pipe of {:.4g} m, and pipe.diameter is {:.4g} m", parameters.diameter, diameter));

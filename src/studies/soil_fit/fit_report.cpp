@@ -5,11 +5,11 @@
 #include "input/message_text.hpp"
 #include "input/override.hpp"
 #include "io/atomic_file.hpp"
+#include "plot/figure.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/csv_line.hpp"
 #include "soil_fit/marks.hpp"
 #include "soil_fit/passages.hpp"
-#include "text/base64_zlib.hpp"
 #include "text/html.hpp"
 #include "text/plain_page.hpp"
 #include "text/quantity_words.hpp"
@@ -309,9 +309,7 @@ std::string page_html(const FitResults& results, const std::vector<std::string>&
     html += "<h2>What the tests do not tell</h2>\n" + list_html(what);
   html += "<h2>Soil, to paste into a case</h2>\n<pre>" + text::html_text(material_toml(results)) + "</pre>\n";
   html += "<h2>Measured and computed</h2>\n<div class=\"pictures\">\n";
-  for (const std::string& figure : figures)
-    html += fmt::format("<img src=\"data:image/png;base64,{}\" alt=\"{}\">\n", text::base64(io::read_text_file(folder / (figure + ".png"))),
-                        text::html_text(figure));
+  for (const std::string& figure : figures) html += plot::html_image(folder, figure, figure);
   html += "</div>\n<h2>Tests</h2>\n" + tests_html(results);
   for (const FittedTest& test : results.soil.tests)
     if (test.measured.passages) html += passages_html(test.measured, test.computed[0]);
