@@ -107,7 +107,7 @@ bool draw(const CptResults& results, const Quantity& q, const fs::path& folder)
 {
   plot::Figure figure;
   figure.title = q.symbol;
-  figure.x_label = std::string(q.unit_name) == "1" ? "" : q.unit_name;
+  figure.x_label = std::string(q.unit_name) == "1" ? " " : q.unit_name;  // panels of one height
   figure.y_label = "depth (m)";
   figure.more = "set nokey\nset termoption noenhanced\nset yrange [0:*] reverse\n";
   figure.width = 330, figure.height = 620;
