@@ -69,6 +69,7 @@ Json json_in(const std::string& text)
   throw Refusal(422, reason_in(text));
 }
 
+constexpr std::string_view before_warning = "berm: warning: ";
 constexpr const char* shown_types[] = {".html", ".pdf", ".svg", ".png", ".csv", ".json", ".txt"};
 
 std::vector<fs::path> made_in(const fs::path& folder)
@@ -192,10 +193,19 @@ std::vector<std::string> Actions::runs_in(const Json& body) const
   return runs;
 }
 
+/// For a page of several runs: no page replaces another.
+fs::path Actions::free_page() const
+{
+  for (int k = 1;; ++k) {
+    const fs::path page = folder_.inside(k == 1 ? "out/compared.html" : fmt::format("out/compared_{}.html", k));
+    if (!fs::exists(fs::symlink_status(page))) return page;
+  }
+}
+
 Json Actions::report(const Json& body)
 {
   const std::vector<std::string> runs = runs_in(body);
-  const fs::path page = folder_.inside(runs.size() == 1 ? runs[0] + "/report.html" : "out/report.html");
+  const fs::path page = runs.size() == 1 ? folder_.inside(runs[0] + "/report.html") : free_page();
   std::vector<std::string> words = {"report"};
   append(words, runs);
   append(words, {"-o", folder_.name_of(page)});
@@ -215,14 +225,17 @@ Json Actions::export_springs(const Json& body)
   append(words, runs);
   append_options(words, body, {"to", "state", "travels"});
   append(words, {"-o", folder_.name_of(out)});
-  answer_of({.words = words});
+  Json warnings = Json::array();
+  std::istringstream lines(answer_of({.words = words}));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(before_warning)) warnings.push_back(line.substr(before_warning.size()));
   Json files = Json::array();
   std::error_code none;
   for (auto entry = fs::recursive_directory_iterator(out, none); !none && entry != fs::end(entry) && files.size() < 1000;
        entry.increment(none))
     if (entry->is_regular_file()) files.push_back(folder_.name_of(entry->path()));
   std::sort(files.begin(), files.end());
-  return {{"files", files}};
+  return {{"files", files}, {"warnings", warnings}};
 }
 
 bool Actions::is_job(const std::string& kind)

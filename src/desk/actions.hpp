@@ -45,6 +45,7 @@ private:
   std::string drawn(const std::string& text, const std::string& path);
   std::string answer_of(const Question& question);
   std::vector<std::string> runs_in(const Json& body) const;
+  std::filesystem::path free_page() const;
 
   const Folder& folder_;
   std::shared_ptr<Queue> queue_;

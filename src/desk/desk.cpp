@@ -114,6 +114,7 @@ struct Desk::Parts {
     all["GET /api/runs"] = [this](const Request&) { return json(runs.list()); };
     all["POST /api/runs"] = [this](const Request& r) { return json(runs.start(r.body)); };
     all["POST /api/runs/stop"] = [this](const Request& r) { return runs.stop(text_in(r.body, "path")), json(Json::object()); };
+    all["POST /api/runs/remove"] = [this](const Request& r) { return runs.remove(text_in(r.body, "path")), json(Json::object()); };
     all["GET /api/run"] = [this](const Request& r) {
       return json(runs.one(query(r, "path"), static_cast<std::size_t>(std::max(number(r, "from_row", 0), 0L))));
     };

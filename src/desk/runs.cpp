@@ -79,6 +79,27 @@ std::string case_of(const Folder& folder, const fs::path& run)
   }
 }
 
+/// What a list of runs says of one: its title, when it ended, and the largest force that its summary has, else the first of its answers.
+Json digest_of(const Folder& folder, const fs::path& run)
+{
+  Json digest = Json::object();
+  try {
+    if (!fs::exists(run / "summary.json")) return digest;
+    const Json summary = run_folder::read_json(folder.real(run / "summary.json"), 10'000'000);
+    const Json text = summary.value("text", Json::object());
+    for (const char* key : {"title", "date"})
+      if (text.contains(key)) digest[key] = text[key];
+    for (const auto& [name, one] : summary.value("quantities", Json::object()).items()) {
+      const bool peak = name.ends_with("R_max") || name.ends_with("H_max");
+      if (one.value("kind", "") != "answer" || (digest.contains("answer") && !peak)) continue;
+      digest["answer"] = {{"name", name}, {"value", one["value"]}, {"unit", one["unit"]}};
+      if (peak) break;
+    }
+  } catch (const std::exception&) {  // its page says what is wrong with the file
+  }
+  return digest;
+}
+
 }  // namespace
 
 std::vector<std::string> changes_in(const Json& body)
@@ -173,6 +194,21 @@ void Runs::stop(const std::string& name)
   ::kill(process, SIGINT);
 }
 
+void Runs::remove(const std::string& name)
+{
+  const fs::path run = folder_.run(name);
+  if (run == folder_.root()) throw Refusal(403, "this is the folder of the desk");
+  const auto entry = queue_->find(folder_.name_of(run));
+  if (!io::FolderLock::owner_of(run).empty()) throw Refusal(409, "the run is at work");
+  const io::FolderLock lock(run);
+  if (entry && (entry->state == WorkState::queued || entry->state == WorkState::running)) throw Refusal(409, "the run is at work");
+  fs::remove_all(run);
+  std::error_code none;
+  fs::remove(run.string() + ".messages", none);
+  const std::lock_guard guard(mutex_);
+  looked_ = {};
+}
+
 Runs::AtRest Runs::at_rest(const fs::path& run)
 {
   const std::string of = identity_with_log(run);
@@ -182,7 +218,7 @@ Runs::AtRest Runs::at_rest(const fs::path& run)
     if (known != at_rest_.end() && known->second.of == of) return known->second;
   }
   const auto [state, why] = state_at_rest(folder_, run);
-  const AtRest seen{of, case_of(folder_, run), state, why};
+  const AtRest seen{of, case_of(folder_, run), state, why, digest_of(folder_, run)};
   const std::lock_guard lock(mutex_);
   if (at_rest_.size() >= most_known) at_rest_.clear();
   return at_rest_[run.string()] = seen;
@@ -218,6 +254,7 @@ Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& 
                  {"can_resume", state == WorkState::stopped ||
                                     (state == WorkState::failed && rest.state == WorkState::stopped && simulation::can_be_resumed(run))},
                  {"began_here", entry.has_value()}};
+  if (!at_work) answer.update(rest.summary);
   if (state == WorkState::finished) answer["progress"] = 1;
   if (const auto advance =
           state == WorkState::queued || state == WorkState::finished ? std::nullopt : advance_in(tail_of(run / "run.log", log_bytes))) {
@@ -232,7 +269,11 @@ Json Runs::list()
   Json all = Json::array();
   std::set<std::string> seen;
   for (const Queue::Entry& entry : queue_->entries())
-    if (entry.work.kind == "run" && seen.insert(entry.work.name).second) all.push_back(state_of(entry.work.name, entry));
+    if (entry.work.kind == "run" &&
+        (entry.state == WorkState::queued || entry.state == WorkState::running || entry.state == WorkState::failed ||
+         fs::exists(entry.work.folder)) &&
+        seen.insert(entry.work.name).second)
+      all.push_back(state_of(entry.work.name, entry));
   for (const fs::path& run : found())
     if (seen.insert(folder_.name_of(run)).second) all.push_back(state_of(folder_.name_of(run), std::nullopt));
   return all;

@@ -30,6 +30,8 @@ public:
   /// {case, out?, set?, threads?} or {resume, threads?}: {path}.
   Json start(const Json& body);
   void stop(const std::string& name);
+  /// The folder of a run that nobody is at work on, and what it printed. Throws Refusal.
+  void remove(const std::string& name);
   /// State, advance, rows of the history from a number on, end of the log, and the summary once there is one.
   Json one(const std::string& name, std::size_t from_row);
 
@@ -38,7 +40,8 @@ private:
   struct AtRest {
     std::string of, case_file;
     WorkState state;
-    std::string why;  ///< it did not come to its end
+    std::string why;                ///< it did not come to its end
+    Json summary = Json::object();  ///< {title, date, answer: {name, value, unit}} as far as its summary has them
   };
   AtRest at_rest(const std::filesystem::path& run);
   Json state_of(const std::string& name, const std::optional<Queue::Entry>& entry);

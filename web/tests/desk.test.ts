@@ -176,10 +176,28 @@ test("a_run_that_died_says_why_and_offers_no_more_than_makes_sense", async () =>
   await page.unroute("**/api/run?*");
 });
 
+test("what_a_template_marks_comes_first_and_in_words", async () => {
+  await go("/");
+  await page.locator(".card", { hasText: "A pipe of 0.5 m in soft clay" }).click();
+  await page.locator("#new-file").fill("marked.toml");
+  await page.getByRole("button", { name: "Create" }).click();
+  const first = page.locator(".form > section.to_set").first();
+  await first.getByText("Site and soil").waitFor();
+  const field = first.locator('[data-key="material.clay.undrained_strength"]');
+  assert.equal(await field.locator("label").textContent(), "Undrained strengths_u at the seabed");
+  assert.equal(await page.locator('[data-key="material.clay.undrained_strength"]').count(), 1, "it stands once");
+  await field.locator("input").fill("3");
+  await field.locator("input").blur();
+  await page.waitForFunction(() => document.querySelector(".cm-content")!.textContent!.includes('undrained_strength = "3 kPa"'));
+  const groups = await page.locator(".form > details.group").evaluateAll((all) => all.map((each) => (each as HTMLElement).dataset.path));
+  assert.ok(groups.indexOf("mesh") > groups.indexOf("material.clay") && groups.indexOf("mesh") > groups.indexOf("stage.lay"), groups.join(" "));
+  await page.keyboard.press("Control+s");
+  await page.getByText("saved", { exact: true }).waitFor();
+});
+
 test("two_runs_are_compared_and_springs_are_written", async () => {
   await go("/case?path=pipe.toml");
   await page.locator('[data-path="material.sand"] > summary').waitFor();
-  await page.locator('[data-key="mesh.cells"] input').waitFor();
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await badge("finished").waitFor();
   await go("/runs");
@@ -217,14 +235,14 @@ test("the_keyboard_is_enough", in_chromium, async () => {
   await page.bringToFront(); // no other window has the focus
   await go("/");
   await page.locator(".card").first().waitFor();
-  await tab_to(/^A pipe of 0.5 m in sand/);
+  await tab_to(/A pipe of 0.5 m in sand/);
   await page.keyboard.press("Enter");
   await page.locator("#new-file").waitFor();
   await page.keyboard.type("typed");
   await tab_to(/^Create$/);
   await page.keyboard.press("Enter");
   await page.locator(".finding, .findings .good").first().waitFor();
-  await tab_to(/^title$/);
+  await tab_to(/^Title$/);
   await page.keyboard.press("Control+a");
   await page.keyboard.type("Typed");
   await page.keyboard.press("Enter");
@@ -267,4 +285,15 @@ test("a_page_is_printed", in_chromium, async () => {
   const pdf = await downloaded(() => page.getByRole("button", { name: "PDF" }).click());
   assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
   assert.deepEqual(errors, []);
+});
+
+test("a_run_is_deleted_once_that_is_confirmed_and_two_pages_of_runs_stand_side_by_side", in_chromium, async () => {
+  assert.ok(existsSync(join(folder, "out/compared.html")));
+  await go("/compare?path=out%2Fpipe&path=out%2Fpipe_2");
+  await page.frameLocator("iframe.page_frame").locator("#answer").waitFor({ state: "attached" });
+  assert.ok(existsSync(join(folder, "out/compared_2.html")));
+  await go("/runs");
+  await page.getByRole("button", { name: "delete out/typed", exact: true }).click();
+  await page.locator(".runs_view a", { hasText: "out/typed" }).waitFor({ state: "detached" });
+  assert.ok(!existsSync(join(folder, "out/typed")));
 });

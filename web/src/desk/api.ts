@@ -57,7 +57,7 @@ export interface Kind { kind: string; title: string; group: string; question: st
 export type InputKind = "case" | "study" | "element" | "fit" | "cyclic" | "sea" | "route";
 export interface Soil { soil: string; material: string; title: string; source: string; trust: string }
 export interface FileOf { path: string; title?: string; modified?: string | number }
-export interface RunState { path: string; case: string; status: Status; progress: number | null; time_left_s: number | null; began_here: boolean; can_resume: boolean }
+export interface RunState { path: string; case: string; status: Status; progress: number | null; time_left_s: number | null; began_here: boolean; can_resume: boolean; title?: string; date?: string; answer?: { name: string; value: number; unit: string } }
 export interface FolderOf { path: string; cases: FileOf[]; studies: FileOf[]; tests: FileOf[]; runs: string[]; folders: string[] }
 export interface Column { name: string; label: string; unit: string | null; meaning: string }
 export interface Rows { of: string; columns: Column[]; rows: (number | string | null)[][]; from_row: number; more: boolean }
@@ -66,6 +66,7 @@ export interface Quantity { value: number; unit: string; meaning: string; kind: 
 export interface Summary { quantities?: Record<string, Quantity>; checks?: Record<string, unknown>; warnings?: string[]; invalid?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
 export interface Soil2D { frame: number; time_s: number; points: number; x: number[]; y: number[]; z?: number[]; size: number[]; field?: { name: string; label: string; unit: string; values: number[] }; fields: string[]; rigids: [number, number][][] }
 export interface Checked { findings: Finding[]; estimate: { particles: number; time_s: number | null; memory_bytes: number; disk_bytes: number; lines: string[] } | null }
+export interface Exported { files: string[]; warnings: string[] }
 export interface Shown { address: string; without_scripts: boolean }
 export interface Job { job: string; command: string; status: Status; log_tail: string; made: string[] }
 
@@ -84,10 +85,11 @@ export const api = {
   runs: () => json<RunState[]>(ask("GET", "runs", {})) as Promise<RunState[]>,
   start: (body: { case?: string; out?: string; set?: string[]; threads?: number; resume?: string }) => json<{ path: string }>(ask("POST", "runs", {}, body)) as Promise<{ path: string }>,
   stop: (path: string) => json(ask("POST", "runs/stop", {}, { path })),
+  remove: (path: string) => json(ask("POST", "runs/remove", {}, { path })),
   run: (path: string, from_row: number) => json<RunNow>(ask("GET", "run", { path, from_row })) as Promise<RunNow>,
   soil: (path: string, after: number) => json<Soil2D>(ask("GET", "run/soil", { path, after })),
   report: (runs: string[], pdf: boolean) => json<{ path: string; pdf?: string }>(ask("POST", "report", {}, { runs, pdf })) as Promise<{ path: string; pdf?: string }>,
-  springs: (body: Record<string, unknown>) => json<{ files: string[] }>(ask("POST", "export", {}, body)) as Promise<{ files: string[] }>,
+  springs: (body: Record<string, unknown>) => json<Exported>(ask("POST", "export", {}, body)) as Promise<Exported>,
   work: (what: string, path: string, more: Record<string, unknown> = {}) => json<{ job: string }>(ask("POST", what, {}, { path, ...more })) as Promise<{ job: string }>,
   jobs: () => json<Job[]>(ask("GET", "jobs", {})) as Promise<Job[]>,
   stop_job: (job: string) => json(ask("POST", "jobs/stop", {}, { job })),

@@ -55,6 +55,13 @@ export class CaseText {
     return entry ? this.text.slice(...entry.value) : null;
   }
 
+  /** The comment behind a value on its line; "" where there is none. */
+  comment(path: Path): string {
+    const entry = this.entries.get(name_of(path));
+    if (!entry) return "";
+    return /^[^\n]*?#\s*(.*)/.exec(this.text.slice(entry.whole[1], this.end_of_line(entry.whole[1])))?.[1].trim() ?? "";
+  }
+
   /** The line of a path, from 1; of the nearest table where nothing stands there. */
   line(path: Path): number {
     for (let length = path.length; length > 0; length--) {

@@ -54,7 +54,7 @@ export class CaseView implements Place {
     };
     const jobs = is_case ? [
       job("Element tests", "Put the soils of this case into laboratory tests (berm element): triaxial, simple shear", () => void this.test_soil()),
-      job("Envelope", "Find the loads that the soil can carry (berm envelope): many runs", () => void this.work("envelope")),
+      job("Envelope", "Find the loads that the soil can carry (berm envelope): many runs", () => confirm("An envelope takes eleven runs of this case or more. Begin?") && void this.work("envelope")),
       job("Factor of safety", "Find by how much the strength can be reduced until the soil fails (berm safety): some ten runs", () => void this.work("safety"))] : [];
     const checked = make("section", "pane side_pane", make("h2", "", "Model"), this.model, make("h2", "", "Findings"), this.estimate, this.findings);
     this.element.classList.toggle("no_model", !is_case);
@@ -142,6 +142,7 @@ export class CaseView implements Place {
   }
 
   private async check(now: string): Promise<Finding[]> {
+    this.estimate.textContent = "Checking …";
     try {
       const checked = await api.check(this.path, now);
       if (!this.gone && now === this.editor.text()) this.show_checked(checked);

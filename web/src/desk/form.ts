@@ -61,6 +61,23 @@ function groups_of(schema: Schema, text: CaseText): { present: Group[]; lacking:
   return { present, lacking };
 }
 
+/** Where an engineer looks for a table; settings of the calculation come last. */
+const themes: [name: string, tables: string[]][] = [
+  ["Case", [""]], ["Site and soil", ["material", "random_field", "body", "initial_state"]], ["Structure", ["rigid", "pipeline", "contact", "rigid_contact"]], ["Loads and stages", ["stage", "traction"]],
+  ["Numerics", []],
+];
+const theme_of = (path: Path) => Math.max(themes.findIndex(([, tables]) => tables.includes(String(path[0] ?? ""))), -1);
+const rank = (path: Path) => (theme_of(path) < 0 ? themes.length - 1 : theme_of(path));
+
+/** "undrained_strength_gradient" as a reader says it. */
+export function in_words(key: string): string {
+  const words = key.replaceAll("_", " ").replaceAll(".", ": ");
+  return key.length === 1 ? key : words[0].toUpperCase() + words.slice(1);
+}
+
+/** A template marks with an arrow what is to be changed, and may say what it is. */
+const mark = /^<-\s*/;
+
 /** The keys of the case that are no tables. */
 function leaves_alone(schema: Schema, words: Words): Schema {
   return { properties: Object.fromEntries(Object.entries(keys_of(schema, words)).filter(([, one]) => !is_table(one))) };
@@ -81,7 +98,8 @@ export class Form {
     if (text.value === null) return;
     const focused = document.activeElement instanceof HTMLElement && this.element.contains(document.activeElement) ? document.activeElement.id : "";
     const { present, lacking } = groups_of(this.schema, text);
-    this.element.replaceChildren(...present.map((group, i) => this.group(text, group, i)), this.more(lacking));
+    const ordered = [...present].sort((a, b) => rank(a.path) - rank(b.path)), to_set = this.to_set(text, ordered);
+    this.element.replaceChildren(...to_set, ...ordered.map((group, i) => this.group(text, group, to_set.length === 0 && i < 2)), this.more(lacking));
     if (focused) document.getElementById(focused)?.focus({ preventScroll: true });
   }
 
@@ -97,11 +115,27 @@ export class Form {
     return true;
   }
 
-  private group(text: CaseText, { path, table }: Group, number: number): HTMLElement {
-    const name = words_of(text, path), value = text.at(path), all = fields_of(table, value, path);
+  /** What the template marks, by theme. */
+  private to_set(text: CaseText, groups: Group[]): HTMLElement[] {
+    const marked = groups.flatMap((group) => fields_of(group.table, text.at(group.path), group.path).filter(({ path }) => mark.test(text.comment(path))).map((field) => ({ group: group.path, field })));
+    return themes.flatMap(([theme], number) => {
+      const own = marked.filter(({ group }) => rank(group) === number);
+      if (own.length === 0) return [];
+      let last = "";
+      const rows = own.flatMap(({ group, field }) => {
+        const name = words_of(text, group), head = name === last ? [] : [make("p", "quiet of_table", name.split(".").slice(1).join(".") || name)];
+        last = name;
+        return [...head, this.field(text, field, group)];
+      });
+      return [make("section", "to_set", make("h3", "", theme), ...rows)];
+    });
+  }
+
+  private group(text: CaseText, { path, table }: Group, opened: boolean): HTMLElement {
+    const name = words_of(text, path), value = text.at(path), all = fields_of(table, value, path).filter((field) => !mark.test(text.comment(field.path)));
     const is_set = ({ path: at }: Field) => text.spelled(at) !== null;
     const set = all.filter(is_set), unset = all.filter((field) => !is_set(field));
-    const details = make("details", "group"), shown = number < 2 || this.open.has(name);
+    const details = make("details", "group"), shown = opened || this.open.has(name);
     details.open = shown && !this.folded.has(name);
     details.dataset.path = name;
     details.addEventListener("toggle", () => {
@@ -130,7 +164,9 @@ export class Form {
     const meaning = (schema.description ?? "").split("\n\n")[0];
     const row = make("div", spelling === null ? "field unset" : "field");
     row.dataset.key = words_of(text, path);
-    row.append(element("label", { for: id }, key), this.control(id, path, schema, spelling), element("p", { class: "quiet meaning", id: `${id}-meaning` }, meaning));
+    const said = text.comment(path).replace(mark, ""), label = element("label", { for: id, title: key }, in_words(key));
+    if (said && mark.test(text.comment(path))) label.append(make("span", "quiet said", said));
+    row.append(label, this.control(id, path, schema, spelling), element("p", { class: "quiet meaning", id: `${id}-meaning` }, meaning));
     row.querySelector(`#${CSS.escape(id)}`)?.setAttribute("aria-describedby", `${id}-meaning`);
     row.addEventListener("focusin", () => this.looked_at(path));
     return row;

@@ -4,7 +4,7 @@ import { element } from "../element";
 import { make } from "../film_elements";
 import { api, type Job } from "./api";
 import type { Place } from "./place";
-import { results_of } from "./results";
+import { picture_of, results_of } from "./results";
 import { Pulse, status_badge } from "./runs_view";
 import { download, say } from "./words";
 
@@ -119,27 +119,41 @@ export class ExportView implements Place {
   readonly element = make("div", "export_view");
   readonly title = "Export";
   private files = make("ul", "files");
+  private warnings = make("div", "");
+  private pictures = make("div", "pictures");
+  private travels = make("fieldset", "travels", make("legend", "", "Sweeps (none ticked: all in that state)"));
 
   constructor(private readonly runs: string[]) {
     const to = element("select", { id: "export-to" }, ...programs.map(([word, name]) => element("option", { value: word }, name)));
     const state = element("select", { id: "export-state" }, element("option", { value: "" }, "operation, else touchdown"), ...["touchdown", "laid", "flooded", "emptied", "operation"].map((word) => element("option", {}, word)));
-    const travels = element("input", { id: "export-travels", type: "text", placeholder: "all drags in that state" });
     const form = element("form", { class: "stacked" });
     form.append(
       make("h2", "", "Springs for a pipeline program"), make("p", "quiet", `Of ${runs.join(", ")}. Each number is given with its run, state and formula.`),
       element("label", { for: "export-to" }, "Program"), to, element("label", { for: "export-state" }, "State of the pipe"), state,
-      element("label", { for: "export-travels" }, "Travels: drags, separated by commas"), travels, element("button", { type: "submit", class: "primary" }, "Export"));
+      this.travels, element("button", { type: "submit", class: "primary" }, "Export"));
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      void this.write({ to: to.value, state: state.value, travels: travels.value.trim() });
+      void this.write({ to: to.value, state: state.value, travels: [...this.travels.querySelectorAll<HTMLInputElement>("input:checked")].map(({ value }) => value).join(",") });
     });
-    this.element.append(form, this.files);
+    this.element.append(form, this.warnings, this.files, this.pictures);
+    void this.offer_travels();
+  }
+
+  /** The stages of the runs that have a horizontal resistance. */
+  private async offer_travels(): Promise<void> {
+    const runs = await Promise.all(this.runs.map((run) => api.run(run, 0).catch(() => null)));
+    const names = new Set(runs.flatMap((run) => Object.entries(run?.summary?.quantities ?? {})).filter(([name, { of }]) => /(^|\.)H_(max|end)$/.test(name) && of).map(([, { of }]) => of));
+    this.travels.hidden = names.size === 0;
+    this.travels.append(...[...names].map((name) => make("label", "", element("input", { type: "checkbox", value: name }), ` ${name} `)));
   }
 
   private async write({ to, state, travels }: Record<string, string>): Promise<void> {
     try {
-      const { files } = await api.springs({ runs: this.runs, to, ...(state ? { state } : {}), ...(travels ? { travels } : {}) });
-      this.files.replaceChildren(...files.map((path) => {
+      const { files, warnings } = await api.springs({ runs: this.runs, to, ...(state ? { state } : {}), ...(travels ? { travels } : {}) });
+      this.warnings.replaceChildren(...warnings.map((warning) => make("p", "fair", warning)));
+      const shown = files.filter((path) => !/\.(gp|dat)$/.test(path)); // the two are what gnuplot drew a picture from
+      this.pictures.replaceChildren(...(await Promise.all(shown.filter((path) => path.endsWith(".png")).map((path) => picture_of(path, path.split("/").pop()!)))));
+      this.files.replaceChildren(...shown.map((path) => {
         const face = element("button", { type: "button", class: "file" }, path);
         face.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)).catch((error: Error) => say(error.message, "bad")));
         return make("li", "", face);

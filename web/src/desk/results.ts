@@ -26,7 +26,8 @@ function table_of([head, ...rows]: string[][]): HTMLElement {
   return make("div", "scrolls", make("table", "list", make("thead", "", make("tr", "", ...head.map((word) => make("th", "", word)))), make("tbody", "", ...rows.slice(0, most_rows).map((row) => make("tr", "", ...row.map(cell))))));
 }
 
-async function picture_of(path: string, name: string): Promise<HTMLElement> {
+/** A picture that a command made. */
+export async function picture_of(path: string, name: string): Promise<HTMLElement> {
   const address = URL.createObjectURL(await api.file(path)), image = element("img", { src: address, alt: name });
   image.addEventListener("load", () => URL.revokeObjectURL(address));
   return make("figure", "picture", image, make("figcaption", "quiet", name));

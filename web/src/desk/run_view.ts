@@ -12,6 +12,29 @@ import { download, duration_words, say } from "./words";
 
 type Value = number | string | null;
 
+/** In m: less is round-off, or a spring that settles. */
+const least_travel = 1e-6;
+
+/** From the least to the largest value. */
+function travel(values: (number | null)[]): number {
+  const known = values.filter((value): value is number => value !== null);
+  return known.reduce((most, value) => Math.max(most, value), -Infinity) - known.reduce((least, value) => Math.min(least, value), Infinity);
+}
+
+/** How often values turn by more than a tenth of all their travel. */
+function turns(values: (number | null)[]): number {
+  const step = travel(values) / 10;
+  let count = 0, way = 0, extreme = values[0] ?? 0;
+  for (const value of values) {
+    if (value === null) continue;
+    if (way === 0) {
+      if (Math.abs(value - extreme) > step) way = Math.sign(value - extreme), extreme = value;
+    } else if ((value - extreme) * way > 0) extreme = value;
+    else if ((extreme - value) * way > step) ++count, way = -way, extreme = value;
+  }
+  return count;
+}
+
 export class RunView implements Place {
   readonly element = make("div", "run_view");
   readonly title: string;
@@ -140,16 +163,25 @@ export class RunView implements Place {
     return this.rows.map((row) => (typeof row[index] === "number" ? (row[index] as number) : null));
   }
 
-  /** H(u) and V(w) of a body that is driven, else what there is over time. */
+  /** What is drawn, y over x: V(w), H(u) and w(u) of a body that is driven, over time where it has not moved that way; H and u over time where it turns; of a line its displacement. */
+  private curves(): [y: string, x: string][] {
+    const line = this.columns.filter(({ name }) => name === "line_y_m").map(({ label }): [string, string] => [label, "time"]);
+    if (this.index("u") < 0 || this.index("w") < 0) return [...line, ...this.columns.filter(({ name, unit }) => name !== "time_s" && unit !== null && name !== "line_y_m").slice(0, 3).map(({ label }): [string, string] => [label, "time"])];
+    const over = (label: string) => (travel(this.numbers(this.index(label))) > least_travel ? label : "time"), [u, w] = [over("u"), over("w")];
+    const in_time: [string, string][] = u === "u" && turns(this.numbers(this.index("u"))) >= 2 ? [["u", "time"], ["H", "time"]] : [];
+    return [...line, ["V", w], ["H", u], ["w", u], ...in_time];
+  }
+
   private show_curves(): void {
     if (this.rows.length === 0) {
       if (this.charts.length === 0) this.chart_place.replaceChildren(make("p", "quiet", "No results yet."));
       return;
     }
-    if (this.charts.length === 0) {
-      const pairs: [string, string][] = this.index("u") >= 0 && this.index("w") >= 0 ? [["V", "w"], ["H", "u"], ["w", "u"]] : this.columns.filter(({ name, unit }) => name !== "time_s" && unit !== null).slice(0, 3).map(({ label }) => [label, "time"]);
-      if (this.index("line_y") >= 0 || this.columns.some(({ name }) => name === "line_y_m")) pairs.unshift([this.columns.find(({ name }) => name === "line_y_m")!.label, "time"]);
-      this.charts = pairs.filter(([y, x]) => this.index(y) >= 0 && this.index(x) >= 0).map(([y, x]) => new LiveChart(this.columns[this.index(x)], this.columns[this.index(y)]));
+    const pairs = this.curves().filter(([y, x]) => this.index(y) >= 0 && this.index(x) >= 0), drawn = JSON.stringify(pairs);
+    if (this.chart_place.dataset.drawn !== drawn) {
+      this.chart_place.dataset.drawn = drawn;
+      this.charts.forEach((chart) => chart.end());
+      this.charts = pairs.map(([y, x]) => new LiveChart(this.columns[this.index(x)], this.columns[this.index(y)]));
       this.chart_place.replaceChildren(...this.charts.map((chart) => chart.element));
     }
     for (const chart of this.charts) chart.show(this.numbers(this.index(chart.x.label)), this.numbers(this.index(chart.y.label)));
@@ -185,13 +217,16 @@ export class RunView implements Place {
       return make("tr", is_cut ? "cut" : "", term, make("td", "number", digits(each.value)), ...(uncertainty ? [make("td", "number band", band ? `${digits(band.converged)} ± ${digits(band.half_width)}` : "")] : []),
         make("td", "quiet unit", each.unit === "1" ? "" : each.unit), make("td", "quiet", `${is_cut ? `(${cut} did not end: as far as it got) ` : ""}${each.meaning}`));
     };
-    const rows = Object.entries(quantities ?? {}).filter(([, each]) => typeof each.value === "number").slice(0, 60).map(([name, each]) => row(name, each));
+    const numbers = Object.entries(quantities ?? {}).filter(([, each]) => typeof each.value === "number"), is_answer = ([, { kind }]: [string, Quantity]) => kind === "answer";
+    const table_of = (some: [string, Quantity][]) => make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...some.slice(0, 60).map(([name, each]) => row(name, each)))));
+    const others = numbers.filter((each) => !is_answer(each));
     const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);
     this.answer.replaceChildren(
       ...(invalid && JSON.stringify(invalid) !== "[]" && invalid !== false ? [make("p", "bad", "Do not use the results of this run: its report says why.")] : []),
       ...(cut ? [make("p", "fair", `The run has not finished. Numbers of ${cut} are of an unfinished stage, and later stages are missing.`)] : []),
       ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)),
-      make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...rows))),
+      table_of(numbers.filter(is_answer)),
+      ...(others.length > 0 ? [make("details", "", make("summary", "", "Ratios, prescribed values and quality"), table_of(others))] : []),
       make("details", "", make("summary", "", "Checks"), make("dl", "numbers", ...trust.flatMap(([name, value]) => [make("dt", "", name.replaceAll("_", " ")), make("dd", "", typeof value === "number" ? digits(value) : String(value))]))));
   }
 }

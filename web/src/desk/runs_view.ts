@@ -2,6 +2,7 @@
 // All runs of the folder, and the studies and other commands that start some; several runs are compared from here.
 import { element } from "../element";
 import { make } from "../film_elements";
+import { digits } from "../film_numbers";
 import { api, type Job, type RunState, type Status } from "./api";
 import type { Place } from "./place";
 import { duration_words, say } from "./words";
@@ -65,7 +66,7 @@ export class RunsView implements Place {
     this.export_all.addEventListener("click", () => (location.hash = `#/export?${[...this.chosen].map((path) => `path=${encodeURIComponent(path)}`).join("&")}`));
     this.element.append(
       make("h2", "", "Runs"), make("div", "bar", this.compare, this.export_all, this.note, make("label", "", this.parts, " also runs of studies, envelopes and factors of safety")),
-      make("table", "list", make("thead", "", make("tr", "", ...["", "run", "case", "status", "", "left", ""].map((word) => make("th", "", word)))), this.table),
+      make("table", "list", make("thead", "", make("tr", "", ...["", "run", "title", "ended", "key number", "status", "", ""].map((word) => make("th", "", word)))), this.table),
       make("h2", "", "Studies, envelopes, factors of safety, element tests, fits"),
       make("table", "list", make("thead", "", make("tr", "", ...["", "results", "status", "last message", ""].map((word) => make("th", "", word)))), this.jobs));
     this.show_choice();
@@ -103,9 +104,22 @@ export class RunsView implements Place {
       else this.chosen.delete(run.path);
       this.show_choice();
     });
-    return make("tr", "", make("td", "", box), make("td", "", element("a", { href: `#/run?path=${encodeURIComponent(run.path)}` }, run.path)), make("td", "quiet", run.case),
-      make("td", "", status_badge(run.status)), make("td", "", ...(run.status === "running" ? [progress_bar(run.progress)] : [])),
-      make("td", "", run.status === "running" ? duration_words(run.time_left_s) : ""), make("td", "", ...stop_or_resume(run)));
+    return make("tr", "", make("td", "", box), make("td", "", element("a", { href: `#/run?path=${encodeURIComponent(run.path)}` }, run.path)), make("td", "quiet", run.title ?? run.case),
+      make("td", "quiet", date_words(run.date)), make("td", "number", run.answer ? `${run.answer.name} ${digits(run.answer.value)} ${run.answer.unit === "1" ? "" : run.answer.unit}` : ""),
+      make("td", "", status_badge(run.status)), make("td", "", ...(run.status === "running" ? [progress_bar(run.progress), ` ${duration_words(run.time_left_s)}`] : [])),
+      make("td", "", ...stop_or_resume(run), ...(run.status === "running" || run.status === "queued" ? [] : [this.remover(run.path)])));
+  }
+
+  private remover(path: string): HTMLElement {
+    const face = act("Delete", async () => {
+      if (!confirm(`Delete ${path} and all that is in it? This cannot be undone.`)) return;
+      await api.remove(path);
+      this.chosen.delete(path);
+      this.show_choice();
+      await this.look();
+    });
+    face.setAttribute("aria-label", `delete ${path}`);
+    return face;
   }
 
   private job_row(job: Job): HTMLTableRowElement {
@@ -113,6 +127,13 @@ export class RunsView implements Place {
     return make("tr", "", make("td", "", job.command), make("td", "", element("a", { href: `#/job?job=${encodeURIComponent(job.job)}` }, job.job)), make("td", "", status_badge(job.status)), make("td", "quiet", says),
       make("td", "", ...(job.status === "running" || job.status === "queued" ? [act("Stop", () => api.stop_job(job.job))] : [])));
   }
+}
+
+/** "2026-12-01 08:06" of a date of the summary, in the reader's time. */
+function date_words(date: string | undefined): string {
+  if (!date) return "";
+  const time = new Date(date), two = (number: number) => String(number).padStart(2, "0");
+  return `${time.getFullYear()}-${two(time.getMonth() + 1)}-${two(time.getDate())} ${two(time.getHours())}:${two(time.getMinutes())}`;
 }
 
 function act(words: string, does: () => Promise<unknown>): HTMLButtonElement {

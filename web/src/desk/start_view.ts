@@ -55,7 +55,7 @@ export class StartView implements Place {
     picture.dataset.kind = kind.kind;
     this.pictures.observe(picture);
     const card = element("button", { type: "button", class: "card" });
-    card.append(picture, make("strong", "", kind.title), make("span", "quiet", kind.question));
+    card.append(picture, make("strong", "", kind.question), make("span", "quiet", kind.title));
     card.addEventListener("click", () => this.ask(kind));
     return card;
   }

@@ -63,7 +63,7 @@ export class VaryView implements Place {
     const name = element("input", { type: "text", id: "study-file", value: `${file.replace(/\.toml$/, "")}_study.toml`, required: "" });
     form.append(
       make("h2", "", `Low, best and high of ${file}`),
-      make("p", "quiet", "Tick uncertain parameters and give their 5 % and 95 % values; the case has the best ones. The distribution is lognormal; the file of the study can name another."),
+      make("p", "quiet", "Select uncertain parameters and give their 5 % and 95 % values; the case has the best ones. The distribution is lognormal; the file of the study can name another."),
       this.parameters(read), make("h3", "", "Key results"), this.quantities(now.summary),
       element("label", { for: "sample" }, "Rows of the sample: 20 or more for a low and a high estimate; 0: each parameter low and high in turn, no sample"), this.sample,
       element("label", { for: "study-file" }, "File of the study"), name, this.count, this.wrong, write);
@@ -92,8 +92,8 @@ export class VaryView implements Place {
   }
 
   private quantities({ quantities }: Summary): HTMLElement {
-    const all = Object.entries((quantities ?? {}) as Record<string, { value?: unknown; unit: string; meaning: string }>).filter(([, { value }]) => typeof value === "number");
-    const first = all.filter(([name]) => usual.test(name) && !name.includes("_over_")).slice(0, 3).map(([name]) => name);
+    const all = Object.entries((quantities ?? {}) as Record<string, { value?: unknown; unit: string; meaning: string; kind?: string }>).filter(([, { value, kind }]) => typeof value === "number" && kind !== "ratio");
+    const peaks = all.filter(([name]) => /(^|\.)R_max$/.test(name)), first = (peaks.length > 0 ? peaks : all.filter(([name]) => usual.test(name))).slice(0, 3).map(([name]) => name);
     return make("div", "measures", ...all.map(([name, { value, unit, meaning }]) => {
       const chosen = element("input", { type: "checkbox" });
       chosen.checked = first.includes(name) || (first.length === 0 && name === all[0][0]);
