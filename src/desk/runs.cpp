@@ -86,10 +86,10 @@ Json digest_of(const Folder& folder, const fs::path& run)
   try {
     if (!fs::exists(run / "summary.json")) return digest;
     const Json summary = run_folder::read_json(folder.real(run / "summary.json"), 10'000'000);
-    const Json text = summary.value("text", Json::object());
+    const Json text = summary.value("text", Json::object()), quantities = summary.value("quantities", Json::object());
     for (const char* key : {"title", "date"})
       if (text.contains(key)) digest[key] = text[key];
-    for (const auto& [name, one] : summary.value("quantities", Json::object()).items()) {
+    for (const auto& [name, one] : quantities.items()) {
       const bool peak = name.ends_with("R_max") || name.ends_with("H_max");
       if (one.value("kind", "") != "answer" || (digest.contains("answer") && !peak)) continue;
       digest["answer"] = {{"name", name}, {"value", one["value"]}, {"unit", one["unit"]}};
