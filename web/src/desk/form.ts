@@ -77,6 +77,8 @@ export function in_words(key: string): string {
 
 /** A template marks with an arrow what is to be changed, and may say what it is. */
 const mark = /^<-\s*/;
+/** With them the title comes first. */
+const is_first = (text: CaseText, path: Path) => mark.test(text.comment(path)) || (path.length === 1 && path[0] === "title" && /#\s*<-/.test(text.text));
 
 /** The keys of the case that are no tables. */
 function leaves_alone(schema: Schema, words: Words): Schema {
@@ -117,13 +119,13 @@ export class Form {
 
   /** What the template marks, by theme. */
   private to_set(text: CaseText, groups: Group[]): HTMLElement[] {
-    const marked = groups.flatMap((group) => fields_of(group.table, text.at(group.path), group.path).filter(({ path }) => mark.test(text.comment(path))).map((field) => ({ group: group.path, field })));
+    const marked = groups.flatMap((group) => fields_of(group.table, text.at(group.path), group.path).filter(({ path }) => is_first(text, path)).map((field) => ({ group: group.path, field })));
     return themes.flatMap(([theme], number) => {
       const own = marked.filter(({ group }) => rank(group) === number);
       if (own.length === 0) return [];
       let last = "";
       const rows = own.flatMap(({ group, field }) => {
-        const name = words_of(text, group), head = name === last ? [] : [make("p", "quiet of_table", name.split(".").slice(1).join(".") || name)];
+        const name = words_of(text, group), head = name === last || group.length === 0 ? [] : [make("p", "quiet of_table", name.split(".").slice(1).join(".") || name)];
         last = name;
         return [...head, this.field(text, field, group)];
       });
@@ -132,7 +134,7 @@ export class Form {
   }
 
   private group(text: CaseText, { path, table }: Group, opened: boolean): HTMLElement {
-    const name = words_of(text, path), value = text.at(path), all = fields_of(table, value, path).filter((field) => !mark.test(text.comment(field.path)));
+    const name = words_of(text, path), value = text.at(path), all = fields_of(table, value, path).filter((field) => !is_first(text, field.path));
     const is_set = ({ path: at }: Field) => text.spelled(at) !== null;
     const set = all.filter(is_set), unset = all.filter((field) => !is_set(field));
     const details = make("details", "group"), shown = opened || this.open.has(name);

@@ -40,7 +40,7 @@ class Desk {
     const messages = make("div", "messages");
     document.body.replaceChildren(
       element("a", { href: "#main", class: "skip" }, "To the content"),
-      make("header", "", make("nav", "", make("strong", "brand", "berm desk"), link("", "Start"), link("runs", "Runs"), make("span", "quiet where", about.folder), help)), this.main, this.keys, messages);
+      make("header", "", make("nav", "", make("strong", "brand", "berm desk"), link("", "Start"), link("runs", "Runs"), element("span", { class: "quiet where", title: about.folder }, about.folder.split("/").pop()!), help)), this.main, this.keys, messages);
     document.querySelector(".skip")!.addEventListener("click", (event) => {
       event.preventDefault();
       this.main.focus();
@@ -97,7 +97,7 @@ class Desk {
     if (word === "export") return new ExportView(asked.getAll("path"));
     if (word === "page") return new PageView(path);
     if (word === "job") return new JobView(asked.get("job") ?? "");
-    return new StartView(this.about.folder);
+    return new StartView(this.about.folder.split("/").pop()!);
   }
 
   private key(event: KeyboardEvent): void {
