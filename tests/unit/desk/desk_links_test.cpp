@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Links inside of a run folder that lead out of what a desk serves: nothing behind them is shown, and no command goes there.
+#include "io/folder_lock.hpp"
 #include "samples/desk_client.hpp"
 #include "samples/small_cases.hpp"
 
@@ -94,6 +95,32 @@ TEST_F(DeskLinks, no_command_reads_through_them)
     EXPECT_EQ(desk_->post("/api/runs", {{"resume", run}}).status, 403) << name;
     EXPECT_EQ(desk_->post("/api/uncertainty", {{"path", run}}).status, 403) << name;
   }
+}
+
+TEST_F(DeskLinks, are_not_followed_when_a_run_is_removed)
+{
+  const auto status = [&](const std::string& path) { return desk_->post("/api/runs/remove", {{"path", path}}).status; };
+  const std::string run = run_with_link("frames");
+  EXPECT_EQ(status(run), 200);
+  EXPECT_FALSE(fs::exists(served() / run));
+  EXPECT_TRUE(fs::exists(secret() / "frames"));
+
+  fs::create_directory_symlink(secret(), served() / "alias");
+  EXPECT_EQ(status("alias"), 403);
+  EXPECT_EQ(status("../secret"), 403);
+  EXPECT_EQ(status("case.toml"), 404);
+  EXPECT_EQ(status("run/frames"), 404) << "it is no run";
+  fs::remove(served() / "alias");
+  EXPECT_TRUE(fs::exists(secret() / "resolved.toml"));
+
+  fs::copy(served() / "run/resolved.toml", served() / "resolved.toml");
+  EXPECT_EQ(status(""), 403) << "the folder of the desk";
+  fs::remove(served() / "resolved.toml");
+
+  (void)run_with_link("plots");
+  const auto lock = std::make_unique<io::FolderLock>(served() / "linked");
+  EXPECT_EQ(status("linked"), 409) << "somebody is at work on it";
+  EXPECT_TRUE(fs::exists(served() / "linked"));
 }
 
 TEST_F(DeskLinks, within_the_folder_are_followed)
