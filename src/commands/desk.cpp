@@ -30,6 +30,18 @@ void open_in_browser(const std::string& address, const std::filesystem::path& fo
   }
 }
 
+bool is_host_name(const std::string& word)
+{
+  constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyz0123456789.-";
+  return word.find_first_of("abcdefghijklmnopqrstuvwxyz") == 0 && word.find_first_not_of(allowed) == std::string::npos;
+}
+
+bool is_prefix(const std::string& word)
+{
+  constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  return word.size() > 1 && word.size() < 100 && word[0] == '/' && word.find_first_not_of(allowed, 1) == std::string::npos;
+}
+
 }  // namespace
 
 Command add_desk(CLI::App& program)
@@ -43,6 +55,12 @@ Command add_desk(CLI::App& program)
   app->add_option("--port", options->port, "port of 127.0.0.1 (default: one that is free)")->check(whole_number_within(1, 65535));
   app->add_option("--threads", options->threads, "threads of all runs together; more wait (default: all processors)")
       ->check(whole_number_within(1, 1024));
+  app->add_option("--name", options->proxy.name, "host of a proxy in front of it, which requests may name, too: no port (default: none)")
+      ->check(CLI::Validator(
+          [](std::string& word) { return is_host_name(word) ? std::string() : "a name of a host has letters, digits, . and -"; }, "HOST"));
+  app->add_option("--prefix", options->proxy.prefix, "what a proxy puts before addresses, as /berm (default: nothing)")
+      ->check(CLI::Validator(
+          [](std::string& word) { return is_prefix(word) ? std::string() : "a prefix is as /berm: letters, digits, _ and -"; }, "/WORD"));
   app->add_flag("--no-browser", options->no_browser, "print the address and open no browser");
   return {app, [options] {
             messages_to_stderr();

@@ -51,8 +51,8 @@ Answer page()
   return {.body = fmt::format(
               "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
               "initial-scale=1\">"
-              "<title>berm desk</title><link rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" href=\"/desk.css\" nonce=\"{}\">"
-              "<script src=\"/desk.js\" defer></script></head><body><header><nav><strong class=\"brand\">berm "
+              "<title>berm desk</title><link rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" href=\"desk.css\" nonce=\"{}\">"
+              "<script src=\"desk.js\" defer></script></head><body><header><nav><strong class=\"brand\">berm "
               "desk</strong></nav></header></body></html>\n",
               nonce),
           .type = "text/html; charset=utf-8",
@@ -91,7 +91,7 @@ struct Desk::Parts {
         shown(folder),
         routes(all_routes()),
         server(
-            settings.port, [this](const Request& request) { return open(request); },
+            settings.port, settings.proxy, [this](const Request& request) { return open(request); },
             [this](const Request& request) { return api(request); })
   {
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "desk/http.hpp"
+
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -12,6 +14,7 @@ struct DeskSettings {
   std::filesystem::path folder = ".";
   int port = 0;     ///< 0: any that is free
   int threads = 0;  ///< of all runs together; 0: all processors
+  Proxy proxy = {};
   /// Where a run of a case goes by default.
   std::function<std::filesystem::path(const std::filesystem::path&)> place;
 };

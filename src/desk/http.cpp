@@ -23,10 +23,10 @@ constexpr const char* policy_of_data = "default-src 'none'; frame-ancestors 'non
 
 /// Whether a host is this machine as the machine calls itself. With any port: a tunnel may begin at another than it ends at, and what a page of a foreign name would need is
 /// the name.
-bool is_this_machine(const std::string& host)
+bool is_host(const std::string& host, const std::vector<std::string>& names)
 {
-  for (const std::string name : {"127.0.0.1", "localhost", "[::1]"}) {
-    if (!host.starts_with(name)) continue;
+  for (const std::string& name : names) {
+    if (name.empty() || !host.starts_with(name)) continue;
     const std::string rest = host.substr(name.size());
     return rest.empty() ||
            (rest[0] == ':' && rest.size() > 1 && rest.size() <= 6 && rest.find_first_not_of("0123456789", 1) == std::string::npos);
@@ -192,6 +192,7 @@ std::string random_word(int bytes)
 }
 
 struct HttpServer::Parts {
+  Proxy proxy;
   Handler open, with_token;
   std::string token = random_word(32);
   Connections connections = {};
@@ -201,9 +202,11 @@ struct HttpServer::Parts {
   void guard(const Head& head) const
   {
     const std::string host = head.field("host"), origin = head.field("origin");
-    if (head.fields.count("host") != 1 || !is_this_machine(host))
+    const bool by_proxy = is_host(host, {proxy.name});
+    if (head.fields.count("host") != 1 || (!by_proxy && !is_host(host, {"127.0.0.1", "localhost", "[::1]"})))
       throw Refusal(403, "this server answers to 127.0.0.1, localhost and [::1] only: open the address that berm desk prints");
-    if (head.has("origin") && origin != "http://" + host) throw Refusal(403, "a page from elsewhere asks");
+    if (head.has("origin") && origin != "http://" + host && !(by_proxy && origin == "https://" + host))
+      throw Refusal(403, "a page from elsewhere asks");
     if (head.method != "GET" && head.method != "POST" && head.method != "PUT") throw Refusal(405, "only GET, POST and PUT are answered");
     if (head.path.size() > longest_path) throw Refusal(404, "there is no such address");
     if (!head.is_api()) {
@@ -225,7 +228,9 @@ struct HttpServer::Parts {
     if (coming == nullptr) {
       connections.wait_for_body(connection);
       const Answer refusal = answer_of([&] {
-        const Head head = head_of(client, method, path);
+        const std::string_view address(path);
+        const bool has_prefix = !proxy.prefix.empty() && address.starts_with(proxy.prefix + "/");
+        const Head head = head_of(client, method, path + (has_prefix ? proxy.prefix.size() : 0));
         guard(head);
         if (head.is_api()) connections.trust(connection);
         check_size_of_body(head);
@@ -287,7 +292,8 @@ struct HttpServer::Parts {
   }
 };
 
-HttpServer::HttpServer(int port, Handler open, Handler with_token) : parts_(new Parts{std::move(open), std::move(with_token)})
+HttpServer::HttpServer(int port, Proxy proxy, Handler open, Handler with_token)
+    : parts_(new Parts{std::move(proxy), std::move(open), std::move(with_token)})
 {
   parts_->listen(port);
 }

@@ -31,11 +31,17 @@ using Handler = std::function<Answer(const Request&)>;
 constexpr std::size_t most_bytes_of_body = 4 << 20;
 constexpr int deepest_body = 16;  ///< levels of JSON
 
+/// How a proxy in front of the server is called.
+struct Proxy {
+  std::string name = {};    ///< a host that the server answers to, too; "": none
+  std::string prefix = {};  ///< "/berm": of addresses, taken away where they have it
+};
+
 /// A server for programs of this machine: it listens at 127.0.0.1 only, and answers who names it by that address. What lies below /api/ is for who has the token.
 class HttpServer {
 public:
   /// Port 0: any that is free. Throws RunError where it cannot be had.
-  HttpServer(int port, Handler open, Handler with_token);
+  HttpServer(int port, Proxy proxy, Handler open, Handler with_token);
   ~HttpServer();
 
   int port() const;

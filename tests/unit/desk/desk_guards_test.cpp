@@ -199,6 +199,28 @@ TEST_F(DeskGuards, answers_behind_a_tunnel_that_begins_at_another_port)
   }
 }
 
+TEST(DeskBehindAProxy, answers_to_its_name_and_below_its_prefix_and_to_no_other_name)
+{
+  const TemporaryFolder folder;
+  const DeskClient desk(folder.path(), {"--name", "soil.example", "--prefix", "/berm"});
+  const std::string host = fmt::format("127.0.0.1:{}", desk.port);
+  const auto status = [&](const std::string& name, const std::string& target, const std::string& origin = "") {
+    const std::string lines = replaced(desk.head("GET", target), host, name);
+    return desk.raw(lines + (origin.empty() ? "" : "Origin: " + origin + "\r\n") + "\r\n").status;
+  };
+  for (const std::string target : {"/api/about", "/berm/api/about", "/berm/", "/berm/desk.js"})
+    EXPECT_EQ(status("soil.example", target), 200) << target;
+  EXPECT_EQ(status("soil.example:8443", "/api/about", "https://soil.example:8443"), 200);
+  EXPECT_EQ(status(host, "/api/about", "http://" + host), 200);
+  EXPECT_EQ(status("soil.example", "/bermuda/api/about"), 404);
+  EXPECT_EQ(status("soil.example", "/berm/api/about", "https://other.example"), 403);
+  EXPECT_EQ(status(host, "/api/about", "https://" + host), 403);
+  for (const std::string other : {"other.example", "soil.example.other", "a.soil.example", "soil.example:x"})
+    EXPECT_EQ(status(other, "/api/about"), 403) << other;
+  const std::string wrong = replaced(replaced(desk.head("GET", "/berm/api/about"), host, "soil.example"), desk.token, std::string(64, 'a'));
+  EXPECT_EQ(desk.raw(wrong + "\r\n").status, 401);
+}
+
 TEST_F(DeskGuards, does_not_open_a_case_whose_bytes_it_would_change)
 {
   const fs::path file = served() / "bay/latin.toml";

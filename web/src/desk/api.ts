@@ -32,7 +32,7 @@ async function ask(method: string, path: string, query: Record<string, string | 
   const words = new URLSearchParams(Object.entries(query).map(([key, value]) => [key, String(value)])).toString();
   let answer: Response;
   try {
-    answer = await fetch(`/api/${path}${words ? `?${words}` : ""}`, {
+    answer = await fetch(`api/${path}${words ? `?${words}` : ""}`, {
       method,
       headers: { Authorization: `Bearer ${token}`, ...(body === undefined ? {} : { "Content-Type": "application/json" }) },
       body: body === undefined ? undefined : JSON.stringify(body),
@@ -94,6 +94,9 @@ export const api = {
   jobs: () => json<Job[]>(ask("GET", "jobs", {})) as Promise<Job[]>,
   stop_job: (job: string) => json(ask("POST", "jobs/stop", {}, { job })),
   /** An address at which a frame may show a page that berm made. */
-  show: (path: string) => json<Shown>(ask("POST", "show", {}, { path })) as Promise<Shown>,
+  show: async (path: string) => {
+    const { address, without_scripts } = (await json<Shown>(ask("POST", "show", {}, { path }))) as Shown;
+    return { address: address.replace(/^\//, ""), without_scripts }; // below what a proxy puts before it
+  },
   file: async (path: string) => (await ask("GET", "file", { path })).blob(),
 };
