@@ -41,12 +41,21 @@ void refuse_other_than_slice(const settings::Case& c)
     throw KeyError("geometry: FMU export needs geometry = \"plane_strain\": the unit is a slice of soil across a pipe");
   if (c.rigid.size() != 1)
     throw KeyError(fmt::format("rigid: FMU export needs one rigid body, which the co-simulation moves; here there are {}", c.rigid.size()));
+  if (c.pipeline)
+    throw KeyError(
+        "pipeline: FMU export needs a case without a pipeline: the unit is one slice of soil, and the co-simulation has the line");
   const settings::StageSettings& last = c.stage.back();
   if (last.kind != settings::StageKind::drive)
-    throw KeyError(fmt::format(
-        "stage[{}].kind: FMU export needs kind = \"drive\" as the last stage, which the co-simulation moves: add a stage behind \"{}\" "
-        "with kind = \"drive\", drive.x.velocity = 0, drive.y.hold = true and until.time as long as the co-simulation",
-        c.stage.size() - 1, last.name));
+    throw KeyError(
+        fmt::format(R"(stage[{}].kind: FMU export needs kind = "drive" as the last stage, which the co-simulation moves. Append after "{}":
+
+[[stage]]
+name = "co_simulation"
+kind = "drive"
+drive.x.velocity = 0
+drive.y.hold = true    # V stays as it is; drive.y.velocity = 0: the depth
+until.time = "60 s"    # at least as long as the co-simulation)",
+                    c.stage.size() - 1, last.name));
 }
 
 constexpr std::string_view dependencies =
