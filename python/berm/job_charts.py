@@ -3,12 +3,37 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 from .errors import RunError
+from .history import History
+from .quantity import Quantity
+from .table import Table
 
-if TYPE_CHECKING:
-    from .run import Run
+
+class Results(Protocol):
+    """What charts are made of, of a Run."""
+
+    @property
+    def curves(self) -> Mapping[str, dict[str, Any]]:
+        ...
+
+    @property
+    def quantities(self) -> Mapping[str, Quantity]:
+        ...
+
+    @property
+    def history(self) -> History:
+        ...
+
+    @property
+    def line(self) -> Table:
+        ...
+
+    @property
+    def half_cycles(self) -> Table:
+        ...
 
 WHERE = {"symbol": "x", "unit": "m", "meaning": "position along the line"}
 TIME = {"symbol": "t", "unit": "s", "meaning": "time"}
@@ -18,7 +43,7 @@ def axis(symbol: str, unit: str, meaning: str) -> dict[str, str]:
     return {"symbol": symbol, "unit": unit, "meaning": meaning}
 
 
-def shapes(run: Run) -> dict[str, Any]:
+def shapes(run: Results) -> dict[str, Any]:
     """y(x) of a pipeline at the end of each stage, half as far again as it moves by a hundredth of the most."""
     line = run.line
     last = {stage: time for stage, time in zip(line["stage"], line["time_s"])}
@@ -30,7 +55,7 @@ def shapes(run: Run) -> dict[str, Any]:
     return {"chart": "y_x", "x": WHERE, "y": axis("y", "m", "lateral displacement"), "curves": curves}
 
 
-def half_cycles(run: Run) -> dict[str, Any]:
+def half_cycles(run: Results) -> dict[str, Any]:
     """Size of each half cycle over the time in the record at which it ends."""
     cycles = run.half_cycles
     sizes = abs(cycles["u_end_m"] - cycles["u_begin_m"])
@@ -39,7 +64,7 @@ def half_cycles(run: Run) -> dict[str, Any]:
     return {"chart": "half_cycles", "x": time, "y": axis("|Δu|", "m", "displacement in a half cycle"), "curves": curves}
 
 
-def consolidation(run: Run) -> dict[str, Any]:
+def consolidation(run: Results) -> dict[str, Any]:
     """U over the time since each stage in which the body does not move began."""
     import numpy as np
 
@@ -53,7 +78,7 @@ def consolidation(run: Run) -> dict[str, Any]:
     return {"chart": "U_t", "x": time_axis, "y": axis("U", "1", "degree of consolidation"), "curves": curves}
 
 
-def lifts(run: Run) -> dict[str, Any]:
+def lifts(run: Results) -> dict[str, Any]:
     """R(s) = -V of bodies that are lifted, as an uplift resistance is read."""
     chart = run.curves["V_s"]
     turned = [{**each, **{key: -each[key] for key in ("y", "smoothed") if key in each}} for each in chart["curves"]]
@@ -63,7 +88,7 @@ def lifts(run: Run) -> dict[str, Any]:
 OF_TABLES = {"y_x": shapes, "half_cycles": half_cycles, "U_t": consolidation, "R_s": lifts}
 
 
-def charts_of(run: Run) -> dict[str, dict[str, Any]]:
+def charts_of(run: Results) -> dict[str, dict[str, Any]]:
     """All charts of a run that have a curve, by name."""
     charts = dict(run.curves)
     for name, make in OF_TABLES.items():
