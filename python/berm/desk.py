@@ -54,6 +54,6 @@ def desk(
     no_browser: bool = False,
     program: PathLike | None = None,
 ) -> Desk:
-    """Opens a desk for the cases and runs of a folder in the browser and returns it; desk.address is what to open elsewhere on this machine.
+    """Opens a desk for the cases and runs of a folder in the browser and returns it; a browser of this machine opens desk.address.
     port: None, one that is free. threads: of all its runs together. Throws InputError and RunError."""
     return Desk(folder, options(port=port, threads=threads, no_browser=no_browser), program)

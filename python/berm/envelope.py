@@ -17,8 +17,8 @@ from .table import Table, read_table
 @dataclass(frozen=True)
 class Envelope:
     """The envelope of a body at its position. quantities: V_max, H_max, of a footing M_max ...; published: the same by formulas, their
-    source as meaning. rows: envelope.csv: the end of each probe (kind direction, swipe), then the points of the path of the swipe (path), with
-    V_N_m and H_N_m, of bodies in space V_N and H_N. probes: how each ended. folder: of its pictures and runs."""
+    source as meaning. rows: envelope.csv: the end of each probe (kind direction, swipe), then the points of the path of the swipe (path),
+    with V_N_m and H_N_m, of bodies in space V_N and H_N. probes: how each ended. folder: of its pictures and runs."""
 
     folder: Path
     quantities: dict[str, Quantity]
@@ -36,8 +36,8 @@ class Envelope:
         for name, wanted, points in (("swipe", ("path",), False), ("ends of the probes", ("direction", "swipe"), True)):
             chosen = [k for k, kind in enumerate(kinds) if kind in wanted]
             curves.append({"name": name, "x": H[chosen], "y": V[chosen], "points": points})
-        axes = {letter: {"symbol": letter, "unit": unit, "meaning": f"{word} load"} for letter, word in (("V", "vertical"), ("H", "lateral"))}
-        return plot_charts(f"Envelope: {self.folder.name}", [{"chart": "envelope", "x": axes["H"], "y": axes["V"], "curves": curves}])
+        x, y = ({"symbol": letter, "unit": unit, "meaning": f"{word} load"} for letter, word in (("H", "lateral"), ("V", "vertical")))
+        return plot_charts(f"Envelope: {self.folder.name}", [{"chart": "envelope", "x": x, "y": y, "curves": curves}])
 
 
 def envelope(

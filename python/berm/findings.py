@@ -13,9 +13,9 @@ from .program import PathLike, call, error_of, options, settings
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is found. level: error (the case cannot be run), warning or note. file, line, key: what it is about; line and key are
-    None where it is about none; set: the key of the change that it is about, None where it is about the file. expected: words that are
-    allowed there."""
+    """One thing that is found. level: error (the case cannot be run), warning or note. file, line, key: what it is about; line and key
+    are None where it is about none. set: the key of the change that it is about, None where it is about the file. expected: words that
+    are allowed there."""
 
     level: str
     file: str
@@ -26,6 +26,8 @@ class Finding:
     expected: tuple[str, ...] = ()
 
     def __str__(self) -> str:
+        if self.level == "note":
+            return self.message
         place = f"--set {self.set}" if self.set else f"{self.file}:{self.line}" if self.line else self.file
         key = self.key if self.key and not self.set else None
         return f"{self.level}: " + ": ".join(part for part in (place, key, self.message) if part)

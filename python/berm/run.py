@@ -79,8 +79,8 @@ class Run:
         return {name: of for name, of in self._by_what_they_are_of().items() if name not in self.states}
 
     def key_results(self, *, kinds: Sequence[str] = ("answer", "prescribed")) -> Any:
-        """A pandas.DataFrame of key results of these kinds (answer, prescribed, ratio, quality): quantity, value (SI), unit, of (the state or
-        travel), kind, meaning. Needs pandas."""
+        """A pandas.DataFrame of key results of these kinds (answer, prescribed, ratio, quality): quantity, value (SI), unit, of (the state
+        or travel), kind, meaning. Needs pandas."""
         pandas = imported("pandas", "python3-pandas")
         rows = [(name, q.value, q.unit, q.of, q.kind, q.meaning) for name, q in self.quantities.items() if q.kind in kinds]
         return pandas.DataFrame(rows, columns=["quantity", "value", "unit", "of", "kind", "meaning"])

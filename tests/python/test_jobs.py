@@ -3,6 +3,10 @@
 
 import csv
 import json
+import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -105,9 +109,8 @@ def test_units_of_charts_have_usual_prefixes() -> None:
 
 
 def test_an_envelope_has_its_probes_and_a_picture(tmp_path: Path) -> None:
-    import os
-
-    found = berm.envelope(Path(os.environ["BERM_SOURCE"]) / "examples" / "envelope" / "clay.toml", tmp_path, points=2, travel=0.01, quiet=True)
+    clay = Path(os.environ["BERM_SOURCE"]) / "examples" / "envelope" / "clay.toml"
+    found = berm.envelope(clay, tmp_path, points=2, travel=0.01, quiet=True)
     assert found.probes == {"down": "finished", "direction_-45": "finished", "swipe": "finished"}
     V, H = (column(tmp_path / "envelope.csv", f"{letter}_N_m") for letter in "VH")
     assert found.quantities["V_max"] == (V[0], "N/m", "", "answer", "") and np.isclose(found.quantities["H_max"].value, H.max())
@@ -124,14 +127,10 @@ def test_a_factor_of_safety_lies_between_what_stands_and_what_fails(tmp_path: Pa
 
 
 def test_the_engine_that_is_not_there_says_how_to_install_it(tmp_path: Path) -> None:
-    import shutil
-    import subprocess
-    import sys
-
     shutil.copytree(Path(berm.__file__).parent, tmp_path / "berm", ignore=shutil.ignore_patterns("engine*.so", "__pycache__"))
     for words in ("from berm import engine", "import berm.engine", "import berm; berm.engine"):
-        said = subprocess.run([sys.executable, "-c", words], cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)}, capture_output=True, text=True).stderr
-        assert "ImportError: berm.engine is compiled" in said and "python3-berm" in said
+        said = subprocess.run([sys.executable, "-c", words], cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)}, capture_output=True, text=True)
+        assert "ImportError: berm.engine is compiled" in said.stderr and "python3-berm" in said.stderr
 
 
 def test_laboratory_tests_are_fitted_without_an_input(tmp_path: Path) -> None:
