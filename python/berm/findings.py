@@ -35,8 +35,8 @@ class Finding:
 
 @dataclass(frozen=True)
 class Effort:
-    """What a run takes: cells, nodes, particles; memory (bytes, at most), time (s, of a free machine) and disk (bytes), NaN where not known;
-    lines: the same in words."""
+    """What a run takes: cells, nodes, particles; memory (bytes, at most), time (s, of a free machine) and disk (bytes), NaN where not
+    known; lines: the same in words."""
 
     cells: int
     nodes: int

@@ -129,7 +129,8 @@ def test_a_factor_of_safety_lies_between_what_stands_and_what_fails(tmp_path: Pa
 def test_the_engine_that_is_not_there_says_how_to_install_it(tmp_path: Path) -> None:
     shutil.copytree(Path(berm.__file__).parent, tmp_path / "berm", ignore=shutil.ignore_patterns("engine*.so", "__pycache__"))
     for words in ("from berm import engine", "import berm.engine", "import berm; berm.engine"):
-        said = subprocess.run([sys.executable, "-c", words], cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)}, capture_output=True, text=True)
+        alone = {"PYTHONPATH": str(tmp_path)}
+        said = subprocess.run([sys.executable, "-c", words], cwd=tmp_path, env=alone, capture_output=True, text=True)
         assert "ImportError: berm.engine is compiled" in said.stderr and "python3-berm" in said.stderr
 
 
