@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from .errors import InputError, RunError, Stopped
+from .errors import InputError, RunError
 from .program import PathLike, begin, error_of, options
 from .run import Run, words_of_run
 
@@ -51,7 +51,7 @@ class LiveRun:
     def __init__(self, words: Sequence[PathLike], folder: Path, threads: int | None, program: PathLike | None) -> None:
         """Use start(). Throws RunError where the program cannot be started."""
         self.folder = folder  #: of the run
-        self._threads, self._program = threads, program
+        self._words, self._threads, self._program = words, threads, program
         self._begin(words)
 
     def _begin(self, words: Sequence[PathLike]) -> None:
@@ -115,22 +115,21 @@ class LiveRun:
             raise error_of(self._process.returncode, self.messages)
         return Run(self.folder)
 
-    def stop(self) -> Run:
-        """Stops it as Ctrl-C does, waits until its checkpoint is written, and returns the run as it is. Throws InputError and RunError
-        where it had failed."""
+    def stop(self) -> None:
+        """Stops it as Ctrl-C does and waits until its checkpoint is written. Throws InputError and RunError where it had failed."""
         if self.running:
             self._process.send_signal(signal.SIGINT)
-        try:
-            return self.wait()
-        except Stopped:
-            return Run(self.folder)
+        self._waiter.join()
+        if self._process.returncode not in (0, 75, -signal.SIGINT):  # the last one: before the program could leave anything
+            raise error_of(self._process.returncode, self.messages)
 
     def resume(self) -> LiveRun:
-        """Lets a stopped run go on from its checkpoint. Throws InputError where it is still running."""
+        """Lets a stopped run go on from its checkpoint, or begin where it had not begun. Throws InputError where it is still running."""
         if self.running:
             raise InputError(f"{self.folder}: the run is running")
-        words, _ = words_of_run(None, None, resume=self.folder, threads=self._threads)
-        self._begin(words)
+        if self._process.returncode != -signal.SIGINT:
+            self._words, _ = words_of_run(None, None, resume=self.folder, threads=self._threads)
+        self._begin(self._words)
         return self
 
 

@@ -53,13 +53,21 @@ def test_a_run_is_stopped_resumed_and_comes_to_the_same_end(case: Path, tmp_path
         assert len(run.now.history) > 0
         with pytest.raises(berm.InputError, match="is running"):
             run.resume()
-        stopped = run.stop()
-        assert not run.running and not stopped.finished and any("stopped" in line for line in run.messages)
+        run.stop()
+        assert not run.running and not run.now.finished and any("stopped" in line for line in run.messages)
         finished = run.resume().wait()
         assert finished.finished and run.progress == (1, "drag", 0)
     assert children() == before
     whole = berm.run(case, tmp_path / "whole", set=LONG, threads=1, quiet=True)
     assert np.array_equal(whole.history["H"], finished.history["H"], equal_nan=True)
+
+
+def test_a_run_that_is_stopped_before_it_began_begins_when_it_is_resumed(case: Path, tmp_path: Path) -> None:
+    for wait in (0, 0.01, 0.03, 0.1):  # before and after the program waits for a signal
+        with berm.start(case, tmp_path / f"{wait}", threads=1) as run:
+            time.sleep(wait)
+            run.stop()
+            assert not run.running and run.resume().wait().finished
 
 
 def test_what_the_program_refuses_is_thrown_by_wait(case: Path, tmp_path: Path) -> None:
