@@ -15,54 +15,75 @@ Matplotlib are loaded by what needs them.
 import importlib
 from typing import Any
 
+from .commands import draw, export, fmu, kinds, new, report, soils, springs
 from .cpt import Cpt, cpt
 from .curves import Drag, Push
 from .cyclic import CyclicStrength, cyclic
+from .desk import Desk, desk
 from .element import element
+from .envelope import Envelope, envelope
 from .errors import InputError, RunError, Stopped
+from .findings import Effort, Finding, Findings, check
 from .fit import Fit, fit
 from .frames import Field, Frame
 from .history import Column, History
-from .macro_element import macro_element
+from .live import LiveRun, Progress, start
+from .macro_element import fit_macro_element, macro_element
 from .parameters import Parameter, parameters
-from .program import check, export, find_program, fmu, include_folder, new, report, springs, version
+from .program import find_program, include_folder, version
 from .quantity import Quantity
 from .route import Route, route
-from .run import Run, run
+from .run import Run, run, run_both
+from .safety import Safety, safety
 from .sea import SeaLoads, sea
 from .study import Estimate, Row, Study, open, study
+from .table import Table
 
 __version__ = "0.1.0"
 __all__ = [
     "Column",
     "Cpt",
     "CyclicStrength",
+    "Desk",
     "Drag",
+    "Effort",
+    "Envelope",
     "Estimate",
     "Field",
+    "Finding",
+    "Findings",
     "Fit",
     "Frame",
     "History",
     "InputError",
+    "LiveRun",
     "Parameter",
+    "Progress",
     "Push",
     "Quantity",
     "Route",
     "Row",
     "Run",
     "RunError",
+    "Safety",
     "SeaLoads",
     "Stopped",
     "Study",
+    "Table",
     "check",
     "cpt",
     "cyclic",
+    "desk",
+    "draw",
     "element",
+    "envelope",
     "export",
     "find_program",
     "fit",
+    "fit_macro_element",
     "fmu",
     "include_folder",
+    "kinds",
     "macro_element",
     "new",
     "open",
@@ -70,8 +91,12 @@ __all__ = [
     "report",
     "route",
     "run",
+    "run_both",
+    "safety",
     "sea",
+    "soils",
     "springs",
+    "start",
     "study",
     "version",
 ]
@@ -81,10 +106,4 @@ def __getattr__(name: str) -> Any:
     """The engine, which is compiled, when it is first asked for. Throws ImportError where it is not there."""
     if name != "engine":
         raise AttributeError(f"module 'berm' has no attribute {name!r}")
-    try:
-        return importlib.import_module("berm.engine")
-    except ModuleNotFoundError as error:
-        raise ImportError(
-            "berm.engine is compiled, and not beside this package: install python3-berm, or build it (ninja -C build/release "
-            "berm_python) and name build/release/python in PYTHONPATH"
-        ) from error
+    return importlib.import_module("berm.engine")

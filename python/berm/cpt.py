@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .program import PathLike, call
-from .run import default_folder
+from .program import PathLike, call, default_folder, options
 
 
 @dataclass(frozen=True)
@@ -39,9 +38,7 @@ def cpt(
     """Layers of a sounding. folder: where the results and their page go; else where the program puts them. location, n_kt, phi, thinnest:
     as of the command. Throws InputError and RunError."""
     into = Path(folder) if folder is not None else default_folder(file)
-    options = {"--location": location, "--n-kt": n_kt, "--phi": phi, "--thinnest": thinnest}
-    given = [str(word) for option, value in options.items() if value is not None for word in (option, value)]
-    call(["cpt", file, *given, "-o", into, *(["--force"] if force else [])], program=program)
+    call(["cpt", file, *options(location=location, n_kt=n_kt, phi=phi, thinnest=thinnest, output=into, force=force)], program=program)
     summary = json.loads((into / "summary.json").read_text(encoding="utf-8"))
     return Cpt(
         folder=into,

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .program import PathLike, call, settings
-from .run import default_folder
+from .program import PathLike, call, default_folder, options, settings
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ def cyclic(
     """Follows the storm of an input of berm cyclic along its contours. folder: where the results and their page go; else where the program
     puts them. set, force: as of berm.run. Throws InputError and RunError."""
     into = Path(folder) if folder is not None else default_folder(file)
-    call(["cyclic", file, *settings(set), "-o", into, *(["--force"] if force else [])], program=program)
+    call(["cyclic", file, *settings(set), "-o", into, *options(force=force)], program=program)
     summary = json.loads((into / "summary.json").read_text(encoding="utf-8"))
     values = {name: float("nan") if q["value"] is None else float(q["value"]) for name, q in summary["quantities"].items()}
     material = into / "material.toml"

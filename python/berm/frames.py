@@ -135,7 +135,7 @@ class Frame:
 
     def to_pyvista(self) -> Any:
         """The file as PyVista, which Debian 12 does not have, reads it."""
-        return imported("pyvista", "pyvista").read(str(self.file))
+        return imported("pyvista", "").read(str(self.file))
 
 
 def frames_in(run_folder: Path) -> list[tuple[float, Path, Path | None]]:

@@ -109,9 +109,10 @@ class History:
 
 
 def imported(module: str, package: str) -> Any:
-    """A module that only some functions need. Throws RunError that names its package."""
+    """A module that only some functions need. Throws ImportError that says how to install it; package: Debian's, "" where it has none."""
     try:
         return importlib.import_module(module)
     except ImportError:
-        how = f"apt-get install {package}" if package.startswith("python3-") else f"pip install {package}"
-        raise RunError(f"{module.partition('.')[0]} is not installed: {how}") from None
+        name = module.partition(".")[0]
+        debian = f"apt-get install {package}, or " if package else ""
+        raise ImportError(f"{name} is not installed: {debian}pip install {name}") from None

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .errors import InputError
+from .program import PathLike, call, options
 
 if TYPE_CHECKING:
     from .engine import MacroElement
@@ -30,3 +32,19 @@ def macro_element(file: str | Path) -> MacroElement:
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{path}: {error}") from error
     return MacroElement(text, str(path))
+
+
+def fit_macro_element(
+    *runs: PathLike,
+    folder: PathLike | None = None,
+    check: Sequence[PathLike] = (),
+    axial_friction: float | None = None,
+    program: PathLike | None = None,
+) -> Path:
+    """Fits a macro-element to runs or studies and returns its folder, which macro_element() opens.
+
+    folder: None, out/macro_element. check: runs that it is compared with. axial_friction: a coefficient in place of that of the runs'
+    contact. Throws InputError and RunError."""
+    into = Path(folder) if folder is not None else Path("out/macro_element")
+    call(["macro-element", *runs, *options(check=list(check), axial_friction=axial_friction, output=into)], program=program)
+    return into

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program berm: where it is, how it is called, and what it answers."""
+"""The program berm: where it is, how it is called, and how its errors become exceptions."""
 
 from __future__ import annotations
 
@@ -21,10 +21,11 @@ WARNING = "berm: warning: "
 
 
 class Answer(NamedTuple):
-    """What a command printed, and its messages (standard error) by line."""
+    """What a command printed, its messages (standard error) by line, and its exit status, which is 0 or one that was accepted."""
 
     text: str
     messages: list[str]
+    status: int = 0
 
     @property
     def warnings(self) -> list[str]:
@@ -87,24 +88,44 @@ def settings(changes: Mapping[str, Any]) -> list[PathLike]:
     return [word for key, value in changes.items() for word in ("--set", f"{key}={toml_value(value)}")]
 
 
-def call(arguments: Sequence[PathLike], *, quiet: bool = True, program: PathLike | None = None) -> Answer:
-    """Runs the program to its end; its messages go to stderr unless quiet. Ctrl-C is passed on, so that a run leaves a checkpoint, and a
-    second one ends the program at once. Throws InputError, RunError and Stopped with the program's own message."""
+def options(**values: Any) -> list[PathLike]:
+    """--n-kt 12 of n_kt=12: a flag where it is True, an option for each where it is a list; nothing of None and False."""
+    words: list[PathLike] = []
+    for name, value in values.items():
+        option = "--" + name.replace("_", "-")
+        if value is True:
+            words.append(option)
+        elif value is not None and value is not False:
+            for one in value if isinstance(value, (list, tuple)) else [value]:
+                words += [option, one if isinstance(one, os.PathLike) else str(one)]
+    return words
+
+
+def begin(arguments: Sequence[PathLike], program: PathLike | None, stdout: Any, stderr: Any) -> subprocess.Popen[str]:
+    """The program as a process in a session of its own: a terminal's Ctrl-C does not reach it. Throws RunError where it cannot start."""
     words = [find_program(program), *(os.fspath(word) for word in arguments)]
+    try:
+        return subprocess.Popen(
+            words,
+            stdin=subprocess.DEVNULL,
+            stdout=stdout,
+            stderr=stderr,
+            encoding="utf-8",
+            errors="replace",
+            start_new_session=True,
+        )
+    except OSError as error:
+        raise RunError(f"{words[0]}: {error.strerror}") from None
+
+
+def call(
+    arguments: Sequence[PathLike], *, quiet: bool = True, accept: Sequence[int] = (), program: PathLike | None = None
+) -> Answer:
+    """Runs the program to its end; its messages go to stderr unless quiet. Ctrl-C is passed on, so that a run leaves a checkpoint, and a
+    second one ends the program at once. accept: exit statuses besides 0 that are no errors. Throws InputError, RunError and Stopped with
+    the program's own message."""
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as printed:
-        # In a session of its own: a terminal's Ctrl-C reaches it once, from here.
-        try:
-            process = subprocess.Popen(
-                words,
-                stdin=subprocess.DEVNULL,
-                stdout=printed,
-                stderr=subprocess.PIPE,
-                encoding="utf-8",
-                errors="replace",
-                start_new_session=True,
-            )
-        except OSError as error:
-            raise RunError(f"{words[0]}: {error.strerror}") from None
+        process = begin(arguments, program, printed, subprocess.PIPE)
         messages: list[str] = []
         assert process.stderr is not None
         try:
@@ -116,10 +137,10 @@ def call(arguments: Sequence[PathLike], *, quiet: bool = True, program: PathLike
         except BaseException:
             end(process)
             raise
-        if process.returncode != 0:
+        if process.returncode != 0 and process.returncode not in accept:
             raise error_of(process.returncode, messages)
         printed.seek(0)
-        return Answer(printed.read(), messages)
+        return Answer(printed.read(), messages, process.returncode)
 
 
 def end(process: subprocess.Popen[str]) -> None:
@@ -137,7 +158,15 @@ def error_of(status: int, messages: Sequence[str]) -> Exception:
     if status == 75:
         stopped = [line[len(WARNING) :] for line in messages if line.startswith(WARNING + "stopped")]
         return Stopped("\n".join(stopped) or "stopped")
-    said = [line[len("berm: ") :] for line in messages if line.startswith("berm: ") and not line.startswith(WARNING)]
+    said: list[str] = []
+    goes_on = False  # a refusal may have further lines
+    for line in messages:
+        if line.startswith("berm: "):
+            goes_on = not line.startswith(WARNING)
+        elif status != 2:
+            goes_on = False
+        if goes_on:
+            said.append(line.removeprefix("berm: "))
     ended = f"berm was ended by {signal.Signals(-status).name}" if status < 0 else f"berm ended with status {status}"
     message = "\n".join(said) or "\n".join([ended, *[line for line in messages if line][-1:]])
     return InputError(message) if status == 2 else RunError(message)
@@ -148,77 +177,7 @@ def version(*, program: PathLike | None = None) -> str:
     return call(["--version"], program=program).text.split()[1]
 
 
-def new(
-    kind: str,
-    file: PathLike,
-    *,
-    size: str | None = None,
-    soil: str | None = None,
-    cpt: PathLike | None = None,
-    location: str | None = None,
-    n_kt: float | None = None,
-    phi: str | None = None,
-    program: PathLike | None = None,
-) -> Path:
-    """Writes a commented case to begin with, as `berm new` lists them: pipe-in-sand, pipe-in-clay, ...; with the options of that command:
-    size quick, normal or fine; a soil by its name; strength from a sounding. Throws InputError."""
-    given = {"size": size, "soil": soil, "cpt": cpt, "location": location, "n-kt": n_kt, "phi": phi}
-    options = [f"--{name}={os.fspath(v) if isinstance(v, os.PathLike) else v}" for name, v in given.items() if v is not None]
-    call(["new", kind, file, *options], program=program)
-    return Path(file)
-
-
-def check(case: PathLike, *, set: Mapping[str, Any] = {}, program: PathLike | None = None) -> str:
-    """What `berm check` says of a case: warnings, then size, memory, time. Throws InputError where it is wrong or makes no sense."""
-    answer = call(["check", case, *settings(set)], program=program)
-    return "".join(f"warning: {line}\n" for line in answer.warnings) + answer.text
-
-
-def fmu(case: PathLike, output: PathLike, *, set: Mapping[str, Any] = {}, program: PathLike | None = None) -> list[Path]:
-    """Writes the slice of soil of a case as functional mock-up units, OUTPUT.fmi2.fmu and OUTPUT.fmi3.fmu. Throws InputError."""
-    return [Path(line) for line in call(["fmu", case, *settings(set), "-o", output], program=program).text.splitlines()]
-
-
-def report(
-    *folders: PathLike, output: PathLike | None = None, pdf: bool = False, quiet: bool = True, program: PathLike | None = None
-) -> Path:
-    """Writes the page of one or several runs and returns its path. Throws InputError and RunError."""
-    words = ["report", *folders, *(["-o", output] if output is not None else []), *(["--pdf"] if pdf else [])]
-    return Path(call(words, quiet=quiet, program=program).text.splitlines()[0])
-
-
-def export(
-    *folders: PathLike,
-    to: str = "json",
-    output: PathLike | None = None,
-    state: str | None = None,
-    travels: Sequence[str] = (),
-    strength_ratio: float | None = None,
-    ocr_exponent: float | None = None,
-    consolidation: float | None = None,
-    interface_angle: float | None = None,
-    program: PathLike | None = None,
-) -> list[Path]:
-    """Springs of runs or studies for other programs (table, json, abaqus, orcaflex, ansys, sima, calculix, opensees, moordyn, buckpy), to
-    FOLDER/export or `output`; of a state of the pipe (None: operation) and these drags (none: those in it). strength_ratio and what follows
-    it: of clay that consolidated at the pipe, for its axial spring; the angle in degrees. Returns the files. Throws
-    InputError and RunError."""
-    words = ["export", *folders, "--to", to, *(["-o", output] if output is not None else [])]
-    words += [*(["--state", state] if state is not None else []), *(["--travels", ",".join(travels)] if travels else [])]
-    clay = {
-        "strength-ratio": strength_ratio,
-        "ocr-exponent": ocr_exponent,
-        "consolidation": consolidation,
-        "interface-angle": interface_angle,
-    }
-    for name, value in clay.items():
-        words += [f"--{name}", str(value)] if value is not None else []
-    return [Path(line) for line in call(words, program=program).text.splitlines()]
-
-
-def springs(folder: PathLike, *, program: PathLike | None = None) -> list[dict[str, Any]]:
-    """The springs of a run, or of each combination of a study with a sample, as `berm export --to json` writes them: N and m, None where a
-    number is not known. Throws InputError and RunError."""
-    with tempfile.TemporaryDirectory() as output:
-        files = export(folder, to="json", output=output, program=program)
-        return [json.loads(file.read_text(encoding="utf-8")) for file in files if file.suffix == ".json"]
+def default_folder(file: PathLike) -> Path:
+    """Where the program puts the results of a case or input: out/FOLDER/NAME of FOLDER/NAME.toml."""
+    path = Path(os.path.normpath(file))
+    return Path("out") / path.parent.name.strip(".") / path.stem

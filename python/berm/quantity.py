@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 
 class Quantity(NamedTuple):
@@ -15,3 +16,17 @@ class Quantity(NamedTuple):
     meaning: str
     kind: str = "answer"
     of: str = ""
+
+
+def quantities_in(entries: Mapping[str, Mapping[str, Any]]) -> dict[str, Quantity]:
+    """Those of a summary.json by name."""
+    return {
+        name: Quantity(
+            float("nan") if q.get("value") is None else float(q["value"]),
+            q.get("unit", "1"),
+            q.get("meaning", ""),
+            q.get("kind", "answer"),
+            q.get("of", ""),
+        )
+        for name, q in entries.items()
+    }

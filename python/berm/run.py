@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-import csv
 import json
-import os
 import tempfile
 import tomllib
 from bisect import bisect_left
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,9 +15,12 @@ from typing import TYPE_CHECKING, Any
 from .curves import HALF_WIDTH, Drag, Push, arrays_in
 from .errors import InputError, RunError
 from .frames import Frame, frames_in
-from .history import History
-from .program import PathLike, call, export, report, settings, springs
-from .quantity import Quantity
+from .history import History, imported
+from .job_charts import answering, charts_of
+from .commands import export, report, springs
+from .program import PathLike, call, default_folder, options, settings
+from .quantity import Quantity, quantities_in
+from .table import Table, read_table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -57,17 +58,32 @@ class Run:
     @cached_property
     def quantities(self) -> dict[str, Quantity]:
         """Key results by name."""
-        entries: dict[str, dict[str, Any]] = self.summary["quantities"]
-        return {
-            name: Quantity(
-                float("nan") if q.get("value") is None else float(q["value"]),
-                q.get("unit", "1"),
-                q.get("meaning", ""),
-                q.get("kind", "answer"),
-                q.get("of", ""),
-            )
-            for name, q in entries.items()
-        }
+        return quantities_in(self.summary["quantities"])
+
+    def _by_what_they_are_of(self) -> dict[str, dict[str, Quantity]]:
+        groups: dict[str, dict[str, Quantity]] = {}
+        for name, quantity in self.quantities.items():
+            if quantity.of:
+                groups.setdefault(quantity.of, {})[name.removeprefix(f"{quantity.of}.")] = quantity
+        return groups
+
+    @cached_property
+    def states(self) -> dict[str, dict[str, Quantity]]:
+        """The states of a pipe (touchdown, laid, operation ...) with V and w of each: run.states["operation"]["w"]. Empty where it has
+        none."""
+        return {name: of for name, of in self._by_what_they_are_of().items() if f"{name}.w" in self.quantities}
+
+    @cached_property
+    def travels(self) -> dict[str, dict[str, Quantity]]:
+        """Key results of each push, drag, lift or stage by the name of the stage ("push", of pushes: all together)."""
+        return {name: of for name, of in self._by_what_they_are_of().items() if name not in self.states}
+
+    def key_results(self, *, kinds: Sequence[str] = ("answer", "prescribed")) -> Any:
+        """A pandas.DataFrame of key results of these kinds (answer, prescribed, ratio, quality): quantity, value (SI), unit, of (the state
+        or travel), kind, meaning. Needs pandas."""
+        pandas = imported("pandas", "python3-pandas")
+        rows = [(name, q.value, q.unit, q.of, q.kind, q.meaning) for name, q in self.quantities.items() if q.kind in kinds]
+        return pandas.DataFrame(rows, columns=["quantity", "value", "unit", "of", "kind", "meaning"])
 
     @property
     def invalid(self) -> list[str]:
@@ -101,35 +117,38 @@ class Run:
         except (OSError, ValueError) as error:
             raise RunError(f"{self.folder / 'resolved.toml'}: {error}") from None
 
-    def _columns(self, name: str) -> dict[str, Any]:
-        """The columns of a CSV file of the folder: numbers as arrays, names as lists. Throws RunError where it is missing."""
-        import numpy as np
-
-        try:
-            rows = list(csv.reader((self.folder / name).read_text(encoding="utf-8").splitlines()))
-        except OSError as error:
-            raise RunError(f"{self.folder / name}: {error}") from None
-        columns = {head: [row[k] for row in rows[1:]] for k, head in enumerate(rows[0])}
-        return {
-            head: cells if head in ("body", "stage") else np.array([float(cell) if cell else float("nan") for cell in cells])
-            for head, cells in columns.items()
-        }
+    def table(self, name: str) -> Table:
+        """A CSV file of the folder by its name without .csv: columns as arrays, those of words as lists. Throws RunError where the run has
+        none."""
+        return read_table(self.folder / f"{name}.csv")
 
     @cached_property
-    def depth_profile(self) -> dict[str, Any]:
-        """Forces of the soil along the depth of bodies with depth_slices, by column of depth_profile.csv: body and stage as lists of
-        names, z_top_m, V_N_m, axial_top_N ... as arrays, a row a slice at the end of a stage. Throws RunError where the run has none."""
-        return self._columns("depth_profile.csv")
+    def depth_profile(self) -> Table:
+        """Forces of the soil along the depth of bodies with depth_slices: body and stage as words, z_top_m, V_N_m, axial_top_N ..., a row a
+        slice at the end of a stage. Throws RunError where the run has none."""
+        return self.table("depth_profile")
 
     @cached_property
-    def tz(self) -> dict[str, Any]:
-        """t-z curves of bodies with depth_slices that go up or down, by column of tz.csv. Throws RunError where the run has none."""
-        return self._columns("tz.csv")
+    def tz(self) -> Table:
+        """t-z curves of bodies with depth_slices that go up or down. Throws RunError where the run has none."""
+        return self.table("tz")
 
     @cached_property
-    def py(self) -> dict[str, Any]:
-        """p-y curves of a pile or skirt that is loaded sideways, by column of py.csv. Throws RunError where the run has none."""
-        return self._columns("py.csv")
+    def py(self) -> Table:
+        """p-y curves of a pile or skirt that is loaded sideways: z_m, u_at_bed_m, y_m, p_N_m. Throws RunError where the run has none."""
+        return self.table("py")
+
+    @cached_property
+    def line(self) -> Table:
+        """A pipeline at each frame, a row a node: time_s, stage, x_m along it, y_m sideways, z_m upwards from where it was laid, u_m along
+        it, P_N (compression positive), M_Nm, strains. Throws RunError where the run has none."""
+        return self.table("line")
+
+    @cached_property
+    def half_cycles(self) -> Table:
+        """Each half cycle under a varying force: stage, begin_s and end_s (of the record), u_begin_m, u_end_m, w_end_m. Throws RunError
+        where the run has none."""
+        return self.table("half_cycles")
 
     @cached_property
     def origin(self) -> dict[str, Any]:
@@ -204,13 +223,27 @@ class Run:
         """Writes the report's page, report.html in the folder, and returns its path."""
         return report(self.folder)
 
-    def plot(self) -> Any:
-        """V over w of the push, and H and w over u of drags, as in curves.png: a matplotlib Figure. Needs python3-matplotlib. Throws
-        InputError where nothing is driven."""
+    @cached_property
+    def charts(self) -> dict[str, dict[str, Any]]:
+        """The charts that plot() draws, by name: those of curves.json that have a curve, R_s of lifts, U_t of consolidation, half_cycles of
+        a varying force, y_x of a pipeline."""
+        return charts_of(self)
+
+    def plot(self, *charts: str) -> Any:
+        """The charts that answer the question of the run, or those that are named: a matplotlib Figure. V(w) of a push and H(u), w(u) of
+        drags are as in curves.png; a lift has R(s), a laterally loaded pile H(u) and its p-y curves, a penetrometer q(z), a storm its half
+        cycles, consolidation U(t), a pipeline y(x). Needs Matplotlib. Throws InputError where there is no such chart."""
+        from .charts_plot import plot_charts
         from .curves_plot import Curves, plot_curves
 
-        if not (self.push.w >= 0).any() and not self.drags:
-            raise InputError(f"{self.folder}: nothing has been pushed or dragged; draw columns of its history")
+        names = list(charts) or answering(self.charts)
+        unknown = [name for name in names if name not in self.charts]
+        if unknown:
+            raise InputError(f"{self.folder} has no chart {', '.join(unknown)}; it has {', '.join(self.charts) or 'none'}")
+        if names:
+            return plot_charts(self.title, [self.charts[name] for name in names])
+        if "V_w" not in self.charts and not self.drags:
+            raise InputError(f"{self.folder}: nothing has been pushed, lifted or dragged; draw columns of its history")
         return plot_curves(Curves(self.title, self.curves, self.diameter, self.case["method"] == "mpm", self.force_measure))
 
     def plot_soil(self, frame: int = -1, field: str = "deviatoric_strain", *, whole: bool = False) -> Any:
@@ -239,24 +272,18 @@ class Run:
             raise RunError(f"{file}: {error}") from None
 
 
-def run(
-    case: PathLike | None = None,
-    folder: PathLike | None = None,
+def words_of_run(
+    case: PathLike | None,
+    folder: PathLike | None,
     *,
     set: Mapping[str, Any] = {},
     threads: int | None = None,
     resume: bool | PathLike = False,
     force: bool = False,
-    quiet: bool = False,
-    program: PathLike | None = None,
-) -> Run:
-    """Runs a case and returns its run.
-
-    case: a TOML file. folder: where results go; else where the program puts them. set: changes, {"stage.drag.velocity": "2 m/s"}.
-    resume: True continues the run of this case that the folder holds, if there is one (one that is finished is only opened); or a
-    folder, without a case, whose run is continued. force: replaces an earlier run. quiet: no progress on stderr. Throws InputError,
-    RunError and Stopped with the program's message."""
-    words: list[PathLike] = ["--threads", str(threads)] if threads is not None else []
+    more: Sequence[PathLike] = (),
+) -> tuple[list[PathLike], Path]:
+    """The command of run() and the folder of its results. Throws InputError."""
+    words = [*options(threads=threads), *more]
     if isinstance(resume, bool):
         if case is None:
             raise InputError("either a case to run or a folder to resume must be given")
@@ -268,13 +295,57 @@ def run(
     if resume and (set or force):
         raise InputError("resume: a run continues with the changes that it was begun with: leave out set and force")
     if case is not None and not (resume and (into / "resolved.toml").is_file()):
-        words = ["run", case, *settings(set), "-o", into, *(["--force"] if force else []), *words]
-    else:
-        if case is not None and _bytes_of(case) != _bytes_of(into / "case.toml"):
-            raise InputError(f"resume: {into} holds a run of another case than {case}: name another folder")
-        words = ["run", "--resume", into, *words]
+        return ["run", case, *settings(set), "-o", into, *options(force=force), *words], into
+    if case is not None and _bytes_of(case) != _bytes_of(into / "case.toml"):
+        raise InputError(f"resume: {into} holds a run of another case than {case}: name another folder")
+    return ["run", "--resume", into, *words], into
+
+
+def run(
+    case: PathLike | None = None,
+    folder: PathLike | None = None,
+    *,
+    set: Mapping[str, Any] = {},
+    threads: int | None = None,
+    resume: bool | PathLike = False,
+    force: bool = False,
+    uncertainty: bool = False,
+    strict: bool = False,
+    no_programs: bool = False,
+    sandbox: bool = False,
+    no_sandbox: bool = False,
+    quiet: bool = False,
+    program: PathLike | None = None,
+) -> Run:
+    """Runs a case and returns its run.
+
+    case: a TOML file. folder: where results go; else where the program puts them. set: changes, {"stage.drag.velocity": "2 m/s"}.
+    resume: True continues the run of this case that the folder holds, if there is one (one that is finished is only opened); or a
+    folder, without a case, whose run is continued. force: replaces an earlier run. uncertainty: also runs on other cells and at another
+    speed, for bands about its results. strict: an answer that is invalid is a RunError. no_programs: refuses a case that brings a
+    geometry or a law; sandbox, no_sandbox: runs these so that they write only into the folder, or freely. quiet: no progress on stderr.
+    Throws InputError, RunError and Stopped with the program's message."""
+    more = options(uncertainty=uncertainty, strict=strict, no_programs=no_programs, sandbox=sandbox, no_sandbox=no_sandbox)
+    words, into = words_of_run(case, folder, set=set, threads=threads, resume=resume, force=force, more=more)
     call(words, quiet=quiet, program=program)
     return Run(into)
+
+
+def run_both(
+    case: PathLike,
+    folder: PathLike | None = None,
+    *,
+    set: Mapping[str, Any] = {},
+    threads: int | None = None,
+    force: bool = False,
+    quiet: bool = False,
+    program: PathLike | None = None,
+) -> tuple[Run, Run]:
+    """Runs a case by the material point method and by remeshed finite elements and returns both runs; the page of both lies in the folder.
+    Throws InputError, RunError and Stopped."""
+    words, into = words_of_run(case, folder, set=set, threads=threads, force=force, more=["--both"])
+    call(words, quiet=quiet, program=program)
+    return Run(into / "mpm"), Run(into / "fem")
 
 
 def _bytes_of(file: PathLike) -> bytes:
@@ -282,9 +353,3 @@ def _bytes_of(file: PathLike) -> bytes:
         return Path(file).read_bytes()
     except OSError as error:
         raise InputError(f"{file}: {error.strerror}") from None
-
-
-def default_folder(case: PathLike) -> Path:
-    """Where the program puts the results of a case: out/FOLDER/NAME of FOLDER/NAME.toml."""
-    file = Path(os.path.normpath(case))
-    return Path("out") / file.parent.name.strip(".") / file.stem

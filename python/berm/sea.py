@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .program import PathLike, call, settings
-from .run import default_folder
+from .program import PathLike, call, default_folder, options, settings
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,7 @@ def sea(
     """Loads of the sea state of an input of berm sea. folder: where the results and their page go; else where the program puts them. set,
     force: as of berm.run. Throws InputError and RunError."""
     into = Path(folder) if folder is not None else default_folder(file)
-    call(["sea", file, *settings(set), "-o", into, *(["--force"] if force else [])], program=program)
+    call(["sea", file, *settings(set), "-o", into, *options(force=force)], program=program)
     summary = json.loads((into / "summary.json").read_text(encoding="utf-8"))
 
     def of_seeds(name: str) -> list[Path]:

@@ -11,9 +11,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
+from .commands import springs
 from .errors import InputError, RunError
 from .history import imported
-from .program import PathLike, call, springs
+from .program import PathLike, call, options
 from .quantity import Quantity
 from .run import Run
 
@@ -226,9 +227,23 @@ def open(folder: PathLike, kind: type[Run] | type[Study] | None = None) -> Run |
     return kind(folder)
 
 
-def study(file: PathLike, folder: PathLike, *, threads: int | None = None, quiet: bool = False, program: PathLike | None = None) -> Study:
+def study(
+    file: PathLike,
+    folder: PathLike,
+    *,
+    threads: int | None = None,
+    runner: str | None = None,
+    sbatch: str | None = None,
+    pack: int | None = None,
+    no_wait: bool = False,
+    quiet: bool = False,
+    program: PathLike | None = None,
+) -> Study:
     """Runs a study (study.toml or its folder), `threads` runs at a time, and returns it; what has its result already is not run again.
-    Throws InputError, RunError (also where a row failed: open(folder) has the others) and Stopped."""
-    words = ["study", file, "-o", folder, *(["--threads", str(threads)] if threads is not None else [])]
-    call(words, quiet=quiet, program=program)
+
+    runner: "slurm", or a command with {jobs}, the file of one command a line; sbatch: options of Slurm; pack: runs a task of Slurm;
+    no_wait: hands the runs over and returns, and the same call later collects their results. Throws InputError, RunError (also where a row
+    failed: open(folder) has the others) and Stopped."""
+    jobs = options(threads=threads, runner=runner, sbatch=sbatch, pack=pack, no_wait=no_wait)
+    call(["study", file, "-o", folder, *jobs], quiet=quiet, program=program)
     return Study(folder)

@@ -26,6 +26,8 @@ void write_units(const simulation::RunRequest& request)
       if (file.has_parent_path()) io::make_folder(file.parent_path());
       io::write_atomically(file, unit);
       fmt::print("{}\n", file.string());
+    } catch (const fmu::NoDrive& error) {
+      throw InputError(fmt::format("{}:\n\n{}", request.places.located(error).text(), error.stage));
     } catch (const KeyError& error) {
       throw input::LocatedError(request.places.located(error));
     }

@@ -9,8 +9,9 @@ import pytest
 NOTEBOOKS = sorted((Path(os.environ["BERM_SOURCE"]) / "examples" / "notebooks").glob("*.ipynb"))
 
 
-def test_there_are_three() -> None:
-    assert [notebook.stem for notebook in NOTEBOOKS] == ["first_run", "law_of_my_own", "study_with_uncertainty"]
+def test_there_is_one_for_each_job() -> None:
+    jobs = ["buckle", "cpt", "flowline", "pile", "storm", "uplift"]
+    assert [notebook.stem for notebook in NOTEBOOKS] == sorted([*jobs, "first_run", "law_of_my_own", "study_with_uncertainty"])
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)

@@ -36,6 +36,11 @@ def test_all_names_of_the_package_are_there() -> None:
     assert sorted(berm.__all__) == berm.__all__ and all(hasattr(berm, name) for name in berm.__all__)
 
 
+def test_the_reference_of_the_site_has_all_names_of_the_package() -> None:
+    page = (SOURCE / "docs" / "site" / "python.md.in").read_text()
+    assert sorted(re.findall(r"^\.\. auto(?:function|class|exception):: berm\.(\w+)$", page, re.M)) == berm.__all__
+
+
 def test_modules_import_one_another_in_one_direction() -> None:
     package = SOURCE / "python" / "berm"
     uses = {

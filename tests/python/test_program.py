@@ -51,6 +51,7 @@ def test_a_program_is_taken_by_name_then_from_the_environment_then_from_beside_t
         ("echo 'berm: warning: odd' >&2; echo 'berm: it failed' >&2; exit 1", berm.RunError, "^it failed$"),
         ("echo 'berm: warning: stopped at t = 1 s' >&2; echo more >&2; exit 75", berm.Stopped, "^stopped at t = 1 s$"),
         ("kill -KILL $$", berm.RunError, "^berm was ended by SIGKILL"),
+        ("echo 'berm: wrong:' >&2; echo 'append this' >&2; exit 2", berm.InputError, "^wrong:\nappend this$"),
         ("echo 'cannot open shared object' >&2; exit 127", berm.RunError, "status 127\ncannot open shared object"),
     ],
 )
@@ -58,7 +59,7 @@ def test_an_exit_status_is_an_exception_with_the_message(
     pretended: Callable[[str], Path], line: str, kind: type[Exception], message: str
 ) -> None:
     with pytest.raises(kind, match=message):
-        berm.check("case.toml", program=pretended(line))
+        berm.report("out", program=pretended(line))
 
 
 def test_a_program_that_cannot_be_started_is_named(tmp_path: Path) -> None:
@@ -77,11 +78,28 @@ def test_progress_goes_to_stderr_unless_quiet(case: Path, tmp_path: Path, capsys
     assert capsys.readouterr().err == ""
 
 
-def test_a_check_says_sizes_and_warnings_and_refuses_what_is_wrong(case: Path) -> None:
-    said = berm.check(case, set={"body.sand.k0": 4})
-    assert "warning: --set body.sand.k0" in said and "particles" in said
-    with pytest.raises(berm.InputError, match="friction_angel.*friction_angle"):
-        berm.check(case, set={"material.sand.friction_angel": 1})
+def test_a_check_has_findings_and_what_a_run_takes(case: Path) -> None:
+    found = berm.check(case, threads=1)
+    assert not found.errors and found.effort is not None and found.effort.particles > 0 < found.effort.time
+    assert "particles" in str(found) and found.of("note") == [each for each in found if each.level == "note"]
+    warning, *others = berm.check(case, set={"body.sand.k0": 4}).warnings
+    assert all(each.line and each.file == str(case) for each in others)
+    assert warning.set == warning.key == "body.sand.k0" and str(warning).startswith("warning: --set body.sand.k0: ")
+
+
+def test_what_is_wrong_with_a_case_is_found_with_its_place(case: Path, tmp_path: Path) -> None:
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(case.read_text().replace('law = "mohr_coulomb"', 'law = "mohr_colomb"'))
+    found = berm.check(wrong)
+    (error,) = found.errors
+    line = wrong.read_text()[: wrong.read_text().index("mohr_colomb")].count("\n") + 1
+    assert (error.file, error.line, error.key) == (str(wrong), line, "material.sand.law") and "mohr_coulomb" in error.expected
+    assert found.effort is None and str(found).startswith(f"error: {wrong}:{line}: material.sand.law: ")
+    text = subprocess.run([berm.find_program(), "check", wrong], capture_output=True, text=True).stderr
+    assert text.removeprefix("berm: ").startswith(str(error).removeprefix("error: ")), "the same words"
+    assert "no such file" in berm.check(tmp_path / "none.toml").errors[0].message
+    with pytest.raises(berm.InputError, match="--threads"):
+        berm.check(case, threads=0)
 
 
 def test_changes_are_written_as_toml() -> None:
@@ -109,7 +127,7 @@ def test_parameters_are_those_of_the_manual() -> None:
 
 def test_a_case_is_changed_by_numbers_of_numpy_and_by_paths(case: Path) -> None:
     sizes = [
-        [line for line in berm.check(case, set=changes).splitlines() if "cells" in line]
+        [line for line in str(berm.check(case, set=changes)).splitlines() if "cells" in line]
         for changes in (
             {"gravity": [0.0, -490.5], "mesh.cells": [40, 20]},
             {"gravity": np.array([0, -490.5]), "mesh.cells": np.array([40, 20]), "title": Path("a/b")},
@@ -120,7 +138,7 @@ def test_a_case_is_changed_by_numbers_of_numpy_and_by_paths(case: Path) -> None:
 
 
 def test_a_commented_case_can_be_begun_with(tmp_path: Path) -> None:
-    assert "particles" in berm.check(berm.new("pipe-in-clay", tmp_path / "pipe.toml"))
+    assert "particles" in str(berm.check(berm.new("pipe-in-clay", tmp_path / "pipe.toml")))
     quick = berm.new("pipe-in-clay", tmp_path / "quick.toml", size="quick", soil="kaolin")
     assert "Kaolin" in quick.read_text() and quick.read_text() != (tmp_path / "pipe.toml").read_text()
     (tmp_path / "cpt.csv").write_text("depth_m,qt_MPa\n" + "".join(f"{0.1 * k:.1f},{0.03 + 0.02 * k:.3f}\n" for k in range(1, 40)))

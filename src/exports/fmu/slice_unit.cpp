@@ -7,7 +7,6 @@
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/sha256.hpp"
-#include "os/error.hpp"
 
 #include <fmt/format.h>
 
@@ -34,6 +33,20 @@ Unit unit_of(const std::string& token)
           .token = token};
 }
 
+/// What a case lacks. A body without mass has no force that would hold it.
+std::string drive_stage(bool has_mass)
+{
+  return fmt::format(R"([[stage]]
+name = "co_simulation"
+kind = "drive"
+drive.x.velocity = 0
+{}
+until.time = "60 s"    # at least as long as the co-simulation
+)",
+                     has_mass ? "drive.y.hold = true    # V stays as it is; for a depth that stays: drive.y.velocity = 0"
+                              : "drive.y.velocity = 0   # the depth stays as it is; with a mass of the body also V: drive.y.hold = true");
+}
+
 void refuse_other_than_slice(const settings::Case& c)
 {
   if (c.method != settings::Method::mpm) throw KeyError("method: FMU export needs method = \"mpm\", the material point method");
@@ -41,12 +54,15 @@ void refuse_other_than_slice(const settings::Case& c)
     throw KeyError("geometry: FMU export needs geometry = \"plane_strain\": the unit is a slice of soil across a pipe");
   if (c.rigid.size() != 1)
     throw KeyError(fmt::format("rigid: FMU export needs one rigid body, which the co-simulation moves; here there are {}", c.rigid.size()));
+  if (c.pipeline)
+    throw KeyError(
+        "pipeline: FMU export needs a case without a pipeline: the unit is one slice of soil, and the co-simulation has the line");
   const settings::StageSettings& last = c.stage.back();
   if (last.kind != settings::StageKind::drive)
-    throw KeyError(fmt::format(
-        "stage[{}].kind: FMU export needs kind = \"drive\" as the last stage, which the co-simulation moves: add a stage behind \"{}\" "
-        "with kind = \"drive\", drive.x.velocity = 0, drive.y.hold = true and until.time as long as the co-simulation",
-        c.stage.size() - 1, last.name));
+    throw NoDrive(fmt::format("stage[{}].kind: FMU export needs kind = \"drive\" as the last stage, which the co-simulation moves; append "
+                              "it after \"{}\"",
+                              c.stage.size() - 1, last.name),
+                  drive_stage(c.rigid.front().second.mass > 0));
 }
 
 constexpr std::string_view dependencies =

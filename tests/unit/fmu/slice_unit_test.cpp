@@ -93,6 +93,7 @@ TEST(SliceUnit, is_refused_where_the_case_is_no_slice_that_its_last_stage_drives
   const auto error_with = [](const std::vector<std::string>& set) { return test::error_of<KeyError>([&] { unit_with(set); }); };
   EXPECT_EQ(error_with({"stage.follow.kind=\"free\"", "stage.follow.drive={}"}).substr(0, 70),
             "stage[2].kind: FMU export needs kind = \"drive\" as the last stage, whic");
+  EXPECT_THROW(unit_with({"stage.follow.kind=\"free\"", "stage.follow.drive={}"}), NoDrive);
   settings::Case settings = slice_with({});
   settings.geometry = settings::Geometry::axisymmetric;
   const auto error_of = [&] { return test::error_of<KeyError>([&] { fmu_of_slice(settings, "", 2); }); };
@@ -103,6 +104,32 @@ TEST(SliceUnit, is_refused_where_the_case_is_no_slice_that_its_last_stage_drives
   settings = slice_with({});
   settings.method = settings::Method::fem;
   EXPECT_EQ(error_of().substr(0, 7), "method:");
+  settings = slice_with({});
+  settings.pipeline.emplace();
+  EXPECT_EQ(error_of().substr(0, 9), "pipeline:");
+}
+
+TEST(SliceUnit, is_made_of_a_case_with_the_stage_that_its_refusal_gives)
+{
+  const io::ScratchFolder folder;
+  std::ifstream read(slice);
+  std::string text{std::istreambuf_iterator<char>(read), {}};
+  text.erase(text.find("# Its caller drives it"), text.find("[output]") - text.find("# Its caller drives it"));
+  for (const char* mass : {"mass = \"1 kg/m\"", ""}) {
+    std::string of_body = text;
+    of_body.replace(of_body.find("mass = \"1 kg/m\""), 15, mass);
+    const std::filesystem::path file = folder.path() / "case.toml";
+    std::ofstream(file) << of_body;
+    std::string stage;
+    try {
+      fmu_of_slice(input::read_case(file, {}), folder.path(), 3);
+    } catch (const NoDrive& error) {
+      stage = error.stage;
+    }
+    EXPECT_EQ(stage.find("hold = true    #") != std::string::npos, *mass != 0) << stage;
+    std::ofstream(file, std::ios::app) << "\n" << stage;
+    expect_in_order(fmu_of_slice(input::read_case(file, {}), folder.path(), 3), {"stage co_simulation\n"});
+  }
 }
 
 }  // namespace
