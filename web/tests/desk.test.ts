@@ -216,7 +216,7 @@ test("two_runs_are_compared_and_springs_are_written", async () => {
 
 test("warnings_of_an_export_are_shown", async () => {
   await page.route("**/api/export", (route) => route.fulfill({ json: { files: ["out/pipe/export/springs.csv", "out/pipe/export/plots/springs.gp"], warnings: ["pipe: there is no lateral spring"] } }));
-  await page.getByRole("button", { name: "Export" }).click();
+  await page.getByRole("button", { name: "Export", exact: true }).click();
   await page.locator("p.fair", { hasText: "there is no lateral spring" }).waitFor();
   assert.equal(await page.locator("button.file").count(), 1, "files of gnuplot are not offered");
   await page.unroute("**/api/export");
