@@ -69,7 +69,7 @@ Json json_in(const std::string& text)
   throw Refusal(422, reason_in(text));
 }
 
-constexpr std::string_view before_warning = "berm: warning: ";
+constexpr std::string_view before_warning = "warning: ";
 constexpr const char* shown_types[] = {".html", ".pdf", ".svg", ".png", ".csv", ".json", ".txt"};
 
 std::vector<fs::path> made_in(const fs::path& folder)

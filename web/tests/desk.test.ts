@@ -214,6 +214,14 @@ test("two_runs_are_compared_and_springs_are_written", async () => {
   assert.ok((await downloaded(() => file.click())).length > 0);
 });
 
+test("warnings_of_an_export_are_shown", async () => {
+  await page.route("**/api/export", (route) => route.fulfill({ json: { files: ["out/pipe/export/springs.csv", "out/pipe/export/plots/springs.gp"], warnings: ["pipe: there is no lateral spring"] } }));
+  await page.getByRole("button", { name: "Export", exact: true }).click();
+  await page.locator("p.fair", { hasText: "there is no lateral spring" }).waitFor();
+  assert.equal(await page.locator("button.file").count(), 1, "files of gnuplot are not offered");
+  await page.unroute("**/api/export");
+});
+
 test("a_study_of_low_and_high_values_shows_its_table_and_tornado", async () => {
   await go("/run?path=out%2Fpipe_2");
   await page.getByRole("button", { name: "Low, best, high …" }).click();
