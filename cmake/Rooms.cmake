@@ -40,7 +40,8 @@ function(berm_compile_for unit target)
     target_compile_options(${target} PRIVATE -march=${unit})
   endif()
   if(unit STREQUAL "x86-64-v4")
-    target_compile_options(${target} PRIVATE -mprefer-vector-width=512)
+    # gcc 12 takes the undefined upper half in its own intrinsics, which Eigen's products use, for a variable without a value.
+    target_compile_options(${target} PRIVATE -mprefer-vector-width=512 $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized>)
   endif()
 endfunction()
 
