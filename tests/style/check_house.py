@@ -463,6 +463,28 @@ def prose(tree):
                     yield f"{path}:{number}: '{found.group()}': {better}"
 
 
+def said(path, text):
+    """What a user reads of a file, by lines: pages and cases whole, of a program its strings."""
+    if path.endswith((".md", ".toml", ".ipynb")):
+        return text.splitlines()
+    plain = [re.sub(r"^\s*(?://|#).*", "", line) for line in text.splitlines()]
+    return [" ".join(re.findall(r'"(?:\\.|[^"\\])*"|`[^`]*`|\'(?:\\.|[^\'\\])*\'', line)) for line in plain]
+
+
+def glossary(tree):
+    """Messages, pages and guides use the terms of docs/glossary.md, and no phrase of its third column."""
+    rows = re.findall(r"^\| (.+?) \| .+? \| ?(.*?) ?\|$", tree.read("docs/glossary.md"), re.M)
+    terms = {phrase: term for term, phrases in rows for phrase in re.findall(r"`(.+?)`", phrases)}
+    places = ("src/", "web/src/", "python/", "docs/", "examples/", "README.md")
+    for path in tree.ending(CPP + (".in", ".ts", ".py", ".md", ".toml", ".ipynb")):
+        if not path.startswith(places) or path.startswith("docs/decisions/") or path == "docs/glossary.md":
+            continue
+        for number, line in enumerate(said(path, tree.read(path)), 1):
+            for phrase, term in terms.items():
+                if re.search(rf"\b{re.escape(phrase)}\b", line, re.I):
+                    yield f"{path}:{number}: '{phrase}': the glossary has '{term}'"
+
+
 def decisions(tree):
     """Each decision has 60 lines at most, one line in the table of decisions and a link to its annex, and no change stands twice in the list of changes."""
     table = re.findall(r"^\| \[\d+\]\((.+?)\)", tree.read("docs/decisions/README.md"), re.MULTILINE)

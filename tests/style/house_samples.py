@@ -6,6 +6,7 @@ SPDX = "// " + LICENCE + "\n"
 TIERS = "berm_room(engine/core ENGINE)\nberm_room(engine/mesh ENGINE USES core)\nberm_room(methods/mpm ENGINE USES core mesh)\nberm_room(case/input/inner USES mpm LINKS toml)\n"
 CELL = '{"cell_type": "code", "source": ["sticky = 1"], "outputs": []}'
 NOTEBOOK = f'{{"metadata": {{"license": "{LICENCE}"}}, "cells": [{CELL}]}}'
+GLOSSARY = "| displacement | of a body | `largest way`, `its turn` |\n"
 EXAMPLE = {"examples/slope/README.md": "a", "examples/slope/case.toml": "a", "examples/slope/expected.toml": "a"}
 
 SAMPLES = {
@@ -126,6 +127,14 @@ SAMPLES = {
     "prose": (
         [{"README.md": "a\n" * 61}, {"examples/a/README.md": "a\n" * 61}, {"docs/a.md": "at zero cells.\nThe number wavers.\n"}, {"docs/a.md": "V swings.\n"}, {"docs/a.md": "All but for the last.\n"}, {"docs/a.md": "9 particles a cell\n"}],
         [{"README.md": "a\n" * 60, "docs/README.md": "a\n" * 61, "docs/decisions/0001-a.md": "It wavers.\n", "examples/a/results.md": "a\n" * 61}],
+    ),
+    "glossary": (
+        [
+            {"docs/glossary.md": GLOSSARY, "src/a.cpp": 'const char* a = "the largest way of it";\n'},
+            {"docs/glossary.md": GLOSSARY, "docs/how_to/a.md": "Its largest way.\n"},
+            {"docs/glossary.md": GLOSSARY, "web/src/a.ts": "const a = `Largest way ${u}`;\n"},
+        ],
+        [{"docs/glossary.md": GLOSSARY, "src/a.cpp": "// the largest way\nint largest_way;\n", "docs/decisions/0001-a.md": "its largest way", "tests/a.py": "'largest way'"}],
     ),
     "decisions": (
         [

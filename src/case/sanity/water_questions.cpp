@@ -31,10 +31,10 @@ void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
       if (own < heaviest_in_water || own > 4000) continue;
       const std::optional<material::Strength> strength = strength_at_rest(asked);
       const bool is_clay = strength && strength->friction_angle == 0;  // no undrained strength without water
-      const std::string why = as_weight                  ? "soil weighs 3 to 12 kN/m3 in water, 14 to 22 with it"
+      const std::string why = as_weight                  ? "the effective unit weight of soil is 3 to 12 kN/m3, the saturated one 14 to 22"
                               : has_pore_pressure(asked) ? "the pore pressure carries the weight of its water, and density gives the rest"
                               : inertia_density(asked) != own && inertia_density(asked) < heaviest_saturated
-                                  ? "inertia_density is that of the soil with its water, so density is to give the weight in water"
+                                  ? "inertia_density is that of the soil with its water, so density is to give the effective unit weight"
                               : seabed && (own >= heaviest_dry || is_clay)
                                   ? "it is that of soil with water in its pores, and a seabed lies in water"
                                   : "";

@@ -92,7 +92,7 @@ std::vector<Quantity> quantities(const SeaResults& results)
                            {"displacement_deviation", "", "its standard deviation", moved.largest.deviation, "m", soil},
                            {"displacement_largest", "", "the largest of all realisations", moved.largest_of_all, "m", soil},
                            {"displacement_end", "", "displacement at the end of a realisation, mean", moved.end.mean, "m", soil},
-                           {"half_cycle", "", "largest displacement between two turns, mean", moved.half_cycle.mean, "m", soil},
+                           {"half_cycle", "", "largest half-cycle displacement, mean", moved.half_cycle.mean, "m", soil},
                            {"largest_embedment", "", "largest embedment in a realisation, mean", moved.embedment.mean, "m", soil},
                            {"displacement_of_largest_waves", "", "largest displacement in the largest waves of seed 1",
                             moved.waves_of_first.largest, "m", soil}});
