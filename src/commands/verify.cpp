@@ -15,7 +15,7 @@ Command add_verify(CLI::App& program)
 {
   struct Options : CaseOptions {
     verification::ProblemChoice problems;
-    bool list = false, requirements = false;
+    bool list = false, requirements = false, quote = false;
   };
   const auto options = std::make_shared<Options>();
   options->output = "out/verification";
@@ -29,6 +29,7 @@ Command add_verify(CLI::App& program)
   app->add_option("--chapter", options->problems.chapter,
                   fmt::format("one chapter of the book: {}", text_of_list(expectations::chapter_words, ", ")));
   app->add_flag("--force", options->force, "rerun problems that have a result already");
+  app->add_flag("--quote", options->quote, "put the numbers of the runs into the pages that quote them");
   app->add_option("--examples", options->problems.examples, "folder of the examples (default: examples)");
   app->add_option("-o,--output", options->output, "folder for the book and its runs (default: out/verification)");
   options->take_jobs(*app);
@@ -38,7 +39,7 @@ Command add_verify(CLI::App& program)
             if (options->requirements) return list_requirements(options->problems, options->output), 0;
             catch_interrupts();
             messages_to_stderr();
-            return status_of(verification::verify({options->problems, options->output, options->runner(), options->force}));
+            return status_of(verification::verify({options->problems, options->output, options->runner(), options->force, options->quote}));
           }};
 }
 

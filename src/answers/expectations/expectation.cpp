@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "expectations/expectation.hpp"
 
+#include "expectations/quotation.hpp"
 #include "input/reader.hpp"
+#include "os/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -35,6 +37,27 @@ void check_runs(Describe& d, const std::string& path, const Expectation& e, cons
   std::sort(sorted.begin(), sorted.end());
   d.check(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end(), path + ".runs", "names a run twice");
   d.check(e.limit.has_value() != e.runs.empty(), path + (e.limit ? ".limit" : ""), "runs and a limit go together");
+}
+
+/// The value that a page quotes is the one to expect, within one unit of its last digit.
+void take_quotation(Describe& d, const std::string& path, Expectation& e)
+{
+  d.check(e.quoted_unit.empty() || !e.quoted.empty(), path + ".quoted_unit", "needs quoted");
+  if (e.quoted.empty()) return;
+  d.check(!is_judged(e) && !e.tolerance && !e.absolute_tolerance && e.held == Held::not_asked, path + ".quoted",
+          "is the value to expect, to its last digit: leave out exact, least, most, held and the tolerances");
+  try {
+    const Quotation quotation = quotation_of(e);
+    e.exact = quotation.value;
+    e.absolute_tolerance = quotation.last_digit;
+    e.unit = quotation.si_unit;
+  } catch (const InputError& error) {
+    d.check(false, path + ".quoted", error.what());
+  }
+  if (e.source.empty()) e.source = e.page;
+  if (e.why.empty()) e.why = "one unit of the last digit that the page gives";
+  if (e.requirement.empty()) e.requirement = "Pages quote numbers of their runs.";
+  if (e.derived.empty()) e.derived = e.page;
 }
 
 /// What must fit together in one expectation.
@@ -101,6 +124,7 @@ void check_claim(Describe& d, const std::string& path, const Claim& claim, const
     const std::string own = fmt::format("{}.expect[{}]", path, k);
     d.check(!e.run.empty() || !claim.runs.empty(), own, "needs a run, here or as one of the claim's runs");
     d.check(e.runs.empty(), own + ".runs", "a claim has no orders of convergence");
+    d.check(e.quoted.empty(), own + ".quoted", "a claim is not quoted: its numbers are those of others");
     d.check(!e.label.empty(), own, "needs a label, which says what the number is");
     d.check(!e.partly || is_judged(e), own + ".partly", "needs exact or bounds");
   }
@@ -153,6 +177,9 @@ void describe(Describe& d, Expectation& e)
                        "least and most"});
   d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .any_unit = unit});
   d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .any_unit = unit});
+  d.value("quoted", e.quoted, {.meaning = "instead of exact: text of a page that quotes the number, which stands in braces with its unit"});
+  d.value("quoted_unit", e.quoted_unit, {.meaning = "unit of that number, where it is not in the text"});
+  d.value("page", e.page, {.meaning = "file of the example that has that text"});
   d.value("partly", e.partly,
           {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound over that bound, up to which it holds partly",
            .range = positive,
@@ -202,6 +229,7 @@ void describe(Describe& d, Expectations& all)
   for (std::size_t k = 0; k < all.expect.size(); ++k) {
     const std::string path = fmt::format("expect[{}]", k);
     check_runs(d, path, all.expect[k], names);
+    take_quotation(d, path, all.expect[k]);
     check(d, path, all.expect[k]);
     check_band(d, path, all.expect[k], all);
     check_element(d, path, all.expect[k], all);

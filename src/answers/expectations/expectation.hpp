@@ -42,7 +42,9 @@ struct Expectation {
   std::optional<Real> exact, min, max;                ///< of the number in SI units, or of the order; either exact or bounds
   std::optional<Real> tolerance, absolute_tolerance;  ///< of exact: relative, or in its unit
   Held held = Held::not_asked;
-  std::string unit;  ///< SI, of these and of limit as they are written; "" where they have none
+  std::string quoted, quoted_unit;  ///< text of a page that quotes the number, in braces: the value to expect, to its last digit
+  std::string page = "README.md";   ///< in the example's folder
+  std::string unit;                 ///< SI, of these and of limit as they are written; "" where they have none
   std::string source, why;
   std::string requirement, derived;  ///< what the user may rely on, and where that is derived
   std::string label;                 ///< of a claim: what the number is, in words

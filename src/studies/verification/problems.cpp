@@ -4,6 +4,7 @@
 
 #include "input/message_text.hpp"
 #include "os/error.hpp"
+#include "verification/quoted_pages.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ using expectations::expected_file;
 Example read_example(const fs::path& folder)
 {
   const expectations::Expectations all = expectations::read_expectations(folder / expected_file);
+  check_quotations(folder, all.expect);
   const fs::path clean = fs::absolute(folder / "").lexically_normal();
   return {clean.parent_path().filename().string(), folder, all.chapter, all.run, all.expect};
 }

@@ -5,6 +5,7 @@
 #include "io/tell.hpp"
 #include "verification/book_html.hpp"
 #include "verification/book_index.hpp"
+#include "verification/quoted_pages.hpp"
 #include "verification/requirements.hpp"
 #include "verification/run_problems.hpp"
 #include "verification/trust_page.hpp"
@@ -131,6 +132,7 @@ jobs::Outcome verify(const VerifyRequest& request)
              queued ? "collects the others" : "goes on from there");
   write_book(request.output, pages, questions);
   io::tell("the book is {}\n", (request.output / "index.html").string());
+  if (request.quote) quote_results(pages);
   if (unfinished > 0) return jobs::Outcome::unfinished;
   return all_met(pages) ? jobs::Outcome::done : jobs::Outcome::failed;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "expectations/expectation.hpp"
+#include "expectations/quotation.hpp"
 
 #include "input/reader.hpp"
 #include "os/error.hpp"
@@ -100,6 +100,36 @@ TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)
   EXPECT_FALSE(is_met(ratio, 0.969));
   EXPECT_NE(complaint(runs + "over = \"c\"\n").find("there is no such [run.NAME]"), std::string::npos);
   EXPECT_NE(complaint(runs + "over = \"a\"\n").find("needs a run, and another one"), std::string::npos);
+}
+TEST(Expectation, may_be_the_number_that_a_page_quotes_to_its_last_digit)
+{
+  const auto quoted = [](const std::string& text) {
+    return read_expectations_text("expected.toml", one_run + "[[expect]]\nrun = \"a\"\nquantity = \"V\"\n" + text).expect.at(0);
+  };
+  const Expectation sentence = quoted("quoted = \"breaks out with {0.92 kN/m} after\"\n");
+  EXPECT_DOUBLE_EQ(*sentence.exact, 920);
+  EXPECT_NEAR(*sentence.absolute_tolerance, 10, 1e-12);
+  EXPECT_EQ(sentence.source, "README.md");
+  EXPECT_TRUE(is_met(sentence, 929));
+  EXPECT_FALSE(is_met(sentence, 931));
+  EXPECT_EQ(quotation_of(sentence).on_page("0.94"), "breaks out with 0.94 kN/m after");
+  EXPECT_EQ(quotation_of(sentence).in_braces("0.94"), "breaks out with {0.94 kN/m} after");
+  EXPECT_EQ(quotation_of(sentence).rounded(944), "0.94");
+  const Expectation cell = quoted("quoted = \"| laid | {-106} |\"\nquoted_unit = \"mm\"\npage = \"results.md\"\n");
+  EXPECT_DOUBLE_EQ(*cell.exact, -0.106);
+  EXPECT_DOUBLE_EQ(*cell.absolute_tolerance, 1e-3);
+  EXPECT_EQ(quotation_of(cell).on_page("-108"), "| laid | -108 |");
+  EXPECT_EQ(quotation_of(cell).rounded(-0.1083), "-108");
+}
+TEST(Expectation, that_is_quoted_is_refused_where_it_cannot_be)
+{
+  const auto of = [](const std::string& text) { return complaint(one_run + "[[expect]]\nrun = \"a\"\nquantity = \"V\"\n" + text); };
+  EXPECT_EQ(of("quoted = \"with {0.92 kN/m}\"\n"), "");
+  EXPECT_NE(of("quoted = \"with 0.92 kN/m\"\n").find("has no number in braces"), std::string::npos);
+  EXPECT_NE(of("quoted = \"with {0.92 kNm/}\"\n").find("expect[0].quoted"), std::string::npos);
+  EXPECT_NE(of("quoted = \"with {0.92 kN/m}\"\nquoted_unit = \"mm\"\n").find("needs no quoted_unit"), std::string::npos);
+  EXPECT_NE(of("quoted = \"with {0.92 kN/m}\"\nexact = 920\n").find("leave out exact"), std::string::npos);
+  EXPECT_NE(of("exact = 1\ntolerance = 0.1\nquoted_unit = \"mm\"\n" + words).find("needs quoted"), std::string::npos);
 }
 TEST(Expectation, measures_the_order_of_convergence)
 {

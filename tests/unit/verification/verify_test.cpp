@@ -79,6 +79,25 @@ TEST_F(Verify, tells_what_is_promised_and_how_the_last_run_went)
   EXPECT_NE(page.find("fall.html#earth"), std::string::npos) << page;
   EXPECT_NE(page.find("MISSED"), std::string::npos) << page;
 }
+TEST_F(Verify, misses_what_a_page_quotes_no_longer_and_puts_it_right_where_it_is_asked_to)
+{
+  const std::string quoted =
+      "[[expect]]\nrun = \"light\"\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\nquoted = \"It falls with {-4.90 m/s^2}\"\n";
+  example("fall", two_runs + claim("earth", "-10") + quoted);
+  const Ended without = verify({"--list"});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_NE(without.err.find("README.md has no \"It falls with -4.90 m/s^2\""), std::string::npos) << without.err;
+  folder_.write("examples/fall/README.md", "# A stone\n\nIt falls with -4.90 m/s^2.\n");
+  const Ended stale = verify({"fall"});
+  EXPECT_EQ(stale.status, 1) << stale.out;
+  EXPECT_NE(stale.out.find("MISSED"), std::string::npos) << stale.out;
+  const Ended mended = verify({"fall", "--quote"});
+  EXPECT_NE(mended.err.find("is now -5.00"), std::string::npos) << mended.err;
+  EXPECT_NE(text_of_file(folder_ / "examples/fall/README.md").find("It falls with -5.00 m/s^2."), std::string::npos);
+  EXPECT_EQ(verify({"fall"}).status, 0);
+  folder_.write("examples/fall/README.md", "It falls with -5.00 m/s^2. It falls with -5.00 m/s^2.\n");
+  EXPECT_NE(verify({"fall"}).err.find("has more than one"), std::string::npos);
+}
 TEST_F(Verify, knows_the_nearest_name)
 {
   example("fall", two_runs + claim("earth", "-10") + claim("light", "-5"));
