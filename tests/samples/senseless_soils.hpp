@@ -168,7 +168,7 @@ inline const std::vector<SenselessInput>& senseless_soils()
       {"weight_in_air_as_submerged",
        "box",
        warned,
-       {"material.sand.submerged_unit_weight", "3 to 12 kN/m3 in water"},
+       {"material.sand.submerged_unit_weight", "3 to 12 kN/m3"},
        {},
        "density = \"877 kg/m^3\"",
        "submerged_unit_weight = \"19 kN/m^3\""},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/expectations/expectation_test.cpp
 #include "expectations/quotation.hpp"
 
 #include "input/units.hpp"

@@ -454,12 +454,13 @@ void is_the_mass_that_of_the_weight(const Scene& s, Findings& found)
     const Real mass = s.c.rigid[rigid].second.mass;
     if (!moves || !(mass < rounding * weight / s.gravity)) continue;
     const char* unit = s.c.force_dimension() == 2 ? "kg/m" : "kg";
-    found.warn(fmt::format("rigid.{}.mass", s.c.rigid[rigid].first),
-               fmt::format("is {}, less than its submerged weight divided by g{}, {}: how it moves in stage \"{}\" depends on its mass; take "
-                           "that{}, {} or more",
-                           words_of(mass, unit), stage.water ? " with displaced water and added mass" : "",
-                           words_of(weight / s.gravity, unit), stage.name, stage.water ? "" : ", the displaced water and the added mass",
-                           words_of(rounded_up(weight / s.gravity), unit)));
+    found.warn(
+        fmt::format("rigid.{}.mass", s.c.rigid[rigid].first),
+        fmt::format("is {}, less than its submerged weight divided by g{}, {}: how it moves in stage \"{}\" depends on its mass; take "
+                    "that{}, {} or more",
+                    words_of(mass, unit), stage.water ? " with displaced water and added mass" : "", words_of(weight / s.gravity, unit),
+                    stage.name, stage.water ? "" : ", the displaced water and the added mass",
+                    words_of(rounded_up(weight / s.gravity), unit)));
     return;
   }
 }

@@ -185,7 +185,8 @@ bool PipelineMethod::next_stage()
     const Real carried = line_.forces()[0].force[1], weight = line_.of_case().settings.submerged_weight;
     constexpr Real allowed = 0.1;
     if (!(std::abs(carried / weight - 1) < allowed))
-      io::warn("the laid pipe exerts {:.4g} N/m on the soil, and the submerged weight of the line is {:.4g} N/m: set the vertical force of the last "
+      io::warn("the laid pipe exerts {:.4g} N/m on the soil, and the submerged weight of the line is {:.4g} N/m: set the vertical force of "
+               "the last "
                "stage before the line to its weight",
                carried, weight);
   }

@@ -130,9 +130,9 @@ std::string displacement_section(const SeaCase& c, const Displacements& moved, c
   if (draw_tracks(moved, folder)) html += picture(folder, "track", "displacement over time");
   if (moved.seeds.size() > 2 && draw_distribution(values_of(c, moved.seeds, [](const TrackNumbers& n) { return n.largest; }), folder))
     html += picture(folder, "distribution", "distribution of the largest displacement");
-  html += "<table>\n" + text::plain_row({"", "waves", "largest |u| (m)", "over D", "largest half-cycle (m)", "at the end (m)",
-                                         "largest embedment (m)"},
-                                        2, 6, "th");
+  html += "<table>\n" +
+          text::plain_row({"", "waves", "largest |u| (m)", "over D", "largest half-cycle (m)", "at the end (m)", "largest embedment (m)"},
+                          2, 6, "th");
   const auto row = [&](const std::string& name, const std::string& waves, const Track& track) {
     html += text::plain_row(cells_of(name, waves, numbers_of(track, D), D), 2, 6, "td");
   };

@@ -58,7 +58,7 @@ inline constexpr Answer<Results> push_answers[] = {
      [](const Results& r) { return r.push_given.V; }},
     {"w_end_of_push", length, "embedment at the end of the push", number<Results, &Results::push_end, &PushPoint::w>, answer,
      [](const Results& r) { return r.push_given.w; }, nullptr, true},
-    {"V_noise", ratio, "noise of V in the push over the mean of |V|", number<Results, &Results::V_noise>, quality},
+    {"V_noise", ratio, "noise of V in the push divided by the mean of |V|", number<Results, &Results::V_noise>, quality},
 };
 
 /// At multiples of D in a drag; what the drag is given is the drag's.
@@ -76,7 +76,7 @@ template <auto... Path>
 constexpr base::Access<DragResults> of_drag = number<DragResults, Path...>;
 
 inline constexpr Answer<DragResults> drag_answers[] = {
-    {"H_noise", ratio, "noise of H in the drag over the mean of |H|", of_drag<&DragResults::H_noise>, quality, nullptr, resists},
+    {"H_noise", ratio, "noise of H in the drag divided by the mean of |H|", of_drag<&DragResults::H_noise>, quality, nullptr, resists},
     {"H_max", force, "largest horizontal resistance of the drag", of_drag<&DragResults::largest, &DragPeak::H>, answer, given_H, resists},
     {"u_at_H_max", length, "displacement at which it is", of_drag<&DragResults::largest, &DragPeak::u>, answer, nullptr, resists},
     {"H_breakout", force, "horizontal resistance at breakout, its first peak", of_drag<&DragResults::breakout, &DragPeak::H>, answer,
@@ -129,7 +129,7 @@ inline constexpr Answer<DragResults> drag_answers[] = {
     {"H_berm", force, "horizontal resistance against the berm at the end of the drag", of_drag<&DragResults::berm>, answer, nullptr,
      by_velocity},
     {"V_in_drag", force, "mean vertical reaction in the drag", of_drag<&DragResults::V>, answer, given_V},
-    {"over_penetration", ratio, "largest V of the push over the mean V of the drag", of_drag<&DragResults::over_penetration>, answer,
+    {"over_penetration", ratio, "largest V of the push divided by the mean V of the drag", of_drag<&DragResults::over_penetration>, answer,
      nullptr, resists},
     {"V_rms_error_in_drag", ratio, "root mean square of V in the drag less the held force, over the held force",
      of_drag<&DragResults::V_rms_error>, quality, nullptr, [](const Stage& stage) { return stage.holds_V; }},

@@ -133,8 +133,7 @@ std::string drained_words(const DrivenRun& run, const UpliftResults& uplift)
 std::string stays_words(const DrivenRun& run, const UpliftResults& uplift, const base::DisplayUnits& shown)
 {
   if (!base::circle_of(run.settings) || uplift.w_begin <= run.scale.width) return "";
-  return fmt::format("It stays in the soil as long as the upward pull, beyond its submerged weight, is less than {}. ",
-                     shown.force_text(run.scale, uplift.largest.H));
+  return fmt::format("Available uplift resistance, excluding the submerged weight: {}. ", shown.force_text(run.scale, uplift.largest.H));
 }
 
 std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, const base::DisplayUnits& shown)

@@ -129,10 +129,10 @@ std::string backflow_words(const PenetrationRun& run)
   const std::string name = text::html_text(base::body_word(run.record.settings));
   if (N < (1 + little) * run.last().factor)
     return fmt::format(" σ<sub>v0</sub> is that beside a hole that stays open, as it does here above the {}.", name);
-  return fmt::format(
-      " σ<sub>v0</sub> is that beside a hole that stays open. Here soil has flowed back over the {} and weighs {} over its area "
-      "at the end: with that {} = (q − σ<sub>v0</sub> + {})/s<sub>u</sub> = {}.",
-      name, text::stress_words(back), run.symbol()->html, text::stress_words(back), text::short_number(N));
+  return fmt::format(" σ<sub>v0</sub> is that beside a hole that stays open. Here soil has flowed back over the {} and its weight divided "
+                     "by the area of the body "
+                     "is {} at the end: with that {} = (q − σ<sub>v0</sub> + {})/s<sub>u</sub> = {}.",
+                     name, text::stress_words(back), run.symbol()->html, text::stress_words(back), text::short_number(N));
 }
 
 /// What a footing on the surface of the soil below this one has, where that is known.

@@ -90,13 +90,13 @@ std::string warning_list(const Runs& runs, const Judgements& judgements)
 std::string quality_section(const Runs& runs, const Judgements& judgements)
 {
   std::string content = warning_list(runs, judgements);
-  content += table_of(runs, judgements, settings::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
-  content += table_of(runs, judgements, settings::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
+  content += table_of(runs, judgements, settings::Method::mpm, "trust-mpm", "Reliability: material point method");
+  content += table_of(runs, judgements, settings::Method::fem, "trust-fem", "Reliability: finite elements");
   content += "<p class=\"quiet\">See: sections of <cite>Common pitfalls</cite> in the documentation of berm "
              "(docs/how_to/what_will_catch_you.md), which say how large each effect is and what to do.</p>\n";
   for (const base::Structure& structure : structures::all_structures())
     content += structure.quality_note(structures::runs_of(structure, runs));
-  return text::html_section("trust", "Can it be trusted?", content);
+  return text::html_section("trust", "Reliability", content);
 }
 
 }  // namespace berm::report

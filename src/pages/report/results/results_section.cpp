@@ -21,8 +21,7 @@ std::string doubts_in_words(const record::RunRecord& run, const Judgement& judge
   std::vector<std::string> bad;
   for (const auto& [measure, value, standing] : judgement.measures)
     if (standing == text::Standing::bad) bad.push_back(text::html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
-  return bad.empty() ? ""
-                     : fmt::format("Use with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", text_of_list(bad, "; "));
+  return bad.empty() ? "" : fmt::format("<a href=\"#trust\">Reliability</a> low: {}.", text_of_list(bad, "; "));
 }
 
 bool is_invalid(const record::RunRecord& run)

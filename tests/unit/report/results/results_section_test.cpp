@@ -338,9 +338,7 @@ TEST(answer, what_cannot_be_trusted_is_named_beside_the_words)
   EXPECT_FALSE(holds(answer_of({run}), "#trust"));
   run.quantities.push_back({"overlap_max_over_D", 0.03, "1"});
   const std::string html = answer_of({run});
-  EXPECT_TRUE(
-      holds(html, "Use with care. Bad among its <a href=\"#trust\">measures of trust</a>: deepest soil inside the pipe, over D – 0.03."))
-      << html;
+  EXPECT_TRUE(holds(html, "<a href=\"#trust\">Reliability</a> low: deepest soil inside the pipe, over D – 0.03.")) << html;
 }
 
 TEST(answer, a_body_has_the_name_that_the_case_gives_it)

@@ -68,7 +68,9 @@ TEST_F(Backflow, weighs_what_lies_above_the_base_and_gives_back_as_much_of_the_o
     if (q.name == "N_c_end_backflow") q.value = 9;
   const std::string words =
       structures::structure_of(deep.settings).in_words(deep, base::DisplayUnits({{base::body_scale(deep), &deep.quantities}}));
-  EXPECT_NE(words.find("soil has flowed back over the probe and weighs 400 Pa over its area at the end"), std::string::npos) << words;
+  EXPECT_NE(words.find("soil has flowed back over the probe and its weight divided by the area of the body is 400 Pa at the end"),
+            std::string::npos)
+      << words;
 }
 
 TEST_F(Backflow, is_not_known_without_a_frame)
