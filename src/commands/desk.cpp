@@ -10,6 +10,8 @@
 #include "os/child_process.hpp"
 #include "os/interrupt.hpp"
 
+#include <algorithm>
+#include <arpa/inet.h>
 #include <cstdio>
 #include <fmt/format.h>
 #include <system_error>
@@ -36,6 +38,12 @@ bool is_host_name(const std::string& word)
   return word.find_first_of("abcdefghijklmnopqrstuvwxyz") == 0 && word.find_first_not_of(allowed) == std::string::npos;
 }
 
+bool is_address(const std::string& word)
+{
+  in_addr address{};
+  return inet_aton(word.c_str(), &address) != 0 && std::count(word.begin(), word.end(), '.') == 3;
+}
+
 bool is_prefix(const std::string& word)
 {
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
@@ -52,7 +60,11 @@ Command add_desk(CLI::App& program)
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("desk", "work on the cases and runs of a folder in a browser of this machine");
   app->add_option("FOLDER", options->folder, "the folder; nothing outside of it is shown or written (default: here)");
-  app->add_option("--port", options->port, "port of 127.0.0.1 (default: one that is free)")->check(whole_number_within(1, 65535));
+  app->add_option("--port", options->listen.port, "port (default: one that is free)")->check(whole_number_within(1, 65535));
+  app->add_option("--listen", options->listen.address,
+                  "address of this machine that it listens at (default: 127.0.0.1); 0.0.0.0 in a container whose port is forwarded")
+      ->check(CLI::Validator([](std::string& word) { return is_address(word) ? std::string() : "an address is four numbers, as 0.0.0.0"; },
+                             "ADDRESS"));
   app->add_option("--threads", options->threads, "threads of all runs together; more wait (default: all processors)")
       ->check(whole_number_within(1, 1024));
   app->add_option("--name", options->proxy.name, "host of a proxy in front of it, which requests may name, too: no port (default: none)")

@@ -91,7 +91,7 @@ struct Desk::Parts {
         shown(folder),
         routes(all_routes()),
         server(
-            settings.port, settings.proxy, [this](const Request& request) { return open(request); },
+            settings.listen, settings.proxy, [this](const Request& request) { return open(request); },
             [this](const Request& request) { return api(request); })
   {
   }

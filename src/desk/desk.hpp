@@ -12,7 +12,7 @@ namespace berm::desk {
 
 struct DeskSettings {
   std::filesystem::path folder = ".";
-  int port = 0;     ///< 0: any that is free
+  Listen listen = {};
   int threads = 0;  ///< of all runs together; 0: all processors
   Proxy proxy = {};
   /// Where a run of a case goes by default.

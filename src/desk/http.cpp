@@ -253,8 +253,8 @@ struct HttpServer::Parts {
     return give(client, std::move(answer), connections.is_stopping());
   }
 
-  /// Listens at 127.0.0.1, with a thread for each connection, so that one that waits keeps no other from its answer.
-  void listen(int port)
+  /// With a thread for each connection, so that one that waits keeps no other from its answer.
+  void listen(const Listen& at)
   {
     const MHD_AccessHandlerCallback taken = [](void* parts, MHD_Connection* client, const char* path, const char* method, const char*,
                                                const char* part, std::size_t* size, void** of_request) {
@@ -278,8 +278,8 @@ struct HttpServer::Parts {
     };
     sockaddr_in here{};
     here.sin_family = AF_INET;
-    here.sin_port = htons(static_cast<std::uint16_t>(port));
-    here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    here.sin_port = htons(static_cast<std::uint16_t>(at.port));
+    here.sin_addr.s_addr = inet_addr(at.address.c_str());
     // Those that are cut end as soon as the system lets them, whatever their clients do: newcomers wait for that, but for no client.
     constexpr auto most = static_cast<unsigned>(2 * Connections::places);
     daemon.reset(MHD_start_daemon(MHD_USE_THREAD_PER_CONNECTION | MHD_USE_POLL_INTERNAL_THREAD | MHD_USE_ITC, 0, nullptr, nullptr, taken,
@@ -288,14 +288,15 @@ struct HttpServer::Parts {
                                   most, MHD_OPTION_CONNECTION_MEMORY_LIMIT, memory_of_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1,
                                   MHD_OPTION_NOTIFY_COMPLETED, done, this, MHD_OPTION_NOTIFY_CONNECTION, changed, this, MHD_OPTION_END));
     if (daemon == nullptr)
-      throw RunError(port == 0 ? "no port of this machine is free" : fmt::format("port {} of this machine is taken", port));
+      throw RunError(at.port == 0 ? fmt::format("no port of {} is free", at.address)
+                                  : fmt::format("port {} of {} is taken, or the machine has no such address", at.port, at.address));
   }
 };
 
-HttpServer::HttpServer(int port, Proxy proxy, Handler open, Handler with_token)
+HttpServer::HttpServer(const Listen& at, Proxy proxy, Handler open, Handler with_token)
     : parts_(new Parts{std::move(proxy), std::move(open), std::move(with_token)})
 {
-  parts_->listen(port);
+  parts_->listen(at);
 }
 
 HttpServer::~HttpServer() = default;

@@ -37,11 +37,17 @@ struct Proxy {
   std::string prefix = {};  ///< "/berm": of addresses, taken away where they have it
 };
 
-/// A server for programs of this machine: it listens at 127.0.0.1 only, and answers who names it by that address. What lies below /api/ is for who has the token.
+/// Where the server listens.
+struct Listen {
+  std::string address = "127.0.0.1";  ///< IPv4 of one interface of the machine, or 0.0.0.0 for all
+  int port = 0;                       ///< 0: any that is free
+};
+
+/// A server for programs of this machine: it answers who names it 127.0.0.1, and listens there unless a container's port is forwarded from outside. What lies below /api/ is for who has the token.
 class HttpServer {
 public:
-  /// Port 0: any that is free. Throws RunError where it cannot be had.
-  HttpServer(int port, Proxy proxy, Handler open, Handler with_token);
+  /// Throws RunError where address or port cannot be had.
+  HttpServer(const Listen& at, Proxy proxy, Handler open, Handler with_token);
   ~HttpServer();
 
   int port() const;

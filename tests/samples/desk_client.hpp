@@ -18,15 +18,15 @@ struct Response {
   nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
 };
 
-/// A connection to a port of this machine.
+/// A connection to a port of this machine, at one of its own addresses.
 class Caller {
 public:
-  explicit Caller(int port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
+  explicit Caller(int port, const char* address = "127.0.0.1") : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
   {
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_port = htons(static_cast<std::uint16_t>(port));
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_addr.s_addr = inet_addr(address);
     connected_ = ::connect(socket_, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0;
   }
   ~Caller() { ::close(socket_); }

@@ -95,13 +95,13 @@ TEST(DeskConnections, who_is_being_answered_at_the_end_gets_the_answer)
 {
   std::atomic<bool> at_work = false;
   HttpServer server(
-      0, {}, [](const Request&) { return Answer{}; },
+      {}, {}, [](const Request&) { return Answer{}; },
       [&](const Request&) {
         at_work = true;
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
         return Answer{.body = "{\"done\":1}"};
       });
-  EXPECT_THROW(HttpServer(server.port(), {}, {}, {}), RunError) << "its port is taken";
+  EXPECT_THROW(HttpServer({.port = server.port()}, {}, {}, {}), RunError) << "its port is taken";
   std::jthread serve([&] { server.serve(); });
   const Caller waits(server.port()), caller(server.port());
   caller.send(fmt::format("GET /api/x HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer {}\r\n\r\n", server.token()));

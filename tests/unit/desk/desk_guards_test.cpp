@@ -221,6 +221,30 @@ TEST(DeskBehindAProxy, answers_to_its_name_and_below_its_prefix_and_to_no_other_
   EXPECT_EQ(desk.raw(wrong + "\r\n").status, 401);
 }
 
+// As in a container, whose port is forwarded under another number. 127.0.0.2 is an address of this machine, and not the one that a desk has by itself.
+TEST(DeskOfAContainer, listens_where_it_is_told_to_and_asks_for_the_same_name_and_token)
+{
+  const TemporaryFolder folder;
+  const DeskClient own(folder.path()), open(folder.path(), {"--listen", "0.0.0.0"});
+  EXPECT_FALSE(Caller(own.port, "127.0.0.2").connected());
+  const std::string about = open.head("GET", "/api/about"), host = fmt::format("127.0.0.1:{}", open.port);
+  const auto status = [&](const std::string& head) {
+    const Caller caller(open.port, "127.0.0.2");
+    caller.send(head + "\r\n");
+    return caller.answer().status;
+  };
+  for (const std::string forwarded : {"127.0.0.1:9090", "localhost:9090"}) {
+    EXPECT_EQ(status(replaced(about, host, forwarded)), 200) << forwarded;
+    EXPECT_EQ(status(replaced(replaced(about, host, forwarded), open.token, std::string(64, 'a'))), 401) << forwarded;
+  }
+  EXPECT_EQ(status(replaced(about, host, "127.0.0.2:9090")), 403);
+  for (const std::string wrong : {"everywhere", "127.1", "::", "1.2.3.4.5"}) {
+    const Ended ended = run_program(folder.path(), {"desk", "--no-browser", "--listen", wrong});
+    EXPECT_EQ(ended.status, 2) << wrong;
+    EXPECT_NE(ended.err.find("as 0.0.0.0"), std::string::npos) << ended.err;
+  }
+}
+
 TEST_F(DeskGuards, does_not_open_a_case_whose_bytes_it_would_change)
 {
   const fs::path file = served() / "bay/latin.toml";
