@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure configure_tests build probe test test-all slowest verify bench packages reproducible site debug torture fuzz sanitize threads tidy clean
+.PHONY: help setup configure configure_tests build probe test test-all slowest verify bench packages image release reproducible site debug torture fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -84,6 +84,14 @@ packages: setup ## Debian packages in build/packages, for all processors, tried 
 	@scripts/packages build/all_units build/packages
 	@lintian --fail-on error,warning build/packages/*.deb
 	@tests/installed/clean_root build/packages
+
+image: ## build/image/berm.wsl of the packages: for Windows, Docker, Podman and Apptainer, tried in a folder: needs root
+	@scripts/setup packages
+	@scripts/image build/packages build/image
+	@tests/installed/image build/image/berm.wsl
+
+release: ## source, packages, image, bill of materials, notes and checksums of the tagged commit in build/release-files; KEY=ID signs, SNAPSHOT=yes takes any commit
+	@scripts/release $(if $(SNAPSHOT),--snapshot) $(KEY)
 
 reproducible: ## build the packages twice, in two folders, and compare their bytes: two builds long
 	@scripts/setup ranks && scripts/setup python
