@@ -24,6 +24,7 @@ Command add_report(CLI::App& program)
   const auto former = std::make_shared<std::string>();
   app->add_option("--claims", *former)->group("");
   app->add_flag("--pdf", request->pdf, "also print the page to report.pdf beside it, by an installed Chromium or Google Chrome");
+  app->add_flag("--docx", request->docx, "also write the page as a Word document, report.docx beside it, by pandoc");
   app->add_flag("--figures", request->figures, "also draw the curves and mechanisms as SVG and PNG, in report_figures beside the page");
   return {app, [request, former] {
             if (!former->empty()) throw InputError("--claims is --expected now, and names an expected.toml: docs/how_to/report.md");

@@ -12,7 +12,7 @@
 namespace berm::soil_plot {
 namespace {
 
-constexpr int paper_width = 1200, paper_left = 95, paper_right = 175, paper_bottom = 110, paper_top = 70;  // pixels
+constexpr int paper_width = 1200, paper_left = 95, paper_right = 240, paper_bottom = 110, paper_top = 70;  // pixels
 constexpr Rgb body_color = {201, 204, 209};
 
 Vec<3> shown_at(const Vec<3>& x, const SpaceView& view)
@@ -119,6 +119,7 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<3>& 
   std::string script = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
       part(paper_left, paper_width), 1 - part(paper_right, paper_width), part(paper_bottom, height), 1 - part(paper_top, height));
+  script += "set termoption font 'DejaVu Sans,26'\n";  // on half a page letters have a third of their size
   script += plot::title_over(wanted.title, paper_width, part(height - paper_top / 2, height));
   script += "unset tics\nunset border\nunset key\nset cbtics\n";
   script += fmt::format("set xrange [0:{}]\nset yrange [0:{}]\nset cbrange [{:g}:{:g}]\n", raster.columns(), raster.rows(), range.first,

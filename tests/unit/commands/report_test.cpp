@@ -279,6 +279,24 @@ TEST_F(Report, refuses_what_is_no_run_folder)
   EXPECT_NE(broken.err.find("resolved.toml"), std::string::npos) << broken.err;
 }
 
+TEST_F(Report, writes_a_word_document_with_title_numbers_and_pictures_or_says_what_is_missing)
+{
+  const Ended ended = berm({"report", "out/a", "--docx"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("out/a/report.docx"), std::string::npos) << ended.out;
+  place_.write("read.py",
+               "import re, sys, zipfile\nword = zipfile.ZipFile('out/a/report.docx')\n"
+               "print(sum(name.endswith('.png') for name in word.namelist()))\n"
+               "print(re.sub('<[^>]+>', '', word.read('word/document.xml').decode()))\n");
+  ASSERT_EQ(std::system(("cd '" + place_.path().string() + "' && python3 -B read.py > words.txt").c_str()), 0);
+  const std::string words = text("words.txt");
+  EXPECT_NE(words.find("Reliability"), std::string::npos) << words;
+  EXPECT_NE(words.find("Largest lateral resistance"), std::string::npos) << words;
+  EXPECT_GT(std::atoi(words.c_str()), 1) << "pictures";
+  const Ended without = berm({"report", "out/b", "--docx"}, {"PATH=/nowhere"});
+  EXPECT_NE(without.err.find("--docx: pandoc is not installed; install it"), std::string::npos) << without.err;
+  EXPECT_FALSE(fs::exists(file("out/b/report.docx")));
+}
 TEST_F(Report, refuses_to_name_its_page_as_a_pdf)
 {
   for (const char* name : {"page.pdf", "page.PDF"})

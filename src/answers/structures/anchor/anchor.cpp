@@ -79,6 +79,10 @@ base::Structure anchor()
                   list.add_names(tow_answers);
                   return list.names();
                 },
+            .headline =
+                [](Run, const base::DisplayUnits&) {
+                  return base::Headline{{"tow_force_max", "Largest tow force"}, {"tow_depth_max", "Largest depth"}};
+                },
             .words = words_of,
             .key_results = table_of,
             .draw_report_curves = draw_depth},

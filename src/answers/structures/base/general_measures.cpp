@@ -184,7 +184,7 @@ bool has_soil(Run run)
 
 TrustMeasure energy_balance(settings::Method method)
 {
-  return {"energy that does not balance, over the work",
+  return {"energy that does not balance, divided by the work",
           method == settings::Method::mpm ? &limits::energy : &limits::energy_of_fem,
           always,
           [](Run run) { return energy_error(run).over_work; },
@@ -201,17 +201,17 @@ TrustMeasure energy_balance(settings::Method method)
 
 TrustMeasures energy_that_the_method_takes()
 {
-  return {{"energy dissipated by the velocity filter, over the work", &limits::filter,
+  return {{"energy dissipated by the velocity filter, divided by the work", &limits::filter,
            [](Run run) { return has_soil(run) && run.settings.mpm.velocity_filter > 0; },
            [](Run run) { return run.check("filter_over_work"); }, in_percent,
            "the velocity filter dissipated {} of the work, which slows flowing soil: take finer cells, or a smaller mpm.velocity_filter",
            text::percent_words},
-          {"energy dissipated by the bulk viscosity, over the work", &limits::viscosity,
+          {"energy dissipated by the bulk viscosity, divided by the work", &limits::viscosity,
            [](Run run) { return has_soil(run) && run.settings.mpm.bulk_viscosity > 0; },
            [](Run run) { return run.check("viscosity_over_work"); }, in_percent,
            "the bulk viscosity dissipated {} of the work: drive slower, take finer cells, or a smaller mpm.bulk_viscosity",
            text::percent_words},
-          {"energy dissipated by local damping while a body is driven, over the work", &limits::damping,
+          {"energy dissipated by local damping while a body is driven, divided by the work", &limits::damping,
            [](Run run) { return drives_a_body(run.settings) && !std::isnan(damping_over_work(run)); }, damping_over_work, in_percent,
            "local damping dissipated {} of the work while the body was driven: take a smaller damping there, or drive slower",
            text::percent_words}};
@@ -219,7 +219,7 @@ TrustMeasures energy_that_the_method_takes()
 
 TrustMeasure balance_after_geostatic(const std::string& when)
 {
-  return {"out-of-balance force after the geostatic stage, over the weight",
+  return {"out-of-balance force after the geostatic stage, divided by the weight",
           &limits::out_of_balance,
           settles,
           [](Run run) { return run.check("out_of_balance_after_geostatic"); },
@@ -318,7 +318,7 @@ TrustMeasure friction_of_cells()
 TrustMeasures convergence()
 {
   return {
-      {"largest unbalanced force, over the accepted one", &limits::unbalance, always,
+      {"largest unbalanced force, divided by the accepted one", &limits::unbalance, always,
        [](Run run) { return run.check("largest_unbalance") / run.settings.fem.tolerance; }, as_number,
        "unbalanced forces are {} times what fem.tolerance accepts", bare_limit},
       {"increments that did not converge", &limits::loose, always,
@@ -332,7 +332,7 @@ TrustMeasures convergence()
        text::percent_words},
       {"fraction of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
        in_percent, "{} of the stress is beyond the soil's strength", text::percent_words},
-      {"strength that lags behind the pressure, psi < phi, over plastic dissipation", &limits::lag,
+      {"strength that lags behind the pressure, psi < phi, divided by plastic dissipation", &limits::lag,
        [](Run run) {
          return std::any_of(run.settings.material.begin(), run.settings.material.end(),
                             [](const auto& material) { return non_associated(material.second); });

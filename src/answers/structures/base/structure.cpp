@@ -6,6 +6,7 @@
 #include "structures/base/answer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace berm::base {
 namespace {
@@ -100,6 +101,18 @@ bool Structure::draw_curves(const run_folder::RunFolder& folder, const record::R
 Charts Structure::charts(const record::RunRecord& run) const
 {
   return joined_of<Charts>(*this, run.settings, &Reading::charts, run);
+}
+
+Headline Structure::headline(const record::RunRecord& run, const DisplayUnits& shown) const
+{
+  constexpr std::size_t most = 5;
+  Headline numbers = joined_of<Headline>(*this, run.settings, &Reading::headline, run, shown);
+  std::erase_if(numbers, [&](const HeadlineNumber& number) {
+    const run_folder::Quantity* q = run.quantity(number.quantity);
+    return q == nullptr || !std::isfinite(q->value);
+  });
+  if (numbers.size() > most) numbers.resize(most);
+  return numbers;
 }
 
 std::string Structure::in_words(const record::RunRecord& run, const DisplayUnits& shown) const

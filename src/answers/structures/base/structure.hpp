@@ -4,6 +4,7 @@
 #include "run_folder/run_folder.hpp"
 #include "structures/base/chart.hpp"
 #include "structures/base/display_units.hpp"
+#include "structures/base/headline.hpp"
 #include "structures/base/kind.hpp"
 #include "structures/base/published_envelope.hpp"
 #include "structures/base/published_point.hpp"
@@ -53,6 +54,7 @@ struct Reading {
   Says<bool, const run_folder::RunFolder&, Run, const CurveBands&> draw_curves{};
   Says<Charts, Run> charts{};  ///< all curves of a run
 
+  Says<Headline, Run, const DisplayUnits&> headline{};  ///< the numbers that its job asks for
   /// What a run did and met, in a few sentences, HTML without the run's name.
   Says<std::string, Run, const DisplayUnits&> words{};
   /// The key results of runs as HTML tables.
@@ -95,6 +97,8 @@ struct Structure {
   /// By the first reading that draws.
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const CurveBands& bands) const;
   Charts charts(const record::RunRecord& run) const;
+  /// Those that the run has, five at most.
+  Headline headline(const record::RunRecord& run, const DisplayUnits& shown) const;
   std::string in_words(const record::RunRecord& run, const DisplayUnits& shown) const;
   std::string key_results(const Runs& runs, const DisplayUnits& shown) const;
   std::string published_values(const Runs& runs, const DisplayUnits& shown) const;

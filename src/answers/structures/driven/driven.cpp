@@ -104,6 +104,7 @@ base::Reading reading()
       .write_files = write_files,
       .draw_curves = draw_curves,
       .charts = charts_of,
+      .headline = [](Run run, const base::DisplayUnits&) { return headline(DrivenRun(run)); },
       .words = [](Run run, const base::DisplayUnits& shown) { return results_in_words(DrivenRun(run), shown); },
       .key_results = [](const base::Runs& runs, const base::DisplayUnits& shown) { return key_results(driven_runs(runs), shown); },
       .measures = [](const settings::Case& c) { return driven_measures(c); },
@@ -129,7 +130,7 @@ base::Reading reading_without_push()
     std::erase_if(names, is_of_push);
     return names;
   };
-  rest.draw_curves = {}, rest.words = {}, rest.key_results = {}, rest.measures = {}, rest.quality_note = {};
+  rest.draw_curves = {}, rest.headline = {}, rest.words = {}, rest.key_results = {}, rest.measures = {}, rest.quality_note = {};
   return rest;
 }
 

@@ -140,7 +140,7 @@ std::string uplift_words(const DrivenRun& run, const UpliftResults& uplift, cons
 {
   const std::string drained = drained_words(run, uplift), stays = stays_words(run, uplift, shown);
   std::string words =
-      fmt::format("Lifted from w = {} in \"{}\"{} {} meets an uplift resistance of {} after {}",
+      fmt::format("Lifted from w = {} in \"{}\"{} {} mobilises an uplift resistance of {} after {}",
                   shown.length_text(run.scale, uplift.w_begin), text::html_text(uplift.stage), drained.empty() ? "," : drained,
                   subject_of(run.settings), shown.force_text(run.scale, uplift.largest.H), shown.length_text(run.scale, uplift.largest.u));
   if (!uplift.falls()) {
@@ -195,7 +195,7 @@ std::string earlier_drag_words(const DrivenRun& run, const base::DisplayUnits& s
                      shown.length_text(run.scale, begin->w));
 }
 
-/// "Dragged 1 D with V held, 0.8 kN/m on average, the pipe meets", after a push "it".
+/// "Dragged 1 D with V held, 0.8 kN/m on average, the pipe mobilises", after a push "it".
 std::string drag_begin(const DrivenRun& run, const RunPoints& points, const std::string& travel, const base::DisplayUnits& shown)
 {
   const Results results = run.results();
@@ -206,7 +206,7 @@ std::string drag_begin(const DrivenRun& run, const RunPoints& points, const std:
   const std::string begin = !points.push_end && starts_embedded(run)
                                 ? fmt::format("Wished in place at w = {} and dragged", shown.length_text(run.scale, points.first_w))
                                 : std::string("Dragged");
-  return fmt::format("{}{} {}{}, {} meets", begin, which, travel, vertical, subject);
+  return fmt::format("{}{} {}{}, {} mobilises", begin, which, travel, vertical, subject);
 }
 
 /// Of the main drag, to its very end.
@@ -263,13 +263,13 @@ std::string later_drags_words(const DrivenRun& run, const Results& results, cons
   }
   if (later == 0) return "";
   if (later == 1 && other_V)
-    return fmt::format(" One more drag follows{}: it meets at its end H = {}.", vertical_words(run, *last, shown),
+    return fmt::format(" One more drag follows{}: it mobilises at its end H = {}.", vertical_words(run, *last, shown),
                        shown.force_text(run.scale, min));
   if (other_V) return fmt::format(" {} more drags follow:{}.", later, each_in_words(run, results, shown));
   const std::string range = min == max ? shown.force_text(run.scale, min)
                                        : fmt::format("{} to {}", shown.force_text(run.scale, min), shown.force_text(run.scale, max));
   return fmt::format(" {} {} at {} end H = {}.", later == 1 ? "One more drag follows:" : fmt::format("{} more drags follow:", later),
-                     later == 1 ? "it meets" : "they meet", later == 1 ? "its" : "their", range);
+                     later == 1 ? "it mobilises" : "they mobilise", later == 1 ? "its" : "their", range);
 }
 
 /// Of a drag that came to none of its points.

@@ -175,7 +175,7 @@ TrustMeasure held(const std::string& body)
 
 TrustMeasure shaking(const std::string& body)
 {
-  return {fmt::format("pressure of unresolved motion at the {}, over p + c cot φ there", body),
+  return {fmt::format("spurious stress oscillation at the {}, divided by p + c cot φ", body),
           &limits::shaking,
           has_soil,
           [](Run run) { return run.check("shaking_at_body"); },
@@ -189,10 +189,10 @@ TrustMeasure shaking(const std::string& body)
 TrustMeasure contact_gap(const std::string& body)
 {
   const auto words = [body](Run run, Real larger) {
-    return fmt::format("{:.2g} h: the {} acts up to {} larger", quantity_value(run, "gap_mean") / near_cells(run).first, body,
-                       text::percent_words(larger));
+    return fmt::format("{:.2g} h: the effective diameter of the {} is up to {} larger",
+                       quantity_value(run, "gap_mean") / near_cells(run).first, body, text::percent_words(larger));
   };
-  return {"mean contact gap on both sides, over D",
+  return {"contact gap on both sides",
           &limits::gap,
           always,
           acts_larger,
@@ -203,7 +203,7 @@ TrustMeasure contact_gap(const std::string& body)
 
 TrustMeasure overlap(const std::string& body)
 {
-  return {fmt::format("deepest soil inside the {}, over D", body),
+  return {fmt::format("deepest soil inside the {}, in D", body),
           &limits::overlap,
           always,
           [](Run run) { return quantity_value(run, "overlap_max_over_D"); },
@@ -217,7 +217,7 @@ TrustMeasure overlap(const std::string& body)
 
 TrustMeasure second_impulse()
 {
-  return {"second contact correction, over V",
+  return {"second contact correction, divided by V",
           &limits::second_impulse,
           pushes,
           [](Run run) { return quantity_value(run, "second_impulse_over_V"); },
@@ -348,7 +348,7 @@ TrustMeasures remeshing(const settings::Case& c)
                                 text::count_words(run.check("remeshings")), text::percent_words(run.check("largest_change_by_remeshing")));
            },
            "remeshing changes the contact force on average by {}: use smaller elements (fem.contact_size)", text::percent_words},
-          {"energy lost by remeshing, over the work", &limits::energy_by_remeshing, base::always,
+          {"energy lost by remeshing, divided by the work", &limits::energy_by_remeshing, base::always,
            [](Run run) { return std::abs(run.check("energy_lost_by_remeshing")); },
            [](Run run, Real value) {
              return fmt::format("{} of the work; soil lost {:.2g} D2 (around an axis D3 per radian), {} folds closed",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "structures/base/display_units.hpp"
+#include "structures/base/headline.hpp"
 #include "structures/base/published_point.hpp"
 #include "structures/base/trust_measure.hpp"
 #include "structures/driven/driven_run.hpp"
@@ -14,6 +15,9 @@ std::vector<std::string> draw_travel_figures(const DrivenRuns& runs, const base:
 
 /// What a run's body did and met, in a few sentences, HTML without the run's name; `push`: what it met in its push, too.
 std::string results_in_words(const DrivenRun& run, const base::DisplayUnits& shown, bool push = true);
+
+/// The numbers that are asked of a travel: under a force how far it went, of a lift its resistance, of a drag breakout and residual, of a push V and w.
+base::Headline headline(const DrivenRun& run);
 
 /// The key results of runs as HTML tables: V of the push by embedment, H and w of the drag by displacement, and the resistance to the drag (largest H, breakout,
 /// residual H). Of several runs the same point stands one below the other. "" where there is none. `push`: with V of the push.

@@ -74,6 +74,14 @@ base::Reading load_of(const penetration::Penetrometer& how)
                 if (base::Chart py = py_chart(lateral); !py.curves.empty()) charts.push_back(std::move(py));
                 return charts;
               },
+          .headline =
+              [](Run, const base::DisplayUnits&) {
+                return base::Headline{{"lateral_H_end", "Lateral load"},
+                                      {"lateral_u_end", "Displacement at the seabed"},
+                                      {"lateral_tilt_end", "Tilt"},
+                                      {"lateral_M_end", "Moment at the seabed"},
+                                      {"lateral_pivot_end", "Depth of the pivot"}};
+              },
           .words = [](Run run, const base::DisplayUnits&) { return lateral_words(LateralRun(run)); },
           .key_results = [&how](const base::Runs& runs,
                                 const base::DisplayUnits&) { return lateral_key_results(lateral_runs(runs), how.word); },

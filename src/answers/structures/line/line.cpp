@@ -13,27 +13,49 @@
 namespace berm::line {
 namespace {
 
+/// A number of a stage's end that no other stage goes beyond.
+struct Extreme {
+  Real value = nan;
+  std::string stage, name;  ///< of its quantity
+};
+
+template <class Beyond>
+Extreme extreme_of(const record::RunRecord& run, const char* number, const Beyond& is_beyond)
+{
+  Extreme found;
+  for (const StageEnd& end : stage_ends(run)) {
+    const std::string name = fmt::format("{}.{}", end.name, number);
+    if (const run_folder::Quantity* q = run.quantity(name); q != nullptr && (found.stage.empty() || is_beyond(q->value, found.value)))
+      found = {q->value, text::html_text(end.name), name};
+  }
+  return found;
+}
+
+bool is_larger(Real a, Real b)
+{
+  return std::abs(a) > std::abs(b);
+}
+
+base::Headline headline_of(const record::RunRecord& run, const base::DisplayUnits&)
+{
+  base::Headline numbers;
+  const auto add = [&](const Extreme& extreme, const char* label) {
+    numbers.push_back({extreme.name, fmt::format("{} ({})", label, extreme.stage)});
+  };
+  add(extreme_of(run, "y", is_larger), "Largest lateral displacement");
+  add(extreme_of(run, "P", std::greater<>()), "Largest effective compression at x = 0");
+  add(extreme_of(run, "M", is_larger), "Largest bending moment");
+  add(extreme_of(run, "strain_min", std::less<>()), "Largest compressive strain");
+  return numbers;
+}
+
 /// The extremes of all stages, and in which they came: the numbers of each stage are in the table.
 std::string words_of(const record::RunRecord& run, const base::DisplayUnits&)
 {
-  const std::vector<StageEnd> ends = stage_ends(run);
-  struct Extreme {
-    Real value = nan;
-    std::string stage;
-  };
-  const auto extreme = [&](const char* name, const auto& is_beyond) {
-    Extreme found;
-    for (const StageEnd& end : ends)
-      if (const run_folder::Quantity* q = run.quantity(fmt::format("{}.{}", end.name, name));
-          q != nullptr && (found.stage.empty() || is_beyond(q->value, found.value)))
-        found = {q->value, text::html_text(end.name)};
-    return found;
-  };
-  const auto larger = [](Real a, Real b) { return std::abs(a) > std::abs(b); };
-  const Extreme y = extreme("y", larger);
+  const Extreme y = extreme_of(run, "y", is_larger);
   if (y.stage.empty()) return "The line has not been loaded yet.";
-  const Extreme P = extreme("P", std::greater<>()), M = extreme("M", larger), tension = extreme("strain_max", std::greater<>()),
-                compression = extreme("strain_min", std::less<>());
+  const Extreme P = extreme_of(run, "P", std::greater<>()), M = extreme_of(run, "M", is_larger),
+                tension = extreme_of(run, "strain_max", std::greater<>()), compression = extreme_of(run, "strain_min", std::less<>());
   const Real imperfection = run.settings.pipeline ? std::abs(run.settings.pipeline->imperfection.amplitude) : 0;
   return fmt::format(
       "At the ends of its stages the line is at most {:.3g} m ({}) from its straight axis{}; its effective compression at x = 0 is at "
@@ -64,6 +86,7 @@ base::Structure pipeline()
         .table = log_tables,
         .draw_curves = [](const run_folder::RunFolder& folder, Run run, const base::CurveBands&) { return draw_load_curves(folder, run); },
         .charts = load_charts,
+        .headline = headline_of,
         .words = words_of,
         .published = published_beside,
         .other_results = [](Run run, const std::string& id) { return page_tables(run, id); },

@@ -74,6 +74,7 @@ base::Reading reading(const Penetrometer& how)
             return draw_log(log, folder.path(), "curves", script_of(log, folder.path(), "log"));
           },
       .charts = [&how](Run run) { return charts_of(PenetrationRun(run, how), how); },
+      .headline = [&how](Run run, const base::DisplayUnits&) { return penetration_headline(PenetrationRun(run, how)); },
       .words = [&how](Run run, const base::DisplayUnits& shown) { return penetration_words(PenetrationRun(run, how), shown); },
       .key_results =
           [&how](const base::Runs& runs, const base::DisplayUnits& shown) {

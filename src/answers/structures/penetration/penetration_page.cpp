@@ -269,11 +269,11 @@ std::string depth_table(const PenetrationRuns& runs, const base::DisplayUnits& s
   return table.empty() ? "" : table.html();
 }
 
-/// "Pushed until the base of the footing is 0.1 D (600 mm) deep, the footing (D = 6 m, area 28.3 m²) meets ", where a limit of V ended the push with that and where
+/// "Pushed until the base of the footing is 0.1 D (600 mm) deep, the footing (D = 6 m, area 28.3 m²) mobilises ", where a limit of V ended the push with that and where
 /// the body is then.
 std::string begin_words(const PenetrationRun& run, const std::string& name, const base::DisplayUnits& shown)
 {
-  const std::string body = fmt::format("the {} ({}) meets ", name, body_words(run));
+  const std::string body = fmt::format("the {} ({}) mobilises ", name, body_words(run));
   std::string depth = fmt::format("{} ({}) deep", in_D(run.z_end(), run.body.width), text::length_words(run.z_end()));
   if (run.how.keeps_push && run.body.shoulder > 0) depth += fmt::format(", its lowest point {}", text::length_words(run.w_end()));
   if (std::isfinite(run.force_limit()))

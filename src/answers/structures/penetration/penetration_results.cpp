@@ -151,6 +151,20 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
   return list.list();
 }
 
+base::Headline penetration_headline(const PenetrationRun& run)
+{
+  const std::string q = run.how.resistance.plain, N = run.symbol() == nullptr ? "" : run.symbol()->plain;
+  const base::HeadlineNumber depth{"z_end", fmt::format("Depth of the {}", run.how.level)};
+  const base::Headline factor{{N + "_end", fmt::format("{} at the end", N)}};
+  base::Headline others{{q + "_end", fmt::format("Resistance {} at the end", q)}};
+  if (run.last().friction > 0) others.push_back({"f_shaft_end", "Mean shaft friction"});
+  const bool asks_depth = std::isfinite(run.force_limit());
+  base::Headline numbers = asks_depth ? base::Headline{depth} : factor;
+  numbers.insert(numbers.end(), others.begin(), others.end());
+  asks_depth ? numbers.push_back(factor.front()) : numbers.push_back(depth);
+  return numbers;
+}
+
 std::vector<std::string> penetration_names(const Penetrometer& how)
 {
   base::AnswerList list(3);

@@ -21,6 +21,9 @@ std::string name_at(const std::string& what, Real over_D);
 ///   N m/m), with M about the middle of its base, counter-clockwise on the body; in clay also over A s_u and A D s_u.
 std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run);
 
+/// Of these the numbers that are asked of a push: where a force ended it the depth, then factor, resistance and shaft friction.
+base::Headline penetration_headline(const PenetrationRun& run);
+
 /// The names of all that a run may have of these.
 std::vector<std::string> penetration_names(const Penetrometer& how);
 

@@ -12,9 +12,11 @@ base::Structure pipe()
 {
   using Run = const record::RunRecord&;
   using driven::driven_runs;
+  base::Reading travels = driven::reading();
+  travels.headline = headline;
   return {"pipe",
           {{.words = [](Run run, const base::DisplayUnits& shown) { return consolidation_words(driven::DrivenRun(run), shown); }},
-           driven::reading(),
+           travels,
            {.answers = [](Run run, const std::vector<Real>&) { return axial_quantities(run); },
             .names = axial_names,
             .key_results = [](const base::Runs& runs, const base::DisplayUnits& shown) { return axial_table(driven_runs(runs), shown); },

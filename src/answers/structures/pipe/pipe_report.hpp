@@ -2,9 +2,13 @@
 #pragma once
 
 #include "structures/base/display_units.hpp"
+#include "structures/base/headline.hpp"
 #include "structures/driven/driven_run.hpp"
 
 namespace berm::pipe {
+
+/// The numbers that are asked of a pipe, with what design codes give beside them where they apply.
+base::Headline headline(const record::RunRecord& run, const base::DisplayUnits& shown);
 
 /// What pipes in soil with water could carry along their axis by friction at the ends of stages, beside the published wedging factor, as an HTML table; "" where no run has it.
 std::string axial_table(const driven::DrivenRuns& runs, const base::DisplayUnits& shown);

@@ -63,33 +63,42 @@ std::string style_of_foot(const std::string& text)
   return fmt::format("@page{{@bottom-left{{content:\"{}\";font:8pt sans-serif;color:#56606b}}}}", safe);
 }
 
-/// The question of the runs, in plain text; where they have none in common their titles.
+/// The title that runs have in common, in plain text; without one what they ask, else the titles.
 std::string page_heading(const std::vector<record::RunRecord>& runs)
 {
+  const std::string& title = runs.front().settings.title;
+  const bool common = std::ranges::all_of(runs, [&](const record::RunRecord& run) { return run.settings.title == title; });
   const std::string question = question_of(runs);
-  return question.empty() ? title_of(runs) : question;
+  return (common && !title.empty()) || question.empty() ? title_of(runs) : question;
 }
 
-/// The same as HTML. Names have no _, so that there is none but that of s_u.
-std::string page_heading_html(const std::vector<record::RunRecord>& runs)
+/// A question as HTML. Names have no _, so that there is none but that of s_u.
+std::string question_html(const std::string& question)
 {
-  std::string html = text::html_text(page_heading(runs));
+  std::string html = text::html_text(question);
   const std::string symbol = "s_u";
-  if (const std::size_t place = html.find(symbol); place != std::string::npos && !question_of(runs).empty())
-    html.replace(place, symbol.size(), "s<sub>u</sub>");
+  if (const std::size_t place = html.find(symbol); place != std::string::npos) html.replace(place, symbol.size(), "s<sub>u</sub>");
   return html;
 }
 
-std::string header_of(const std::vector<record::RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
+std::string header_of(const std::vector<record::RunRecord>& runs)
 {
-  std::vector<std::string> names, links;
+  std::vector<std::string> names;
   for (const record::RunRecord& run : runs) names.push_back(text::html_text(run.name));
+  const std::string heading = page_heading(runs), question = question_of(runs), title = title_of(runs);
+  const std::string below = heading == question ? text::html_text(title) : question_html(question);
+  return fmt::format("<h1>{}</h1>\n{}<p class=\"quiet\">{}{}: {}; written by berm {}</p>\n",
+                     heading == question ? question_html(heading) : text::html_text(heading),
+                     below.empty() || title == question ? "" : fmt::format("<p class=\"subtitle\">{}</p>\n", below),
+                     document_lines(runs.front()), runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()),
+                     text_of_list(names, ", "), BERM_VERSION);
+}
+
+std::string navigation_of(const std::vector<std::pair<std::string, std::string>>& sections)
+{
+  std::vector<std::string> links;
   for (const auto& [id, word] : sections) links.push_back(fmt::format("<a href=\"#{}\">{}</a>", id, word));
-  const std::string heading = page_heading(runs), title = title_of(runs);
-  return fmt::format(
-      "<header>\n<h1>{}</h1>\n{}{}<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
-      page_heading_html(runs), title == heading ? "" : text::html_paragraph(title, "subtitle"), document_lines(runs.front()),
-      runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), text_of_list(names, ", "), BERM_VERSION, text_of_list(links, " "));
+  return fmt::format("<nav aria-label=\"sections\">{}</nav>\n", text_of_list(links, " "));
 }
 
 /// What a reader must know first of runs that did not end well.
@@ -146,7 +155,7 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
 
   const std::string what_is_expected = expectations_section(runs, expected), what_is_claimed = claims_section(runs, expected);
   std::vector<std::pair<std::string, std::string>> sections = {
-      {"answer", "Answer"}, {"soil", "Soil"}, {"curves", "Curves"}, {"model", "Model"}, {"trust", "Trust"}};
+      {"answer", "Answer"}, {"soil", "Soil"}, {"curves", "Curves"}, {"model", "Model"}, {"trust", "Reliability"}};
   if (with_line) sections.insert(sections.begin() + 1, {"line", "Line"});
   if (!what_is_expected.empty()) sections.emplace_back("expected", "Expected");
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
@@ -158,11 +167,12 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", text::html_text(page_heading(runs)), page_style,
                       style_of_foot(document_foot(runs.front())));
   const std::vector<Judgement> judgements = judgements_of(runs);
-  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, judgements, first_look(runs.front()));
+  page += "<header>\n" + header_of(runs) + navigation_of(sections) + "</header>\n" + faults_of(runs, left_out) +
+          results_section(runs, judgements, first_look(runs.front()));
   if (with_line)
-    page += text::html_section("line", "The line in plan, moving",
+    page += text::html_section("line", "Animation: the line in plan",
                                "<noscript><p>The moving line needs scripts, which this browser does not run.</p></noscript>\n");
-  page += text::html_section("soil", "The soil, moving",
+  page += text::html_section("soil", "Animation: the soil",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += setup_section(runs) + quality_section(runs, judgements) + what_is_expected + what_is_claimed + origin_section(runs) + licences() +
@@ -171,6 +181,18 @@ std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSh
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
   page += page_script;
   return page + "</script>\n</body>\n</html>\n";
+}
+
+std::string word_page(const std::vector<record::RunRecord>& runs, const ExpectationSheets& expected,
+                      const std::vector<std::string>& left_out, const std::vector<std::string>& pictures)
+{
+  const std::vector<Judgement> judgements = judgements_of(runs);
+  std::string curves;
+  for (const std::string& name : pictures) curves += fmt::format("<p><img src=\"{}\" alt=\"\"></p>\n", name);
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n</head>\n<body>\n" + header_of(runs) +
+         faults_of(runs, left_out) + results_section(runs, judgements, first_look(runs.front())) +
+         text::html_section("curves", "Curves", curves) + setup_section(runs) + quality_section(runs, judgements) +
+         expectations_section(runs, expected) + claims_section(runs, expected) + origin_section(runs) + "</body>\n</html>\n";
 }
 
 }  // namespace berm::report

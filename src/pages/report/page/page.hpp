@@ -14,6 +14,10 @@ namespace berm::report {
 std::string report_page(std::vector<record::RunRecord> runs, const ExpectationSheets& expected = {},
                         const std::vector<std::string>& left_out = {});
 
+/// The same for a word processor: without scripts, films and navigation, with pictures of the curves by their names.
+std::string word_page(const std::vector<record::RunRecord>& runs, const ExpectationSheets& expected,
+                      const std::vector<std::string>& left_out, const std::vector<std::string>& pictures);
+
 /// What is seen of a run without scrolling beside its answer in words.
 FirstLook first_look(const record::RunRecord& run);
 

@@ -52,7 +52,7 @@ std::string verb_of(const settings::StageSettings& stage)
   if (stage.kind == push) return stage.velocity && *stage.velocity < 0 ? "lift" : "push";
   if (!stage.loads.empty() || !stage.load_times.empty()) return "load history";
   if (stage.kind == drag || stage.kind == sweep) return "drag";
-  return stage.kind == free ? "rest" : with_spaces(stage.name);
+  return stage.kind == free ? "dwell" : with_spaces(stage.name);
 }
 
 /// A length that a run came to along a limit of it, m: the limit where it was reached.

@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/log.hpp"
+#include "io/scratch_folder.hpp"
 #include "os/error.hpp"
 #include "report/page/page.hpp"
 #include "report/results/results_section.hpp"
@@ -175,6 +176,7 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   const std::vector<fs::path> folders = run_folders(request.folders);
   const fs::path page = page_file(request, folders);
   const fs::path browser = request.pdf ? printing_browser() : fs::path();  // or an error before there is work
+  const fs::path pandoc = request.docx ? word_writer() : fs::path();
   std::vector<std::string> left_out;
   std::vector<record::RunRecord> runs = read_runs(folders, left_out);
   const ExpectationSheets expected = expected_of(request, runs);
@@ -182,6 +184,14 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   io::write_atomically(page, report_page(runs, expected, left_out));
   std::vector<fs::path> written = {page};
   if (request.pdf) print_pdf(browser, page, written.emplace_back(fs::path(page).replace_extension("pdf")));
+  if (request.docx) {
+    const io::ScratchFolder scratch;
+    std::vector<std::string> pictures = draw_report_figures(runs, published_points(runs, expected), scratch.path() / figures_name);
+    std::erase_if(pictures, [](const std::string& name) { return !name.ends_with(".png"); });
+    for (std::string& name : pictures) name = (fs::path(figures_name) / name).string();
+    io::write_atomically(scratch.path() / page_name, word_page(runs, expected, left_out, pictures));
+    write_docx(pandoc, scratch.path() / page_name, written.emplace_back(fs::path(page).replace_extension("docx")));
+  }
   if (request.figures) {
     const fs::path figures = io::make_inner_folder(page.parent_path(), figures_name);
     for (const std::string& name : draw_report_figures(runs, published_points(runs, expected), figures)) written.push_back(figures / name);

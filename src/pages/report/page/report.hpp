@@ -13,6 +13,7 @@ struct ReportRequest {
   std::string output;                ///< file; "": report.html in the run folder, of several in the folder that holds them
   std::string expected;              ///< file of what the runs should give; "": expected.toml of each run folder
   bool pdf = false;                  ///< also printed, to a file of the page's name with the ending pdf
+  bool docx = false;                 ///< also as a Word document, to a file of the page's name with the ending docx
   bool figures = false;              ///< also SVG and PNG, in the folder report_figures beside the page
 };
 
@@ -25,5 +26,11 @@ std::filesystem::path printing_browser();
 
 /// Prints a page into a PDF as that browser does without a window. Throws RunError where it fails; an older file stays then.
 void print_pdf(const std::filesystem::path& browser, const std::filesystem::path& page, const std::filesystem::path& pdf);
+
+/// pandoc of the PATH. Throws RunError with what to install where there is none.
+std::filesystem::path word_writer();
+
+/// Makes a Word document of a page whose pictures lie beside it. Throws RunError where that fails; an older file stays then.
+void write_docx(const std::filesystem::path& pandoc, const std::filesystem::path& page, const std::filesystem::path& docx);
 
 }  // namespace berm::report

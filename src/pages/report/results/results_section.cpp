@@ -96,7 +96,8 @@ std::string results_section(const Runs& runs, const std::vector<Judgement>& judg
     const std::string id = fmt::format("results-{}", k);
     html += structures::structure_of(runs[k].settings).other_results(runs[k], id);
   }
-  html = reliable_method(runs, judgements) + words_of(runs, judgements, shown, first_look) + text::html_beside(html);
+  html = reliable_method(runs, judgements) + (runs.size() == 1 ? headline_of(runs.front(), shown) : "") +
+         words_of(runs, judgements, shown, first_look) + text::html_beside(html);
   // Tables of several runs name the run, with its mark, in each row; of one run the style of the class puts the mark behind each number.
   if (runs.size() == 1 && is_invalid(runs.front())) html = "<div class=\"invalid\">\n" + html + "</div>\n";
   return text::html_section("answer", "Answer", html);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "report/quality/judgement.hpp"
+#include "structures/base/display_units.hpp"
 #include "structures/base/published_point.hpp"
 
 namespace berm::report {
@@ -16,6 +17,9 @@ struct FirstLook {
 /// its first look, and the other runs below it.
 std::string results_section(const std::vector<record::RunRecord>& runs, const std::vector<Judgement>& judgements,
                             const FirstLook& first_look = {});
+
+/// The numbers that the job of a run asks for, large, with their bands and what a code gives, as HTML; "" where the run has none.
+std::string headline_of(const record::RunRecord& run, const base::DisplayUnits& shown);
 
 /// The key results of cases that ran by the material point method and by finite elements of large deformations, side by side with their differences, as HTML with its
 /// heading; "" where no case ran by both. Cases are the same that differ in method, size of cells and particles per cell alone. Which of both methods is more reliable

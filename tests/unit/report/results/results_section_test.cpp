@@ -57,7 +57,7 @@ TEST(answer, says_in_words_what_the_pipe_met)
   EXPECT_TRUE(holds(
       html, "Pushed to w = 0.1 D (2 mm, 0.1 m in the prototype), the pipe carries V = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²)."))
       << html;
-  EXPECT_TRUE(holds(html, "Dragged 1 D with V held, 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²) on average, it meets H = 0.57 kN/m "
+  EXPECT_TRUE(holds(html, "Dragged 1 D with V held, 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²) on average, it mobilises H = 0.57 kN/m "
                           "(28.5 kN/m in the prototype, "
                           "3.31 γ′ D²), 0.713 V, over the last 0.1 D, and sinks to w = 0.6 D"))
       << html;
@@ -84,8 +84,8 @@ TEST(answer, a_drag_under_another_vertical_force_says_so)
 {
   const std::string other = answer_of({with_a_second_drag(400)}), same = answer_of({with_a_second_drag(800)});
   EXPECT_TRUE(holds(other, "One more drag follows with V held, 0.4 kN/m")) << other;
-  EXPECT_TRUE(holds(other, "it meets at its end H = 0.3 kN/m")) << other;
-  EXPECT_TRUE(holds(same, "One more drag follows: it meets at its end H = 0.3 kN/m")) << same;
+  EXPECT_TRUE(holds(other, "it mobilises at its end H = 0.3 kN/m")) << other;
+  EXPECT_TRUE(holds(same, "One more drag follows: it mobilises at its end H = 0.3 kN/m")) << same;
 }
 
 TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_scale)
@@ -326,7 +326,7 @@ TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
   EXPECT_FALSE(holds(html, "Its forces are not known"));
   EXPECT_TRUE(holds(html,
                     "Wished in place at w = 0.3 D (6 mm, 0.3 m in the prototype) and dragged 0.08 D with V held, 0.8 kN/m (40 kN/m in the "
-                    "prototype, 4.65 γ′ D²) on average, the pipe meets at most H = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), at u = "
+                    "prototype, 4.65 γ′ D²) on average, the pipe mobilises at most H = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), at u = "
                     "0.04 D (0.8 mm, "
                     "0.04 m in the prototype)"))
       << html;
@@ -338,7 +338,7 @@ TEST(answer, what_cannot_be_trusted_is_named_beside_the_words)
   EXPECT_FALSE(holds(answer_of({run}), "#trust"));
   run.quantities.push_back({"overlap_max_over_D", 0.03, "1"});
   const std::string html = answer_of({run});
-  EXPECT_TRUE(holds(html, "<a href=\"#trust\">Reliability</a> low: deepest soil inside the pipe, over D – 0.03.")) << html;
+  EXPECT_TRUE(holds(html, "<a href=\"#trust\">Reliability</a> low: deepest soil inside the pipe, in D – 0.03.")) << html;
 }
 
 TEST(answer, a_body_has_the_name_that_the_case_gives_it)

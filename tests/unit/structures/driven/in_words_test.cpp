@@ -56,7 +56,7 @@ TEST(InWords, a_lift_out_of_the_soil_says_how_far_it_has_consolidated_and_what_i
   }
   run.quantities = structures::structure_of(run.settings).quantities(run, {});
   const std::string words = words_of(run);
-  EXPECT_NE(words.find("when 75 % of the excess pore pressure of \"rest\" has dissipated, the pipe meets an uplift resistance of"),
+  EXPECT_NE(words.find("when 75 % of the excess pore pressure of \"rest\" has dissipated, the pipe mobilises an uplift resistance of"),
             std::string::npos)
       << words;
   const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});

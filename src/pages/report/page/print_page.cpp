@@ -64,6 +64,25 @@ fs::path printing_browser()
                   text_of_list(names, ", ")));
 }
 
+fs::path word_writer()
+{
+  if (const fs::path found = in_path("pandoc"); !found.empty()) return found;
+  throw RunError("--docx: pandoc is not installed; install it, as by apt-get install pandoc");
+}
+
+void write_docx(const fs::path& pandoc, const fs::path& page, const fs::path& docx)
+{
+  const io::ScratchFolder scratch;
+  const fs::path made = scratch.path() / "page.docx", messages = scratch.path() / "messages.txt";
+  const int status = io::run_and_wait({pandoc.string(), "--from=html", "--to=docx", "--resource-path=" + page.parent_path().string(),
+                                       "--output=" + made.string(), page.string()},
+                                      messages);
+  if (status != 0)
+    throw RunError(fmt::format("--docx: {} could not write {} (exit status {}): {}", pandoc.string(), docx.string(), status,
+                               io::last_message(messages)));
+  io::copy_atomically(made, docx);
+}
+
 void print_pdf(const fs::path& browser, const fs::path& page, const fs::path& pdf)
 {
   const io::ScratchFolder scratch;  // a browser wants a profile of its own
