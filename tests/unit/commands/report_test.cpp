@@ -284,11 +284,10 @@ TEST_F(Report, writes_a_word_document_with_title_numbers_and_pictures_or_says_wh
   const Ended ended = berm({"report", "out/a", "--docx"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("out/a/report.docx"), std::string::npos) << ended.out;
-  place_.write("read.py",
-               "import re, sys, zipfile\nword = zipfile.ZipFile('out/a/report.docx')\n"
-               "print(sum(name.endswith('.png') for name in word.namelist()))\n"
-               "print(re.sub('<[^>]+>', '', word.read('word/document.xml').decode()))\n");
-  ASSERT_EQ(std::system(("cd '" + place_.path().string() + "' && python3 -B read.py > words.txt").c_str()), 0);
+  std::ofstream(file("read.py")) << ("import re, sys, zipfile\nword = zipfile.ZipFile('out/a/report.docx')\n"
+                                     "print(sum(name.endswith('.png') for name in word.namelist()))\n"
+                                     "print(re.sub('<[^>]+>', '', word.read('word/document.xml').decode()))\n");
+  ASSERT_EQ(std::system(("cd '" + file("").string() + "' && python3 -B read.py > words.txt").c_str()), 0);
   const std::string words = text("words.txt");
   EXPECT_NE(words.find("Reliability"), std::string::npos) << words;
   EXPECT_NE(words.find("Largest lateral resistance"), std::string::npos) << words;

@@ -30,13 +30,14 @@ base::Headline numbers_of_uplift(const std::string& stage)
 /// Breakout, and where a drag has none what stands for it; then the residual.
 base::Headline numbers_of_drag(const DragResults& drag, const std::string& prefix)
 {
+  const std::string of = prefix.empty() ? "" : " (" + drag.stage + ")";
   base::Headline numbers;
   if (drag.breakout) {
-    numbers = {{prefix + "H_breakout", "Breakout resistance"}, {prefix + "u_at_breakout", "Displacement at breakout"}};
+    numbers = {{prefix + "H_breakout", "Breakout resistance" + of}, {prefix + "u_at_breakout", "Displacement at breakout"}};
   } else if (drag.onset) {
-    numbers = {{prefix + "H_onset", "Resistance at the onset of sliding (no peak)"}};
+    numbers = {{prefix + "H_onset", "Resistance at the onset of sliding, no peak" + of}};
   } else {
-    numbers = {{prefix + "H_max", "Largest lateral resistance (no peak)"}};
+    numbers = {{prefix + "H_max", "Largest lateral resistance, no peak" + of}};
   }
   if (drag.residual)
     numbers.push_back({prefix + "H_residual", "Residual resistance"});

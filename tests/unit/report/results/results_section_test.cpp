@@ -49,6 +49,26 @@ TEST(answer, begins_its_tables_with_the_operating_state_and_the_drag_in_it)
   EXPECT_LT(row_of(html, "key-stages", "sweep_2"), row_of(html, "key-stages", "sweep_1")) << html;
 }
 
+TEST(answer, begins_with_the_numbers_that_the_job_asks_for)
+{
+  record::RunRecord run = lived_pipe();
+  const std::string html = answer_of({run});
+  std::size_t last = 0;
+  for (const char* part : {"<dt>Breakout resistance (sweep_1)</dt><dd class=\"number\">0.198 kN/m</dd>", "kN/m: DNVGL-RP-F114",
+                           "<dt>Displacement at breakout</dt><dd class=\"number\">4.04 mm <small>0.202 D</small></dd>",
+                           "<dt>Residual resistance</dt><dd class=\"number\">0.1 kN/m</dd>",
+                           "<dt>Embedment in operation</dt><dd class=\"number\">5.8 mm", "id=\"first-look\""}) {
+    const std::size_t place = html.find(part);
+    ASSERT_NE(place, std::string::npos) << part << "\n" << html.substr(0, 2000);
+    EXPECT_GT(place, last) << part;
+    last = place;
+  }
+  run.summary.emplace().uncertainty.emplace().quantities = {
+      {"sweep_1.H_residual", "N/m", {.value = 100, .converged = 90, .half_width = 12}}};
+  EXPECT_TRUE(holds(answer_of({run}), "0.1 kN/m</dd><dd class=\"quiet\">band 78 N/m to 0.102 kN/m</dd>")) << answer_of({run});
+  EXPECT_FALSE(holds(answer_of({run, run}), "class=\"headline\"")) << "of several runs a table compares them";
+}
+
 TEST(answer, says_in_words_what_the_pipe_met)
 {
   MadeRun made;
@@ -324,11 +344,11 @@ TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
   made.H = [](Real u) { return u < 0.0008 ? 1e6 * u : 800 - 1e5 * (u - 0.0008); };
   const std::string html = answer_of({made.record()});
   EXPECT_FALSE(holds(html, "Its forces are not known"));
-  EXPECT_TRUE(holds(html,
-                    "Wished in place at w = 0.3 D (6 mm, 0.3 m in the prototype) and dragged 0.08 D with V held, 0.8 kN/m (40 kN/m in the "
-                    "prototype, 4.65 γ′ D²) on average, the pipe mobilises at most H = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), at u = "
-                    "0.04 D (0.8 mm, "
-                    "0.04 m in the prototype)"))
+  EXPECT_TRUE(holds(
+      html, "Wished in place at w = 0.3 D (6 mm, 0.3 m in the prototype) and dragged 0.08 D with V held, 0.8 kN/m (40 kN/m in the "
+            "prototype, 4.65 γ′ D²) on average, the pipe mobilises at most H = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), at u = "
+            "0.04 D (0.8 mm, "
+            "0.04 m in the prototype)"))
       << html;
 }
 
