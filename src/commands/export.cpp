@@ -155,16 +155,16 @@ Command add_export(CLI::App& program)
   springs::AxialClay& clay = options->selection.clay;
   CLI::Option* ratio = app->add_option("--strength-ratio", clay.strength_ratio,
                                        "s_u/sigma'_v of the normally consolidated clay at the pipe: axial resistance after consolidation")
-                           ->check(CLI::Range(0.01, 2.));
+                           ->check(number_within({0.01, 2}));
   app->add_option("--ocr-exponent", clay.exponent, "m of OCR^m in it, OCR by V of the flooded pipe (default: 0)")
       ->needs(ratio)
-      ->check(CLI::Range(0., 2.));
+      ->check(number_within({0, 2}));
   app->add_option("--consolidation", clay.consolidation, "degree of consolidation U in it (default: 1)")
       ->needs(ratio)
-      ->check(CLI::Range(0., 1.));
+      ->check(number_within({0, 1}));
   app->add_option("--interface-angle", options->interface_degrees,
                   "drained friction angle of pipe and clay, deg: the axial resistance after many cycles")
-      ->check(CLI::Range(1., 50.));
+      ->check(number_within({1, 50}));
   app->add_option("-o,--output", options->output, "folder for the files (default: DIR/export)");
   return {app, [options] {
             messages_to_stderr();

@@ -229,7 +229,7 @@ Json Folder::write(const std::string& name, const Json& body) const
   const bool there = fs::exists(fs::symlink_status(file));
   if (there && !fs::is_regular_file(file)) throw Refusal(403, fmt::format("{} is no file", name));
   if (there ? mark != io::sha256_of(io::read_text_file(file, most_bytes_of_body)) : !mark.empty())
-    throw Refusal(409, fmt::format("{} was changed elsewhere", name));
+    throw Refusal(409, name + (mark.empty() ? " already exists" : " was changed by another program"));
   if (there && is_protected(file)) throw Refusal(403, fmt::format("{} is write-protected", name));
   io::make_folder(file.parent_path());
   io::write_atomically(file, text);

@@ -46,9 +46,9 @@ void for_each_axial_number(A& axial, const Formula& formula, const Visit& visit)
         axial.residual);
   for (auto& rest : axial.set_up) {
     const Place computed{"axial", rest.stage, "computed effective normal force"};
-    visit(computed, rest.stage + ".U", Kind::ratio, "degree of consolidation at the end of the rest", rest.degree);
-    visit(computed, rest.stage + ".before", Kind::force, "friction of the interface before the rest", rest.before);
-    visit(computed, rest.stage + ".after", Kind::force, "friction of the interface after the rest: set-up", rest.after);
+    visit(computed, rest.stage + ".U", Kind::ratio, "degree of consolidation at the end of the dwell", rest.degree);
+    visit(computed, rest.stage + ".before", Kind::force, "friction of the interface before the dwell", rest.before);
+    visit(computed, rest.stage + ".after", Kind::force, "friction of the interface after the dwell: set-up", rest.after);
   }
   const Place displacement = formula("axial", axial_displacement_source());
   for (const auto& [name, of, words] : {std::tuple("u_breakout", &axial.u_breakout, "at axial breakout"),
@@ -95,7 +95,7 @@ void for_each_number(S& springs, const Visit& visit)
   const Place state{"vertical", "", springs.state_origin.empty() ? "computed" : "computed, " + springs.state_origin};
   visit(state, "embedment", Kind::displacement, "embedment in the state", springs.embedment);
   visit(state, "V", Kind::force, "vertical force in the state", springs.V);
-  visit(state, "preload", Kind::force, "largest V that the bed has carried, which it carries again before the pipe penetrates further",
+  visit(state, "preload", Kind::force, "largest V before this state (preload): penetration resumes above it",
         springs.vertical.preload);
   for_each_axial_number(springs.axial, formula, visit);
 }

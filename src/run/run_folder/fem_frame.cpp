@@ -37,7 +37,7 @@ struct PointField {
 /// What points of integration carry to frames beside what their law keeps. The bare numbers are never negative.
 constexpr std::tuple point_fields = {
     PointField<SymTensor<2>>{"stress", "stress (tension positive)", "Pa", &fem::SoilPoint::stress},
-    PointField<Real>{"accumulated_deviatoric_strain", "deviatoric strain summed over all steps", "", &fem::SoilPoint::deviatoric_strain},
+    PointField<Real>{"accumulated_deviatoric_strain", "accumulated deviatoric strain", "", &fem::SoilPoint::deviatoric_strain},
     PointField<Real>{"overstress", "overstress: stress beyond the strength", "Pa", &fem::SoilPoint::overstress}};
 
 struct NodalSums {

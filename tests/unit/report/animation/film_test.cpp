@@ -125,7 +125,7 @@ TEST(film, incremental_strain_follows_the_frames_that_are_kept)
   const SampleFilmRun<2> sample(13);
   const Film all = make_film(sample.run, "f", plenty), without_spare = make_film(sample.run, "f", size_of(all) - 1);
   const Film film = make_film(sample.run, "f", size_of(without_spare) - 1);
-  ASSERT_EQ(film.json["note"], "every 2nd frame; without deviatoric strain summed over all steps");
+  ASSERT_EQ(film.json["note"], "every 2nd frame; without accumulated deviatoric strain");
   ASSERT_EQ(times_of(film), (std::vector<Real>{0, 1, 2, 3, 4, 5, 6}));  // 2 is the last of its stage, too
   const SeenFilm seen{film};
   const char* name = "incremental_deviatoric_strain";
@@ -164,7 +164,7 @@ TEST(film, where_the_fewest_frames_are_too_large_fields_go_and_then_the_film)
   EXPECT_NE(seen.field("deviatoric_strain"), nullptr);
   EXPECT_NE(seen.field("speed"), nullptr);
   EXPECT_EQ(seen.field("accumulated_deviatoric_strain"), nullptr);
-  EXPECT_EQ(few.json["note"], "without deviatoric strain summed over all steps");
+  EXPECT_EQ(few.json["note"], "without accumulated deviatoric strain");
   EXPECT_EQ(seen.frames(), 2u);
 
   const Film none_left = make_film(sample.run, "f", 100);
