@@ -55,8 +55,8 @@ constexpr auto particle_fields = std::tuple{
     particle_field("volume", "volume", dim == 2 ? "m2" : "m3", everywhere & ~to_frame, &Block<dim>::volume, &Particle<dim>::volume),
     particle_field("mass", "mass", dim == 2 ? "kg/m" : "kg", everywhere & ~to_frame, &Block<dim>::mass, &Particle<dim>::mass),
     particle_field("stress", "stress (tension positive)", "Pa", everywhere, &Block<dim>::stress, &Particle<dim>::stress),
-    particle_field("accumulated_deviatoric_strain", "accumulated deviatoric strain", "", everywhere,
-                   &Block<dim>::deviatoric_strain, &Particle<dim>::deviatoric_strain),
+    particle_field("accumulated_deviatoric_strain", "accumulated deviatoric strain", "", everywhere, &Block<dim>::deviatoric_strain,
+                   &Particle<dim>::deviatoric_strain),
     particle_field("id", "number", "", to_checkpoint | with_particle, &Block<dim>::id, &Particle<dim>::id)};
 
 /// Calls visit(field) for each field that every particle has.

@@ -95,8 +95,7 @@ void for_each_number(S& springs, const Visit& visit)
   const Place state{"vertical", "", springs.state_origin.empty() ? "computed" : "computed, " + springs.state_origin};
   visit(state, "embedment", Kind::displacement, "embedment in the state", springs.embedment);
   visit(state, "V", Kind::force, "vertical force in the state", springs.V);
-  visit(state, "preload", Kind::force, "largest V before this state (preload): penetration resumes above it",
-        springs.vertical.preload);
+  visit(state, "preload", Kind::force, "largest V before this state (preload): penetration resumes above it", springs.vertical.preload);
   for_each_axial_number(springs.axial, formula, visit);
 }
 
