@@ -2,6 +2,7 @@
 #include "settings/body_soil.hpp"
 
 #include "material/clay.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "material/ngi_adp.hpp"
 #include "os/error.hpp"
 #include "settings/case.hpp"
@@ -35,6 +36,39 @@ bool has_rigidity_index(const material::Material& material)
   return (clay != nullptr && clay->rigidity_index) || (adp != nullptr && adp->rigidity_index);
 }
 
+// Of a field of friction angles: classes from -4 to 4 standard deviations of the logarithm.
+constexpr Real class_width = 0.1;
+constexpr int classes_to_a_side = 40;
+
+/// The number of the class of a value of the Gaussian field, from 0.
+Index class_of(Real score)
+{
+  const Real number = std::clamp<Real>(std::round(score / class_width), -classes_to_a_side, classes_to_a_side);
+  return static_cast<Index>(number) + classes_to_a_side;
+}
+
+/// With tan(phi) so many times as large; the dilation angle and the tension cut-off stay, as far as they may.
+material::Material with_friction_times(const material::Material& material, Real factor)
+{
+  material::MohrCoulomb law = *material.get_if<material::MohrCoulomb>();
+  law.friction_angle = std::atan(factor * std::tan(law.friction_angle));
+  law.dilation_angle = std::min(law.dilation_angle, law.friction_angle);
+  return material::Material(law);
+}
+
+/// Appends the materials of the classes of a field of friction angles.
+void add_classes(BodySoil& soil, SoilField& field)
+{
+  const material::Material mean = soil.materials[field.material];
+  const std::string name = soil.names[field.material];
+  const Real deviation = field.settings.log_deviation();
+  field.first_class = static_cast<Index>(soil.materials.size());
+  for (int k = -classes_to_a_side; k <= classes_to_a_side; ++k) {
+    soil.materials.push_back(with_friction_times(mean, std::exp(deviation * k * class_width - deviation * deviation / 2)));
+    soil.names.push_back(name);
+  }
+}
+
 /// The random fields of the materials of a body.
 void add_fields(BodySoil& soil, const Case& c)
 {
@@ -42,6 +76,10 @@ void add_fields(BodySoil& soil, const Case& c)
     const auto material = std::find(soil.names.begin(), soil.names.end(), field.material);
     if (material == soil.names.end()) continue;
     const auto number = static_cast<std::size_t>(material - soil.names.begin());
+    if (field.of_friction()) {
+      if (has_friction(soil.materials[number])) soil.fields.push_back({"random_field." + name, field, static_cast<Index>(number), 0});
+      continue;
+    }
     const std::vector<FieldInfo> own = local_fields(soil.materials[number]);
     const auto place = std::find_if(own.begin(), own.end(), [&, &field = field](const FieldInfo& f) { return f.name == field.property; });
     if (place == own.end()) continue;  // of a visitor that does not throw
@@ -122,6 +160,14 @@ Index BodySoil::material_index_at(const std::string& region, Real depth) const
   return number;
 }
 
+Index BodySoil::material_index_at(const std::string& region, const SoilPlace& place) const
+{
+  const Index number = material_index_at(region, place.depth);
+  for (const SoilField& field : fields)
+    if (field.material == number && field.first_class != none) return field.first_class + class_of(field.values->at(place));
+  return number;
+}
+
 material::Material BodySoil::at(const std::string& region, Real depth) const
 {
   return at_depth(materials[material_index_at(region, depth)], depth, vertical_stress(region, depth));
@@ -129,12 +175,12 @@ material::Material BodySoil::at(const std::string& region, Real depth) const
 
 material::Material BodySoil::at(const std::string& region, const SoilPlace& place) const
 {
-  material::Material there = at(region, place.depth);
-  if (fields.empty()) return there;
+  if (fields.empty()) return at(region, place.depth);
+  const material::Material there = at_depth(materials[material_index_at(region, place)], place.depth, vertical_stress(region, place.depth));
   const Index number = material_index_at(region, place.depth);
   std::vector<Real> own = local_values(there);
   for (const SoilField& field : fields) {
-    if (field.material != number) continue;
+    if (field.material != number || field.settings.of_friction()) continue;
     const Real deviation = field.settings.log_deviation();
     const Real over_mean = std::exp(deviation * field.values->at(place) - deviation * deviation / 2);
     own[field.place] *= over_mean;
@@ -192,10 +238,16 @@ BodySoil soil_of(const Case& c, const bodies::BodySettings& body)
   return soil;
 }
 
+bool has_friction(const material::Material& material)
+{
+  const auto* law = material.get_if<material::MohrCoulomb>();
+  return law != nullptr && law->friction_angle > 0;
+}
+
 void make_random_fields(BodySoil& soil, const SoilPlace& lower, const SoilPlace& upper)
 {
   for (SoilField& field : soil.fields) {
-    const material::Material& material = soil.materials[field.material];
+    const material::Material material = soil.materials[field.material];
     const Real deviation = field.settings.log_deviation();
     std::vector<RandomField::Known> known;
     for (const SoundingSettings& sounding : field.settings.sounding)
@@ -206,6 +258,7 @@ void make_random_fields(BodySoil& soil, const SoilPlace& lower, const SoilPlace&
         known.push_back({{sounding.x, depth, sounding.z}, std::log(sounding.value[k] / mean) / deviation + deviation / 2});
       }
     field.values = std::make_shared<const RandomField>(field.settings, field.path, lower, upper, known);
+    if (field.settings.of_friction()) add_classes(soil, field);
   }
 }
 
@@ -225,7 +278,7 @@ std::vector<FieldInfo> local_fields(const BodySoil& soil)
 std::vector<Real> local_values(const BodySoil& soil, const std::string& region, const SoilPlace& place)
 {
   if (!varies(soil)) return {};
-  return local_values(soil, soil.material_index_at(region, place.depth), soil.at(region, place));
+  return local_values(soil, soil.material_index_at(region, place), soil.at(region, place));
 }
 
 std::vector<Real> local_values(const BodySoil& soil, Index material, const material::Material& there)

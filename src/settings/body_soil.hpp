@@ -22,9 +22,10 @@ struct SoilField {
   std::string path;  ///< "random_field.NAME"
   RandomFieldSettings settings;
   Index material;                                  ///< of the body
-  std::size_t place;                               ///< of the property among material::local_values
+  std::size_t place;                               ///< of the property among material::local_values; of a friction angle not used
   bool with_stiffness = false;                     ///< the stiffness follows the strength, by a rigidity index
   std::shared_ptr<const RandomField> values = {};  ///< once the mesh is known (make_random_fields)
+  Index first_class = none;                        ///< of a friction angle: the first of its materials (make_random_fields)
 };
 
 /// The materials of a body, which all have one law, and where each of them lies at the start.
@@ -40,6 +41,8 @@ struct BodySoil {
 
   /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
   Index material_index_at(const std::string& region, Real depth) const;
+  /// The same at a place: where the friction angle varies at random that of its class.
+  Index material_index_at(const std::string& region, const SoilPlace& place) const;
   /// The material there, with its strength and stiffness: where they vary at random with their means.
   material::Material at(const std::string& region, Real depth) const;
   /// The same with those of the place.
@@ -59,7 +62,11 @@ BodySoil soil_of_one(const material::Material& material, const std::string& name
 /// material: the inertia densities of the others follow, where water does not flow.
 BodySoil soil_of(const Case& c, const bodies::BodySettings& body);
 
-/// Draws the random fields of a body for the part of the bed between two places; what their soundings know has its mean by the depth. Throws KeyError.
+/// Whether a law of Mohr and Coulomb has a friction angle, which may vary at random.
+bool has_friction(const material::Material& material);
+
+/// Draws the random fields of a body for the part of the bed between two places; what their soundings know has its mean by the depth. A material whose friction angle varies gets
+/// classes, materials of its name with tan(phi) a tenth of a standard deviation of its logarithm apart. Throws KeyError.
 void make_random_fields(BodySoil& soil, const SoilPlace& lower, const SoilPlace& upper);
 
 /// Whether the particles of a body differ in strength, stiffness or material: then each keeps its own.

@@ -10,6 +10,7 @@ namespace berm::settings {
 struct Case;
 
 constexpr const char* stiffness_word = "young_modulus";  ///< of the property that is no strength
+constexpr const char* friction_word = "friction_angle";  ///< of the property whose tangent varies
 
 /// How the correlation of the logarithm falls with distance.
 enum class Correlation { markov, gaussian };
@@ -20,7 +21,7 @@ struct SoundingSettings {
   std::vector<Real> depth, value;  ///< m below the bed's surface; Pa
 };
 
-/// A strength or stiffness of a material that varies at random about its value in the case.
+/// A strength or stiffness of a material, or the tangent of its friction angle, that varies at random about its value in the case.
 struct RandomFieldSettings {
   std::string material, property;
   Real coefficient_of_variation = 0;
@@ -30,6 +31,7 @@ struct RandomFieldSettings {
   int seed = 1;
   std::vector<SoundingSettings> sounding;
 
+  bool of_friction() const { return property == friction_word; }
   /// The standard deviation of the logarithm of a lognormal variable: sqrt(ln(1 + V^2)).
   Real log_deviation() const { return std::sqrt(std::log1p(coefficient_of_variation * coefficient_of_variation)); }
   /// Along x, depth and z.

@@ -14,7 +14,7 @@ namespace berm::soil_plot {
 namespace {
 
 constexpr int left = 160, right = 240, bottom = 120, top = 110;  // pixels around the plot
-constexpr int widest = 930, highest = 640, narrowest = 100;      // pixels of the plot
+constexpr int widest = 930, highest = 1000, narrowest = 100;     // pixels of the plot
 
 /// A picture in the making: what it shows and in which unit.
 struct Picture {

@@ -118,8 +118,9 @@ std::string axial_origin(const Springs& s)
 {
   const bool undrained = !std::isnan(s.axial.undrained);
   const std::string& source = undrained ? s.axial.undrained_source : s.axial.drained_source;
-  return sentence({run_words(s), state_words(s), "not computed in plane strain: by formula", undrained ? "undrained" : "drained",
-                   source.empty() ? "with the interface of the case" : source, "displacements by " + axial_displacement_source()});
+  return sentence({run_words(s), state_words(s), "not computed in plane strain", undrained ? "undrained" : "drained",
+                   "by " + (source.empty() ? "a formula with the interface of the case" : source),
+                   "displacements by " + axial_displacement_source()});
 }
 
 std::string axial_title(const Springs& s)

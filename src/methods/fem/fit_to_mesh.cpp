@@ -124,7 +124,7 @@ void set_adhesion(FemModel& model, const NodeField<Vec<2>>& was_at)
     const settings::BodySoil& soil = model.model.bodies[contact.body].soil;
     const settings::SoilPlace place = model.model.soil_place(was_at[point.node]);
     const material::Material there = soil.at("", place);
-    const Index number = soil.material_index_at("", place.depth);
+    const Index number = soil.material_index_at("", place);
     const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(there)), 0);
     point.adhesion = contact.adhesion_law.at(there, undisturbed.data(), 0, number);
     point.friction =
