@@ -47,12 +47,13 @@ Index class_of(Real score)
   return static_cast<Index>(number) + classes_to_a_side;
 }
 
-/// With tan(phi) so many times as large; the dilation angle and the tension cut-off stay, as far as they may.
+/// With tan(phi) so many times as large. The dilation angle stays, but is at most the friction angle; associated flow stays so.
 material::Material with_friction_times(const material::Material& material, Real factor)
 {
   material::MohrCoulomb law = *material.get_if<material::MohrCoulomb>();
+  const bool associated = law.dilation_angle == law.friction_angle;
   law.friction_angle = std::atan(factor * std::tan(law.friction_angle));
-  law.dilation_angle = std::min(law.dilation_angle, law.friction_angle);
+  law.dilation_angle = associated ? law.friction_angle : std::min(law.dilation_angle, law.friction_angle);
   return material::Material(law);
 }
 

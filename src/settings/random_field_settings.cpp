@@ -31,7 +31,8 @@ void describe(Describe& d, RandomFieldSettings& field)
           {.meaning =
                "key of the material that varies: its strength (cohesion, undrained_strength), young_modulus, or friction_angle, whose "
                "tangent varies; the value in the material, with gradient, profile or shansep, is the mean (of the tangent). A "
-               "rigidity_index keeps the stiffness proportional to the strength; dilation_angle stays, but is at most the friction angle",
+               "rigidity_index keeps the stiffness proportional to the strength; dilation_angle stays, at most the friction angle, and "
+               "associated flow stays associated",
            .required = true});
   d.value("coefficient_of_variation", field.coefficient_of_variation,
           {.meaning = "standard deviation over mean at a point, of a lognormal distribution", .range = {0, 10, true}, .required = true});
