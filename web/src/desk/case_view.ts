@@ -42,7 +42,7 @@ export class CaseView implements Place {
     this.saved = read.text;
     this.modified = read.modified;
     this.text = new CaseText(read.text);
-    this.form = new Form(schema, (at, literal) => this.change(at, literal), (at) => this.look_at(at));
+    this.form = new Form(schema, (at, literal) => this.change(literal === "" ? this.text.without(at) : this.text.with(at, literal)), (at, comment) => this.change(this.text.with_comment(at, comment)), (at) => this.look_at(at));
     const threads = element("input", { type: "number", min: 1, max: cores, value: cores, id: "threads", "aria-label": "threads" });
     this.run_button.addEventListener("click", () => void this.run(Number(threads.value)));
     this.save_button.addEventListener("click", () => void this.save());
@@ -102,8 +102,7 @@ export class CaseView implements Place {
     return true;
   }
 
-  private change(path: Path, literal: string): void {
-    const next = literal === "" ? this.text.without(path) : this.text.with(path, literal);
+  private change(next: string): void {
     if (next === this.text.text) return;
     this.from_form = true;
     this.put(next);

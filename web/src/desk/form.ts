@@ -4,10 +4,13 @@ import { below, is_table, keys_of, type Schema, type Words } from "../editor/sch
 import { element } from "../element";
 import { make } from "../film_elements";
 import type { CaseText, Path } from "./case_text";
+import { may_vary, type Range, range_in, with_range, without_range } from "./ranges";
 import { in_unit, type Quantity, quantity_of, spelled, units_of } from "./units";
 
 /** A value was changed: as TOML spells it, "" where the key goes. */
 export type Changed = (path: Path, literal: string) => void;
+/** The comment behind it was changed. */
+export type Said = (path: Path, comment: string) => void;
 
 /** "material.clay", or of a stage its name: "stage.drag". */
 export function words_of(text: CaseText, path: Path): string {
@@ -90,7 +93,7 @@ export class Form {
   private open = new Set<string>();
   private folded = new Set<string>();
 
-  constructor(private readonly schema: Schema, private readonly changed: Changed, private readonly looked_at: (path: Path) => void) {
+  constructor(private readonly schema: Schema, private readonly changed: Changed, private readonly said: Said, private readonly looked_at: (path: Path) => void) {
     this.element.setAttribute("role", "form");
     this.element.setAttribute("aria-label", "The case");
   }
@@ -166,12 +169,30 @@ export class Form {
     const meaning = (schema.description ?? "").split("\n\n")[0];
     const row = make("div", spelling === null ? "field unset" : "field");
     row.dataset.key = words_of(text, path);
-    const said = text.comment(path).replace(mark, ""), label = element("label", { for: id, title: key }, in_words(key));
+    const said = without_range(text.comment(path)).replace(mark, ""), label = element("label", { for: id, title: key }, in_words(key));
     if (said && mark.test(text.comment(path))) label.append(make("span", "quiet said", said));
     row.append(label, this.control(id, path, schema, spelling), element("p", { class: "quiet meaning", id: `${id}-meaning` }, meaning));
+    if (may_vary(text, path)) row.append(this.range(text, path, id, quantity_of(spelling!, schema["x-unit"] ?? "")?.unit ?? ""));
     row.querySelector(`#${CSS.escape(id)}`)?.setAttribute("aria-describedby", `${id}-meaning`);
     row.addEventListener("focusin", () => this.looked_at(path));
     return row;
+  }
+
+  /** Low and high beside the best value; folded where the case gives none. */
+  private range(text: CaseText, path: Path, id: string, unit: string): HTMLElement {
+    const now = range_in(text.comment(path)), name = `${id}-range`, box = make("details", "range", make("summary", "quiet", now ? `low ${now.low}, high ${now.high}` : "low, high"));
+    const field = (side: keyof Range) => element("input", { type: "text", id: `${id}-${side}`, "aria-label": `${side} ${in_words(String(path[path.length - 1]))}`, value: now?.[side] ?? "", placeholder: `${side}${unit ? `, ${unit}` : ""}`, autocomplete: "off" });
+    const low = field("low"), high = field("high");
+    const write = () => {
+      if ((low.value === "") !== (high.value === "")) return; // the other one is still to come
+      this.said(path, with_range(text.comment(path), { low: low.value, high: high.value }, unit));
+    };
+    for (const each of [low, high]) each.addEventListener("change", write);
+    box.title = "The 5 % and 95 % values, for Low, best, high of a finished run";
+    box.open = this.open.has(name);
+    box.addEventListener("toggle", () => (box.open ? this.open.add(name) : this.open.delete(name)));
+    box.append(low, high);
+    return box;
   }
 
   private control(id: string, path: Path, schema: Field["schema"], spelling: string | null): HTMLElement {
