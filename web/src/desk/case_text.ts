@@ -26,10 +26,12 @@ interface Table {
 interface Cleared {
   line: Range;
   comment: string;
+  /** As it was spelled. */
+  value: string;
   /** Of its comment, on the line of the key that is set. */
   column: number;
 }
-const cleared_line = /^[ \t]*#[ \t]*([A-Za-z0-9_-]+(?:\.[A-Za-z0-9_-]+)*)[ \t]*=[ \t]*[^#\n]+#[ \t]*(.+)$/;
+const cleared_line = /^[ \t]*#[ \t]*([A-Za-z0-9_-]+(?:\.[A-Za-z0-9_-]+)*)[ \t]*=[ \t]*([^#\n]+)#[ \t]*(.+)$/;
 
 const name_of = (path: Path) => JSON.stringify(path);
 const bare = /^[A-Za-z0-9_-]+$/;
@@ -64,6 +66,11 @@ export class CaseText {
   spelled(path: Path): string | null {
     const entry = this.entries.get(name_of(path));
     return entry ? this.text.slice(...entry.value) : null;
+  }
+
+  /** As a key that was cleared was spelled. */
+  former(path: Path): string | null {
+    return this.cleared.get(name_of(path))?.value ?? null;
   }
 
   /** The comment behind a value on its line, or behind the line of a key that was cleared; "" where there is none. */
@@ -152,7 +159,7 @@ export class CaseText {
       if (!found) continue;
       const table = headers.filter((each) => each.range[0] < begin).pop();
       const path = name_of([...(table?.resolvedKey ?? []), ...found[1].split(".")]);
-      if (!this.entries.has(path)) this.cleared.set(path, { line: [begin, end], comment: found[2].trim(), column: found[0].length - found[2].length - "# ".length - "# ".length });
+      if (!this.entries.has(path)) this.cleared.set(path, { line: [begin, end], value: found[2].trim(), comment: found[3].trim(), column: found[0].length - found[3].length - "# ".length - "# ".length });
     }
   }
 

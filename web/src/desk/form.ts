@@ -171,31 +171,39 @@ export class Form {
     row.dataset.key = words_of(text, path);
     const said = without_range(text.comment(path)).replace(mark, ""), label = element("label", { for: id, title: key }, in_words(key));
     if (said && mark.test(text.comment(path))) label.append(make("span", "quiet said", said));
-    row.append(label, this.control(id, path, schema, spelling), element("p", { class: "quiet meaning", id: `${id}-meaning` }, meaning));
-    if (may_vary(text, path)) row.append(this.range(text, path, id, quantity_of(spelling!, schema["x-unit"] ?? "")?.unit ?? ""));
+    const control = this.control(id, path, schema, spelling, text.former(path)), range = may_vary(text, path) ? this.range(text, path, id, quantity_of(spelling!, schema["x-unit"] ?? "")?.unit ?? "") : null;
+    if (range) control.append(range.face);
+    row.append(label, control, ...(range ? [range.box] : []), element("p", { class: "quiet meaning", id: `${id}-meaning` }, meaning));
     row.querySelector(`#${CSS.escape(id)}`)?.setAttribute("aria-describedby", `${id}-meaning`);
     row.addEventListener("focusin", () => this.looked_at(path));
     return row;
   }
 
-  /** Low and high beside the best value; folded where the case gives none. */
-  private range(text: CaseText, path: Path, id: string, unit: string): HTMLElement {
-    const now = range_in(text.comment(path)), name = `${id}-range`, box = make("details", "range", make("summary", "quiet", now ? `low ${now.low}, high ${now.high}` : "low, high"));
-    const field = (side: keyof Range) => element("input", { type: "text", id: `${id}-${side}`, "aria-label": `${side} ${in_words(String(path[path.length - 1]))}`, value: now?.[side] ?? "", placeholder: `${side}${unit ? `, ${unit}` : ""}`, autocomplete: "off" });
+  /** Low and high below the best value, and the button that shows them. */
+  private range(text: CaseText, path: Path, id: string, unit: string): { face: HTMLElement; box: HTMLElement } {
+    const now = range_in(text.comment(path)), name = `${id}-range`, words = in_words(String(path[path.length - 1])), box = make("div", "range");
+    const face = element("button", { type: "button", id: name, class: "of_range", "aria-label": `low and high of ${words}`, title: "Low and high: the 5 % and 95 % values, for Low, best, high of a finished run" }, "±");
+    const field = (side: keyof Range) => element("input", { type: "text", id: `${id}-${side}`, "aria-label": `${side} ${words}`, value: now?.[side] ?? "", placeholder: `${side}${unit ? `, ${unit}` : ""}`, autocomplete: "off" });
     const low = field("low"), high = field("high");
-    const write = () => {
-      if ((low.value === "") !== (high.value === "")) return; // the other one is still to come
-      this.said(path, with_range(text.comment(path), { low: low.value, high: high.value }, unit));
+    for (const each of [low, high])
+      each.addEventListener("change", () => {
+        if ((low.value === "") === (high.value === "")) this.said(path, with_range(text.comment(path), { low: low.value, high: high.value }, unit)); // else the other one is still to come
+      });
+    const show = () => {
+      box.hidden = now === null && !this.open.has(name);
+      face.setAttribute("aria-expanded", String(!box.hidden));
     };
-    for (const each of [low, high]) each.addEventListener("change", write);
-    box.title = "The 5 % and 95 % values, for Low, best, high of a finished run";
-    box.open = this.open.has(name);
-    box.addEventListener("toggle", () => (box.open ? this.open.add(name) : this.open.delete(name)));
+    face.addEventListener("click", () => {
+      if (!this.open.delete(name)) this.open.add(name);
+      show();
+      if (!box.hidden) low.focus();
+    });
+    show();
     box.append(low, high);
-    return box;
+    return { face, box };
   }
 
-  private control(id: string, path: Path, schema: Field["schema"], spelling: string | null): HTMLElement {
+  private control(id: string, path: Path, schema: Field["schema"], spelling: string | null, former: string | null): HTMLElement {
     const preset = schema.default === undefined ? "" : String(schema.default);
     if (schema.enum || schema.type === "boolean") {
       const words = schema.enum ?? ["true", "false"], literal = (word: string) => (schema.enum ? JSON.stringify(word) : word);
@@ -204,7 +212,7 @@ export class Form {
       select.addEventListener("change", () => this.changed(path, select.value));
       return select;
     }
-    if (Array.isArray(schema.type) && schema.type.includes("number")) return this.number(id, path, schema["x-unit"] ?? "", preset, spelling);
+    if (Array.isArray(schema.type) && schema.type.includes("number")) return this.number(id, path, schema["x-unit"] ?? "", preset, spelling, former);
     const input = element("input", { id, type: "text", placeholder: preset || (schema.type === "array" ? "[…]" : ""), spellcheck: "false" });
     const of_text = schema.type === "string";
     input.value = of_text && spelling?.startsWith('"') ? (JSON.parse(spelling) as string) : (spelling ?? "");
@@ -212,10 +220,11 @@ export class Form {
     return input;
   }
 
-  private number(id: string, path: Path, si: string, preset: string, spelling: string | null): HTMLElement {
-    const known = spelling === null ? null : quantity_of(spelling, si), word = spelling !== null && known === null;
-    const input = element("input", { id, type: "text", inputmode: "decimal", placeholder: preset, autocomplete: "off" });
-    const all = units_of(si), first = usual(si, preset, all);
+  /** `former`: what stood in a field that was cleared, whose unit it keeps. */
+  private number(id: string, path: Path, si: string, preset: string, spelling: string | null, former: string | null): HTMLElement {
+    const known = spelling === null ? null : quantity_of(spelling, si), was = former === null ? null : quantity_of(former, si), word = spelling !== null && known === null;
+    const input = element("input", { id, type: "text", inputmode: "decimal", placeholder: was ? `was ${was.number}` : preset, autocomplete: "off" });
+    const all = units_of(si), first = was?.unit ?? usual(si, preset, all);
     let now: Quantity = known ?? { number: "", unit: first, plain: false };
     input.value = word ? spelling!.replace(/^"|"$/g, "") : now.number;
     const write = () => this.changed(path, spelled({ ...now, number: input.value }, si));

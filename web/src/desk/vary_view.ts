@@ -2,11 +2,11 @@
 // A study of uncertain parameters, from a finished run: which numbers of its case vary, which key results are measured.
 import { element } from "../element";
 import { make } from "../film_elements";
-import { digits } from "../film_numbers";
 import { api, type Summary } from "./api";
 import { CaseText, type Path } from "./case_text";
 import type { Place } from "./place";
 import { range_in } from "./ranges";
+import { value_words } from "./words";
 
 interface Varied { key: string; low: string; best: string; high: string }
 interface Measured { quantity: string; unit: string }
@@ -109,12 +109,12 @@ export class VaryView implements Place {
 
   /** The key number of the kind of run is ticked. */
   private quantities({ quantities }: Summary, key = ""): HTMLElement {
-    const all = Object.entries((quantities ?? {}) as Record<string, { value?: unknown; unit: string; meaning: string; kind?: string }>).filter(([, { value, kind }]) => typeof value === "number" && kind !== "ratio");
+    const all = Object.entries((quantities ?? {}) as Record<string, { value?: unknown; unit: string; meaning: string; kind?: string }>).filter(([, { value, kind }]) => typeof value === "number" && kind === "answer");
     return make("div", "measures", ...all.map(([name, { value, unit, meaning }]) => {
       const chosen = element("input", { type: "checkbox" });
       chosen.checked = name === key;
       this.measures.push({ measured: { quantity: name, unit }, chosen });
-      const face = make("label", "", chosen, ` ${name} `, make("span", "quiet", `${digits(value as number)} ${unit === "1" ? "" : unit}`));
+      const face = make("label", "", chosen, ` ${name} `, make("span", "quiet", value_words(value as number, unit)));
       face.title = meaning;
       return face;
     }));
