@@ -132,6 +132,18 @@ TEST_F(DeskRuns, changes_ask_for_token_host_origin_and_type)
   EXPECT_FALSE(fs::exists(served() / "out/storm/notes.txt"));
 }
 
+// A run says "berm: warning: ..." in a terminal, a command that answers at once "warning: ...".
+TEST_F(DeskRuns, a_warning_is_not_why_a_run_ended)
+{
+  const auto why = [&](const std::string& messages) {
+    std::ofstream(served() / "out/other.messages") << messages;
+    return desk_->get("/api/run?path=out/other").json().value("why", "");
+  };
+  EXPECT_EQ(why("berm: no space left\n"), "berm: no space left");
+  for (const char* warning : {"berm: warning: V is doubtful\n", "warning: V is doubtful\n"})
+    EXPECT_NE(why(warning).find("killed"), std::string::npos) << warning;
+}
+
 TEST_F(DeskRuns, one_that_failed_before_it_had_a_folder_leaves_the_list)
 {
   std::ofstream(served() / "wrong.toml") << test::small_case << "\n[nonsense]\n";

@@ -192,6 +192,7 @@ export class Form {
     const show = () => {
       box.hidden = now === null && !this.open.has(name);
       face.setAttribute("aria-expanded", String(!box.hidden));
+      box.replaceChildren(...(box.hidden ? [] : [low, high]));
     };
     face.addEventListener("click", () => {
       if (!this.open.delete(name)) this.open.add(name);
@@ -199,7 +200,6 @@ export class Form {
       if (!box.hidden) low.focus();
     });
     show();
-    box.append(low, high);
     return { face, box };
   }
 

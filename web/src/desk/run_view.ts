@@ -190,13 +190,14 @@ export class RunView implements Place {
     return this.rows.map((row) => (typeof row[index] === "number" ? (row[index] as number) : null));
   }
 
-  /** What is drawn, y over x: V(w), H(u) and w(u) of a body that is driven, over time where it has not moved that way; V, H and u over time where it turns; of a line its displacement. */
+  /** What is drawn, y over x: V(w), H(u) and w(u) of a body that is driven, over time where it has not moved that way; V, H and u over time where it turns; of a line its displacement; of soil that consolidates U. */
   private curves(): [y: string, x: string][] {
     const line = this.columns.filter(({ name }) => name === "line_y_m").map(({ label }): [string, string] => [label, "time"]);
     if (this.index("u") < 0 || this.index("w") < 0) return [...line, ...this.columns.filter(({ name, unit }) => name !== "time_s" && unit !== null && name !== "line_y_m").slice(0, 3).map(({ label }): [string, string] => [label, "time"])];
     const over = (label: string) => (travel(this.numbers(this.index(label))) > least_travel ? label : "time"), [u, w] = [over("u"), over("w")];
     const in_time: [string, string][] = u === "u" && turns(this.numbers(this.index("u"))) >= 2 ? [["u", "time"], ["H", "time"]] : [];
-    return [...line, ["V", in_time.length > 0 ? "time" : w], ["H", u], ["w", u], ...in_time];
+    const water: [string, string][] = this.columns.some(({ name }) => name === "U") && travel(this.numbers(this.columns.findIndex(({ name }) => name === "U"))) > 0 ? [["U", "time"]] : [];
+    return [...water, ...line, ["V", in_time.length > 0 ? "time" : w], ["H", u], ["w", u], ...in_time];
   }
 
   private show_curves(): void {
