@@ -199,7 +199,8 @@ void Runs::remove(const std::string& name)
 {
   const fs::path run = folder_.inside(name);
   const auto entry = queue_->find(folder_.name_of(run));
-  if (!entry || entry->state != WorkState::failed || fs::exists(run)) {  // else it failed before it made its folder
+  const bool has_ended = entry && entry->state != WorkState::queued && entry->state != WorkState::running;
+  if (!has_ended || fs::exists(run)) {  // else it failed or was stopped before it made its folder
     const io::FolderLock lock(at_hand(name));
     fs::remove_all(run);
   }
@@ -278,7 +279,7 @@ Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& 
                  {"status", word_of(state)},
                  {"progress", nullptr},
                  {"time_left_s", nullptr},
-                 {"can_resume", state == WorkState::stopped ||
+                 {"can_resume", (state == WorkState::stopped && fs::exists(run)) ||
                                     (state == WorkState::failed && rest.state == WorkState::stopped && simulation::can_be_resumed(run))},
                  {"began_here", entry.has_value()}};
   if (!at_work) answer.update(rest.summary);
@@ -297,9 +298,7 @@ Json Runs::list()
   Json all = Json::array();
   std::set<std::string> seen;
   for (const Queue::Entry& entry : queue_->entries())
-    if (entry.work.kind == "run" &&
-        (entry.state == WorkState::queued || entry.state == WorkState::running || entry.state == WorkState::failed ||
-         fs::exists(entry.work.folder)) &&
+    if (entry.work.kind == "run" && (entry.state != WorkState::finished || fs::exists(entry.work.folder)) &&
         seen.insert(entry.work.name).second)
       all.push_back(state_of(entry.work.name, entry));
   for (const fs::path& run : found())
@@ -322,7 +321,8 @@ Json Runs::one(const std::string& name, std::size_t from_row)
     const std::string said = last_line(messages);
     const bool begun = fs::exists(run / "resolved.toml"), ended = fs::exists(run / "summary.json"),
                is_error = said.starts_with("berm: ") && !said.starts_with("berm: warning: "), is_now = !entry || is_of_now(*entry);
-    answer["why"] = is_now && entry && !entry->why.empty()       ? entry->why
+    answer["why"] = !begun && !is_error && status == "stopped"   ? "It was stopped before it began."
+                    : is_now && entry && !entry->why.empty()     ? entry->why
                     : is_now && (!begun || (!ended && is_error)) ? said
                                                                  : at_rest(run).why;
   }

@@ -66,7 +66,7 @@ export class RunsView implements Place {
     this.export_all.addEventListener("click", () => (location.hash = `#/export?${[...this.chosen].map((path) => `path=${encodeURIComponent(path)}`).join("&")}`));
     this.element.append(
       make("h2", "", "Runs"), make("div", "bar", this.compare, this.export_all, this.note, make("label", "", this.parts, " also runs of studies, envelopes and factors of safety")),
-      make("table", "list", make("thead", "", make("tr", "", ...["", "run", "title", "ended", "key number", "size", "status", "", ""].map((word) => make("th", "", word)))), this.table),
+      make("table", "list", make("thead", "", make("tr", "", ...["", "run", "ended", "key number", "size", "status", "", ""].map((word) => make("th", "", word)))), this.table),
       make("h2", "", "Studies, envelopes, factors of safety, element tests, fits"),
       make("table", "list", make("thead", "", make("tr", "", ...["", "results", "status", "last message", ""].map((word) => make("th", "", word)))), this.jobs));
     this.show_choice();
@@ -104,8 +104,8 @@ export class RunsView implements Place {
       else this.chosen.delete(run.path);
       this.show_choice();
     });
-    return make("tr", "", make("td", "", box), make("td", "", element("a", { href: `#/run?path=${encodeURIComponent(run.path)}` }, run.path)), make("td", "quiet", run.title ?? run.case, ...(run.notes ? [make("p", "notes", run.notes)] : [])),
-      make("td", "quiet", date_words(run.date)), make("td", "number", run.answer ? `${run.answer.name} ${value_words(run.answer.value, run.answer.unit)}` : ""),
+    return make("tr", "", make("td", "", box), make("td", "", element("a", { href: `#/run?path=${encodeURIComponent(run.path)}` }, run.path), make("p", "notes quiet", run.title ?? run.case), ...(run.notes ? [make("p", "notes", run.notes)] : [])),
+      make("td", "quiet unit", date_words(run.date)), make("td", "number", run.answer ? `${run.answer.name} ${value_words(run.answer.value, run.answer.unit)}` : ""),
       make("td", "number quiet", run.bytes === undefined ? "" : bytes_words(run.bytes)), make("td", "", status_badge(run.status)), make("td", "", ...(run.status === "running" ? [progress_bar(run.progress), ` ${duration_words(run.time_left_s)}`] : [])),
       make("td", "acts", ...stop_or_resume(run), this.editor(run), ...(is_at_work(run) ? [] : [this.remover(run.path)])));
   }

@@ -99,10 +99,10 @@ export class VaryView implements Place {
       const row = { key, best, chosen: element("input", { type: "checkbox", "aria-label": `vary ${key}` }), low: field("low", low), high: field("high", high) };
       row.chosen.checked = given ? range !== null : is_marked(read, path);
       this.rows.push(row);
-      return [{ first: range !== null || is_marked(read, path), face: make("tr", "", make("td", "", row.chosen), make("td", "", make("code", "", key)), make("td", "", row.low), make("td", "", best.replaceAll('"', "")), make("td", "", row.high)) }];
+      return [{ first: range !== null || is_marked(read, path), face: make("tr", "", make("td", "", row.chosen), make("td", "", make("code", "", key)), make("td", "", row.low), make("td", "unit", best.replaceAll('"', "")), make("td", "", row.high)) }];
     });
     if (rows.length === 0) throw new Error("The materials and contacts of this case have no numbers to vary.");
-    const table = (some: typeof rows) => make("table", "list", make("thead", "", make("tr", "", ...["", "parameter", "low (5 %)", "best", "high (95 %)"].map((word) => make("th", "", word)))), make("tbody", "", ...some.map(({ face }) => face)));
+    const table = (some: typeof rows) => make("div", "scrolls", make("table", "list", make("thead", "", make("tr", "", ...["", "parameter", "low (5 %)", "best", "high (95 %)"].map((word) => make("th", "", word)))), make("tbody", "", ...some.map(({ face }) => face))));
     const first = rows.filter((row) => row.first), others = rows.filter((row) => !row.first);
     return first.length === 0 || others.length === 0 ? table(rows) : make("div", "", table(first), make("details", "", make("summary", "", `${others.length} more numbers of soils and contacts`), table(others)));
   }
