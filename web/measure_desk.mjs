@@ -20,9 +20,9 @@ const range = (values) => `${Math.min(...values).toFixed(0)} to ${Math.max(...va
 try {
   const first = await browser.newPage();
   await first.goto(address);
-  await first.locator(".folder_list *").first().waitFor();
+  await first.locator(".folder_list :is(h3, p)").first().waitFor();
   const a_case = await first.locator('.folder_list a[href*="#/case"]').first().getAttribute("href").catch(() => null);
-  for (const [name, hash, there] of [["start", "#/", ".folder_list *"], ["runs", "#/runs", ".runs_view tbody tr"], ...(a_case ? [["case", a_case, ".form .field"]] : [])]) {
+  for (const [name, hash, there] of [["start", "#/", ".folder_list :is(h3, p)"], ["runs", "#/runs", ".runs_view tbody tr"], ...(a_case ? [["case", a_case, ".form .field"]] : [])]) {
     const paints = [], shown = [];
     for (let k = 0; k < times; ++k) {
       const page = await browser.newPage();

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { CaseText, type Path } from "../src/desk/case_text";
 import { element_tests } from "../src/desk/case_view";
-import { range_in, with_range } from "../src/desk/ranges";
+import { range_in, with_range, wrong_in } from "../src/desk/ranges";
 import { in_unit, quantity_of, spelled, units_of } from "../src/desk/units";
 
 const text = `# A case.
@@ -76,6 +76,7 @@ test("low_and_high_stand_in_the_comment_of_a_key", () => {
   assert.equal(with_range("<-", { low: "2", high: "3 MPa" }, "kPa"), "<- low 2 kPa, high 3 MPa");
   assert.equal(with_range("<- s_u; low 2 kPa, high 4 kPa", { low: "", high: "" }, "kPa"), "<- s_u");
   for (const comment of ["", "<-", "<- s_u", "of silt"]) assert.deepEqual(of(with_range(comment, { low: "1", high: "2" }, "")), { low: "1", high: "2" }, comment);
+  for (const [low, high, word] of [["2", "4,5", ""], ["2 kPa", "1 MPa", ""], ["", "", ""], ["2", "x # y", "number"], ["2 k Pa", "3", "number"], ["4", "2", "less"], ["2 kPa", "2 kPa", "less"]]) assert.ok(wrong_in({ low, high }).includes(word) && (word !== "" || wrong_in({ low, high }) === ""), `${low}, ${high}`);
   const read = new CaseText(text);
   assert.equal(read.with_comment(["mesh", "near_size"], "<- low 1 mm, high 2 mm"), text.replace("<- cells", "<- low 1 mm, high 2 mm"));
   assert.equal(read.with_comment(["material", "clay", "cohesion"], "c"), text.replace("2000.0", "2000.0  # c"));

@@ -73,6 +73,9 @@ export interface Exported { files: string[]; warnings: string[] }
 export interface Shown { address: string; without_scripts: boolean }
 export interface Job { job: string; command: string; status: Status; log_tail: string; made: string[] }
 
+/** What is doubtful in the sounding of a case that was just made, by its path. */
+export const doubts_of_new = new Map<string, string[]>();
+
 export const api = {
   about: () => json<About>(ask("GET", "about", {})) as Promise<About>,
   schema: (of: InputKind) => json<Record<string, unknown>>(ask("GET", "schema", { of })) as Promise<Record<string, unknown>>,

@@ -4,7 +4,7 @@ import { below, is_table, keys_of, type Schema, type Words } from "../editor/sch
 import { element } from "../element";
 import { make } from "../film_elements";
 import type { CaseText, Path } from "./case_text";
-import { may_vary, type Range, range_in, with_range, without_range } from "./ranges";
+import { may_vary, type Range, range_in, with_range, without_range, wrong_in } from "./ranges";
 import { in_unit, type Quantity, quantity_of, spelled, units_of } from "./units";
 
 /** A value was changed: as TOML spells it, "" where the key goes. */
@@ -187,7 +187,11 @@ export class Form {
     const low = field("low"), high = field("high");
     for (const each of [low, high])
       each.addEventListener("change", () => {
-        if ((low.value === "") === (high.value === "")) this.said(path, with_range(text.comment(path), { low: low.value, high: high.value }, unit)); // else the other one is still to come
+        if ((low.value === "") !== (high.value === "")) return; // the other one is still to come
+        const range = { low: low.value, high: high.value }, wrong = wrong_in(range);
+        each.setCustomValidity(wrong);
+        if (wrong) each.reportValidity();
+        else this.said(path, with_range(text.comment(path), range, unit));
       });
     const show = () => {
       box.hidden = now === null && !this.open.has(name);

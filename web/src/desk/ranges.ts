@@ -25,5 +25,14 @@ export function with_range(comment: string, { low, high }: Range, unit: string):
   return low.trim() === "" || high.trim() === "" ? words : `${words === "" || words === "<-" ? words && `${words} ` : `${words}; `}low ${spelled(low)}, high ${spelled(high)}`;
 }
 
+/** What is wrong with them; "" where nothing is, or nothing stands there. */
+export function wrong_in({ low, high }: Range): string {
+  const parts = [low, high].map((value) => /^\s*([-+]?\d*[.,]?\d+(?:[eE][-+]?\d+)?)\s*([^\s,;#"]*)\s*$/.exec(value));
+  if (low.trim() === "" && high.trim() === "") return "";
+  if (parts.some((part) => part === null)) return "a number, or a number and its unit: 2 kPa";
+  const [from, to] = parts.map((part) => Number(part![1].replace(",", ".")));
+  return parts[0]![2] === parts[1]![2] && from >= to ? "low is to be less than high" : "";
+}
+
 /** Whether a study may vary what stands there: numbers of soils and of contacts. */
 export const may_vary = (text: CaseText, path: Path) => ["material", "contact"].includes(String(path[0])) && path.length === 3 && /^"?[+]?[\d.]/.test(text.spelled(path) ?? "");

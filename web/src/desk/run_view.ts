@@ -56,6 +56,7 @@ export class RunView implements Place {
   private rows: Value[][] = [];
   private of = "";
   private columns: Column[] = [];
+  private consolidating: Set<string> | null = null;
   private status = "";
   private pulse: Pulse;
 
@@ -121,6 +122,7 @@ export class RunView implements Place {
       if (focused) this.acts.querySelector("button")?.focus();
     }
     this.log.textContent = now.log_tail;
+    if (now.summary) this.consolidating = new Set(Object.keys(now.summary.quantities ?? {}).filter((name) => name.startsWith("U_of_")).map((name) => name.slice("U_of_".length)));
     this.show_curves();
     const content = now.summary ? JSON.stringify(now.summary) : "";
     if (now.summary && this.answer.dataset.content !== content) void this.show_own();
@@ -186,7 +188,10 @@ export class RunView implements Place {
     return this.columns.findIndex((column) => column.label === label);
   }
 
+  /** U counts in stages in which the soil consolidates, as the results of a run that has ended name them. */
   private numbers(index: number): (number | null)[] {
+    const stage = this.index("stage");
+    if (this.columns[index]?.name === "U" && this.consolidating) return this.rows.map((row) => (this.consolidating!.has(String(row[stage])) ? (row[index] as number) : null));
     return this.rows.map((row) => (typeof row[index] === "number" ? (row[index] as number) : null));
   }
 

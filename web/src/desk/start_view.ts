@@ -2,10 +2,10 @@
 // Where the desk begins: kinds of job by picture, and what the folder holds.
 import { element } from "../element";
 import { make } from "../film_elements";
-import { api, type FileOf, type FolderOf, type Kind, type RunState, type Soil } from "./api";
+import { api, doubts_of_new, type FileOf, type FolderOf, type Kind, type RunState, type Soil } from "./api";
 import type { Place } from "./place";
 import { is_part, status_badge } from "./runs_view";
-import { picture_of, say } from "./words";
+import { bytes_words, picture_of } from "./words";
 
 const link = (to: string, path: string, words: string) => element("a", { href: `#/${to}?path=${encodeURIComponent(path)}` }, words);
 
@@ -121,12 +121,14 @@ export class StartView implements Place {
       event.preventDefault();
       const path = file.value.endsWith(".toml") ? file.value : `${file.value}.toml`;
       const create = async () => {
-        const file = cpt.files?.[0], sounding = file ? { cpt: { name: file.name, text: await text_in(file) }, ...(place.value ? { location: place.value } : {}) } : {};
+        const file = cpt.files?.[0];
+        if (file && file.size > most_bytes) throw new Error(`${file.name} has ${bytes_words(file.size)}, and the desk takes ${bytes_words(most_bytes)}: berm new --cpt takes larger ones.`);
+        const sounding = file ? { cpt: { name: file.name, text: await text_in(file) }, ...(place.value ? { location: place.value } : {}) } : {};
         return api.create({ kind: kind.kind, path, ...(size.value ? { size: size.value } : {}), ...(soil.value ? { soil: soil.value } : {}), ...sounding });
       };
       create()
         .then(({ doubts }) => {
-          for (const doubt of doubts) say(doubt, "bad");
+          doubts_of_new.set(path, doubts);
           this.dialog.close();
           location.hash = `#/case?path=${encodeURIComponent(path)}`;
         })
@@ -166,6 +168,9 @@ export class StartView implements Place {
     ];
   }
 }
+
+/** Of a sounding. */
+const most_bytes = 3e6;
 
 /** Soundings of older programs are in Latin-1. */
 async function text_in(file: File): Promise<string> {
