@@ -17,7 +17,7 @@ export function bytes_words(bytes: number): string {
 
 /** "4.11 kN/m". */
 export function value_words(value: number, unit: string): string {
-  const { name, factor } = display_unit(unit.replace(/^N m-1$/, "N/m"), Math.abs(value));
+  const { name, factor } = display_unit(unit, Math.abs(value));
   return `${digits(value / factor)}${unit === "1" ? "" : ` ${name}`}`;
 }
 
