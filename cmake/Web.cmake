@@ -24,7 +24,7 @@ add_custom_command(
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${BERM_WEB}/src ${BERM_WEB}/tests
   COMMAND ${CMAKE_COMMAND} -E copy_directory ${web_source}/src ${BERM_WEB}/src
   COMMAND ${CMAKE_COMMAND} -E copy_directory ${web_source}/tests ${BERM_WEB}/tests
-  COMMAND ${CMAKE_COMMAND} -E copy ${web_source}/build.mjs ${web_source}/measure.mjs ${web_source}/tsconfig.json ${BERM_WEB}
+  COMMAND ${CMAKE_COMMAND} -E copy ${web_source}/build.mjs ${web_source}/measure.mjs ${web_source}/measure_desk.mjs ${web_source}/tsconfig.json ${BERM_WEB}
   COMMAND ${CMAKE_COMMAND} -E chdir ${BERM_WEB} ${BERM_NODE} build.mjs pages ${BERM_WEB}
   DEPENDS ${BERM_WEB}/node_modules/fetched ${web_sources}
   COMMENT "Bundling the pages"

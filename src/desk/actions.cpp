@@ -69,7 +69,36 @@ Json json_in(const std::string& text)
   throw Refusal(422, reason_in(text));
 }
 
-constexpr std::string_view before_warning = "warning: ";
+/// Of a command that answers at once; those of runs have its name before them.
+Json warnings_in(const std::string& messages)
+{
+  constexpr std::string_view before = "warning: ";
+  Json warnings = Json::array();
+  std::istringstream lines(messages);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(before)) warnings.push_back(line.substr(before.size()));
+  return warnings;
+}
+
+/// The name of a file with a sounding, without its folder and what no name needs.
+std::string sounding_name(const std::string& name)
+{
+  std::string plain = fs::path(name).filename().string();
+  std::replace_if(
+      plain.begin(), plain.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '_' && c != '-'; }, '_');
+  if (plain.size() > 100 || plain.starts_with('-') || fs::path(plain).stem().empty() || plain.find_first_not_of('.') == std::string::npos)
+    throw Refusal(400, fmt::format("{} is no name of a file", one_line(name)), {{"key", "cpt"}});
+  return plain;
+}
+
+/// A location of AGS may have any letters: as one word, so that it is no option.
+std::string location_option(const std::string& location)
+{
+  if (location.size() > 200 || has_control_character(location))
+    throw Refusal(400, fmt::format("{} is no location", one_line(location)), {{"key", "location"}});
+  return "--location=" + location;
+}
+
 constexpr const char* shown_types[] = {".html", ".pdf", ".svg", ".png", ".csv", ".json", ".txt"};
 
 std::vector<fs::path> made_in(const fs::path& folder)
@@ -129,19 +158,30 @@ Json Actions::schema(const std::string& of)
   return printed({"params", "--json-schema", plain_word(of, "of")});
 }
 
-std::string Actions::written(const Json& body)
+CommandOutput Actions::written(const Json& body)
 {
-  std::vector<std::string> words = {"new", plain_word(text_in(body, "kind"), "kind")};
-  append_options(words, body, {"size", "soil"});
-  return answer_of({.words = words, .made = "case.toml"});
+  Question question{.words = {"new", plain_word(text_in(body, "kind"), "kind")}, .made = "case.toml"};
+  append_options(question.words, body, {"size", "soil"});
+  if (const auto cpt = body.find("cpt"); cpt != body.end() && !cpt->is_null()) {
+    if (!cpt->is_object()) throw Refusal(400, "\"cpt\" has a name and a text", {{"key", "cpt"}});
+    const std::string name = sounding_name(text_in(*cpt, "name"));
+    question.given[name] = text_in(*cpt, "text");
+    append(question.words, {"--cpt", name});
+    if (const std::string location = text_in(body, "location", ""); !location.empty()) question.words.push_back(location_option(location));
+  }
+  CommandOutput told = questions_.ask(question);
+  if (told.status != 0) throw Refusal(422, reason_in(told.messages));
+  return told;
 }
 
 Json Actions::new_case(const Json& body)
 {
-  const std::string path = text_in(body, "path"), text = written(body);
-  Json answer = folder_.write(path, {{"text", text}});
+  const std::string path = text_in(body, "path");
+  const CommandOutput told = written(body);
+  Json answer = folder_.write(path, {{"text", told.text}});
   answer["path"] = path;
-  answer["text"] = text;
+  answer["text"] = told.text;
+  answer["doubts"] = warnings_in(told.messages);
   return answer;
 }
 
@@ -150,7 +190,7 @@ std::string Actions::drawn(const std::string& text, const std::string& path)
   std::vector<std::string> words = {"draw", "--stdin", path};
   append(words, more_);
   words.emplace_back("-o");
-  return answer_of({words, text, "draw " + path, "model.svg"});
+  return answer_of({.words = words, .text = text, .about = "draw " + path, .made = "model.svg"});
 }
 
 std::string Actions::picture(const std::string& kind)
@@ -159,7 +199,7 @@ std::string Actions::picture(const std::string& kind)
     const std::lock_guard lock(mutex_);
     if (const auto known = pictures_.find(kind); known != pictures_.end()) return known->second;
   }
-  std::string svg = drawn(written({{"kind", kind}}), kind + ".toml");
+  std::string svg = drawn(written({{"kind", kind}}).text, kind + ".toml");
   const std::lock_guard lock(mutex_);
   return pictures_[kind] = std::move(svg);
 }
@@ -170,7 +210,7 @@ Json Actions::check(const Json& body)
   std::vector<std::string> words = {"check", "--json", "--stdin", path};
   append(words, changes_in(body));
   append(words, more_);
-  const CommandOutput told = questions_.ask({words, text_in(body, "text"), "check " + path, {}});
+  const CommandOutput told = questions_.ask({.words = words, .text = text_in(body, "text"), .about = "check " + path});
   Json found = json_in(told.text);
   return found.is_array() && !found.empty() ? found[0] : found;
 }
@@ -225,10 +265,7 @@ Json Actions::export_springs(const Json& body)
   append(words, runs);
   append_options(words, body, {"to", "state", "travels"});
   append(words, {"-o", folder_.name_of(out)});
-  Json warnings = Json::array();
-  std::istringstream lines(answer_of({.words = words}));
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with(before_warning)) warnings.push_back(line.substr(before_warning.size()));
+  const Json warnings = warnings_in(answer_of({.words = words}));
   Json files = Json::array();
   std::error_code none;
   for (auto entry = fs::recursive_directory_iterator(out, none); !none && entry != fs::end(entry) && files.size() < 1000;

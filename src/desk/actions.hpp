@@ -41,7 +41,7 @@ public:
   Json jobs() const;
 
 private:
-  std::string written(const Json& body);
+  CommandOutput written(const Json& body);
   std::string drawn(const std::string& text, const std::string& path);
   std::string answer_of(const Question& question);
   std::vector<std::string> runs_in(const Json& body) const;

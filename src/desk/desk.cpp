@@ -115,6 +115,10 @@ struct Desk::Parts {
     all["POST /api/runs"] = [this](const Request& r) { return json(runs.start(r.body)); };
     all["POST /api/runs/stop"] = [this](const Request& r) { return runs.stop(text_in(r.body, "path")), json(Json::object()); };
     all["POST /api/runs/remove"] = [this](const Request& r) { return runs.remove(text_in(r.body, "path")), json(Json::object()); };
+    all["POST /api/runs/rename"] = [this](const Request& r) { return json(runs.rename(text_in(r.body, "path"), text_in(r.body, "name"))); };
+    all["POST /api/runs/notes"] = [this](const Request& r) {
+      return runs.note(text_in(r.body, "path"), text_in(r.body, "text")), json(Json::object());
+    };
     all["GET /api/run"] = [this](const Request& r) {
       return json(runs.one(query(r, "path"), static_cast<std::size_t>(std::max(number(r, "from_row", 0), 0L))));
     };

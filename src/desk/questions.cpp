@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "os/threads.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -18,6 +19,12 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::minutes longest{10};
 constexpr std::uintmax_t most_output_bytes = 64 << 20;
+
+/// Files that a question gave have their names alone: where they lay is nothing to the reader.
+void leave_out(const std::string& folder, std::string& text)
+{
+  for (std::size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
+}
 
 }  // namespace
 
@@ -53,6 +60,10 @@ CommandOutput Questions::ask(const Question& question)
       if (in < 0) io::throw_errno("cannot read a text");
     }
     std::vector<std::string> words = question.words;
+    for (const auto& [name, text] : question.given) {
+      io::write_atomically(place / name, text);
+      std::replace(words.begin(), words.end(), name, (place / name).string());
+    }
     if (!question.made.empty()) words.push_back((place / question.made).string());
     out = io::open_to_write(messages, O_WRONLY);
     process = std::make_shared<Process>(std::move(words), folder_, out, false, in);
@@ -66,6 +77,8 @@ CommandOutput Questions::ask(const Question& question)
     const auto begin = std::chrono::steady_clock::now();
     CommandOutput told{process->wait(longest), {}, io::read_text_file(messages, most_output_bytes)};
     told.text = question.made.empty() ? told.messages : io::read_text_file(place / question.made, most_output_bytes);
+    if (!question.given.empty())
+      for (std::string* words_of : {&told.text, &told.messages}) leave_out(place.string() + "/", *words_of);
     lock.lock();
     const auto last = about_.find(question.about);
     const bool stands = last == about_.end() || last->second == process;

@@ -17,9 +17,10 @@ namespace berm::desk {
 /// A command that answers within seconds: its words, what it reads, and the file that it makes, where that is its answer.
 struct Question {
   std::vector<std::string> words;
-  std::optional<std::string> text{};  ///< its standard input
-  std::string about{};                ///< a later question about the same ends this one; "": none does
-  std::string made{};                 ///< "model.svg": its path is put behind the words
+  std::optional<std::string> text{};           ///< its standard input
+  std::string about{};                         ///< a later question about the same ends this one; "": none does
+  std::map<std::string, std::string> given{};  ///< files by their names, which stand among the words: their paths are put there
+  std::string made{};                          ///< "model.svg": its path is put behind the words
 };
 
 struct CommandOutput {

@@ -140,6 +140,12 @@ bool Queue::stop(const std::string& name)
   return true;
 }
 
+void Queue::forget(const std::string& name)
+{
+  const std::lock_guard lock(mutex_);
+  std::erase_if(entries_, [&](const Entry& entry) { return entry.work.name == name && !at_work(entry); });
+}
+
 std::optional<Queue::Entry> Queue::find(const std::string& name) const
 {
   const std::lock_guard lock(mutex_);

@@ -68,6 +68,8 @@ public:
   void add(Work work);
   /// Ctrl-C to its process, or it leaves the queue. False where it is not at work here.
   bool stop(const std::string& name);
+  /// Work that is not in its folder any more, and has ended.
+  void forget(const std::string& name);
   std::optional<Entry> find(const std::string& name) const;
   std::vector<Entry> entries() const;
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/desk/desk_test.cpp
 #include "desk/runs.hpp"
 
+#include "desk/digest.hpp"
 #include "io/atomic_file.hpp"
 #include "io/folder_lock.hpp"
 #include "os/control_characters.hpp"
@@ -11,9 +12,13 @@
 #include "simulation/run_place.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <set>
 #include <unistd.h>
@@ -77,27 +82,6 @@ std::string case_of(const Folder& folder, const fs::path& run)
   } catch (const std::exception&) {
     return "";
   }
-}
-
-/// What a list of runs says of one: its title, when it ended, and the largest force that its summary has, else the first of its answers.
-Json digest_of(const Folder& folder, const fs::path& run)
-{
-  Json digest = Json::object();
-  try {
-    if (!fs::exists(run / "summary.json")) return digest;
-    const Json summary = run_folder::read_json(folder.real(run / "summary.json"), 10'000'000);
-    const Json text = summary.value("text", Json::object()), quantities = summary.value("quantities", Json::object());
-    for (const char* key : {"title", "date"})
-      if (text.contains(key)) digest[key] = text[key];
-    for (const auto& [name, one] : quantities.items()) {
-      const bool peak = name.ends_with("R_max") || name.ends_with("H_max");
-      if (one.value("kind", "") != "answer" || (digest.contains("answer") && !peak)) continue;
-      digest["answer"] = {{"name", name}, {"value", one["value"]}, {"unit", one["unit"]}};
-      if (peak) break;
-    }
-  } catch (const std::exception&) {  // its page says what is wrong with the file
-  }
-  return digest;
 }
 
 }  // namespace
@@ -194,19 +178,61 @@ void Runs::stop(const std::string& name)
   ::kill(process, SIGINT);
 }
 
-void Runs::remove(const std::string& name)
+/// Its folder, where nobody is at work on it.
+fs::path Runs::at_hand(const std::string& name) const
 {
   const fs::path run = folder_.run(name);
   if (run == folder_.root()) throw Refusal(403, "this is the folder of the desk");
   const auto entry = queue_->find(folder_.name_of(run));
-  if (!io::FolderLock::owner_of(run).empty()) throw Refusal(409, "the run is at work");
-  const io::FolderLock lock(run);
-  if (entry && (entry->state == WorkState::queued || entry->state == WorkState::running)) throw Refusal(409, "the run is at work");
-  fs::remove_all(run);
-  std::error_code none;
-  fs::remove(run.string() + ".messages", none);
+  if (!io::FolderLock::owner_of(run).empty() || (entry && (entry->state == WorkState::queued || entry->state == WorkState::running)))
+    throw Refusal(409, "the run is at work");
+  return run;
+}
+
+void Runs::look_again()
+{
   const std::lock_guard guard(mutex_);
   looked_ = {};
+}
+
+void Runs::remove(const std::string& name)
+{
+  const fs::path run = folder_.inside(name);
+  const auto entry = queue_->find(folder_.name_of(run));
+  const bool has_ended = entry && entry->state != WorkState::queued && entry->state != WorkState::running;
+  if (!has_ended || fs::exists(run)) {  // else it failed or was stopped before it made its folder
+    const io::FolderLock lock(at_hand(name));
+    fs::remove_all(run);
+  }
+  std::error_code none;
+  fs::remove(run.string() + ".messages", none);
+  queue_->forget(folder_.name_of(run));
+  look_again();
+}
+
+Json Runs::rename(const std::string& name, const std::string& new_name)
+{
+  const fs::path run = at_hand(name);
+  if (fs::path(new_name).has_parent_path() || new_name.empty() || new_name == ".")
+    throw Refusal(400, fmt::format("{} is no name of a folder", one_line(new_name)), {{"key", "name"}});
+  const fs::path next = folder_.inside(folder_.name_of(run.parent_path() / new_name));
+  const io::FolderLock lock(run);
+  // Takes no place that became another's since it was looked at.
+  if (::renameat2(AT_FDCWD, run.c_str(), AT_FDCWD, next.c_str(), RENAME_NOREPLACE) != 0) {
+    if (errno == EEXIST) throw Refusal(409, fmt::format("{} exists", folder_.name_of(next)));
+    throw Refusal(409, fmt::format("cannot rename {}: {}", name, std::strerror(errno)));
+  }
+  std::error_code none;
+  fs::remove(next / io::FolderLock::file_name, none);
+  fs::rename(run.string() + ".messages", next.string() + ".messages", none);
+  queue_->forget(folder_.name_of(run));
+  look_again();
+  return {{"path", folder_.name_of(next)}};
+}
+
+void Runs::note(const std::string& name, const std::string& text)
+{
+  write_notes(folder_, folder_.run(name), text);
 }
 
 Runs::AtRest Runs::at_rest(const fs::path& run)
@@ -218,7 +244,9 @@ Runs::AtRest Runs::at_rest(const fs::path& run)
     if (known != at_rest_.end() && known->second.of == of) return known->second;
   }
   const auto [state, why] = state_at_rest(folder_, run);
-  const AtRest seen{of, case_of(folder_, run), state, why, digest_of(folder_, run)};
+  AtRest seen{of, case_of(folder_, run), state, why, digest_of(folder_, run)};
+  if (io::FolderLock::owner_of(run).empty())
+    seen.summary["bytes"] = bytes_in(run);  // of one at work it would be counted at each line of its log
   const std::lock_guard lock(mutex_);
   if (at_rest_.size() >= most_known) at_rest_.clear();
   return at_rest_[run.string()] = seen;
@@ -251,10 +279,11 @@ Json Runs::state_of(const std::string& name, const std::optional<Queue::Entry>& 
                  {"status", word_of(state)},
                  {"progress", nullptr},
                  {"time_left_s", nullptr},
-                 {"can_resume", state == WorkState::stopped ||
+                 {"can_resume", (state == WorkState::stopped && fs::exists(run)) ||
                                     (state == WorkState::failed && rest.state == WorkState::stopped && simulation::can_be_resumed(run))},
                  {"began_here", entry.has_value()}};
   if (!at_work) answer.update(rest.summary);
+  if (std::string notes = notes_of(folder_, run); !notes.empty()) answer["notes"] = std::move(notes);
   if (state == WorkState::finished) answer["progress"] = 1;
   if (const auto advance =
           state == WorkState::queued || state == WorkState::finished ? std::nullopt : advance_in(tail_of(run / "run.log", log_bytes))) {
@@ -269,9 +298,7 @@ Json Runs::list()
   Json all = Json::array();
   std::set<std::string> seen;
   for (const Queue::Entry& entry : queue_->entries())
-    if (entry.work.kind == "run" &&
-        (entry.state == WorkState::queued || entry.state == WorkState::running || entry.state == WorkState::failed ||
-         fs::exists(entry.work.folder)) &&
+    if (entry.work.kind == "run" && (entry.state != WorkState::finished || fs::exists(entry.work.folder)) &&
         seen.insert(entry.work.name).second)
       all.push_back(state_of(entry.work.name, entry));
   for (const fs::path& run : found())
@@ -294,7 +321,8 @@ Json Runs::one(const std::string& name, std::size_t from_row)
     const std::string said = last_line(messages);
     const bool begun = fs::exists(run / "resolved.toml"), ended = fs::exists(run / "summary.json"),
                is_error = said.starts_with("berm: ") && !said.starts_with("berm: warning: "), is_now = !entry || is_of_now(*entry);
-    answer["why"] = is_now && entry && !entry->why.empty()       ? entry->why
+    answer["why"] = !begun && !is_error && status == "stopped"   ? "It was stopped before it began."
+                    : is_now && entry && !entry->why.empty()     ? entry->why
                     : is_now && (!begun || (!ended && is_error)) ? said
                                                                  : at_rest(run).why;
   }

@@ -32,6 +32,10 @@ public:
   void stop(const std::string& name);
   /// The folder of a run that nobody is at work on, and what it printed. Throws Refusal.
   void remove(const std::string& name);
+  /// Gives such a folder another name in its place: {path}. Throws Refusal.
+  Json rename(const std::string& name, const std::string& new_name);
+  /// What its reader writes about it. Throws Refusal.
+  void note(const std::string& name, const std::string& text);
   /// State, advance, rows of the history from a number on, end of the log, and the summary once there is one.
   Json one(const std::string& name, std::size_t from_row);
 
@@ -41,8 +45,10 @@ private:
     std::string of, case_file;
     WorkState state;
     std::string why;                ///< it did not come to its end
-    Json summary = Json::object();  ///< {title, date, answer: {name, value, unit}} as far as its summary has them
+    Json summary = Json::object();  ///< digest_of, and its bytes on the disk
   };
+  std::filesystem::path at_hand(const std::string& name) const;
+  void look_again();
   AtRest at_rest(const std::filesystem::path& run);
   Json state_of(const std::string& name, const std::optional<Queue::Entry>& entry);
   std::vector<std::filesystem::path> found();

@@ -7,11 +7,13 @@ export interface Unit {
   factor: number;
 }
 
+const forces = ["Pa", "N/m", "N", "N m"];
+
 /** The unit that shows values up to `largest` with few digits; a pure number is shown without one. */
 export function display_unit(unit: string, largest: number): Unit {
   if (unit === "1") return { name: "–", factor: 1 };
-  if (["Pa", "N/m", "N"].includes(unit) && largest >= 1e6) return { name: `M${unit}`, factor: 1e6 };
-  if (["Pa", "N/m", "N"].includes(unit) && largest >= 1e3) return { name: `k${unit}`, factor: 1e3 };
+  if (forces.includes(unit) && largest >= 1e6) return { name: `M${unit}`, factor: 1e6 };
+  if (forces.includes(unit) && largest >= 1e3) return { name: `k${unit}`, factor: 1e3 };
   if (unit === "m/s" && largest > 0 && largest < 5e-7) return { name: "nm/s", factor: 1e-9 };
   if (unit === "m/s" && largest > 0 && largest < 5e-4) return { name: "µm/s", factor: 1e-6 };
   if ((unit === "m" || unit === "m/s") && largest < 0.5) return { name: `m${unit}`, factor: 1e-3 };

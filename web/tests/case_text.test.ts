@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { CaseText, type Path } from "../src/desk/case_text";
 import { element_tests } from "../src/desk/case_view";
+import { range_in, with_range, wrong_in } from "../src/desk/ranges";
 import { in_unit, quantity_of, spelled, units_of } from "../src/desk/units";
 
 const text = `# A case.
@@ -51,8 +52,39 @@ test("what_a_change_makes_says_what_was_meant", () => {
   }
 });
 
+test("a_key_with_a_comment_is_commented_out_and_comes_back_where_it_was", () => {
+  const cleared = new CaseText(text).without(["mesh", "near_size"]);
+  assert.equal(cleared, text.replace("near_size =", "# near_size ="));
+  const after = new CaseText(cleared);
+  assert.equal(after.at(["mesh", "near_size"]), undefined);
+  assert.equal(after.comment(["mesh", "near_size"]), "<- cells");
+  assert.equal(after.former(["mesh", "near_size"]), '"20 mm"');
+  assert.equal(after.with(["mesh", "near_size"], '"20 mm"'), text);
+  assert.equal(after.with(["mesh", "near_size"], '"0.0200001 m"'), text.replace('"20 mm"  ', '"0.0200001 m"'));
+  const inner = 'a = 1 # one\n[[stage]]\n[[stage]]\n# until.force = "800 kN" # <- or a load\n# prose = without a comment of its own\n# and more # prose\n';
+  assert.equal(new CaseText(inner).comment(["stage", 1, "until", "force"]), "<- or a load");
+  assert.equal(new CaseText(inner).comment(["stage", 1, "prose"]), "");
+  assert.ok(new CaseText(inner).with(["stage", 1, "until", "force"], "5").includes("\nuntil.force = 5"));
+});
+
+test("low_and_high_stand_in_the_comment_of_a_key", () => {
+  const of = (comment: string) => range_in(comment);
+  assert.deepEqual(of("<- s_u at the seabed; low 2 kPa, high 4.5 kPa"), { low: "2 kPa", high: "4.5 kPa" });
+  assert.deepEqual(of("low 0.3, high 0.6"), { low: "0.3", high: "0.6" });
+  for (const other of ["", "<- the low water, high tide", "low 2 kPa", "low, high", "lower 2, high 3"]) assert.equal(of(other), null, other);
+  assert.equal(with_range("<- s_u", { low: "2", high: "4,5" }, "kPa"), "<- s_u; low 2 kPa, high 4.5 kPa");
+  assert.equal(with_range("<-", { low: "2", high: "3 MPa" }, "kPa"), "<- low 2 kPa, high 3 MPa");
+  assert.equal(with_range("<- s_u; low 2 kPa, high 4 kPa", { low: "", high: "" }, "kPa"), "<- s_u");
+  for (const comment of ["", "<-", "<- s_u", "of silt"]) assert.deepEqual(of(with_range(comment, { low: "1", high: "2" }, "")), { low: "1", high: "2" }, comment);
+  for (const [low, high, word] of [["2", "4,5", ""], ["2 kPa", "1 MPa", ""], ["", "", ""], ["2", "x # y", "number"], ["2 k Pa", "3", "number"], ["4", "2", "less"], ["2 kPa", "2 kPa", "less"]]) assert.ok(wrong_in({ low, high }).includes(word) && (word !== "" || wrong_in({ low, high }) === ""), `${low}, ${high}`);
+  const read = new CaseText(text);
+  assert.equal(read.with_comment(["mesh", "near_size"], "<- low 1 mm, high 2 mm"), text.replace("<- cells", "<- low 1 mm, high 2 mm"));
+  assert.equal(read.with_comment(["material", "clay", "cohesion"], "c"), text.replace("2000.0", "2000.0  # c"));
+  assert.equal(read.with_comment(["title"], ""), text.replace("   # of steel", ""));
+});
+
 test("a_key_goes_with_its_line_or_its_comma", () => {
-  assert.equal(new CaseText(text).without(["mesh", "near_size"]), text.replace('near_size = "20 mm"   # <- cells\n', ""));
+  assert.equal(new CaseText(text).without(["material", "clay", "cohesion"]), text.replace("cohesion = 2000.0\n", ""));
   assert.equal(new CaseText(text).without(["mesh", "trench", "depth"]), text.replace('depth = "0.5 m", ', ""));
   assert.equal(new CaseText(text).without(["mesh", "trench", "width"]), text.replace(', width = "1 m"', ""));
   assert.equal(new CaseText(text).without(["mesh", "layer"]), text);

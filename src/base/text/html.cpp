@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text/html.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -22,6 +23,23 @@ std::string html_text(const std::string& text)
     escaped == nullptr ? static_cast<void>(html += c) : static_cast<void>(html += escaped);
   }
   return html;
+}
+
+std::string text_of_html(const std::string& html)
+{
+  constexpr std::pair<std::string_view, std::string_view> signs[] = {{"<sub>", "_"}, {"<sup>", "^"},   {"&lt;", "<"},  {"&gt;", ">"},
+                                                                     {"&amp;", "&"}, {"&quot;", "\""}, {"&nbsp;", " "}};
+  std::string words;
+  for (std::string_view rest = html; !rest.empty();) {
+    const auto sign = std::ranges::find_if(signs, [&](const auto& one) { return rest.starts_with(one.first); });
+    const bool tag = rest[0] == '<' && rest.find('>') != std::string_view::npos;
+    if (sign != std::end(signs))
+      words += sign->second;
+    else if (!tag)
+      words += rest[0];
+    rest.remove_prefix(sign != std::end(signs) ? sign->first.size() : tag ? rest.find('>') + 1 : 1);
+  }
+  return words;
 }
 
 std::string content_policy(const std::string& scripts)

@@ -9,6 +9,9 @@ namespace berm::text {
 /// A text as HTML shows it: &, <, > and " escaped.
 std::string html_text(const std::string& text);
 
+/// What a reader sees of such sentences as plain text: without tags, letters of an index behind "_", those above the line behind "^".
+std::string text_of_html(const std::string& html);
+
 /// The element of a page's head that tells a browser what the page may do: run the scripts that `scripts` names ("": none), show pictures that lie in it or beside it, and
 /// nothing else; it fetches nothing.
 std::string content_policy(const std::string& scripts = "");

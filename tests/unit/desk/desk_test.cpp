@@ -160,6 +160,32 @@ TEST_F(DeskTest, says_why_a_run_died_and_whether_it_can_go_on)
   EXPECT_TRUE(run.at("can_resume"));
 }
 
+TEST_F(DeskTest, a_new_case_takes_the_strength_of_a_sounding)
+{
+  // q_t of clay with s_u = 3 kPa + 1.5 kPa/m z and N_kt = 14, in the water of 16 kN/m3 of soil.
+  std::string table = "depth_m,q_t_MPa\n";
+  for (double z = 0.1; z < 4; z += 0.1) table += fmt::format("{:.2f},{:.5f}\n", z, (16 * z + 14 * (3 + 1.5 * z)) / 1000);
+  const auto create = [&](const std::string& path, const Json& cpt, const std::string& location = "") {
+    return desk_->post("/api/new", {{"kind", "pipe-in-clay"}, {"path", path}, {"cpt", cpt}, {"location", location}});
+  };
+  const Response written = create("bay/cpt.toml", {{"name", "C:/north/KP 12.csv"}, {"text", table}});
+  ASSERT_EQ(written.status, 200) << written.body;
+  const std::string text = desk_->get("/api/case?path=bay/cpt.toml").json().value("text", "");
+  EXPECT_NE(text.find("KP_12.csv"), std::string::npos) << text;
+  EXPECT_NE(text.find("profile"), std::string::npos);
+  EXPECT_EQ(text.find("/KP_12.csv"), std::string::npos) << "where the file lay for a moment is nothing to the reader";
+  EXPECT_TRUE(written.json().at("doubts").is_array());
+
+  const Response wrong = create("bay/none.toml", {{"name", "x.csv"}, {"text", "depth_m,q_t_MPa\n1,two\n"}});
+  EXPECT_EQ(wrong.status, 422);
+  EXPECT_TRUE(wrong.json().value("error", "").starts_with("x.csv")) << wrong.body;
+  EXPECT_EQ(create("bay/none.toml", {{"name", "x.csv"}, {"text", table}}, "--help").status, 422) << "a location of a table";
+  EXPECT_EQ(create("bay/none.toml", {{"name", "--help"}, {"text", table}}).status, 400);
+  EXPECT_EQ(create("bay/none.toml", {{"name", ".."}, {"text", table}}).status, 400);
+  EXPECT_EQ(create("bay/none.toml", "x.csv").status, 400);
+  EXPECT_FALSE(fs::exists(folder_ / "bay/none.toml"));
+}
+
 TEST_F(DeskTest, says_why_a_run_failed)
 {
   std::ofstream(folder_ / "bay/wrong.toml") << test::small_case << "\n[nonsense]\n";

@@ -28,5 +28,12 @@ TEST(html, a_row_of_one_cell_goes_over_all_columns)
   EXPECT_NE(html.find("<tr><th scope=\"row\">V</th>"), std::string::npos) << html;
 }
 
+TEST(html, is_read_as_plain_text)
+{
+  EXPECT_EQ(text_of_html("<strong>V</strong> = 2 D s<sub>u</sub> of &quot;a &lt; b&quot; <a href=\"#trust\">R &amp; D</a>"),
+            "V = 2 D s_u of \"a < b\" R & D");
+  EXPECT_EQ(text_of_html("5 < 6"), "5 < 6") << "no tag ends";
+}
+
 }  // namespace
 }  // namespace berm::text::this_file

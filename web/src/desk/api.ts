@@ -57,18 +57,24 @@ export interface Kind { kind: string; title: string; group: string; question: st
 export type InputKind = "case" | "study" | "element" | "fit" | "cyclic" | "sea" | "route";
 export interface Soil { soil: string; material: string; title: string; source: string; trust: string }
 export interface FileOf { path: string; title?: string; modified?: string | number }
-export interface RunState { path: string; case: string; status: Status; progress: number | null; time_left_s: number | null; began_here: boolean; can_resume: boolean; title?: string; date?: string; answer?: { name: string; value: number; unit: string } }
+export interface RunState { path: string; case: string; status: Status; progress: number | null; time_left_s: number | null; began_here: boolean; can_resume: boolean; title?: string; date?: string; answer?: { name: string; value: number; unit: string }; bytes?: number; notes?: string }
 export interface FolderOf { path: string; cases: FileOf[]; studies: FileOf[]; tests: FileOf[]; runs: string[]; folders: string[] }
 export interface Column { name: string; label: string; unit: string | null; meaning: string }
 export interface Rows { of: string; columns: Column[]; rows: (number | string | null)[][]; from_row: number; more: boolean }
 export interface RunNow extends RunState, Rows { log_tail: string; why?: string; summary?: Summary }
 export interface Quantity { value: number; unit: string; meaning: string; kind: string; of: string }
-export interface Summary { quantities?: Record<string, Quantity>; checks?: Record<string, unknown>; warnings?: string[]; invalid?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
+export interface Summary { text?: Record<string, string>; quantities?: Record<string, Quantity>; checks?: Record<string, unknown>; warnings?: string[]; invalid?: unknown; uncertainty?: { quantities: Record<string, { converged: number; half_width: number }> } }
+/** Of curves.json. */
+export interface Axis { symbol: string; unit: string; meaning: string }
+export interface Chart { chart: string; x: Axis; y: Axis; curves: { name: string; x: (number | null)[]; y: (number | null)[]; smoothed?: (number | null)[] }[] }
 export interface Soil2D { frame: number; time_s: number; points: number; x: number[]; y: number[]; z?: number[]; size: number[]; field?: { name: string; label: string; unit: string; values: number[] }; fields: string[]; rigids: [number, number][][] }
 export interface Checked { findings: Finding[]; estimate: { particles: number; time_s: number | null; memory_bytes: number; disk_bytes: number; lines: string[] } | null }
 export interface Exported { files: string[]; warnings: string[] }
 export interface Shown { address: string; without_scripts: boolean }
 export interface Job { job: string; command: string; status: Status; log_tail: string; made: string[] }
+
+/** What is doubtful in the sounding of a case that was just made, by its path. */
+export const doubts_of_new = new Map<string, string[]>();
 
 export const api = {
   about: () => json<About>(ask("GET", "about", {})) as Promise<About>,
@@ -76,7 +82,7 @@ export const api = {
   kinds: () => json<Kind[]>(ask("GET", "kinds", {})) as Promise<Kind[]>,
   soils: () => json<Soil[]>(ask("GET", "soils", {})) as Promise<Soil[]>,
   picture: async (kind: string) => (await ask("GET", `kinds/${kind}/picture`, {})).text(),
-  create: (body: { kind: string; size?: string; soil?: string; path: string }) => json<{ path: string }>(ask("POST", "new", {}, body)) as Promise<{ path: string }>,
+  create: (body: { kind: string; size?: string; soil?: string; cpt?: { name: string; text: string }; location?: string; path: string }) => json<{ path: string; doubts: string[] }>(ask("POST", "new", {}, body)) as Promise<{ path: string; doubts: string[] }>,
   folder: (path: string) => json<FolderOf>(ask("GET", "folder", { path })) as Promise<FolderOf>,
   read: (path: string) => json<{ text: string; modified: string | number }>(ask("GET", "case", { path })) as Promise<{ text: string; modified: string | number }>,
   save: (path: string, text: string, modified: string | number | null) => json<{ modified: string | number }>(ask("PUT", "case", { path }, { text, modified })) as Promise<{ modified: string | number }>,
@@ -86,6 +92,8 @@ export const api = {
   start: (body: { case?: string; out?: string; set?: string[]; threads?: number; resume?: string }) => json<{ path: string }>(ask("POST", "runs", {}, body)) as Promise<{ path: string }>,
   stop: (path: string) => json(ask("POST", "runs/stop", {}, { path })),
   remove: (path: string) => json(ask("POST", "runs/remove", {}, { path })),
+  rename: (path: string, name: string) => json<{ path: string }>(ask("POST", "runs/rename", {}, { path, name })) as Promise<{ path: string }>,
+  note: (path: string, text: string) => json(ask("POST", "runs/notes", {}, { path, text })),
   run: (path: string, from_row: number) => json<RunNow>(ask("GET", "run", { path, from_row })) as Promise<RunNow>,
   soil: (path: string, after: number) => json<Soil2D>(ask("GET", "run/soil", { path, after })),
   report: (runs: string[], pdf: boolean) => json<{ path: string; pdf?: string }>(ask("POST", "report", {}, { runs, pdf })) as Promise<{ path: string; pdf?: string }>,

@@ -22,6 +22,17 @@ interface Table {
   empty: boolean;
 }
 
+/** A line that is commented out, with a comment of its own: a key that was cleared. */
+interface Cleared {
+  line: Range;
+  comment: string;
+  /** As it was spelled. */
+  value: string;
+  /** Of its comment, on the line of the key that is set. */
+  column: number;
+}
+const cleared_line = /^[ \t]*#[ \t]*([A-Za-z0-9_-]+(?:\.[A-Za-z0-9_-]+)*)[ \t]*=[ \t]*([^#\n]+)#[ \t]*(.+)$/;
+
 const name_of = (path: Path) => JSON.stringify(path);
 const bare = /^[A-Za-z0-9_-]+$/;
 const written = (key: string | number) => (typeof key === "number" || bare.test(key) ? String(key) : JSON.stringify(key));
@@ -31,12 +42,14 @@ export class CaseText {
   readonly value: Record<string, unknown> | null = null;
   private readonly entries = new Map<string, Entry>();
   private readonly tables = new Map<string, Table>();
+  private readonly cleared = new Map<string, Cleared>();
 
   constructor(readonly text: string) {
     try {
       const ast = parseTOML(text);
       this.value = getStaticTOMLValue(ast) as Record<string, unknown>;
       this.read(ast);
+      this.read_cleared(ast);
     } catch {
       this.value = null;
     }
@@ -55,10 +68,15 @@ export class CaseText {
     return entry ? this.text.slice(...entry.value) : null;
   }
 
-  /** The comment behind a value on its line; "" where there is none. */
+  /** As a key that was cleared was spelled. */
+  former(path: Path): string | null {
+    return this.cleared.get(name_of(path))?.value ?? null;
+  }
+
+  /** The comment behind a value on its line, or behind the line of a key that was cleared; "" where there is none. */
   comment(path: Path): string {
     const entry = this.entries.get(name_of(path));
-    if (!entry) return "";
+    if (!entry) return this.cleared.get(name_of(path))?.comment ?? "";
     return /^[^\n]*?#\s*(.*)/.exec(this.text.slice(entry.whole[1], this.end_of_line(entry.whole[1])))?.[1].trim() ?? "";
   }
 
@@ -75,6 +93,11 @@ export class CaseText {
   with(path: Path, literal: string): string {
     const entry = this.entries.get(name_of(path));
     if (entry) return this.text.slice(0, entry.value[0]) + literal + this.text.slice(entry.value[1]);
+    const cleared = this.cleared.get(name_of(path));
+    if (cleared) {
+      const key = /^[ \t]*#[ \t]*([^=]*=)/.exec(this.text.slice(...cleared.line))![1], value = `${key} ${literal}`.padEnd(cleared.column - 1);
+      return `${this.text.slice(0, cleared.line[0])}${value} # ${cleared.comment}${this.text.slice(cleared.line[1])}`;
+    }
     for (let length = path.length - 1; length >= 0; length--) {
       const table = this.tables.get(name_of(path.slice(0, length)));
       if (!table || (length === 0 && path.length > 1)) continue;
@@ -86,7 +109,15 @@ export class CaseText {
     return `${this.text.replace(/\n*$/, "\n")}\n[${header}]\n${written(path[path.length - 1])} = ${literal}\n`;
   }
 
-  /** The text without the key. */
+  /** The text with this comment behind the value of a key, "": with none. */
+  with_comment(path: Path, comment: string): string {
+    const entry = this.entries.get(name_of(path));
+    if (!entry || entry.inline) return this.text;
+    const end = this.end_of_line(entry.whole[1]), gap = /^[ \t]*/.exec(this.text.slice(entry.whole[1], end))![0];
+    return this.text.slice(0, entry.whole[1]) + (comment === "" ? "" : `${gap || "  "}# ${comment}`) + this.text.slice(end);
+  }
+
+  /** The text without the key. One with a comment is commented out with it, so that it can be set again. */
   without(path: Path): string {
     const entry = this.entries.get(name_of(path));
     if (!entry) return this.text;
@@ -97,6 +128,8 @@ export class CaseText {
       else if (before) begin -= before[0].length;
     } else {
       begin = this.text.lastIndexOf("\n", begin - 1) + 1;
+      const whole = this.text.slice(begin, this.end_of_line(end));
+      if (!whole.includes("\n") && cleared_line.test(`# ${whole}`)) return `${this.text.slice(0, begin)}# ${this.text.slice(begin)}`;
       const line = this.text.indexOf("\n", end);
       end = line < 0 ? this.text.length : line + 1;
     }
@@ -116,6 +149,18 @@ export class CaseText {
     for (const node of root.body)
       if (node.type === "TOMLKeyValue") this.read_pair(node, []);
       else this.read_table(node);
+  }
+
+  /** Lines are those of the table whose header stands above them. */
+  private read_cleared(ast: AST.TOMLProgram): void {
+    const headers = ast.body[0].body.filter((node): node is AST.TOMLTable => node.type === "TOMLTable"), comments = ast.comments;
+    for (const { range } of comments) {
+      const begin = this.text.lastIndexOf("\n", range[0] - 1) + 1, end = this.end_of_line(range[0]), found = cleared_line.exec(this.text.slice(begin, end));
+      if (!found) continue;
+      const table = headers.filter((each) => each.range[0] < begin).pop();
+      const path = name_of([...(table?.resolvedKey ?? []), ...found[1].split(".")]);
+      if (!this.entries.has(path)) this.cleared.set(path, { line: [begin, end], value: found[2].trim(), comment: found[3].trim(), column: found[0].length - found[3].length - "# ".length - "# ".length });
+    }
   }
 
   private read_table(table: AST.TOMLTable): void {

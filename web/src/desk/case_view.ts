@@ -4,7 +4,7 @@ import { createEditor, type Editor, type Finding } from "../editor/editor";
 import type { Schema } from "../editor/schema";
 import { element } from "../element";
 import { make } from "../film_elements";
-import { api, type Checked, type InputKind, Refusal } from "./api";
+import { api, type Checked, doubts_of_new, type InputKind, Refusal } from "./api";
 import { CaseText, type Path } from "./case_text";
 import { Form } from "./form";
 import type { Place } from "./place";
@@ -42,7 +42,7 @@ export class CaseView implements Place {
     this.saved = read.text;
     this.modified = read.modified;
     this.text = new CaseText(read.text);
-    this.form = new Form(schema, (at, literal) => this.change(at, literal), (at) => this.look_at(at));
+    this.form = new Form(schema, (at, literal) => this.change(literal === "" ? this.text.without(at) : this.text.with(at, literal)), (at, comment) => this.change(this.text.with_comment(at, comment)), (at) => this.look_at(at));
     const threads = element("input", { type: "number", min: 1, max: cores, value: cores, id: "threads", "aria-label": "threads" });
     this.run_button.addEventListener("click", () => void this.run(Number(threads.value)));
     this.save_button.addEventListener("click", () => void this.save());
@@ -56,7 +56,7 @@ export class CaseView implements Place {
       job("Element tests", "Put the soils of this case into laboratory tests (berm element): triaxial, simple shear", () => void this.test_soil()),
       job("Envelope", "Find the loads that the soil can carry (berm envelope): many runs", () => confirm("An envelope takes eleven runs of this case or more. Begin?") && void this.work("envelope")),
       job("Factor of safety", "Find by how much the strength can be reduced until the soil fails (berm safety): some ten runs", () => void this.work("safety"))] : [];
-    const checked = make("section", "pane side_pane", make("h2", "", "Model"), this.model, make("h2", "", "Findings"), this.estimate, this.findings);
+    const checked = make("section", "pane side_pane", make("h2", "", "Model"), this.model, make("h2", "", "Findings"), ...(doubts_of_new.get(path) ?? []).map((doubt) => make("p", "fair", doubt)), this.estimate, this.findings);
     this.element.classList.toggle("no_model", !is_case);
     this.element.append(
       make("div", "bar", this.save_button, this.run_button, make("label", "threads", "threads ", threads), ...jobs, this.state, this.switcher()),
@@ -102,8 +102,7 @@ export class CaseView implements Place {
     return true;
   }
 
-  private change(path: Path, literal: string): void {
-    const next = literal === "" ? this.text.without(path) : this.text.with(path, literal);
+  private change(next: string): void {
     if (next === this.text.text) return;
     this.from_form = true;
     this.put(next);

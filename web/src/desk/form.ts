@@ -4,10 +4,13 @@ import { below, is_table, keys_of, type Schema, type Words } from "../editor/sch
 import { element } from "../element";
 import { make } from "../film_elements";
 import type { CaseText, Path } from "./case_text";
+import { may_vary, type Range, range_in, with_range, without_range, wrong_in } from "./ranges";
 import { in_unit, type Quantity, quantity_of, spelled, units_of } from "./units";
 
 /** A value was changed: as TOML spells it, "" where the key goes. */
 export type Changed = (path: Path, literal: string) => void;
+/** The comment behind it was changed. */
+export type Said = (path: Path, comment: string) => void;
 
 /** "material.clay", or of a stage its name: "stage.drag". */
 export function words_of(text: CaseText, path: Path): string {
@@ -90,7 +93,7 @@ export class Form {
   private open = new Set<string>();
   private folded = new Set<string>();
 
-  constructor(private readonly schema: Schema, private readonly changed: Changed, private readonly looked_at: (path: Path) => void) {
+  constructor(private readonly schema: Schema, private readonly changed: Changed, private readonly said: Said, private readonly looked_at: (path: Path) => void) {
     this.element.setAttribute("role", "form");
     this.element.setAttribute("aria-label", "The case");
   }
@@ -166,15 +169,45 @@ export class Form {
     const meaning = (schema.description ?? "").split("\n\n")[0];
     const row = make("div", spelling === null ? "field unset" : "field");
     row.dataset.key = words_of(text, path);
-    const said = text.comment(path).replace(mark, ""), label = element("label", { for: id, title: key }, in_words(key));
+    const said = without_range(text.comment(path)).replace(mark, ""), label = element("label", { for: id, title: key }, in_words(key));
     if (said && mark.test(text.comment(path))) label.append(make("span", "quiet said", said));
-    row.append(label, this.control(id, path, schema, spelling), element("p", { class: "quiet meaning", id: `${id}-meaning` }, meaning));
+    const control = this.control(id, path, schema, spelling, text.former(path)), range = may_vary(text, path) ? this.range(text, path, id, quantity_of(spelling!, schema["x-unit"] ?? "")?.unit ?? "") : null;
+    if (range) control.append(range.face);
+    row.append(label, control, ...(range ? [range.box] : []), element("p", { class: "quiet meaning", id: `${id}-meaning` }, meaning));
     row.querySelector(`#${CSS.escape(id)}`)?.setAttribute("aria-describedby", `${id}-meaning`);
     row.addEventListener("focusin", () => this.looked_at(path));
     return row;
   }
 
-  private control(id: string, path: Path, schema: Field["schema"], spelling: string | null): HTMLElement {
+  /** Low and high below the best value, and the button that shows them. */
+  private range(text: CaseText, path: Path, id: string, unit: string): { face: HTMLElement; box: HTMLElement } {
+    const now = range_in(text.comment(path)), name = `${id}-range`, words = in_words(String(path[path.length - 1])), box = make("div", "range");
+    const face = element("button", { type: "button", id: name, class: "of_range", "aria-label": `low and high of ${words}`, title: "Low and high: the 5 % and 95 % values, for Low, best, high of a finished run" }, "±");
+    const field = (side: keyof Range) => element("input", { type: "text", id: `${id}-${side}`, "aria-label": `${side} ${words}`, value: now?.[side] ?? "", placeholder: `${side}${unit ? `, ${unit}` : ""}`, autocomplete: "off" });
+    const low = field("low"), high = field("high");
+    for (const each of [low, high])
+      each.addEventListener("change", () => {
+        if ((low.value === "") !== (high.value === "")) return; // the other one is still to come
+        const range = { low: low.value, high: high.value }, wrong = wrong_in(range);
+        each.setCustomValidity(wrong);
+        if (wrong) each.reportValidity();
+        else this.said(path, with_range(text.comment(path), range, unit));
+      });
+    const show = () => {
+      box.hidden = now === null && !this.open.has(name);
+      face.setAttribute("aria-expanded", String(!box.hidden));
+      box.replaceChildren(...(box.hidden ? [] : [low, high]));
+    };
+    face.addEventListener("click", () => {
+      if (!this.open.delete(name)) this.open.add(name);
+      show();
+      if (!box.hidden) low.focus();
+    });
+    show();
+    return { face, box };
+  }
+
+  private control(id: string, path: Path, schema: Field["schema"], spelling: string | null, former: string | null): HTMLElement {
     const preset = schema.default === undefined ? "" : String(schema.default);
     if (schema.enum || schema.type === "boolean") {
       const words = schema.enum ?? ["true", "false"], literal = (word: string) => (schema.enum ? JSON.stringify(word) : word);
@@ -183,7 +216,7 @@ export class Form {
       select.addEventListener("change", () => this.changed(path, select.value));
       return select;
     }
-    if (Array.isArray(schema.type) && schema.type.includes("number")) return this.number(id, path, schema["x-unit"] ?? "", preset, spelling);
+    if (Array.isArray(schema.type) && schema.type.includes("number")) return this.number(id, path, schema["x-unit"] ?? "", preset, spelling, former);
     const input = element("input", { id, type: "text", placeholder: preset || (schema.type === "array" ? "[…]" : ""), spellcheck: "false" });
     const of_text = schema.type === "string";
     input.value = of_text && spelling?.startsWith('"') ? (JSON.parse(spelling) as string) : (spelling ?? "");
@@ -191,10 +224,11 @@ export class Form {
     return input;
   }
 
-  private number(id: string, path: Path, si: string, preset: string, spelling: string | null): HTMLElement {
-    const known = spelling === null ? null : quantity_of(spelling, si), word = spelling !== null && known === null;
-    const input = element("input", { id, type: "text", inputmode: "decimal", placeholder: preset, autocomplete: "off" });
-    const all = units_of(si), first = usual(si, preset, all);
+  /** `former`: what stood in a field that was cleared, whose unit it keeps. */
+  private number(id: string, path: Path, si: string, preset: string, spelling: string | null, former: string | null): HTMLElement {
+    const known = spelling === null ? null : quantity_of(spelling, si), was = former === null ? null : quantity_of(former, si), word = spelling !== null && known === null;
+    const input = element("input", { id, type: "text", inputmode: "decimal", placeholder: was ? `was ${was.number}` : preset, autocomplete: "off" });
+    const all = units_of(si), first = was?.unit ?? usual(si, preset, all);
     let now: Quantity = known ?? { number: "", unit: first, plain: false };
     input.value = word ? spelling!.replace(/^"|"$/g, "") : now.number;
     const write = () => this.changed(path, spelled({ ...now, number: input.value }, si));

@@ -30,7 +30,8 @@ export class LiveChart {
   };
   private seen: [(number | null)[], (number | null)[]] = [[], []];
 
-  constructor(readonly x: Column, readonly y: Column) {
+  /** `curves`: that stand behind one another with gaps between, each in its colour. `downwards`: y grows towards the foot of the chart, as depths do. */
+  constructor(readonly x: Column, readonly y: Column, private readonly downwards = false, private readonly curves = 1) {
     this.element.setAttribute("role", "img");
     this.element.setAttribute("aria-label", `${y.label} over ${x.label}`);
     this.watch.observe(this.element);
@@ -61,9 +62,9 @@ export class LiveChart {
       this.plot = new uPlot(
         {
           mode: 2, width: this.element.clientWidth, height, legend: { show: false }, cursor: { drag: { x: true, y: true } },
-          scales: { x: { time: false, range }, y: { range } },
+          scales: { x: { time: false, range }, y: { range, dir: this.downwards ? -1 : 1 } },
           axes: [{ ...axis, label: label(this.x, of_x.name), scale: "x" }, { ...axis, label: label(this.y, of_y.name), scale: "y", size: 62 }],
-          series: [null as unknown as uPlot.Series, { stroke: page_colour("--accent"), width: 1.8, facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: curve }],
+          series: [null as unknown as uPlot.Series, { stroke: page_colour("--accent"), width: 1.8, facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: (plot: uPlot, series: number) => drawn_in(plot, series, this.curves) }],
         } as unknown as uPlot.Options,
         [null, data] as unknown as uPlot.AlignedData, this.element);
       return;
@@ -77,19 +78,30 @@ export class LiveChart {
   }
 }
 
+/** Of one curve of several, from the first to the last. */
+export const curve_colour = (k: number, of: number) => (of === 1 ? page_colour("--accent") : `hsl(${210 + (150 * k) / (of - 1)} 65% 50%)`);
+
 /** Points in the order of the run: u goes back where a sweep turns. */
-function curve(plot: uPlot, series: number): null {
+function drawn_in(plot: uPlot, series: number, curves: number): null {
   const { ctx } = plot, [x, y] = plot.data[series] as unknown as [(number | null)[], (number | null)[]];
   const { left, top, width, height: tall } = plot.bbox;
   ctx.save();
   ctx.beginPath();
   ctx.rect(left, top, width, tall);
   ctx.clip();
+  ctx.lineWidth = 1.8 * devicePixelRatio;
+  let drawn = false, curve = 0;
+  const stroke = () => {
+    ctx.strokeStyle = curve_colour(curve, curves);
+    ctx.stroke();
+    ctx.beginPath();
+    drawn = false;
+  };
   ctx.beginPath();
-  let drawn = false;
   for (let k = 0; k < x.length; k++) {
     if (x[k] === null || y[k] === null) {
-      drawn = false;
+      stroke();
+      if (curve < curves - 1) ++curve;
       continue;
     }
     const px = plot.valToPos(x[k]!, "x", true), py = plot.valToPos(y[k]!, "y", true);
@@ -97,9 +109,7 @@ function curve(plot: uPlot, series: number): null {
     else ctx.moveTo(px, py);
     drawn = true;
   }
-  ctx.strokeStyle = page_colour("--accent");
-  ctx.lineWidth = 1.8 * devicePixelRatio;
-  ctx.stroke();
+  stroke();
   ctx.restore();
   return null;
 }

@@ -52,10 +52,14 @@ export class CompareView implements Place {
   }
 }
 
+/** More files are folded away. */
+const few = 8;
+
 export class JobView implements Place {
   readonly element = make("div", "page_view");
   readonly title: string;
   private head = make("div", "bar");
+  private last = make("p", "quiet");
   private log = make("pre", "log");
   private page = make("div", "job_page");
   private shown = "";
@@ -63,7 +67,7 @@ export class JobView implements Place {
 
   constructor(private readonly job: string) {
     this.title = job;
-    this.element.append(make("h2", "", job), this.head, this.page, make("details", "", make("summary", "", "Output"), this.log));
+    this.element.append(make("h2", "", job), this.head, this.last, this.page, make("details", "", make("summary", "", "Output"), this.log));
     this.pulse = new Pulse(1500, () => this.look());
   }
 
@@ -84,18 +88,19 @@ export class JobView implements Place {
 
   private show({ command, status, log_tail, made }: Job): void {
     this.log.textContent = log_tail;
+    this.last.textContent = status === "running" ? (log_tail.trim().split("\n").pop() ?? "") : "";
     const content = JSON.stringify([status, made]);
     if (this.head.dataset.content === content) return; // buttons stay, with the focus in them
     this.head.dataset.content = content;
     const stop = element("button", { type: "button" }, "Stop");
     stop.addEventListener("click", () => void api.stop_job(this.job).catch((error: Error) => say(error.message, "bad")));
     const of_run = command === "uncertainty";
-    const files = (of_run ? [] : made).map((path) => {
+    const files = (of_run ? [] : [...made].sort((a, b) => a.localeCompare(b, "en", { numeric: true }))).map((path) => {
       const face = element("button", { type: "button", class: "file" }, path.split("/").pop()!);
       face.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)));
       return face;
     });
-    this.head.replaceChildren(make("strong", "", command), status_badge(status), ...(status === "running" || status === "queued" ? [stop] : []), ...files,
+    this.head.replaceChildren(make("strong", "", command), status_badge(status), ...(status === "running" || status === "queued" ? [stop] : []), ...(files.length > few ? [make("details", "", make("summary", "", `${files.length} files`), make("div", "bar", ...files))] : files),
       ...(of_run ? [element("a", { href: `#/run?path=${encodeURIComponent(this.job)}` }, "To the run, with the uncertainty of its key results")] : []));
     if (status === "failed") this.page.replaceChildren(make("p", "bad", log_tail.trim().split("\n").filter((line) => line.startsWith("berm:")).pop() ?? "It failed: see the output below."));
   }

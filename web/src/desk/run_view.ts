@@ -6,9 +6,11 @@ import { make } from "../film_elements";
 import { api, type Column, type Quantity, type RunNow, type Summary } from "./api";
 import { LiveChart } from "./live_chart";
 import type { Place } from "./place";
-import { progress_bar, Pulse, status_badge, stop_or_resume } from "./runs_view";
+import { own_charts } from "./own_charts";
+import { edit_run } from "./run_edit";
+import { can_be_named, progress_bar, Pulse, status_badge, stop_or_resume } from "./runs_view";
 import { SoilPicture } from "./soil_picture";
-import { download, duration_words, say } from "./words";
+import { download, duration_words, say, value_words } from "./words";
 
 type Value = number | string | null;
 
@@ -40,30 +42,36 @@ export class RunView implements Place {
   readonly title: string;
   private head = make("div", "bar run_head");
   private why = make("p", "bad why");
+  private sentence = make("p", "sentence");
+  private notes = make("p", "notes quiet");
+  private warnings = make("div", "");
   private acts = make("div", "bar");
   private charts: LiveChart[] = [];
   private chart_place = make("div", "live_charts");
+  private own_place = make("div", "live_charts");
+  private own: LiveChart[] = [];
   private soil = new SoilPicture();
   private answer = make("div", "answer");
   private log = make("pre", "log");
   private rows: Value[][] = [];
   private of = "";
   private columns: Column[] = [];
+  private consolidating: Set<string> | null = null;
   private status = "";
   private pulse: Pulse;
 
   constructor(private readonly path: string) {
     this.title = path;
     this.element.append(
-      make("h2", "", path), this.head, this.why, this.acts,
-      make("div", "run_panes", make("section", "pane", make("h2", "", "Curves"), this.chart_place), make("section", "pane", make("h2", "", "Soil"), this.soil.element, make("h2", "", "Key results"), this.answer)),
+      make("h2", "", path), this.head, this.why, this.sentence, this.warnings, this.notes, this.acts,
+      make("div", "run_panes", make("section", "pane", make("h2", "", "Curves"), this.own_place, this.chart_place), make("section", "pane", make("h2", "", "Soil"), this.soil.element, make("h2", "", "Key results"), this.answer)),
       make("details", "", make("summary", "", "Log"), this.log));
     this.pulse = new Pulse(1000, () => this.look());
   }
 
   leave(): void {
     this.pulse.end();
-    this.charts.forEach((chart) => chart.end());
+    [...this.charts, ...this.own].forEach((chart) => chart.end());
   }
 
   private async look(): Promise<void> {
@@ -84,7 +92,7 @@ export class RunView implements Place {
         this.columns = now.columns;
       } while (now.more);
       this.show(now);
-      if (now.status === "running" || this.soil.frame < 0) {
+      if (now.columns.length > 0 && (now.status === "running" || this.soil.frame < 0)) {
         const soil = await api.soil(this.path, this.soil.frame);
         if (soil) this.soil.show(soil);
       }
@@ -100,9 +108,13 @@ export class RunView implements Place {
     const words = now.progress === null ? "" : `${Math.round(100 * now.progress)} %`;
     this.head.replaceChildren(status_badge(now.status), ...(now.status === "running" ? [progress_bar(now.progress)] : []), make("span", "", words), make("span", "quiet", left),
       make("span", "quiet", now.case ? `of ${now.case}` : ""));
-    this.why.textContent = now.why ?? "";
+    this.why.textContent = now.why ? `${now.why.replace(/[.]?$/, ".")} ${what_can_be_done(now)}` : "";
     this.why.hidden = !now.why;
-    const offered = `${now.status} ${now.can_resume}`;
+    this.sentence.textContent = now.summary?.text?.answer ?? "";
+    this.sentence.hidden = !this.sentence.textContent;
+    this.notes.textContent = now.notes ?? "";
+    this.notes.hidden = !now.notes;
+    const offered = `${now.status} ${now.can_resume} ${now.notes ?? ""}`;
     if (this.acts.dataset.of !== offered) {
       const focused = this.acts.contains(document.activeElement);
       this.acts.dataset.of = offered;
@@ -110,9 +122,11 @@ export class RunView implements Place {
       if (focused) this.acts.querySelector("button")?.focus();
     }
     this.log.textContent = now.log_tail;
+    if (now.summary) this.consolidating = new Set(Object.keys(now.summary.quantities ?? {}).filter((name) => name.startsWith("U_of_")).map((name) => name.slice("U_of_".length)));
     this.show_curves();
     const content = now.summary ? JSON.stringify(now.summary) : "";
-    if (now.summary && this.answer.dataset.content !== content) this.show_answer(now.summary, now.status === "finished" ? "" : this.stage_now()); // else what is open stays open
+    if (now.summary && this.answer.dataset.content !== content) void this.show_own();
+    if (now.summary && this.answer.dataset.content !== content) this.show_answer(now.summary, now.status === "finished" ? "" : this.stage_now(), now.answer?.name); // else what is open stays open
     this.answer.dataset.content = content;
     if (now.summary) return;
     this.answer.replaceChildren(...this.live_numbers());
@@ -131,8 +145,23 @@ export class RunView implements Place {
         button("Export springs …", "Springs for pipeline programs (berm export)", () => (location.hash = `#/export?path=${encodeURIComponent(this.path)}`)),
         button("Low, best, high …", "Vary uncertain parameters (berm study)", () => (location.hash = `#/vary?path=${encodeURIComponent(this.path)}`)),
         button("Uncertainty", "Also runs on other cells and at another speed (berm run --uncertainty), and extrapolates to zero cell size; the check of the case says how long it takes", () => void this.uncertainty())] : []),
+      button("Name, notes …", "Another name of the run's folder, and notes about it", () => void this.edit(now)),
       ...(now.case.endsWith(".toml") ? [button("Case of this run", "Open the case as this run has it", () => (location.hash = `#/case?path=${encodeURIComponent(`${this.path}/case.toml`)}`))] : []),
     ];
+  }
+
+  private async edit(now: RunNow): Promise<void> {
+    const path = await edit_run(this.path, now.notes ?? "", can_be_named(now));
+    if (path !== null && path !== this.path) location.hash = `#/run?path=${encodeURIComponent(path)}`;
+    else await this.look();
+  }
+
+  private async show_own(): Promise<void> {
+    const found = await own_charts(this.path);
+    this.own.forEach((chart) => chart.end());
+    this.own = found.map(({ chart }) => chart);
+    this.own_place.replaceChildren(...found.map(({ face }) => face));
+    found.forEach(({ fill }) => fill());
   }
 
   private async report(pdf: boolean): Promise<void> {
@@ -159,17 +188,21 @@ export class RunView implements Place {
     return this.columns.findIndex((column) => column.label === label);
   }
 
+  /** U counts in stages in which the soil consolidates, as the results of a run that has ended name them. */
   private numbers(index: number): (number | null)[] {
+    const stage = this.index("stage");
+    if (this.columns[index]?.name === "U" && this.consolidating) return this.rows.map((row) => (this.consolidating!.has(String(row[stage])) ? (row[index] as number) : null));
     return this.rows.map((row) => (typeof row[index] === "number" ? (row[index] as number) : null));
   }
 
-  /** What is drawn, y over x: V(w), H(u) and w(u) of a body that is driven, over time where it has not moved that way; H and u over time where it turns; of a line its displacement. */
+  /** What is drawn, y over x: V(w), H(u) and w(u) of a body that is driven, over time where it has not moved that way; V, H and u over time where it turns; of a line its displacement; of soil that consolidates U. */
   private curves(): [y: string, x: string][] {
     const line = this.columns.filter(({ name }) => name === "line_y_m").map(({ label }): [string, string] => [label, "time"]);
     if (this.index("u") < 0 || this.index("w") < 0) return [...line, ...this.columns.filter(({ name, unit }) => name !== "time_s" && unit !== null && name !== "line_y_m").slice(0, 3).map(({ label }): [string, string] => [label, "time"])];
     const over = (label: string) => (travel(this.numbers(this.index(label))) > least_travel ? label : "time"), [u, w] = [over("u"), over("w")];
     const in_time: [string, string][] = u === "u" && turns(this.numbers(this.index("u"))) >= 2 ? [["u", "time"], ["H", "time"]] : [];
-    return [...line, ["V", w], ["H", u], ["w", u], ...in_time];
+    const water: [string, string][] = this.columns.some(({ name }) => name === "U") && travel(this.numbers(this.columns.findIndex(({ name }) => name === "U"))) > 0 ? [["U", "time"]] : [];
+    return [...water, ...line, ["V", in_time.length > 0 ? "time" : w], ["H", u], ["w", u], ...in_time];
   }
 
   private show_curves(): void {
@@ -208,25 +241,33 @@ export class RunView implements Place {
     return typeof stage === "string" ? stage : "";
   }
 
-  /** `cut`: the stage that did not end, of a run that did not. */
-  private show_answer({ quantities, checks, warnings, invalid, uncertainty }: Summary, cut: string): void {
+  /** `cut`: the stage that did not end, of a run that did not; `key`: the key number of the kind of run. */
+  private show_answer({ quantities, checks, warnings, invalid, uncertainty }: Summary, cut: string, key = ""): void {
     const row = (name: string, each: Quantity) => {
       const term = make("td", "", name), is_cut = cut !== "" && (each.of === cut || name.startsWith(`${cut}.`));
       term.title = each.meaning;
       const band = uncertainty?.quantities[name];
-      return make("tr", is_cut ? "cut" : "", term, make("td", "number", digits(each.value)), ...(uncertainty ? [make("td", "number band", band ? `${digits(band.converged)} ± ${digits(band.half_width)}` : "")] : []),
-        make("td", "quiet unit", each.unit === "1" ? "" : each.unit), make("td", "quiet", `${is_cut ? `(${cut} did not end: as far as it got) ` : ""}${each.meaning}`));
+      return make("tr", is_cut ? "cut" : name === key ? "key" : "", term, make("td", "number", value_words(each.value, each.unit)), ...(uncertainty ? [make("td", "number band", band ? `${value_words(band.converged, each.unit)} ± ${value_words(band.half_width, each.unit)}` : "")] : []),
+        make("td", "quiet", `${is_cut ? `(${cut} did not end: as far as it got) ` : ""}${each.meaning}`));
     };
     const numbers = Object.entries(quantities ?? {}).filter(([, each]) => typeof each.value === "number"), is_answer = ([, { kind }]: [string, Quantity]) => kind === "answer";
-    const table_of = (some: [string, Quantity][]) => make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", "", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...some.slice(0, 60).map(([name, each]) => row(name, each)))));
+    const table_of = (some: [string, Quantity][]) => make("div", "scrolls", make("table", "list", ...(uncertainty ? [make("thead", "", make("tr", "", ...["", "this run", "converged", ""].map((word) => make("th", "", word))))] : []), make("tbody", "", ...some.slice(0, 60).map(([name, each]) => row(name, each)))));
+    numbers.sort(([a], [b]) => Number(b === key) - Number(a === key));
     const others = numbers.filter((each) => !is_answer(each));
     const trust = Object.entries(checks ?? {}).filter(([, value]) => typeof value === "number" || typeof value === "boolean").slice(0, 12);
     this.answer.replaceChildren(
-      ...(invalid && JSON.stringify(invalid) !== "[]" && invalid !== false ? [make("p", "bad", "Do not use the results of this run: its report says why.")] : []),
       ...(cut ? [make("p", "fair", `The run has not finished. Numbers of ${cut} are of an unfinished stage, and later stages are missing.`)] : []),
-      ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)),
       table_of(numbers.filter(is_answer)),
       ...(others.length > 0 ? [make("details", "", make("summary", "", "Ratios, prescribed values and quality"), table_of(others))] : []),
       make("details", "", make("summary", "", "Checks"), make("dl", "numbers", ...trust.flatMap(([name, value]) => [make("dt", "", name.replaceAll("_", " ")), make("dd", "", typeof value === "number" ? digits(value) : String(value))]))));
+    this.warnings.replaceChildren(
+      ...(invalid && JSON.stringify(invalid) !== "[]" && invalid !== false ? [make("p", "bad", `Do not use the results of this run${Array.isArray(invalid) ? `: ${invalid.join("; ")}` : ""}.`)] : []),
+      ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)));
   }
+}
+
+/** After a run that did not come to its end. */
+function what_can_be_done({ status, can_resume, case: file }: RunNow): string {
+  if (can_resume) return "Resume continues it from its last checkpoint.";
+  return status === "failed" && file !== "" ? `It would end so again: change ${file}, and run it anew.` : "Run its case anew.";
 }

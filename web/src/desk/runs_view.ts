@@ -2,10 +2,10 @@
 // All runs of the folder, and the studies and other commands that start some; several runs are compared from here.
 import { element } from "../element";
 import { make } from "../film_elements";
-import { digits } from "../film_numbers";
 import { api, type Job, type RunState, type Status } from "./api";
 import type { Place } from "./place";
-import { duration_words, say } from "./words";
+import { edit_run } from "./run_edit";
+import { bytes_words, duration_words, say, value_words } from "./words";
 
 export function status_badge(status: Status): HTMLElement {
   return make("span", `badge ${status}`, status);
@@ -66,7 +66,7 @@ export class RunsView implements Place {
     this.export_all.addEventListener("click", () => (location.hash = `#/export?${[...this.chosen].map((path) => `path=${encodeURIComponent(path)}`).join("&")}`));
     this.element.append(
       make("h2", "", "Runs"), make("div", "bar", this.compare, this.export_all, this.note, make("label", "", this.parts, " also runs of studies, envelopes and factors of safety")),
-      make("table", "list", make("thead", "", make("tr", "", ...["", "run", "title", "ended", "key number", "status", "", ""].map((word) => make("th", "", word)))), this.table),
+      make("table", "list", make("thead", "", make("tr", "", ...["", "run", "ended", "key number", "size", "status", "", ""].map((word) => make("th", "", word)))), this.table),
       make("h2", "", "Studies, envelopes, factors of safety, element tests, fits"),
       make("table", "list", make("thead", "", make("tr", "", ...["", "results", "status", "last message", ""].map((word) => make("th", "", word)))), this.jobs));
     this.show_choice();
@@ -104,10 +104,20 @@ export class RunsView implements Place {
       else this.chosen.delete(run.path);
       this.show_choice();
     });
-    return make("tr", "", make("td", "", box), make("td", "", element("a", { href: `#/run?path=${encodeURIComponent(run.path)}` }, run.path)), make("td", "quiet", run.title ?? run.case),
-      make("td", "quiet", date_words(run.date)), make("td", "number", run.answer ? `${run.answer.name} ${digits(run.answer.value)} ${run.answer.unit === "1" ? "" : run.answer.unit}` : ""),
-      make("td", "", status_badge(run.status)), make("td", "", ...(run.status === "running" ? [progress_bar(run.progress), ` ${duration_words(run.time_left_s)}`] : [])),
-      make("td", "", ...stop_or_resume(run), ...(run.status === "running" || run.status === "queued" ? [] : [this.remover(run.path)])));
+    return make("tr", "", make("td", "", box), make("td", "", element("a", { href: `#/run?path=${encodeURIComponent(run.path)}` }, run.path), make("p", "notes quiet", run.title ?? run.case), ...(run.notes ? [make("p", "notes", run.notes)] : [])),
+      make("td", "quiet unit", date_words(run.date)), make("td", "number", run.answer ? `${run.answer.name} ${value_words(run.answer.value, run.answer.unit)}` : ""),
+      make("td", "number quiet", run.bytes === undefined ? "" : bytes_words(run.bytes)), make("td", "", status_badge(run.status)), make("td", "", ...(run.status === "running" ? [progress_bar(run.progress), ` ${duration_words(run.time_left_s)}`] : [])),
+      make("td", "acts", ...stop_or_resume(run), this.editor(run), ...(is_at_work(run) ? [] : [this.remover(run.path)])));
+  }
+
+  private editor(run: RunState): HTMLElement {
+    const face = act("Edit …", async () => {
+      const path = await edit_run(run.path, run.notes ?? "", can_be_named(run));
+      if (path !== null && path !== run.path && this.chosen.delete(run.path)) this.chosen.add(path);
+      await this.look();
+    });
+    face.setAttribute("aria-label", `name and notes of ${run.path}`);
+    return face;
   }
 
   private remover(path: string): HTMLElement {
@@ -128,6 +138,10 @@ export class RunsView implements Place {
       make("td", "", ...(job.status === "running" || job.status === "queued" ? [act("Stop", () => api.stop_job(job.job))] : [])));
   }
 }
+
+export const is_at_work = ({ status }: RunState) => status === "running" || status === "queued";
+/** Those of studies are found by their names. */
+export const can_be_named = (run: RunState) => !is_at_work(run) && !is_part(run.path);
 
 /** "2026-12-01 08:06" of a date of the summary, in the reader's time. */
 function date_words(date: string | undefined): string {

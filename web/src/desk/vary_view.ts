@@ -2,10 +2,11 @@
 // A study of uncertain parameters, from a finished run: which numbers of its case vary, which key results are measured.
 import { element } from "../element";
 import { make } from "../film_elements";
-import { digits } from "../film_numbers";
 import { api, type Summary } from "./api";
 import { CaseText, type Path } from "./case_text";
 import type { Place } from "./place";
+import { range_in } from "./ranges";
+import { value_words } from "./words";
 
 interface Varied { key: string; low: string; best: string; high: string }
 interface Measured { quantity: string; unit: string }
@@ -14,7 +15,8 @@ interface Measured { quantity: string; unit: string }
 const thousands: Record<string, string> = { "N/m": "kN/m", N: "kN", Pa: "kPa", "N m": "kN m" };
 
 const text = (words: string) => JSON.stringify(words);
-const usual = /^(H_max|H_end|H_residual|V_end|q_|N_)[^/]*$/;
+/** What a template marks as to be set. */
+const is_marked = (read: CaseText, path: Path) => path[0] === "material" && /^<-/.test(read.comment(path));
 
 /** The study as TOML; without a sample each parameter is low and high in turn. */
 export function study_of(case_name: string, varied: Varied[], measured: Measured[], sample: number): string {
@@ -41,6 +43,15 @@ export function scaled(value: unknown, factor: number): string | null {
   return typeof value === "number" ? next : text(`${next} ${found[2]}`.trim());
 }
 
+/** The first of NAME.toml, NAME_2.toml ... that is not there. */
+async function free_name(folder: string, name: string): Promise<string> {
+  const { studies, cases } = await api.folder(folder.replace(/\/$/, "")), taken = new Set([...studies, ...cases].map(({ path }) => path));
+  for (let k = 1; ; ++k) {
+    const next = k === 1 ? `${name}.toml` : `${name}_${k}.toml`;
+    if (!taken.has(next)) return next;
+  }
+}
+
 export class VaryView implements Place {
   readonly element = make("div", "vary_view");
   readonly title = "Low, best, high";
@@ -60,11 +71,11 @@ export class VaryView implements Place {
     const file = now.case, folder = file.includes("/") ? file.slice(0, file.lastIndexOf("/") + 1) : "", case_name = file.slice(folder.length);
     const read = new CaseText((await api.read(file)).text);
     const write = element("button", { type: "submit", class: "primary" }, "Run the study"), form = element("form", { class: "vary" });
-    const name = element("input", { type: "text", id: "study-file", value: `${file.replace(/\.toml$/, "")}_study.toml`, required: "" });
+    const name = element("input", { type: "text", id: "study-file", value: await free_name(folder, `${file.replace(/\.toml$/, "")}_study`), required: "" });
     form.append(
       make("h2", "", `Low, best and high of ${file}`),
-      make("p", "quiet", "Select uncertain parameters and give their 5 % and 95 % values; the case has the best ones. The distribution is lognormal; the file of the study can name another."),
-      this.parameters(read), make("h3", "", "Key results"), this.quantities(now.summary),
+      make("p", "quiet", "Select uncertain parameters and give their 5 % and 95 % values; the case has the best ones. Low and high are those that the case gives beside a field; else 0.8 and 1.25 times the best value. The distribution is lognormal; the file of the study can name another."),
+      this.parameters(read), make("h3", "", "Key results"), this.quantities(now.summary, now.answer?.name),
       element("label", { for: "sample" }, "Rows of the sample: 20 or more for a low and a high estimate; 0: each parameter low and high in turn, no sample"), this.sample,
       element("label", { for: "study-file" }, "File of the study"), name, this.count, this.wrong, write);
     form.addEventListener("input", () => this.tell());
@@ -79,26 +90,31 @@ export class VaryView implements Place {
   private parameters(read: CaseText): HTMLElement {
     const numbers: Path[] = ["material", "contact"].flatMap((table) =>
       Object.entries((read.at([table]) ?? {}) as Record<string, Record<string, unknown>>).flatMap(([name, keys]) => Object.keys(keys).map((key): Path => [table, name, key])));
+    const given = numbers.some((path) => range_in(read.comment(path)) !== null);
     const rows = numbers.flatMap((path) => {
-      const value = read.at(path), low = scaled(value, 0.8), best = scaled(value, 1), high = scaled(value, 1.25), key = path.join(".");
+      const value = read.at(path), range = range_in(read.comment(path)), best = scaled(value, 1), key = path.join(".");
+      const low = range?.low ?? scaled(value, 0.8), high = range?.high ?? scaled(value, 1.25);
       if (low === null || best === null || high === null) return [];
       const field = (words: string, value_: string) => element("input", { type: "text", "aria-label": `${words} of ${key}`, value: value_.replaceAll('"', "") });
       const row = { key, best, chosen: element("input", { type: "checkbox", "aria-label": `vary ${key}` }), low: field("low", low), high: field("high", high) };
+      row.chosen.checked = given ? range !== null : is_marked(read, path);
       this.rows.push(row);
-      return [make("tr", "", make("td", "", row.chosen), make("td", "", make("code", "", key)), make("td", "", row.low), make("td", "", best.replaceAll('"', "")), make("td", "", row.high))];
+      return [{ first: range !== null || is_marked(read, path), face: make("tr", "", make("td", "", row.chosen), make("td", "", make("code", "", key)), make("td", "", row.low), make("td", "unit", best.replaceAll('"', "")), make("td", "", row.high)) }];
     });
     if (rows.length === 0) throw new Error("The materials and contacts of this case have no numbers to vary.");
-    return make("table", "list", make("thead", "", make("tr", "", ...["", "parameter", "low (5 %)", "best", "high (95 %)"].map((word) => make("th", "", word)))), make("tbody", "", ...rows));
+    const table = (some: typeof rows) => make("div", "scrolls", make("table", "list", make("thead", "", make("tr", "", ...["", "parameter", "low (5 %)", "best", "high (95 %)"].map((word) => make("th", "", word)))), make("tbody", "", ...some.map(({ face }) => face))));
+    const first = rows.filter((row) => row.first), others = rows.filter((row) => !row.first);
+    return first.length === 0 || others.length === 0 ? table(rows) : make("div", "", table(first), make("details", "", make("summary", "", `${others.length} more numbers of soils and contacts`), table(others)));
   }
 
-  private quantities({ quantities }: Summary): HTMLElement {
-    const all = Object.entries((quantities ?? {}) as Record<string, { value?: unknown; unit: string; meaning: string; kind?: string }>).filter(([, { value, kind }]) => typeof value === "number" && kind !== "ratio");
-    const peaks = all.filter(([name]) => /(^|\.)R_max$/.test(name)), first = (peaks.length > 0 ? peaks : all.filter(([name]) => usual.test(name))).slice(0, 3).map(([name]) => name);
+  /** The key number of the kind of run is ticked. */
+  private quantities({ quantities }: Summary, key = ""): HTMLElement {
+    const all = Object.entries((quantities ?? {}) as Record<string, { value?: unknown; unit: string; meaning: string; kind?: string }>).filter(([, { value, kind }]) => typeof value === "number" && kind === "answer");
     return make("div", "measures", ...all.map(([name, { value, unit, meaning }]) => {
       const chosen = element("input", { type: "checkbox" });
-      chosen.checked = first.includes(name) || (first.length === 0 && name === all[0][0]);
+      chosen.checked = name === key;
       this.measures.push({ measured: { quantity: name, unit }, chosen });
-      const face = make("label", "", chosen, ` ${name} `, make("span", "quiet", `${digits(value as number)} ${unit === "1" ? "" : unit}`));
+      const face = make("label", "", chosen, ` ${name} `, make("span", "quiet", value_words(value as number, unit)));
       face.title = meaning;
       return face;
     }));
@@ -116,8 +132,8 @@ export class VaryView implements Place {
     if (varied.length === 0 || measured.length === 0) return;
     try {
       const there = await api.read(file).catch(() => null), study = study_of(case_name, varied, measured, Number(this.sample.value));
-      if (there !== null && there.text !== study && !confirm(`${file} exists with different contents. Replace it?`)) return;
-      await api.save(file, study, there?.modified ?? null);
+      if (there !== null && there.text !== study) throw new Error(`${file} exists with other contents: give the study another name.`);
+      if (there === null) await api.save(file, study, null);
       const { job } = await api.work("study", file);
       location.hash = `#/job?job=${encodeURIComponent(job)}`;
     } catch (error) {

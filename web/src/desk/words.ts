@@ -2,6 +2,7 @@
 // Numbers in words, messages, and pictures that come as text.
 import { element } from "../element";
 import { make } from "../film_elements";
+import { digits, display_unit } from "../film_numbers";
 
 export function duration_words(seconds: number | null): string {
   if (seconds === null || !Number.isFinite(seconds)) return "an unknown time";
@@ -12,6 +13,12 @@ export function duration_words(seconds: number | null): string {
 
 export function bytes_words(bytes: number): string {
   return bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : bytes < 1e9 ? `${Math.round(bytes / 1e6)} MB` : `${(bytes / 1e9).toFixed(1)} GB`;
+}
+
+/** "4.11 kN/m". */
+export function value_words(value: number, unit: string): string {
+  const { name, factor } = display_unit(unit, Math.abs(value));
+  return `${digits(value / factor)}${unit === "1" ? "" : ` ${name}`}`;
 }
 
 /** Calls once nothing was asked for so many ms. */

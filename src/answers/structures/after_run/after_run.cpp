@@ -13,6 +13,7 @@
 #include "structures/driven/displacements.hpp"
 #include "structures/other_bodies.hpp"
 #include "structures/structures.hpp"
+#include "text/html.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -97,6 +98,8 @@ simulation::Answers answers_of(simulation::EndedRun& ended)
   answers.quantities = run.quantities;
   answers.force_measure = base::measure_quantity(base::body_scale(run));
   take_checks(ended.checks, run);
+  answers.text.emplace_back("answer",
+                            text::text_of_html(structure.in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}))));
   answers.invalid = base::invalid_because(run);
   for (const std::string& why : answers.invalid) io::warn("the answer is invalid: {}", why);
   for (const std::string& doubt : driven::lower_estimates(run)) io::warn("{}", doubt);
