@@ -16,18 +16,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_notes = 10000;
 constexpr const char* notes_file = "notes.txt";
 
-/// Key numbers of the kinds of run, the first that a run has: displacement in a storm, uplift resistance, displacement of a buckle, resistance of a drag, force of a tow, resistance to penetration.
-constexpr const char* key_numbers[] = {"u_largest",     "R_max",   "y",          "lateral_H_max", "H_breakout", "H_max",
-                                       "tow_force_max", "q_t_end", "q_Tbar_end", "q_end",         "q_b_end",    "V_end_of_push"};
-
-/// The answer whose name ends with this word, behind that of its stage; null where there is none.
-const Json* answer_called(const Json& quantities, const std::string& word, std::string& name)
-{
-  for (const auto& [one, quantity] : quantities.items())
-    if (quantity.value("kind", "") == "answer" && (one == word || one.ends_with("." + word))) return name = one, &quantity;
-  return nullptr;
-}
-
 }  // namespace
 
 Json digest_of(const Folder& folder, const fs::path& run)
@@ -39,13 +27,11 @@ Json digest_of(const Folder& folder, const fs::path& run)
     const Json text = summary.value("text", Json::object()), quantities = summary.value("quantities", Json::object());
     for (const char* key : {"title", "date"})
       if (text.contains(key)) digest[key] = text[key];
-    std::string name;
-    const Json* found = nullptr;
-    for (const char* word : key_numbers)
-      if (found = answer_called(quantities, word, name); found != nullptr) break;
+    std::string name = text.value("key_number", "");
     for (const auto& [one, quantity] : quantities.items())
-      if (found == nullptr && quantity.value("kind", "") == "answer") name = one, found = &quantity;
-    if (found != nullptr) digest["answer"] = {{"name", name}, {"value", found->at("value")}, {"unit", found->at("unit")}};
+      if (name.empty() && quantity.value("kind", "") == "answer") name = one;
+    if (quantities.contains(name))
+      digest["answer"] = {{"name", name}, {"value", quantities.at(name).at("value")}, {"unit", quantities.at(name).at("unit")}};
   } catch (const std::exception&) {  // its page says what is wrong with the file
   }
   return digest;

@@ -169,6 +169,7 @@ TEST(Run, summary_has_the_promised_form)
   const Json summary = place.json("results/summary.json");
   const std::string answer = summary["text"]["answer"];  // the report's sentences, without its tags
   EXPECT_TRUE(answer.find("V = ") != std::string::npos && answer.find('<') == std::string::npos) << answer;
+  EXPECT_TRUE(summary["quantities"].contains(std::string(summary["text"]["key_number"]))) << summary["text"];
   for (const char* name : {"V_at_w_0.1D", "V_at_w_0.1D_over_gammaD2", "H_at_u_0.1D"}) {
     ASSERT_TRUE(summary["quantities"].contains(name)) << name;
     EXPECT_TRUE(summary["quantities"][name]["value"].is_number());

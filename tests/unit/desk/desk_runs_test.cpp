@@ -21,7 +21,7 @@ protected:
       fs::create_directories(place_ / run);
       std::ofstream(place_ / run / "resolved.toml") << "x = 1\n";
     }
-    summary({{"w_end_of_push", 0.01, "m"}, {"u_largest", 0.223, "m"}, {"H_max", 100, "N m-1"}});
+    summary({{"w_end_of_push", 0.01, "m"}, {"u_largest", 0.223, "m"}, {"H_max", 100, "N m-1"}}, "u_largest");
     desk_.emplace(served());
   }
 
@@ -30,13 +30,13 @@ protected:
     double value;
     const char* unit;
   };
-  void summary(const std::vector<Number>& numbers) const
+  void summary(const std::vector<Number>& numbers, const std::string& key_number) const
   {
     Json quantities = Json::object();
     for (const auto& [name, value, unit] : numbers)
       quantities[name] = {{"value", value}, {"unit", unit}, {"kind", "answer"}, {"meaning", name}};
     std::ofstream(served() / "out/storm/summary.json")
-        << Json{{"quantities", quantities}, {"checks", {{"finished", true}}}, {"text", {{"title", "Storm"}}}};
+        << Json{{"quantities", quantities}, {"checks", {{"finished", true}}}, {"text", {{"title", "Storm"}, {"key_number", key_number}}}};
   }
   Json listed(const std::string& path) const
   {
@@ -55,13 +55,13 @@ protected:
   std::optional<DeskClient> desk_;
 };
 
-TEST_F(DeskRuns, the_key_number_is_that_of_the_kind_of_run)
+TEST_F(DeskRuns, the_key_number_is_the_one_that_the_summary_names_else_the_first_answer)
 {
   EXPECT_EQ(listed("out/storm").at("answer"), Json({{"name", "u_largest"}, {"value", 0.223}, {"unit", "m"}}));
-  summary({{"w_end_of_push", 0.01, "m"}, {"heat.y", 2.7, "m"}, {"heat.P", 100, "N"}});
+  summary({{"w_end_of_push", 0.01, "m"}, {"heat.y", 2.7, "m"}, {"heat.P", 100, "N"}}, "heat.y");
   EXPECT_EQ(listed("out/storm").at("answer").at("name"), "heat.y");
-  summary({{"friction_gain", 2, "1"}});
-  EXPECT_EQ(listed("out/storm").at("answer").at("name"), "friction_gain") << "of a kind that has no such number the first";
+  summary({{"friction_gain", 2, "1"}}, "");
+  EXPECT_EQ(listed("out/storm").at("answer").at("name"), "friction_gain") << "of an earlier version the first";
 }
 
 TEST_F(DeskRuns, the_size_is_that_of_all_files)

@@ -98,8 +98,10 @@ simulation::Answers answers_of(simulation::EndedRun& ended)
   answers.quantities = run.quantities;
   answers.force_measure = base::measure_quantity(base::body_scale(run));
   take_checks(ended.checks, run);
-  answers.text.emplace_back("answer",
-                            text::text_of_html(structure.in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}))));
+  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
+  answers.text.emplace_back("answer", text::text_of_html(structure.in_words(run, shown)));
+  if (const base::Headline numbers = structure.headline(run, shown); !numbers.empty())
+    answers.text.emplace_back("key_number", numbers.front().quantity);
   answers.invalid = base::invalid_because(run);
   for (const std::string& why : answers.invalid) io::warn("the answer is invalid: {}", why);
   for (const std::string& doubt : driven::lower_estimates(run)) io::warn("{}", doubt);
