@@ -50,7 +50,7 @@ void take_quotation(Describe& d, const std::string& path, Expectation& e)
     const Quotation quotation = quotation_of(e);
     e.exact = quotation.value;
     e.absolute_tolerance = quotation.last_digit;
-    e.unit = quotation.si_unit;
+    if (!is_pure(e)) e.unit = quotation.si_unit;
   } catch (const InputError& error) {
     d.check(false, path + ".quoted", error.what());
   }

@@ -214,6 +214,23 @@ std::vector<Dissipation> dissipation_of(const record::RunRecord& run)
   return found;
 }
 
+Charts dissipation_charts(const record::RunRecord& run)
+{
+  const run_folder::History& h = run.history;
+  Chart chart{"U_t", {"time", "t", "s"}, {"degree of consolidation", "U", "1"}, {}, "Degree of consolidation over time"};
+  for (const Dissipation& d : dissipation_of(run)) {
+    Curve curve{d.stage};
+    for (Index row = 0; row < h.rows(); ++row)
+      if (h.stage[row] == d.stage) {
+        curve.rows.push_back(row);
+        curve.x.push_back(h["time_s"][row]);
+        curve.y.push_back(h.by_label("U")[row]);
+      }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart.curves.empty() ? Charts{} : Charts{chart};
+}
+
 std::vector<SurfaceForce> surface_forces_of(const record::RunRecord& run)
 {
   constexpr Real last_part = 0.05;

@@ -4,6 +4,7 @@
 #include "settings/body_soil.hpp"
 #include "settings/case.hpp"
 #include "settings/drainage.hpp"
+#include "structures/base/chart.hpp"
 #include "structures/base/driven_body.hpp"
 
 namespace berm::base {
@@ -49,6 +50,8 @@ struct Dissipation {
 };
 /// Of all stages that move nothing and have an excess pore pressure.
 std::vector<Dissipation> dissipation_of(const record::RunRecord& run);
+/// The degree of consolidation over time, a curve for each of these stages; none without them.
+Charts dissipation_charts(const record::RunRecord& run);
 
 /// The effective normal force on a body that rubs on soil with water, at the end of a stage: means over its last twentieth.
 struct SurfaceForce {

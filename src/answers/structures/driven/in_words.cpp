@@ -105,12 +105,13 @@ std::string moved_words(const DrivenRun& run, const DragResults& drag, const bas
                                   text::html_text(drag.stage), subject_of(run.settings), length(moved.u_largest), length(moved.u_end),
                                   length(moved.w_largest), length(moved.w_end));
   if (moved.half_cycles > 1)
-    words += fmt::format("Its largest half cycle is {}, of {}. ", length(moved.largest_half_cycle), text::count_words(moved.half_cycles));
+    words += fmt::format("Its largest half-cycle is {}, of {}. ", length(moved.largest_half_cycle), text::count_words(moved.half_cycles));
   if (moved.time_scale) words += inertia_words(run, drag);
   const auto after = [&](Real time) { return "after " + text::time_words(time) + (moved.time_scale ? " of the record" : ""); };
   if (moved.time_D)
-    return words + fmt::format("It breaks out: it is 0.5 D away {} and 1 D {}. ", after(*moved.time_half_D), after(*moved.time_D));
-  if (moved.time_half_D) return words + fmt::format("It breaks out: it is 0.5 D away {}, and never 1 D. ", after(*moved.time_half_D));
+    return words + fmt::format("Breakout: the displacement exceeds 0.5 D {} and 1 D {}. ", after(*moved.time_half_D), after(*moved.time_D));
+  if (moved.time_half_D)
+    return words + fmt::format("Breakout: the displacement exceeds 0.5 D {}; 1 D is not reached. ", after(*moved.time_half_D));
   return words + "It stays within 0.5 D. ";
 }
 

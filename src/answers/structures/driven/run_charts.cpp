@@ -4,7 +4,11 @@
 
 #include "plot/figure.hpp"
 #include "record/travel_curve.hpp"
+#include "structures/driven/displacements.hpp"
 #include "structures/driven/uplift.hpp"
+
+#include <array>
+#include <cmath>
 
 namespace berm::driven {
 namespace {
@@ -28,6 +32,8 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
   const base::Chart::Axis w{"embedment", "w", "m"}, u{"horizontal displacement since the first drag began", "u", "m"},
       travel{"travel of a drag", "s", "m"}, V{"vertical reaction", "V", scale.dimension == 2 ? "N/m" : "N"},
       H{"horizontal reaction along x", "H", V.unit}, R{"resistance to a drag", "H", V.unit};
+  base::Chart u_t{"u_t", {"time", "t", "s"}, {"displacement from the start of the stage", "u", "m"}, {}, "Displacement over time"},
+      half_cycles{"half_cycles", {"half-cycle", "n", "1"}, {"displacement between reversals", "u", "m"}, {}, "Half-cycles"};
   base::Chart V_w{"V_w", w, V, {travelled(curve_of(path.push), half)}}, H_u{"H_u", u, H}, w_u{"w_u", u, w}, V_u{"V_u", u, V},
       ratio{"H_over_V_u", u, {"ratio of forces", "H/V", "1"}}, H_travel{"H_travel", travel, R}, V_s{"V_s", {"travel upwards", "s", "m"}, V};
   for (const DragPath& drag : path.drags) {
@@ -38,6 +44,16 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
       curve.y = std::move(y);
       chart.curves.push_back(travelled(curve, half));
     };
+    if (drag.stage.varies) {
+      base::Curve in_time{drag.stage.name, drag.rows, {}, plot::scaled(drag.travel, direction)}, by_number{drag.stage.name};
+      for (const Index row : drag.rows) in_time.x.push_back(history["time_s"][row]);
+      for (const HalfCycle& c : half_cycles_of(drag, history, scale.width)) {
+        by_number.x.push_back(static_cast<Real>(by_number.x.size()) + 1);
+        by_number.y.push_back(std::abs(c.u_end - c.u_begin));
+      }
+      u_t.curves.push_back(std::move(in_time));
+      if (by_number.x.size() > 1) half_cycles.curves.push_back(std::move(by_number));
+    }
     std::vector<Real> H_over_V;
     for (std::size_t k = 0; k < drag.H.size(); ++k) H_over_V.push_back(direction * drag.H[k] / drag.V[k]);
     add(H_u, plot::scaled(drag.H, direction));
@@ -54,7 +70,11 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
     const LiftPath lift = lift_path(push, history);
     V_s.curves.push_back(base::travelled({push.stage, lift.rows, lift.travel, plot::scaled(lift.R, -1), {}, lift.travel}, half));
   }
-  return {V_w, H_u, w_u, V_u, ratio, H_travel, V_s};
+  if (H_travel.curves.size() > 1 && u_t.curves.empty()) H_travel.title = "Resistance to each drag over its displacement";
+  base::Charts charts{V_w, H_u, w_u, V_u, ratio, H_travel, V_s};
+  for (base::Chart& chart : std::array{std::move(u_t), std::move(half_cycles)})
+    if (!chart.curves.empty()) charts.push_back(std::move(chart));
+  return charts;
 }
 
 }  // namespace berm::driven

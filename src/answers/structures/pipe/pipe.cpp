@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/structures/structures_test.cpp
+#include "structures/base/soil_words.hpp"
 #include "structures/driven/driven.hpp"
 #include "structures/pipe/axial_results.hpp"
 #include "structures/pipe/pipe_report.hpp"
@@ -15,7 +16,8 @@ base::Structure pipe()
   base::Reading travels = driven::reading();
   travels.headline = headline;
   return {"pipe",
-          {{.words = [](Run run, const base::DisplayUnits& shown) { return consolidation_words(driven::DrivenRun(run), shown); }},
+          {{.charts = base::dissipation_charts,
+            .words = [](Run run, const base::DisplayUnits& shown) { return consolidation_words(driven::DrivenRun(run), shown); }},
            travels,
            {.answers = [](Run run, const std::vector<Real>&) { return axial_quantities(run); },
             .names = axial_names,

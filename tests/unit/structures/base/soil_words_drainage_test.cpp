@@ -37,6 +37,13 @@ TEST(Dissipation, is_read_from_the_rows_of_the_stages_at_rest)
   EXPECT_DOUBLE_EQ(found[0].t50, 4);
   EXPECT_NEAR(found[0].T50, 4, 1e-4);  // D2 / c_v = 1 s, c_v from a difference of stresses
   EXPECT_TRUE(dissipation_of(MadeRun{}.record()).empty());
+  const record::RunRecord run = MadeRunInWater{}.record();
+  const Charts charts = dissipation_charts(run);
+  ASSERT_EQ(charts.size(), 1u);
+  ASSERT_EQ(charts[0].curves.size(), found.size());
+  EXPECT_EQ(charts[0].curves[0].name, found[0].stage);
+  EXPECT_NEAR(charts[0].curves[0].y.back(), found[0].degree, 1e-12);
+  EXPECT_TRUE(dissipation_charts(MadeRun{}.record()).empty());
 }
 
 TEST(Dissipation, has_no_t50_before_half_of_the_pressure_is_gone)

@@ -53,6 +53,23 @@ TEST(Displacements, of_a_force_that_varies_are_largest_and_last_and_of_each_half
   EXPECT_NEAR(run.quantity("u_end_of_drag")->value, 0.4 * D, 1e-9) << "not the largest";
 }
 
+TEST(Displacements, are_drawn_over_time_and_by_half_cycle_and_begin_the_page)
+{
+  const record::RunRecord run = moved();
+  const base::Charts charts = structures::structure_of(run.settings).charts(run);
+  const base::Curve in_time = curves_in(charts, "u_t").at(0), cycles = curves_in(charts, "half_cycles").at(0);
+  ASSERT_EQ(in_time.x.size(), 161u) << "the row before the stage and its rows";
+  EXPECT_NEAR(in_time.x.back() - in_time.x.front(), 160, 1e-9);
+  EXPECT_NEAR(in_time.y.back(), 0.4 * D, 1e-9);
+  EXPECT_EQ(cycles.x, (std::vector<Real>{1, 2, 3}));
+  EXPECT_NEAR(cycles.y[2], 0.2 * D, 0.006 * D);
+  const base::DisplayUnits shown({{base::body_scale(run), &run.quantities}});
+  const base::Headline numbers = structures::structure_of(run.settings).headline(run, shown);
+  ASSERT_GE(numbers.size(), 3u);
+  EXPECT_EQ(numbers[0].quantity, "u_largest");
+  EXPECT_NE(numbers[0].beside.find("time_scale = 1"), std::string::npos) << numbers[0].beside;
+}
+
 TEST(Displacements, are_told_in_the_time_of_the_load_history)
 {
   record::RunRecord run = moved();
@@ -109,7 +126,7 @@ TEST(Displacements, of_a_body_that_breaks_out_are_a_lower_estimate_where_the_run
   for (const char* words :
        {"\"storm\" is a record of 320 s in 160 s of the run, time_scale = 0.5", "half_cycles.csv", "Run with time_scale = 1"})
     EXPECT_NE(structure.table_of(fast).find(words), std::string::npos) << words << " in " << structure.table_of(fast);
-  for (const char* words : {"is a lower estimate", "0.5 D away after 1.7 min of the record", "time_scale = 0.5"})
+  for (const char* words : {"is a lower estimate", "exceeds 0.5 D after 1.7 min of the record", "time_scale = 0.5"})
     EXPECT_NE(words_of(fast).find(words), std::string::npos) << words << " in " << words_of(fast);
   ASSERT_NE(fast.quantity("time_scale"), nullptr);
   EXPECT_EQ(fast.quantity("time_scale")->value, 0.5);
