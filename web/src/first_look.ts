@@ -2,6 +2,8 @@
 // What is seen without scrolling: charts of the structure (p-y curves), H(u), V(w) and R of a lift of the first run, of a pipeline the line at the ends of its stages, beside its answer in words and its last picture of the soil.
 import { ChartView } from "./charts/chart_view";
 import { drag_plans, is_of_ground, lift_plans, own_plans, push_plans } from "./charts/path_charts";
+import type { Plan } from "./charts/plan";
+import { line_sample } from "./charts/run_style";
 import type { Settings } from "./charts/scene";
 import { follow_size } from "./charts/follow_size";
 import type { PageData } from "./data";
@@ -22,14 +24,22 @@ export function show_first_look(place: HTMLElement | null, data: PageData): Char
     ...own_plans({ ...lead, runs: lead.runs.filter((run) => !is_line_run(run)) }).filter((plan) => !is_of_ground(plan)),
     ...[...drag_plans(lead), ...push_plans(lead), ...lift_plans(lead)].filter((plan) => ["H_u", "V_w", "R_lift"].includes(plan.id)),
   ];
-  const views = plans
-    .filter((plan) => plan.traces.length > 0)
+  const drawn = plans.filter((plan) => plan.traces.length > 0);
+  const views = drawn
     .map((plan) => new ChartView({ ...plan, id: `look_${plan.id}` }, settings, lead.runs, null, tallest));
   place.append(...views.map((view) => view.figure), ...lead.runs.filter(is_line_run).map(ends_of_line));
-  for (const view of views) view.show(settings);
+  for (const [at, view] of views.entries()) {
+    view.show(settings);
+    if (drawn[at].by_run === false && drawn[at].traces.length > 1) view.figure.append(legend_of(drawn[at]));
+  }
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((view) => view.draw()));
   return views;
+}
+
+/** What the lines of a chart are of, with their samples. */
+function legend_of(plan: Plan): HTMLElement {
+  return make("figcaption", "quiet legend_of_look", ...plan.traces.map((trace) => make("span", "", line_sample(trace.style), ` ${trace.label}`)));
 }
 
 function ends_of_line(run: LineRun): HTMLElement {

@@ -5,7 +5,7 @@ import { api, type Axis, type Chart, type Column } from "./api";
 import { curve_colour, LiveChart } from "./live_chart";
 
 /** Those that curves of the history show, or that follow from them. */
-const shown_otherwise = ["V_w", "H_u", "w_u", "V_u", "H_over_V_u", "H_travel", "u_H", "u_t", "U_t"];
+const shown_otherwise = ["V_w", "H_u", "w_u", "V_u", "H_over_V_u", "H_travel", "u_H", "u_t", "U_t", "H_s"];
 /** Depths increase downwards. */
 const is_depth = ({ symbol }: Axis) => symbol === "z";
 

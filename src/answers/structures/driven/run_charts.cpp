@@ -7,6 +7,7 @@
 #include "structures/driven/displacements.hpp"
 #include "structures/driven/uplift.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -22,6 +23,15 @@ base::Curve curve_of(const PushPath& push)
   return curve;
 }
 
+/// The row of a drag at a time since the stage began, which is that of its first row.
+Index row_at(const DragPath& drag, const run_folder::History& history, Real time)
+{
+  const std::vector<Real>& times = history["time_s"];
+  const auto is_later = [&](Index row) { return times[row] - times[drag.rows.front()] >= time; };
+  const auto found = std::ranges::find_if(drag.rows, is_later);
+  return found == drag.rows.end() ? drag.rows.back() : *found;
+}
+
 }  // namespace
 
 base::Charts run_charts(const run_folder::History& history, const base::BodyScale& scale, const Stages& stages)
@@ -32,8 +42,13 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
   const base::Chart::Axis w{"embedment", "w", "m"}, u{"horizontal displacement since the first drag began", "u", "m"},
       travel{"travel of a drag", "s", "m"}, V{"vertical reaction", "V", scale.dimension == 2 ? "N/m" : "N"},
       H{"horizontal reaction along x", "H", V.unit}, R{"resistance to a drag", "H", V.unit};
-  base::Chart u_t{"u_t", {"time", "t", "s"}, {"displacement from the start of the stage", "u", "m"}, {}, "Displacement over time"},
-      half_cycles{"half_cycles", {"half-cycle", "n", "1"}, {"displacement between reversals", "u", "m"}, {}, "Half-cycles"};
+  base::Chart u_t{"u_t", {"time", "t", "s"}, {"displacement", "u", "m"}, {}, "Displacement over time"},
+      half_cycles{"half_cycles", {"half-cycle", "n", "1"}, {"half-cycle displacement", "u", "m"}, {}, "Half-cycles"},
+      by_drag{"H_s",
+              {"displacement of the drag", "s", "m"},
+              {"resistance to a drag", "H", scale.dimension == 2 ? "N/m" : "N"},
+              {},
+              "Each drag: H(s)"};
   base::Chart V_w{"V_w", w, V, {travelled(curve_of(path.push), half)}}, H_u{"H_u", u, H}, w_u{"w_u", u, w}, V_u{"V_u", u, V},
       ratio{"H_over_V_u", u, {"ratio of forces", "H/V", "1"}}, H_travel{"H_travel", travel, R}, V_s{"V_s", {"travel upwards", "s", "m"}, V};
   for (const DragPath& drag : path.drags) {
@@ -48,6 +63,7 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
       base::Curve in_time{drag.stage.name, drag.rows, {}, plot::scaled(drag.travel, direction)}, by_number{drag.stage.name};
       for (const Index row : drag.rows) in_time.x.push_back(history["time_s"][row]);
       for (const HalfCycle& c : half_cycles_of(drag, history, scale.width)) {
+        by_number.rows.push_back(row_at(drag, history, c.end_s));
         by_number.x.push_back(static_cast<Real>(by_number.x.size()) + 1);
         by_number.y.push_back(std::abs(c.u_end - c.u_begin));
       }
@@ -60,6 +76,7 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
     add(w_u, drag.w);
     add(V_u, drag.V);
     add(ratio, std::move(H_over_V));
+    by_drag.curves.push_back(travelled(base::Curve{drag.stage.name, drag.rows, drag.travel, drag.H, {}, drag.travel}, half));
     if (const record::TravelCurve rows(drag.travel, drag.H); !rows.empty()) {
       const record::TravelCurve smooth = rows.smoothed(half);
       H_travel.curves.push_back({drag.stage.name, {}, smooth.travel(), smooth.value()});
@@ -70,9 +87,9 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
     const LiftPath lift = lift_path(push, history);
     V_s.curves.push_back(base::travelled({push.stage, lift.rows, lift.travel, plot::scaled(lift.R, -1), {}, lift.travel}, half));
   }
-  if (H_travel.curves.size() > 1 && u_t.curves.empty()) H_travel.title = "Resistance to each drag over its displacement";
   base::Charts charts{V_w, H_u, w_u, V_u, ratio, H_travel, V_s};
-  for (base::Chart& chart : std::array{std::move(u_t), std::move(half_cycles)})
+  if (by_drag.curves.size() < 2 || !u_t.curves.empty()) by_drag.curves.clear();
+  for (base::Chart& chart : std::array{std::move(u_t), std::move(half_cycles), std::move(by_drag)})
     if (!chart.curves.empty()) charts.push_back(std::move(chart));
   return charts;
 }
