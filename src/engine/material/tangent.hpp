@@ -47,4 +47,34 @@ inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress,
   for (int k = 0; k < state_variables; ++k) state[k] = new_state[k].value;
 }
 
+/// d(s_xx, s_yy, s_zz, s_xy, s_yz, s_xz) / d(e_xx, e_yy, e_zz, gamma_xy, gamma_yz, gamma_xz), gamma = 2 e, Pa.
+using TangentInSpace = Eigen::Matrix<Real, 6, 6, Eigen::DontAlign>;
+
+/// The same in space, in two updates: a Dual has four derivatives.
+template <class Prepared>
+inline void update_stress_and_tangent(const Prepared& law, SymTensor<3>& stress, const Increment<3, Real>& increment, Real* state,
+                                      TangentInSpace& tangent)
+{
+  SymTensor<3, Dual> new_stress;
+  Dual new_state[std::max(Prepared::state_size, 1)];
+  const int state_variables = state_count(law);
+  for (const int first : {0, 4}) {
+    const int end = std::min(first + 4, 6);
+    Increment<3, Dual> with_slopes{{}, increment.dt, increment.time, increment.cell_size};
+    for (int k = 0; k < 6; ++k) {
+      new_stress[k] = {stress[k]};
+      with_slopes.strain[k].value = increment.strain[k];
+    }
+    for (int j = first; j < end; ++j) with_slopes.strain[j].slope[j - first] = j < 3 ? 1 : 0.5;
+    for (int k = 0; k < state_variables; ++k) new_state[k] = {state[k]};
+
+    update(law, new_stress, with_slopes, new_state);
+
+    for (int k = 0; k < 6; ++k)
+      for (int j = first; j < end; ++j) tangent(k, j) = new_stress[k].slope[j - first];
+  }
+  for (int k = 0; k < 6; ++k) stress[k] = new_stress[k].value;
+  for (int k = 0; k < state_variables; ++k) state[k] = new_state[k].value;
+}
+
 }  // namespace berm::material

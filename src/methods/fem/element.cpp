@@ -4,19 +4,34 @@
 namespace berm::fem {
 namespace {
 
-/// What does not hang on the nodes.
+/// What does not depend on the nodes.
+template <int dim>
 struct ReferencePoint {
-  AtSixNodes<Real> value;
-  AtSixNodes<Vec<2>> derivative;
+  AtElementNodes<dim, Real> value;
+  AtElementNodes<dim, Vec<dim>> derivative;
 };
 
-const std::array<ReferencePoint, triangle_points>& reference_points()
+/// Each integration point is nearest to one corner: its barycentric coordinate of that corner; in space (5 + 3 sqrt(5))/20.
+template <int dim>
+constexpr Real far = 2. / 3;
+template <>
+constexpr Real far<3> = 0.58541019662496845446;
+/// The others.
+template <int dim>
+constexpr Real near = 1. / 6;
+template <>
+constexpr Real near<3> = 0.13819660112501051518;
+
+template <int dim>
+const std::array<ReferencePoint<dim>, element_points<dim>>& reference_points()
 {
-  static const std::array<ReferencePoint, triangle_points> points = [] {
-    constexpr Real near = 1. / 6, far = 2. / 3;
-    const Vec<2> at[triangle_points] = {{near, near}, {far, near}, {near, far}};
-    std::array<ReferencePoint, triangle_points> made;
-    for (int q = 0; q < triangle_points; ++q) made[q] = {shape_functions(at[q]), shape_derivatives(at[q])};
+  static const std::array<ReferencePoint<dim>, element_points<dim>> points = [] {
+    std::array<ReferencePoint<dim>, element_points<dim>> made;
+    for (int q = 0; q < element_points<dim>; ++q) {
+      Vec<dim> at = Vec<dim>::Constant(near<dim>);
+      if (q > 0) at[q - 1] = far<dim>;
+      made[q] = {shape_functions<dim>(at), shape_derivatives<dim>(at)};
+    }
     return made;
   }();
   return points;
@@ -24,24 +39,22 @@ const std::array<ReferencePoint, triangle_points>& reference_points()
 
 }  // namespace
 
-ShapeAtPoint shape_at(const AtSixNodes<Vec<2>>& nodes, int point)
+template <int dim>
+ElementPoint<dim> shape_at(const AtElementNodes<dim, Vec<dim>>& nodes, int point)
 {
-  const ReferencePoint& reference = reference_points()[static_cast<std::size_t>(point)];
-  const Matrix<2> j = jacobian(nodes, reference.derivative), to_place = j.inverse().transpose();
-  ShapeAtPoint shape;
+  constexpr Real points_per_unit = dim == 2 ? 6 : 24;  // of the reference element, whose area is 1/2, or volume 1/6
+  const ReferencePoint<dim>& reference = reference_points<dim>()[static_cast<std::size_t>(point)];
+  const Matrix<dim> j = jacobian<dim>(nodes, reference.derivative), to_place = j.inverse().transpose();
+  ElementPoint<dim> shape;
   shape.value = reference.value;
-  for (int k = 0; k < 6; ++k) shape.gradient[k] = to_place * reference.derivative[k];
-  shape.area = j.determinant() / 6;
+  for (int k = 0; k < element_nodes<dim>; ++k) shape.gradient[k] = to_place * reference.derivative[k];
+  shape.area = j.determinant() / points_per_unit;
   shape.per_radius = 0;
   return shape;
 }
 
-Vec<2> position_of(const ShapeAtPoint& shape, const AtSixNodes<Vec<2>>& nodes)
-{
-  Vec<2> x = Vec<2>::Zero();
-  for (int k = 0; k < 6; ++k) x += shape.value[k] * nodes[k];
-  return x;
-}
+template ElementPoint<2> shape_at<2>(const AtElementNodes<2, Vec<2>>&, int);
+template ElementPoint<3> shape_at<3>(const AtElementNodes<3, Vec<3>>&, int);
 
 void turn_around_axis(ShapeAtPoint& shape, const Vec<2>& position)
 {

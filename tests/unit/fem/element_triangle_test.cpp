@@ -9,7 +9,7 @@ namespace {
 TEST(Triangle, shape_functions_are_one_at_their_node_and_zero_at_the_others)
 {
   for (int k = 0; k < 6; ++k)
-    for (int l = 0; l < 6; ++l) EXPECT_EQ(shape_functions(six_nodes[l])[k], k == l ? 1 : 0) << k << " at " << l;
+    for (int l = 0; l < 6; ++l) EXPECT_EQ(shape_functions<2>(six_nodes[l])[k], k == l ? 1 : 0) << k << " at " << l;
 }
 
 TEST(Triangle, derivatives_are_those_of_the_shape_functions)
@@ -19,7 +19,7 @@ TEST(Triangle, derivatives_are_those_of_the_shape_functions)
   const Real step = 0.1;
   for (int d = 0; d < 2; ++d) {
     const Vec<2> away = step * Vec<2>::Unit(d);
-    const auto after = shape_functions(at + away), before = shape_functions(at - away);
+    const auto after = shape_functions<2>(at + away), before = shape_functions<2>(at - away);
     for (int k = 0; k < 6; ++k) EXPECT_NEAR(shape_derivatives(at)[k][d], (after[k] - before[k]) / (2 * step), 1e-14);
   }
 }
