@@ -59,8 +59,9 @@ std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc
 void refuse_ranks(const std::string& command)
 {
   if (Ranks::of_run().count() > 1 && command != "run" && command != "check")
-    throw InputError(fmt::format("an MPI launcher started {} processes of berm {}, which is for one: start it without the launcher",
-                                 Ranks::of_run().count(), command));
+    throw InputError(
+        fmt::format("an MPI launcher started {} processes of berm {}, which runs as one process: start it without the launcher",
+                    Ranks::of_run().count(), command));
 }
 
 int dispatch(int argc, char** argv)
@@ -108,7 +109,7 @@ int status_of_command(int argc, char** argv, std::string& why)
     why = error.what();
     return 2;
   } catch (const Interrupted& error) {
-    why = fmt::format("{}; the same command begins anew", error.what());
+    why = fmt::format("{}; the same command starts again", error.what());
     return status_of(jobs::Outcome::unfinished);
   } catch (const std::bad_alloc&) {
     throw;
@@ -121,7 +122,7 @@ int status_of_command(int argc, char** argv, std::string& why)
 /// To say so may take no memory.
 void say_without_memory()
 {
-  std::fputs("berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n", stderr);
+  std::fputs("berm: out of memory; berm check CASE prints how much a run needs\n", stderr);
 }
 
 volatile std::sig_atomic_t memory_failed = 0;

@@ -196,7 +196,7 @@ private:
     const auto found = std::find_if(named.begin(), named.end(), fits);
     const std::size_t k = found == named.end() ? named.front() : *found;
     if (std::find(columns_.begin(), columns_.end(), k) != columns_.end())
-      refuse(fmt::format("{} is a second column of the same", in_quotes(header)));
+      refuse(fmt::format("{} repeats another column", in_quotes(header)));
     scales_.push_back(scale_of(header, written, unit_of(k)));
     columns_.push_back(k);
   }
