@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/ranks.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
+#include <memory>
 #include <new>
 #include <sstream>
 
@@ -52,7 +54,7 @@ std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc
     if (word.starts_with("--") && word.size() > 2 && std::find(options.begin(), options.end(), word) == options.end())
       return fmt::format("unknown option {}{}", input::in_quotes(word), input::suggestion(word, options));
   }
-  return error.what();
+  return in_words(error);
 }
 
 /// Only what computes one problem at a time is done by several ranks.
@@ -68,6 +70,7 @@ int dispatch(int argc, char** argv)
 {
   CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and computes how the soil responds.", "berm");
   app.footer("A command explains itself: berm run --help. A first run: berm run examples/bar/case.toml");
+  app.formatter(std::make_shared<Help>());
   app.set_version_flag("--version", "berm " + io::version_words());
   app.require_subcommand(1);
   std::vector<Command> commands;

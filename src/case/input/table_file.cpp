@@ -204,7 +204,7 @@ private:
   std::vector<Real> numbers_of(const std::vector<std::string>& fields) const
   {
     const std::size_t count = columns_.empty() ? 2 : 1 + columns_.size();
-    if (columns_.empty() && !form_.factors) refuse("the first line is to name the columns: " + form_.header);
+    if (columns_.empty() && !form_.factors) refuse("the first line must name the columns: " + form_.header);
     if (fields.size() != count)
       refuse((columns_.empty()
                   ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "

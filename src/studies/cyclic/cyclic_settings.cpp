@@ -93,9 +93,9 @@ ContourTable read_contours(const ContourSettings& settings, const std::filesyste
     if (!(cycles >= 1)) return fmt::format("cycles = {:.6g} is less than 1", cycles);
     if (!(stress >= 0 && stress <= 5)) return fmt::format("cyclic_stress_ratio = {:.6g} is not from 0 to 5", stress);
     ContourCurve& curve = table[strain][average];
-    if (!curve.empty() && last != &curve) return "the rows of a contour at an average stress are to stand together";
-    if (!curve.empty() && !(cycles > curve.back().cycles)) return "the cycles of a contour are to rise from row to row";
-    if (!curve.empty() && stress > curve.back().stress) return "the stress of a contour rises with the number of cycles";
+    if (!curve.empty() && last != &curve) return "the rows of a contour at an average stress must be consecutive";
+    if (!curve.empty() && !(cycles > curve.back().cycles)) return "the cycles of a contour must ascend";
+    if (!curve.empty() && stress > curve.back().stress) return "the stress of a contour must not increase with the number of cycles";
     curve.push_back({cycles, stress});
     last = &curve;
     return "";

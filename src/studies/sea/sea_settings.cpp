@@ -162,7 +162,7 @@ formulas::WaveSpectrum read_spectrum(const std::filesystem::path& file)
   std::vector<Real> frequency, density;
   const auto take = [&](Real f, const std::vector<std::size_t>&, const std::vector<Real>& values) -> std::string {
     if (!(f > 0)) return fmt::format("frequency = {:.6g} Hz is not more than 0", f);
-    if (!frequency.empty() && !(2 * pi * f > frequency.back())) return "the frequency is to rise from row to row";
+    if (!frequency.empty() && !(2 * pi * f > frequency.back())) return "frequencies must ascend";
     if (!(values.front() >= 0)) return fmt::format("density = {:.6g} is negative", values.front());
     frequency.push_back(2 * pi * f), density.push_back(values.front() / (2 * pi));
     return "";

@@ -207,8 +207,8 @@ struct MaterialWriter {
 
 std::string priors_toml(const FitResults& results)
 {
-  std::string toml =
-      "# For the [sample] of a study: 5 and 95 % of each key by the standard error of the fit. How much the ground varies is not in it.\n";
+  std::string toml = "# For the [sample] of a study: 5 and 95 % of each key by the standard error of the fit. The variability of the "
+                     "ground is not included.\n";
   for (const FittedKey& key : results.soil.keys) {
     if (key.at_bound || !std::isfinite(key.error)) continue;
     const auto at = [&](Real value) { return quantity_of(key.free, std::clamp(value, key.free.from, key.free.to), 7); };
